@@ -12,59 +12,59 @@ from functools import cache
 from storyblender.agents.concept_artist.generator import RulesAssetGenerator
 from storyblender.agents.concept_artist.recipe import (
     RETRIEVAL_THRESHOLD,
-    AssetRequest,
-    MatchCritic,
+    AssetRetrieverCritic,
+    AssetRetrieverView,
     ModelFile,
     Recipe,
-    asset_request,
+    asset_retriever_view,
 )
 from storyblender.agents.concept_artist.retriever import RulesAssetRetriever
 from storyblender.agents.director.director import (
-    ReadingCritic,
+    DirectorCritic,
     RulesDirector,
     RulesShotDirector,
-    ShotsCritic,
-    ShotsView,
+    ShotDirectorCritic,
+    ShotDirectorView,
 )
 from storyblender.agents.director.reading import Reading
 from storyblender.agents.director.settings import DirectorSettings
 from storyblender.agents.layout_artist.camera_operator import CAMERA_HORIZON, CAMERA_THRESHOLD, Operator, rules_operator
 from storyblender.agents.layout_artist.dimension_estimator import (
-    DimensionCritic,
-    DimensionView,
+    DimensionEstimatorCritic,
+    DimensionEstimatorView,
     RulesDimensionEstimator,
-    dimension_view,
+    dimension_estimator_view,
 )
-from storyblender.agents.layout_artist.layout_brief import LayoutBrief, layout_brief
-from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, RulesSpatialPlanner
+from storyblender.agents.layout_artist.spatial_planner import RulesSpatialPlanner, SpatialPlannerCritic
+from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView, spatial_planner_view
 from storyblender.agents.visual_effects_artist.animator import AnimatorDraft, AnimatorView, RulesAnimator, animator_view
 from storyblender.agents.visual_effects_artist.animator_critic import AnimatorCritic
 from storyblender.agents.visual_effects_artist.environment_designer import (
-    EnvironmentCritic,
-    EnvironmentView,
+    EnvironmentDesignerCritic,
+    EnvironmentDesignerView,
     RulesEnvironmentDesigner,
-    environment_view,
+    environment_designer_view,
 )
 from storyblender.agents.visual_effects_artist.lighting_arranger import (
-    LightingCritic,
-    LightingView,
+    LightingArrangerCritic,
+    LightingArrangerView,
     RulesLightingArranger,
-    lighting_view,
+    lighting_arranger_view,
 )
 from storyblender.agents.visual_effects_artist.set_dresser import (
-    Dressing,
-    DressingCritic,
-    DressingView,
     RulesSetDresser,
-    dressing_view,
+    SetDresserCritic,
+    SetDresserDraft,
+    SetDresserView,
+    set_dresser_view,
 )
 from storyblender.memory.asset_sheet import Asset, AssetDimension
 from storyblender.memory.graph import ContinuityMemoryGraph, Storyboard
 from storyblender.memory.scene_context import Environment, Layout, Lighting
 from storyblender.ports import Embedder
-from storyblender.reflection import Role, Typed
+from storyblender.reflection import Critic, Draft, Policy, Role, Subject, Typed, View
 from storyblender.screenplay.model import Screenplay
-from storyblender.settings import Settings
+from storyblender.settings import RoleName, Settings
 
 
 @dataclass(frozen=True)
@@ -73,18 +73,20 @@ class Crew:
 
     director: Role[[Screenplay], Screenplay, Reading]
     """Reads the script."""
-    shot_director: Role[[Reading, DirectorSettings], ShotsView, Storyboard]
+    shot_director: Role[[Reading, DirectorSettings], ShotDirectorView, Storyboard]
     """Cuts what was read into shots."""
     asset_retriever: Role[
-        [ContinuityMemoryGraph, Asset, tuple[ModelFile, ...], Mapping[str, str]], AssetRequest, Recipe
+        [ContinuityMemoryGraph, Asset, tuple[ModelFile, ...], Mapping[str, str]], AssetRetrieverView, Recipe
     ]
     """Finds an asset; where nothing fits, the Asset Generator takes over."""
-    dimension_estimator: Role[[ContinuityMemoryGraph, Sequence[Asset]], DimensionView, dict[str, AssetDimension]]
-    environment_designer: Role[[ContinuityMemoryGraph, int], EnvironmentView, Environment]
-    set_dresser: Role[[ContinuityMemoryGraph, int], DressingView, Dressing]
-    spatial_planner: Role[..., LayoutBrief, Layout]
+    dimension_estimator: Role[
+        [ContinuityMemoryGraph, Sequence[Asset]], DimensionEstimatorView, dict[str, AssetDimension]
+    ]
+    environment_designer: Role[[ContinuityMemoryGraph, int], EnvironmentDesignerView, Environment]
+    set_dresser: Role[[ContinuityMemoryGraph, int], SetDresserView, SetDresserDraft]
+    spatial_planner: Role[..., SpatialPlannerView, Layout]
     animator: Role[[ContinuityMemoryGraph, int], AnimatorView, AnimatorDraft]
-    lighting_arranger: Role[..., LightingView, Lighting]
+    lighting_arranger: Role[..., LightingArrangerView, Lighting]
     camera_operator: Operator
 
 
@@ -96,46 +98,44 @@ def rules_crew(settings: Settings, embedder: Callable[[], Embedder]) -> Crew:
         embedder: Loads the sentence model; called once, at the first need.
     """
     embedder = cache(embedder)
+
+    def role(
+        name: RoleName,
+        project: Callable[Subject, View],
+        policies: Sequence[Policy[View, Draft]],
+        critic: Critic[View, Draft],
+        draft: type[Draft],
+        threshold: float = 8.0,
+        horizon: int = 5,
+    ) -> Role[Subject, View, Draft]:
+        limits = settings.limits(name, threshold, horizon)
+        return Role(name, project, tuple(policies), critic, Typed(draft), *limits)
+
     retrievers = (RulesAssetRetriever(embedder), RulesAssetGenerator(embedder))
+    dimensions = dict[str, AssetDimension]
     camera = settings.limits("camera_operator", CAMERA_THRESHOLD, CAMERA_HORIZON)
     return Crew(
-        director=Role(
-            "director", _as_it_is, (RulesDirector(embedder),), ReadingCritic(), Typed(Reading),
-            *settings.limits("director"),
+        role("director", _as_it_is, [RulesDirector(embedder)], DirectorCritic(), Reading),
+        role("shot_director", ShotDirectorView, [RulesShotDirector()], ShotDirectorCritic(), Storyboard),
+        role(
+            "asset_retriever", asset_retriever_view, retrievers, AssetRetrieverCritic(), Recipe,
+            RETRIEVAL_THRESHOLD, horizon=1,
         ),
-        shot_director=Role(
-            "shot_director", ShotsView, (RulesShotDirector(),), ShotsCritic(), Typed(Storyboard),
-            *settings.limits("shot_director"),
+        role(
+            "dimension_estimator", dimension_estimator_view, [RulesDimensionEstimator()], DimensionEstimatorCritic(),
+            dimensions,
         ),
-        asset_retriever=Role(
-            "asset_retriever", asset_request, retrievers, MatchCritic(), Typed(Recipe),
-            *settings.limits("asset_retriever", RETRIEVAL_THRESHOLD, 1),
+        role(
+            "environment_designer", environment_designer_view, [RulesEnvironmentDesigner()],
+            EnvironmentDesignerCritic(), Environment,
         ),
-        dimension_estimator=Role(
-            "dimension_estimator", dimension_view, (RulesDimensionEstimator(),), DimensionCritic(),
-            Typed(dict[str, AssetDimension]), *settings.limits("dimension_estimator"),
+        role("set_dresser", set_dresser_view, [RulesSetDresser()], SetDresserCritic(), SetDresserDraft),
+        role("spatial_planner", spatial_planner_view, [RulesSpatialPlanner()], SpatialPlannerCritic(), Layout),
+        role("animator", animator_view, [RulesAnimator()], AnimatorCritic(), AnimatorDraft),
+        role(
+            "lighting_arranger", lighting_arranger_view, [RulesLightingArranger()], LightingArrangerCritic(), Lighting
         ),
-        environment_designer=Role(
-            "environment_designer", environment_view, (RulesEnvironmentDesigner(),), EnvironmentCritic(),
-            Typed(Environment), *settings.limits("environment_designer"),
-        ),
-        set_dresser=Role(
-            "set_dresser", dressing_view, (RulesSetDresser(),), DressingCritic(), Typed(Dressing),
-            *settings.limits("set_dresser"),
-        ),
-        spatial_planner=Role(
-            "spatial_planner", layout_brief, (RulesSpatialPlanner(),), LayoutCritic(), Typed(Layout),
-            *settings.limits("spatial_planner"),
-        ),
-        animator=Role(
-            "animator", animator_view, (RulesAnimator(),), AnimatorCritic(), Typed(AnimatorDraft),
-            *settings.limits("animator"),
-        ),
-        lighting_arranger=Role(
-            "lighting_arranger", lighting_view, (RulesLightingArranger(),), LightingCritic(), Typed(Lighting),
-            *settings.limits("lighting_arranger"),
-        ),
-        camera_operator=lambda viewfinder: rules_operator(viewfinder, *camera),
+        lambda viewfinder: rules_operator(viewfinder, *camera),
     )  # fmt: skip
 
 

@@ -6,8 +6,8 @@ import math
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 
-from storyblender.agents.layout_artist.layout_brief import measures_of
 from storyblender.agents.layout_artist.layout_things import layout_violations
+from storyblender.agents.layout_artist.spatial_planner_view import measures_of
 from storyblender.catalog.sets import plan_of
 from storyblender.deliver.checklist import STAGING, names_of, picture_flaws, plain
 from storyblender.geometry.continuity import has_new_line, side_of_line

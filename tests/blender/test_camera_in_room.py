@@ -9,8 +9,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import camera_stage  # noqa: E402
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment  # noqa: E402
 from storyblender.agents.layout_artist.camera_operator import operate  # noqa: E402
+from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment  # noqa: E402
 from storyblender.blender.measure.figures import figures  # noqa: E402
 from storyblender.blender.measure.view import Sighting, look  # noqa: E402
 from storyblender.catalog.set_plan import SetPlan  # noqa: E402
@@ -55,6 +55,6 @@ def scene():
 def test_in_a_closed_room_the_camera_finds_its_picture(scene, instruction) -> None:
     moments = (Moment(0, figures(scene)),)
     props = {"table": Box(1.8, 1.6, 0, 1.2, 0.8, 0.75)}
-    brief = CameraBrief(1, 1, CameraInstruction(**instruction), 48, moments, PLAN, props, side=-1)
+    brief = CameraOperatorView(1, 1, CameraInstruction(**instruction), 48, moments, PLAN, props, side=-1)
     state = operate(brief, RealFinder(scene))
     assert state.score >= 9, state.residual

@@ -9,10 +9,10 @@ from pathlib import Path
 
 from pydantic import TypeAdapter
 
-from storyblender.agents.layout_artist.camera_brief import Moment
 from storyblender.agents.layout_artist.camera_continuity import judge_cuts
-from storyblender.agents.layout_artist.camera_scene import camera_brief, shoot_scene, telling_frames
-from storyblender.agents.layout_artist.layout_brief import measures_of
+from storyblender.agents.layout_artist.camera_operator_view import Moment
+from storyblender.agents.layout_artist.camera_scene import camera_operator_view, shoot_scene, telling_frames
+from storyblender.agents.layout_artist.spatial_planner_view import measures_of
 from storyblender.catalog.sets import plan_of
 from storyblender.geometry.framing import Figure
 from storyblender.memory.base import scene_name
@@ -87,7 +87,7 @@ def with_cuts_judged(run: Run) -> ContinuityMemoryGraph:
         if environment is None or len(shots) < 2 or not run.outputs.whole(figures_of(pack)):
             continue
         faces, plan, measures = PackViewfinder(run, pack, shots), plan_of(environment), measures_of(graph.assets)
-        states = judge_cuts([(s, camera_brief(graph, s, plan, measures, faces.moments(s))) for s in shots])
+        states = judge_cuts([(s, camera_operator_view(graph, s, plan, measures, faces.moments(s))) for s in shots])
         fresh += [shot.model_copy(update={"camera": states.get(shot.shot_id, shot.camera)}) for shot in shots]
     return replace(graph, *fresh)
 

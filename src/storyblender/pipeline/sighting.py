@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from storyblender.agents.frame_critic.frame_view import things_to_see
-from storyblender.agents.layout_artist.camera_brief import pose_of
+from storyblender.agents.layout_artist.camera_operator_view import pose_of
 from storyblender.agents.layout_artist.story_moment import story_moment
 from storyblender.geometry.camera_path import camera_at
 from storyblender.geometry.framing import Figure, Film

@@ -6,12 +6,12 @@ from collections.abc import Collection
 
 from storyblender.agents.director.crowds import crowd_told, is_emptied
 from storyblender.agents.layout_artist.bystanders import bystanders, placed
-from storyblender.agents.layout_artist.layout_brief import LayoutBrief, measures_of
 from storyblender.agents.layout_artist.roomier import Room, larger, until_it_fits, without_dressing
 from storyblender.agents.layout_artist.spatial_planner import ways_of
+from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView, measures_of
 from storyblender.agents.visual_effects_artist.furniture import dressing_asset
 from storyblender.agents.visual_effects_artist.lamp_states import lit_shots
-from storyblender.agents.visual_effects_artist.lighting_view import lighting_view
+from storyblender.agents.visual_effects_artist.lighting_arranger_view import lighting_arranger_view
 from storyblender.agents.visual_effects_artist.staging_flaws import staging_flaws
 from storyblender.agents.visual_effects_artist.vehicle_doors import with_open_doors
 from storyblender.catalog.props import PROPS, PropEntry
@@ -43,7 +43,7 @@ def _stage_scene(run: Run, scene_id: int) -> None:
     environment = design(run, run.graph, scene_id)
     same_place = run.graph.scene(scene_id).setup.reference_scene_id is not None  # it stays as large as it was
 
-    def stage_in(room: Room, faulty: Collection[Vec2]) -> tuple[SceneContext, Outcome[LayoutBrief, Layout]]:
+    def stage_in(room: Room, faulty: Collection[Vec2]) -> tuple[SceneContext, Outcome[SpatialPlannerView, Layout]]:
         return _laid_out(run, scene_id, larger(environment, 1.0 if same_place else room.grown), room, faulty)
 
     fitted = until_it_fits(stage_in, threshold=run.crew.spatial_planner.threshold)
@@ -61,7 +61,7 @@ def _stage_scene(run: Run, scene_id: int) -> None:
 
 def _laid_out(
     run: Run, scene_id: int, environment: Environment, room: Room, faulty: Collection[Vec2]
-) -> tuple[SceneContext, Outcome[LayoutBrief, Layout]]:
+) -> tuple[SceneContext, Outcome[SpatialPlannerView, Layout]]:
     """Dress a set and lay the scene out in it, without the dressing near what did not fit before."""
     name, plan = scene_name(scene_id), plan_of(environment)
     scene = run.graph.scene(scene_id).model_copy(update={"environment": environment})
@@ -76,7 +76,7 @@ def _laid_out(
     return scene, run.reflect(role, name, run.graph, scene_id, plan, standing, pending, placements, room.apart)
 
 
-def _with_crowd(run: Run, brief: LayoutBrief, layout: Layout) -> Layout:
+def _with_crowd(run: Run, brief: SpatialPlannerView, layout: Layout) -> Layout:
     """Return a layout with the people of the background that the script tells of."""
     graph = run.graph
     size = brief.plan.size
@@ -142,6 +142,6 @@ def _light(
         name, words = shot_name(scene_id, shot.shot_id), shot.new_lighting_description or ""
         return run.reflect(role, name, graph, scene_id, current, words).draft
 
-    first, lit, found = lit_shots(usual, lighting_view(graph, scene_id), shots, scene.setup.found, change)
+    first, lit, found = lit_shots(usual, lighting_arranger_view(graph, scene_id), shots, scene.setup.found, change)
     setup = scene.setup if found == scene.setup.found else scene.setup.model_copy(update={"found": found})
     return scene.model_copy(update={"lighting": first, "setup": setup}), lit

@@ -8,7 +8,7 @@ from itertools import product
 from tests.every import every
 
 from storyblender.agents.visual_effects_artist.furniture import prop_size
-from storyblender.agents.visual_effects_artist.set_dresser import DressingView, RulesSetDresser
+from storyblender.agents.visual_effects_artist.set_dresser import RulesSetDresser, SetDresserView
 from storyblender.catalog.footprints import piece_boxes, stage_box
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.set_plan import Furnishing, SetPlan
@@ -101,5 +101,5 @@ def test_a_thing_of_the_script_takes_no_place_of_what_lies_about() -> None:
     fixed = {item.prop for item in room.furnishings if not item.loose}
     prop = next(prop for prop in loose if prop not in fixed)
     own = Asset(asset_id=prop, asset_type="object", name=prop.replace("_", " "), description="Of the script.")
-    dressing = RulesSetDresser().propose(DressingView(SceneSetup(place="KITCHEN"), room, (own,)))
+    dressing = RulesSetDresser().propose(SetDresserView(SceneSetup(place="KITCHEN"), room, (own,)))
     assert dressing.pending == (prop,)

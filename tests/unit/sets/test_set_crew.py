@@ -12,19 +12,19 @@ from tests.crew import RULES
 from tests.every import every
 
 from storyblender.agents.visual_effects_artist.environment_designer import (
-    EnvironmentCritic,
-    EnvironmentView,
+    EnvironmentDesignerCritic,
+    EnvironmentDesignerView,
     RulesEnvironmentDesigner,
 )
 from storyblender.agents.visual_effects_artist.furniture import prop_of, prop_size
 from storyblender.agents.visual_effects_artist.light_level import metered
 from storyblender.agents.visual_effects_artist.lighting_arranger import (
-    LightingView,
+    LightingArrangerView,
     RulesLightingArranger,
     light_place,
 )
-from storyblender.agents.visual_effects_artist.lighting_view import MOST_LIGHTS
-from storyblender.agents.visual_effects_artist.set_dresser import DressingCritic, DressingView, RulesSetDresser
+from storyblender.agents.visual_effects_artist.lighting_arranger_view import MOST_LIGHTS
+from storyblender.agents.visual_effects_artist.set_dresser import RulesSetDresser, SetDresserCritic, SetDresserView
 from storyblender.catalog.light_recipes import HOURS, LAMPS, WEATHERS, area_watts, open_sky_light, sun_position
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.look.illumination import light_field
@@ -43,21 +43,23 @@ def asset(name: str) -> Asset:
 
 def test_the_same_place_again_is_the_same_set() -> None:
     first = Environment(kit="bar", params={"width": 9.0}, seed=7)
-    again = RulesEnvironmentDesigner().propose(EnvironmentView(SceneSetup(place="BAR"), reference=first))
+    again = RulesEnvironmentDesigner().propose(EnvironmentDesignerView(SceneSetup(place="BAR"), reference=first))
     assert again == first
 
 
 def test_more_people_and_longer_ways_get_a_larger_room() -> None:
     setup = SceneSetup(place="OFFICE")
-    few = RulesEnvironmentDesigner().propose(EnvironmentView(setup, people=2))
-    many = RulesEnvironmentDesigner().propose(EnvironmentView(setup, people=14, travel=7.0))
+    few = RulesEnvironmentDesigner().propose(EnvironmentDesignerView(setup, people=2))
+    many = RulesEnvironmentDesigner().propose(EnvironmentDesignerView(setup, people=14, travel=7.0))
     assert float(many.params["width"]) > float(few.params["width"]) + 1
-    assert EnvironmentCritic().judge(few, EnvironmentView(setup, people=14)).faults[0].kind == "too_small"
+    assert (
+        EnvironmentDesignerCritic().judge(few, EnvironmentDesignerView(setup, people=14)).faults[0].kind == "too_small"
+    )
 
 
 def test_the_critics_fix_is_applied() -> None:
-    view = EnvironmentView(SceneSetup(place="OFFICE"), people=12)
-    critic, designer = EnvironmentCritic(), RulesEnvironmentDesigner()
+    view = EnvironmentDesignerView(SceneSetup(place="OFFICE"), people=12)
+    critic, designer = EnvironmentDesignerCritic(), RulesEnvironmentDesigner()
     small = Environment(kit="office")
     mended = designer.refine(small, critic.judge(small, view), view)
     assert not critic.judge(mended, view).faults
@@ -74,18 +76,18 @@ def test_the_critics_fix_is_applied() -> None:
     ],
 )
 def test_the_age_of_a_story_furnishes_its_rooms(place: str, age: Age, kit: str, period: str | None) -> None:
-    environment = RulesEnvironmentDesigner().propose(EnvironmentView(SceneSetup(place=place), age=age))
+    environment = RulesEnvironmentDesigner().propose(EnvironmentDesignerView(SceneSetup(place=place), age=age))
     assert (environment.kit, environment.params.get("period")) == (kit, period)
 
 
 def test_a_kit_that_was_chosen_by_name_stays_in_any_age() -> None:
     setup = SceneSetup(place="FLAT", kit="apartment")
-    assert RulesEnvironmentDesigner().propose(EnvironmentView(setup, age="victorian")).kit == "apartment"
+    assert RulesEnvironmentDesigner().propose(EnvironmentDesignerView(setup, age="victorian")).kit == "apartment"
 
 
 def test_a_story_of_today_has_modern_rooms_and_one_that_tells_no_age_its_usual_ones() -> None:
     for age, period in (("today", "modern"), (None, None)):
-        room = RulesEnvironmentDesigner().propose(EnvironmentView(SceneSetup(place="KITCHEN"), age=age))  # type: ignore[arg-type]
+        room = RulesEnvironmentDesigner().propose(EnvironmentDesignerView(SceneSetup(place="KITCHEN"), age=age))  # type: ignore[arg-type]
         assert room.params.get("period") == period
 
 
@@ -101,7 +103,7 @@ def test_no_set_has_what_its_time_does_not_know(kit: str) -> None:
 
 
 def environment_of(place: str, reference: Environment | None = None, headings: str = "", **setup: str) -> Environment:
-    view = EnvironmentView(SceneSetup(place=place, **setup), reference=reference, headings=headings)  # type: ignore[arg-type]
+    view = EnvironmentDesignerView(SceneSetup(place=place, **setup), reference=reference, headings=headings)  # type: ignore[arg-type]
     return RulesEnvironmentDesigner().propose(view)
 
 
@@ -138,9 +140,11 @@ def test_a_corridor_of_a_story_in_space_is_aboard(place: str, headings: str, abo
 # ---------------------------------------------------------------------- dressing
 
 
-def cafe(*objects: str, relations: tuple[Relation, ...] = (), people: int = 2) -> DressingView:
+def cafe(*objects: str, relations: tuple[Relation, ...] = (), people: int = 2) -> SetDresserView:
     setup = SceneSetup(place="CAFE", relations=relations)
-    return DressingView(setup, plan_of(Environment(kit="cafe", seed=1)), tuple(asset(name) for name in objects), people)
+    return SetDresserView(
+        setup, plan_of(Environment(kit="cafe", seed=1)), tuple(asset(name) for name in objects), people
+    )
 
 
 def test_the_scripts_piano_takes_the_kits_place() -> None:
@@ -161,7 +165,7 @@ def test_what_stands_on_something_waits_for_the_planner() -> None:
 
 
 def test_a_lantern_of_paper_hangs_where_a_lamp_hung() -> None:
-    view = DressingView(SceneSetup(), plan_of(Environment(kit="bar", seed=1)), (asset("paper_lantern"),))
+    view = SetDresserView(SceneSetup(), plan_of(Environment(kit="bar", seed=1)), (asset("paper_lantern"),))
     dressing = RulesSetDresser().propose(view)
     assert next(item for item in dressing.objects if item.node_id == "paper_lantern").location[2] > 1.8
     assert "paper_lantern" not in dressing.pending
@@ -178,7 +182,7 @@ def test_dressing_is_shared_between_scenes() -> None:
     ids = []
     for kit in ("cafe", "bar"):
         plan = plan_of(Environment(kit=kit))
-        dressing = RulesSetDresser().propose(DressingView(SceneSetup(), plan))
+        dressing = RulesSetDresser().propose(SetDresserView(SceneSetup(), plan))
         ids.append({item.asset_id: item for item in dressing.assets})
     assert ids[0]["set_chair"] == ids[1]["set_chair"]
     assert all(item.origin == "dressing" for item in ids[0].values())
@@ -186,8 +190,8 @@ def test_dressing_is_shared_between_scenes() -> None:
 
 @every("kit", SETS)
 def test_every_kit_is_dressed_without_faults(kit: str) -> None:
-    view = DressingView(SceneSetup(), plan_of(Environment(kit=kit, seed=5)))
-    assert not DressingCritic().judge(RulesSetDresser().propose(view), view).faults
+    view = SetDresserView(SceneSetup(), plan_of(Environment(kit=kit, seed=5)))
+    assert not SetDresserCritic().judge(RulesSetDresser().propose(view), view).faults
 
 
 def test_a_crowd_pushes_the_dressing_out() -> None:
@@ -226,7 +230,7 @@ def lighting_of(kit: str, time: str, weather: str = "clear", words: str = ""):
     where = "indoor" if SETS[kit].indoor else "outdoor"
     setup = SceneSetup(scene_type=where, time_of_day=time, weather=weather, lighting_description=words)  # type: ignore[arg-type]
     environment = Environment(kit=kit, seed=1)
-    return LightingView(setup, plan_of(environment), environment)
+    return LightingArrangerView(setup, plan_of(environment), environment)
 
 
 @every("kit time weather", product(("cafe", "interrogation", "street", "forest"), HOURS, WEATHERS))
@@ -339,18 +343,18 @@ def test_a_camp_fire_does_not_burn_out_who_sits_at_it() -> None:
 
 def test_what_the_script_sees_far_off_stands_in_the_set() -> None:
     setup = SceneSetup(scene_type="outdoor", place="beach", layout_description="Beach with lighthouse.")
-    plan = plan_of(RulesEnvironmentDesigner().propose(EnvironmentView(setup)))
+    plan = plan_of(RulesEnvironmentDesigner().propose(EnvironmentDesignerView(setup)))
     towers = [piece.location for piece in plan.pieces if piece.part == "lighthouse"]
     assert [math.hypot(*location[:2]) > 40 for location in towers] == [True]  # or a wide picture cuts its 19 m off
     bare = plan_of(
-        RulesEnvironmentDesigner().propose(EnvironmentView(setup.model_copy(update={"layout_description": ""})))
+        RulesEnvironmentDesigner().propose(EnvironmentDesignerView(setup.model_copy(update={"layout_description": ""})))
     )
     assert not [piece.part for piece in bare.pieces if piece.part == "lighthouse"]
 
 
 def test_the_place_itself_is_not_put_on_the_stage() -> None:
     setup = SceneSetup(scene_type="outdoor", place="harbour")
-    view = DressingView(setup, plan_of(Environment(kit="dock", seed=1)), (asset("pier"), asset("gun")))
+    view = SetDresserView(setup, plan_of(Environment(kit="dock", seed=1)), (asset("pier"), asset("gun")))
     assert RulesSetDresser().propose(view).pending == ("gun",)
 
 
@@ -360,7 +364,7 @@ def test_a_boat_lies_in_the_water_beside_the_quay(relation: str | None) -> None:
     water = next(slab for slab in plan.slabs if slab.material == "water_deep")
     relations = (Relation(asset_id="boat", kind=relation, anchor_asset_id="pier"),) if relation else ()  # type: ignore[arg-type]
     setup = SceneSetup(scene_type="outdoor", place="harbour", relations=relations)
-    dressing = RulesSetDresser().propose(DressingView(setup, plan, (asset("boat"), asset("pier"))))
+    dressing = RulesSetDresser().propose(SetDresserView(setup, plan, (asset("boat"), asset("pier"))))
     boat = next(item for item in dressing.objects if item.node_id == "boat")
     assert boat.fixed and water.z - 0.1 < boat.location[2] < water.z
     side = boat.location[1] - prop_size("rowing_boat", {})[0] / 2
@@ -369,26 +373,26 @@ def test_a_boat_lies_in_the_water_beside_the_quay(relation: str | None) -> None:
 
 def test_who_is_in_a_house_finds_no_house_there() -> None:
     setup = SceneSetup(place="old house")
-    view = DressingView(setup, plan_of(Environment(kit="room", seed=1)), (asset("house"), asset("gun")))
+    view = SetDresserView(setup, plan_of(Environment(kit="room", seed=1)), (asset("house"), asset("gun")))
     assert RulesSetDresser().propose(view).pending == ("gun",)
 
 
 def test_the_house_before_which_a_scene_plays_is_no_doll_house_on_the_pavement() -> None:
     setup = SceneSetup(scene_type="outdoor", place="lindqvist house")
-    view = DressingView(setup, plan_of(Environment(kit="street", seed=1)), (asset("house"), asset("suitcase")))
+    view = SetDresserView(setup, plan_of(Environment(kit="street", seed=1)), (asset("house"), asset("suitcase")))
     assert RulesSetDresser().propose(view).pending == ("suitcase",)
 
 
 def test_the_scripts_fountain_is_the_one_on_the_square() -> None:
     setup = SceneSetup(scene_type="outdoor", place="market square")
-    view = DressingView(setup, plan_of(Environment(kit="square", seed=1)), (asset("fountain"),))
+    view = SetDresserView(setup, plan_of(Environment(kit="square", seed=1)), (asset("fountain"),))
     dressing = RulesSetDresser().propose(view)
     assert [item.node_id for item in dressing.objects if "fountain" in item.node_id] == ["fountain"]
 
 
 def test_what_the_set_has_takes_nothing_elses_place() -> None:
     plan = plan_of(Environment(kit="courtroom"))
-    dressing = RulesSetDresser().propose(DressingView(SceneSetup(place="COURT"), plan, (asset("bench"),)))
+    dressing = RulesSetDresser().propose(SetDresserView(SceneSetup(place="COURT"), plan, (asset("bench"),)))
     assert "bench" not in {*dressing.pending, *(item.node_id for item in dressing.objects)}
 
 
@@ -396,7 +400,7 @@ def test_knights_meet_on_a_field_and_soldiers_in_a_trench() -> None:
     ages: tuple[tuple[Age, str], ...] = (("medieval", "open_ground"), ("classic", "trench"))
     for age, kit in ages:
         setup = SceneSetup(place="BATTLEFIELD", scene_type="outdoor")
-        assert RulesEnvironmentDesigner().propose(EnvironmentView(setup, age=age)).kit == kit
+        assert RulesEnvironmentDesigner().propose(EnvironmentDesignerView(setup, age=age)).kit == kit
 
 
 def test_who_sits_on_the_bed_of_a_tent_has_the_canvas_above_the_head() -> None:
@@ -411,31 +415,33 @@ def test_who_sits_on_the_bed_of_a_tent_has_the_canvas_above_the_head() -> None:
 def test_a_street_of_the_frontier_is_dust_between_wooden_fronts() -> None:
     story = "A dusty frontier street. The marshal faces the outlaw before the saloon."
     street = RulesEnvironmentDesigner().propose(
-        EnvironmentView(SceneSetup(place="main street", scene_type="outdoor"), story=story, age="west")
+        EnvironmentDesignerView(SceneSetup(place="main street", scene_type="outdoor"), story=story, age="west")
     )
     assert street.params["frontier"] is True
     parts = {piece.part for piece in plan_of(street).pieces}
     assert "false_front" in parts and "facade" not in parts
-    town = RulesEnvironmentDesigner().propose(EnvironmentView(SceneSetup(place="main street", scene_type="outdoor")))
+    town = RulesEnvironmentDesigner().propose(
+        EnvironmentDesignerView(SceneSetup(place="main street", scene_type="outdoor"))
+    )
     assert "frontier" not in town.params
 
 
 def test_the_bar_and_the_counter_of_a_saloon_are_one() -> None:
     plan = plan_of(Environment(kit="bar"))
-    both = DressingView(SceneSetup(place="SALOON"), plan, (asset("bar"), asset("counter")))
+    both = SetDresserView(SceneSetup(place="SALOON"), plan, (asset("bar"), asset("counter")))
     dressing = RulesSetDresser().propose(both)
     assert {"bar", "counter"} & {*dressing.pending, *(item.node_id for item in dressing.objects)} == {"bar"}
 
 
 def test_houses_that_are_seen_from_a_room_do_not_stand_in_it() -> None:
     plan = plan_of(Environment(kit="living_room"))
-    view = DressingView(SceneSetup(place="LOUNGE"), plan, (asset("house"), asset("radio"), asset("crate")))
+    view = SetDresserView(SceneSetup(place="LOUNGE"), plan, (asset("house"), asset("radio"), asset("crate")))
     dressing = RulesSetDresser().propose(view)
     assert "house" not in {*dressing.pending, *(item.node_id for item in dressing.objects)}
     assert "crate" in {*dressing.pending, *(item.node_id for item in dressing.objects)}
 
 
 def test_a_small_place_stays_small_for_the_things_in_it() -> None:
-    view = EnvironmentView(SceneSetup(place="CLOSET"), footprints=((0.9, 0.3), (0.3, 0.3)))
+    view = EnvironmentDesignerView(SceneSetup(place="CLOSET"), footprints=((0.9, 0.3), (0.3, 0.3)))
     plan = plan_of(RulesEnvironmentDesigner().propose(view))
     assert plan.size.x - plan.size.x_negative < 2.6

@@ -13,7 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
-from storyblender.agents.concept_artist.recipe import AssetRequest, Recipe
+from storyblender.agents.concept_artist.recipe import AssetRetrieverView, Recipe
 from storyblender.agents.concept_artist.retriever import noun_words
 from storyblender.catalog.kinds import near_kind
 from storyblender.catalog.props import PROPS, PropEntry
@@ -43,7 +43,7 @@ class RulesAssetGenerator:
     def __init__(self, embedder: Callable[[], Embedder]) -> None:
         self._load = embedder
 
-    def propose(self, view: AssetRequest) -> Recipe:
+    def propose(self, view: AssetRetrieverView) -> Recipe:
         """Return the nearest prop of the catalog, or a plain shape of the class that the thing's description names."""
         words, kind = noun_words(view.phrase), next(iter(view.asset.tags), "")
         found = near_kind(words)
@@ -56,11 +56,11 @@ class RulesAssetGenerator:
             return _prop(view, "letter" if kind == "prop" else "poster", PLAIN, "it bears writing")
         return self._by_meaning(view, kind) or self._shape(view, kind)
 
-    def refine(self, draft: Recipe, critique: Critique, view: AssetRequest) -> Recipe:
+    def refine(self, draft: Recipe, critique: Critique, view: AssetRetrieverView) -> Recipe:
         """Return the draft: a stand-in cannot be improved by criticism."""
         return draft
 
-    def _by_meaning(self, view: AssetRequest, kind: str) -> Recipe | None:
+    def _by_meaning(self, view: AssetRetrieverView, kind: str) -> Recipe | None:
         """Return the prop of the thing's kind whose name is closest in meaning, or None if none is close enough."""
         entries, vectors = self._props
         query = self._model.embed([" ".join(noun_words(view.phrase)) or view.phrase])[0]
@@ -71,7 +71,7 @@ class RulesAssetGenerator:
             return None
         return _prop(view, key, LIKE, f"like {name!r} ({cosine:.2f})")
 
-    def _shape(self, view: AssetRequest, kind: str) -> Recipe:
+    def _shape(self, view: AssetRetrieverView, kind: str) -> Recipe:
         """Return a plain shape with the typical size of the thing's class."""
         known = guess_class(view.phrase)
         if known is not None:
@@ -100,13 +100,13 @@ class RulesAssetGenerator:
         return words, self._model.embed([tag for _, tag in words])
 
 
-def _prop(view: AssetRequest, key: str, score: float, reason: str) -> Recipe:
+def _prop(view: AssetRetrieverView, key: str, score: float, reason: str) -> Recipe:
     """Return a catalog prop in the colour, material and state that the script gives."""
     params = read_variant(PROPS[key], view.told)
     return Recipe(source="catalog", key=key, params=params, score=score, reason=reason)
 
 
-def _plain(view: AssetRequest, entry: StandIn, reason: str) -> Recipe:
+def _plain(view: AssetRetrieverView, entry: StandIn, reason: str) -> Recipe:
     """Return the recipe for a class of things: its prop, or its plain shape."""
     if entry.prop is not None:
         return _prop(view, entry.prop, PLAIN, reason)

@@ -38,7 +38,7 @@ class ModelFile(Frozen):
     """Hash of the file: a model that was changed is another model."""
 
 
-class AssetRequest(Frozen):
+class AssetRetrieverView(Frozen):
     """The Concept Artist's view: one object, and where else to look for it."""
 
     asset: Asset
@@ -68,9 +68,9 @@ class AssetRequest(Frozen):
         return self.asset.description if whole else name
 
 
-def asset_request(
+def asset_retriever_view(
     graph: ContinuityMemoryGraph, asset: Asset, models: tuple[ModelFile, ...], means: Mapping[str, str]
-) -> AssetRequest:
+) -> AssetRetrieverView:
     """Return the Concept Artist's projection of the graph: an asset with what the first place where it is says of it.
 
     Args:
@@ -81,10 +81,10 @@ def asset_request(
     """
     setup = next((scene.setup for scene in graph.scenes if asset.asset_id in scene.setup.asset_ids), None)
     if setup is None:
-        return AssetRequest(asset=asset, models=models)
+        return AssetRetrieverView(asset=asset, models=models)
     changes = [change for shot in graph.shots for change in shot.asset_modifications]
     states = [change.state for change in changes if change.asset_id == asset.asset_id and change.state]
-    return AssetRequest(
+    return AssetRetrieverView(
         asset=asset,
         models=models,
         means={**means, **SETS[kit_of(setup)].meanings},
@@ -161,10 +161,10 @@ class Recipe(Frozen):
         )
 
 
-class MatchCritic:
+class AssetRetrieverCritic:
     """Judges a recipe by how well it fits: the Retriever's is held against its threshold, the Generator's is final."""
 
-    def judge(self, draft: Recipe, view: AssetRequest) -> Critique:
+    def judge(self, draft: Recipe, view: AssetRetrieverView) -> Critique:
         """Score the draft 1 to 10."""
         if draft.source == "stand_in":
             return Critique(score=10.0)

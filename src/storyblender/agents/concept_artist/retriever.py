@@ -14,7 +14,7 @@ from pathlib import PurePath
 import numpy as np
 
 from storyblender.agents.concept_artist.file_names import words_of_file
-from storyblender.agents.concept_artist.recipe import AssetRequest, ModelFile, Recipe
+from storyblender.agents.concept_artist.recipe import AssetRetrieverView, ModelFile, Recipe
 from storyblender.catalog.kinds import near_kind
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import COLORS, MATERIALS, PLAIN, TOY_WORDS, read_variant, singular, words_of
@@ -98,17 +98,17 @@ class RulesAssetRetriever:
         self._load = embedder
         self._known: dict[tuple[_Term, ...], np.ndarray] = {}
 
-    def propose(self, view: AssetRequest) -> Recipe:
+    def propose(self, view: AssetRetrieverView) -> Recipe:
         """Return the best match, whatever its score; files win against entries that fit no better."""
         return self.search(view, 1)[0]
 
-    def refine(self, draft: Recipe, critique: Critique, view: AssetRequest) -> Recipe:
+    def refine(self, draft: Recipe, critique: Critique, view: AssetRetrieverView) -> Recipe:
         """Return the next best match after ``draft``; the catalog does not grow by asking again."""
         ranked = self.search(view, 6)
         place = next((i for i, recipe in enumerate(ranked) if recipe.key == draft.key), -1)
         return ranked[min(place + 1, len(ranked) - 1)]
 
-    def search(self, view: AssetRequest, count: int) -> tuple[Recipe, ...]:
+    def search(self, view: AssetRetrieverView, count: int) -> tuple[Recipe, ...]:
         """Return the ``count`` best matches, best first."""
         phrase, theirs = view.phrase, _model_terms(view.models)
         matches, models = (
@@ -146,7 +146,7 @@ class RulesAssetRetriever:
         nothing = Recipe(source="catalog", key="gift", score=LEAST, reason="nothing is like it")
         return tuple(ranked[:count]) or (nothing,)
 
-    def _with_likely(self, named: list[_Match], view: AssetRequest, terms: tuple[_Term, ...]) -> list[_Match]:
+    def _with_likely(self, named: list[_Match], view: AssetRetrieverView, terms: tuple[_Term, ...]) -> list[_Match]:
         """Return what words found and what means nearly the same; what words found odd stays odd."""
         odd = {match.key for match in named}
         likely = self._by_meaning(view.phrase, view.asset.description, terms) if terms else []
@@ -197,7 +197,7 @@ def _terms_of(category: str) -> tuple[_Term, ...]:
     return tuple(term for term in CATALOG_TERMS if PROPS[term.key].category == category)
 
 
-def _suitable_terms(view: AssetRequest) -> tuple[_Term, ...]:
+def _suitable_terms(view: AssetRetrieverView) -> tuple[_Term, ...]:
     """Return the library names a thing may mean: for an animal or a vehicle only animals or vehicles."""
     kind = next(iter(view.asset.tags), "")
     return _terms_of(kind) if kind in ("animal", "vehicle") else CATALOG_TERMS

@@ -48,7 +48,7 @@ class RulesDirector:
         return draft
 
 
-class ReadingCritic:
+class DirectorCritic:
     """Checks a reading against the script, its own ids and the vocabulary."""
 
     def judge(self, draft: Reading, view: Screenplay) -> Critique:
@@ -89,7 +89,7 @@ def _faults_of_unit(name: str, unit: Unit, reading: Reading, people: set[str], k
 
 
 @dataclass(frozen=True)
-class ShotsView:
+class ShotDirectorView:
     """What the Director sees when cutting a script into shots.
 
     Attributes:
@@ -104,19 +104,19 @@ class ShotsView:
 class RulesShotDirector:
     """Cuts a script into shots by rules."""
 
-    def propose(self, view: ShotsView) -> Storyboard:
+    def propose(self, view: ShotDirectorView) -> Storyboard:
         """Return the storyboard."""
         return storyboard(view.reading, view.settings)
 
-    def refine(self, draft: Storyboard, critique: Critique, view: ShotsView) -> Storyboard:
+    def refine(self, draft: Storyboard, critique: Critique, view: ShotDirectorView) -> Storyboard:
         """Return the draft: rules cut a script in one way only."""
         return draft
 
 
-class ShotsCritic:
+class ShotDirectorCritic:
     """Checks that the shots cover the script once and in order, show who speaks and obey written directions."""
 
-    def judge(self, draft: Storyboard, view: ShotsView) -> Critique:
+    def judge(self, draft: Storyboard, view: ShotDirectorView) -> Critique:
         """Score ten less one for each fault."""
         return Critique.of((*_lost_words(draft, view.reading), *_unheard(draft), *_disobeyed(draft, view.reading)))
 

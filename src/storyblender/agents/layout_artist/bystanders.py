@@ -12,9 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from storyblender.agents.layout_artist.crowd_places import for_anybody
-from storyblender.agents.layout_artist.layout_brief import LayoutBrief
 from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.people_seats import free_seats
+from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView
 from storyblender.catalog.bystanders import BYSTANDER, VARIANTS
 from storyblender.geometry.boxes import Box, yaw_along
 from storyblender.geometry.relations import Thing
@@ -55,7 +55,7 @@ class Bystander:
     seat: str | None = None
 
 
-def bystanders(brief: LayoutBrief, layout: Layout, count: int, lanes: Sequence[Box]) -> list[Bystander]:
+def bystanders(brief: SpatialPlannerView, layout: Layout, count: int, lanes: Sequence[Box]) -> list[Bystander]:
     """Return where the people of the background are: as many as told, or as find room.
 
     Args:

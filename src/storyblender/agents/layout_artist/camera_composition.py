@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment
 from storyblender.agents.layout_artist.camera_details import at_hand
+from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment
 from storyblender.agents.layout_artist.camera_solids import aboard
 from storyblender.agents.layout_artist.camera_start import looks_after, wants_shoulder
 from storyblender.geometry import framing
@@ -35,7 +35,7 @@ def fault(kind: str, subject: str, severity: float, message: str, **fix: float |
     return Fault(kind=kind, subject=subject, severity=round(severity, 3), message=message, fix=fix)
 
 
-def composition(brief: CameraBrief, camera: Orbit, moment: Moment, view: CameraView) -> list[Fault]:
+def composition(brief: CameraOperatorView, camera: Orbit, moment: Moment, view: CameraView) -> list[Fault]:
     """Size, headroom, place in the picture, angle."""
     kind = brief.instruction.kind
     found: list[Fault] = []
@@ -79,7 +79,7 @@ def composition(brief: CameraBrief, camera: Orbit, moment: Moment, view: CameraV
     return found if bends else found + _headroom(brief, [subject for _, subject in heads], over)
 
 
-def _apart(brief: CameraBrief, camera: Orbit, heads: Sequence[SubjectView]) -> list[Fault]:
+def _apart(brief: CameraOperatorView, camera: Orbit, heads: Sequence[SubjectView]) -> list[Fault]:
     """People of a picture that is no wide shot stand together in it."""
     faces = [(subject.face[0], subject.head_height) for subject in heads if subject.face is not None]
     over = widest_face_gap(faces, camera.aspect) - MAX_FACE_GAP
@@ -89,7 +89,7 @@ def _apart(brief: CameraBrief, camera: Orbit, heads: Sequence[SubjectView]) -> l
     return [fault("apart", heads[0].node_id, min(0.5 + 0.3 * over, 2.0), text, ops="orbit_left orbit_right")]
 
 
-def _thing(brief: CameraBrief, camera: Orbit, subjects: Sequence[SubjectView]) -> list[Fault]:
+def _thing(brief: CameraOperatorView, camera: Orbit, subjects: Sequence[SubjectView]) -> list[Fault]:
     """A thing is in the middle and fills the picture as its size wants; hands may hold it anywhere."""
     boxes = [subject.box for subject in subjects if subject.box is not None]
     if not boxes or not brief.things:
@@ -110,7 +110,7 @@ def _thing(brief: CameraBrief, camera: Orbit, subjects: Sequence[SubjectView]) -
     return found
 
 
-def _angle(brief: CameraBrief, camera: Orbit) -> list[Fault]:
+def _angle(brief: CameraOperatorView, camera: Orbit) -> list[Fault]:
     low, high = framing.ELEVATION_BAND[brief.instruction.angle]
     if brief.things and not brief.people:
         high = max(high, 45.0)
@@ -126,7 +126,7 @@ def _angle(brief: CameraBrief, camera: Orbit) -> list[Fault]:
     return [fault("angle", "", min(0.4 + abs(by) / 25, 1.5), text, elevation=by + math.copysign(2, by))]
 
 
-def _size(brief: CameraBrief, heads: Sequence[SubjectView]) -> list[Fault]:
+def _size(brief: CameraOperatorView, heads: Sequence[SubjectView]) -> list[Fault]:
     scale = SIZES[brief.instruction.size]
     low, high = scale.band
     if len(heads) > 1 or at_hand(brief):
@@ -139,7 +139,7 @@ def _size(brief: CameraBrief, heads: Sequence[SubjectView]) -> list[Fault]:
     return [fault("size", heads[0].node_id, min(0.5 + 0.25 * abs(steps), 3.0), text, dolly=steps)]
 
 
-def _lone_place(brief: CameraBrief, camera: Orbit, figure: Figure, subject: SubjectView) -> list[Fault]:
+def _lone_place(brief: CameraOperatorView, camera: Orbit, figure: Figure, subject: SubjectView) -> list[Fault]:
     """Lead room for one face; in an over-the-shoulder the face has the half without the shoulder."""
     assert subject.face is not None
     wanted = framing.lead_room_x(camera, figure)
@@ -152,7 +152,7 @@ def _lone_place(brief: CameraBrief, camera: Orbit, figure: Figure, subject: Subj
     return [fault("placement", subject.node_id, 0.5 + 2 * abs(off), text, pan_x=off * camera.aspect)]
 
 
-def _headroom(brief: CameraBrief, heads: Sequence[SubjectView], over: SubjectView | None) -> list[Fault]:
+def _headroom(brief: CameraOperatorView, heads: Sequence[SubjectView], over: SubjectView | None) -> list[Fault]:
     """The crown at its height; the near head of an over-the-shoulder may need more of it."""
     tops = [subject.head_top for subject in heads if subject.head_top is not None]
     if not tops or brief.instruction.size in ("ECU", "EWS"):

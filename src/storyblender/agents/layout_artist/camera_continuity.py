@@ -5,9 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Take, interpolate_cameras
 from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_operator import side_used
+from storyblender.agents.layout_artist.camera_operator_view import (
+    CameraOperatorDraft,
+    CameraOperatorView,
+    Cut,
+    interpolate_cameras,
+)
 from storyblender.geometry.camera_path import orbit_of
 from storyblender.geometry.continuity import has_new_line
 from storyblender.memory.base import Vec3
@@ -30,7 +35,7 @@ class SceneCuts:
         self._answered: dict[Pair, Cut] = {}
         self._lines: dict[Pair, Faces] = {}
 
-    def match(self, shot: ShotContext, brief: CameraBrief) -> CameraBrief:
+    def match(self, shot: ShotContext, brief: CameraOperatorView) -> CameraOperatorView:
         """Return a shot's brief with what its camera has to match.
 
         Args:
@@ -50,7 +55,7 @@ class SceneCuts:
         had_last_word = last is not None and last.instruction.focus_on_ids != shot.camera_instruction.focus_on_ids
         return replace(brief, side=self._sides.get(axis, 0), reverse=last if had_last_word else None)
 
-    def follow(self, shot: ShotContext, brief: CameraBrief, state: CameraState) -> None:
+    def follow(self, shot: ShotContext, brief: CameraOperatorView, state: CameraState) -> None:
         """Remember the camera of a shot for the shots after it.
 
         Args:
@@ -66,7 +71,7 @@ class SceneCuts:
                 self._answered[instruction.axis] = self._previous
 
 
-def judge_cuts(scene: Iterable[tuple[ShotContext, CameraBrief]]) -> Mapping[int, CameraState]:
+def judge_cuts(scene: Iterable[tuple[ShotContext, CameraOperatorView]]) -> Mapping[int, CameraState]:
     """Return the cameras of a scene, by shot, with the faults that their cuts have now.
 
     A camera keeps the faults it was left with, and another one before it may have been changed since: by a person, by a
@@ -82,7 +87,7 @@ def judge_cuts(scene: Iterable[tuple[ShotContext, CameraBrief]]) -> Mapping[int,
             continue
         going.follow(shot, brief, state)
         ends = [orbit_of(pose, brief.film) for pose in (state.poses[0], state.poses[-1])]
-        take = Take(interpolate_cameras(ends[0], ends[1], 0.5), ends[0], ends[1], state.hidden_node_ids)
+        take = CameraOperatorDraft(interpolate_cameras(ends[0], ends[1], 0.5), ends[0], ends[1], state.hidden_node_ids)
         found = cuts(brief, take) if brief.moments else []
         now = [Flaw(kind=each.kind, subject=each.subject, weight=each.severity, message=each.message) for each in found]
         kept = [flaw for flaw in state.residual if flaw.kind not in CUT_KINDS]

@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Take
 from storyblender.agents.layout_artist.camera_composition import fault
+from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorDraft, CameraOperatorView, Cut
 from storyblender.geometry.camera_path import orbit_of
 from storyblender.geometry.continuity import JUMP_CUT_DEGREES, angle_between_views, crosses_line, do_looks_match
 from storyblender.geometry.framing import head_share
@@ -21,7 +21,7 @@ _LIKE, _OTHER = math.log(1.5), math.log(2.5)
 on it is another one."""
 
 
-def cuts(brief: CameraBrief, take: Take) -> list[Fault]:
+def cuts(brief: CameraOperatorView, take: CameraOperatorDraft) -> list[Fault]:
     """Return what is wrong with the cuts from the shots before."""
     found: list[Fault] = []
     name = shot_name(brief.scene_id, brief.shot_id)
@@ -40,7 +40,7 @@ def cuts(brief: CameraBrief, take: Take) -> list[Fault]:
     return found
 
 
-def _jump(brief: CameraBrief, take: Take, name: str) -> list[Fault]:
+def _jump(brief: CameraOperatorView, take: CameraOperatorDraft, name: str) -> list[Fault]:
     """Return the cut from one picture of somebody to nearly the same picture of them."""
     before = brief.previous
     if before is None or "pov" in (brief.instruction.kind, before.instruction.kind) or take.start.distance <= 0:
@@ -56,7 +56,7 @@ def _jump(brief: CameraBrief, take: Take, name: str) -> list[Fault]:
     return [fault("jump", name, alike * (0.6 + short / 40), text, azimuth=float(way * short))]
 
 
-def _alike(brief: CameraBrief, before: Cut, last: Orbit, now: Orbit) -> tuple[float, Vec3]:
+def _alike(brief: CameraOperatorView, before: Cut, last: Orbit, now: Orbit) -> tuple[float, Vec3]:
     """Return how far a shot shows the same as the one before in like size, 0 to 1, and whom it is measured by.
 
     People are measured by their heads: a wide of two who stand together may be as near as a medium of two apart.

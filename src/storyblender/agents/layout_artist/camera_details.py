@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment
+from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment
 from storyblender.geometry.boxes import Box, distance_to_point
 from storyblender.geometry.framing import Figure
 from storyblender.memory.base import Vec3
@@ -46,7 +46,7 @@ def held_at(figure: Figure, hand: Hand | None, size: Vec3) -> Box:
     return Box(x + ahead * math.sin(yaw), y - ahead * math.cos(yaw), z - below, *size, yaw)
 
 
-def at_hand(brief: CameraBrief) -> tuple[Box, ...]:
+def at_hand(brief: CameraOperatorView) -> tuple[Box, ...]:
     """Return the boxes of small focus things near the first person, so that one picture holds both."""
     if not brief.people or brief.detail is not None:
         return ()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Take
+from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorDraft, CameraOperatorView
 from storyblender.agents.layout_artist.camera_room import rays
 from storyblender.geometry.boxes import Box, distance_to_point
 from storyblender.geometry.framing import project
@@ -26,7 +26,7 @@ _FURNITURE = 0.3
 """Cubic metres from which a thing has a back."""
 
 
-def in_the_way(brief: CameraBrief, camera: Orbit) -> list[str]:
+def in_the_way(brief: CameraOperatorView, camera: Orbit) -> list[str]:
     """Return the node_ids of the furniture that stands before the people of a picture, and of what stands on it.
 
     Not what is theirs, what somebody uses or sits on; nothing where the shot shows a place.
@@ -50,7 +50,7 @@ def in_the_way(brief: CameraBrief, camera: Orbit) -> list[str]:
     return gone
 
 
-def covers(brief: CameraBrief) -> list[str]:
+def covers(brief: CameraOperatorView) -> list[str]:
     """Return the node_ids that contain or cover the thing of an insert: the drawer's desk, the cup on the letter."""
     if brief.instruction.kind != "insert" or brief.detail is not None:
         return []
@@ -63,11 +63,11 @@ def covers(brief: CameraBrief) -> list[str]:
     return list(dict.fromkeys(found))
 
 
-def _on_it(node: str, thing: Box, box: Box, brief: CameraBrief) -> bool:
+def _on_it(node: str, thing: Box, box: Box, brief: CameraOperatorView) -> bool:
     return node in brief.loose and _stands_on(thing, box)
 
 
-def _is_theirs(brief: CameraBrief, box: Box) -> bool:
+def _is_theirs(brief: CameraOperatorView, box: Box) -> bool:
     return min(distance_to_point(box, *figure.base[:2]) for figure in brief.people) < _THEIRS
 
 
@@ -75,7 +75,7 @@ def _stands_on(thing: Box, box: Box) -> bool:
     return abs(thing.z - box.top) < _ON and distance_to_point(box, thing.x, thing.y) <= 0
 
 
-def backs(brief: CameraBrief, take: Take, deep: float) -> float:
+def backs(brief: CameraOperatorView, take: CameraOperatorDraft, deep: float) -> float:
     """Return the share of the picture that shows the backs of furniture: bare boards that stood at a wall.
 
     Args:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief
+from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView
 from storyblender.agents.layout_artist.camera_room import BEFORE_WALL, VOID, outside, reach_back
 from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.geometry import framing
@@ -25,7 +25,7 @@ _EDGE = 0.03
 """Share of the picture at its edges in which a face is not held."""
 
 
-def grouped(brief: CameraBrief, lens: float, azimuth: float, elevation: float) -> Orbit:
+def grouped(brief: CameraOperatorView, lens: float, azimuth: float, elevation: float) -> Orbit:
     """Return the camera that holds the focus people wherever they go, or where they are if that is too far."""
     size = brief.instruction.size
     whole = framing.frame_group(brief.film, brief.stages, size, azimuth, elevation, lens)
@@ -34,7 +34,7 @@ def grouped(brief: CameraBrief, lens: float, azimuth: float, elevation: float) -
     return framing.frame_group(brief.film, brief.people, size, azimuth, elevation, lens)
 
 
-def inside(brief: CameraBrief, camera: Orbit) -> Orbit:
+def inside(brief: CameraOperatorView, camera: Orbit) -> Orbit:
     """Return the camera of a group, at the wall if it would stand beyond: there it turns, with a wider lens.
 
     What a room does not hold is cropped; nobody looks at a group past the edge of its set. A lens that was asked for
@@ -50,7 +50,7 @@ def inside(brief: CameraBrief, camera: Orbit) -> Orbit:
     return _held_from(brief, camera, reach_back(plan, camera, BEFORE_WALL), widest)
 
 
-def _held_from(brief: CameraBrief, camera: Orbit, reach: float, widest: float) -> Orbit:
+def _held_from(brief: CameraOperatorView, camera: Orbit, reach: float, widest: float) -> Orbit:
     """Return the camera of a group so far from its pivot: all walks held, or the people where they are."""
     film, size = brief.film, brief.instruction.size
     place = np.asarray(camera.pivot) + camera.axes[:, 2] * reach
@@ -69,13 +69,13 @@ def _held_from(brief: CameraBrief, camera: Orbit, reach: float, widest: float) -
     return held(brief.people)
 
 
-def _centred(brief: CameraBrief, camera: Orbit) -> bool:
+def _centred(brief: CameraOperatorView, camera: Orbit) -> bool:
     """Return whether the people are about the middle of the picture when it is drawn, whatever their walks need."""
     across = framing.project(camera, [figure.face for figure in brief.people])[0][:, 0]
     return abs(float(across.min() + across.max()) / 2 - 0.5) < _OFF_MIDDLE
 
 
-def group_azimuth(brief: CameraBrief) -> float:
+def group_azimuth(brief: CameraOperatorView) -> float:
     """Return from where several are taken: where they look if they look one way, else square to their line."""
     people = brief.people
     look = np.mean([figure.forward[:2] for figure in people], axis=0)
@@ -91,7 +91,7 @@ def group_azimuth(brief: CameraBrief) -> float:
     return turned(azimuth)
 
 
-def _group_cost(brief: CameraBrief, azimuth: float) -> float:
+def _group_cost(brief: CameraOperatorView, azimuth: float) -> float:
     if (axis := brief.axis) is None or not brief.side:
         return 0.0
     way = np.array([math.sin(math.radians(azimuth)), -math.cos(math.radians(azimuth))])

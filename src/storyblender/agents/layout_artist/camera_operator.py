@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Take
-from storyblender.agents.layout_artist.camera_critic import CameraCritic, telling_moments
 from storyblender.agents.layout_artist.camera_furniture import covers
+from storyblender.agents.layout_artist.camera_operator_critic import CameraOperatorCritic, telling_moments
+from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorDraft, CameraOperatorView
 from storyblender.agents.layout_artist.camera_scout import cost, scouted, without
 from storyblender.agents.layout_artist.camera_start import take
 from storyblender.geometry.camera_path import orbit_of
@@ -57,10 +57,10 @@ _ANSWERED = 2
 class RulesCameraOperator:
     """The Camera Operator without a model: greedy steps over the critic's fixes."""
 
-    critic: CameraCritic
-    _lists: dict[tuple[int, int], list[Take]] = field(default_factory=dict)
+    critic: CameraOperatorCritic
+    _lists: dict[tuple[int, int], list[CameraOperatorDraft]] = field(default_factory=dict)
 
-    def propose(self, view: CameraBrief) -> Take:
+    def propose(self, view: CameraOperatorView) -> CameraOperatorDraft:
         """Return the scout's first place, or the best of his first few where that is not good enough."""
         first = self._scouted(view)[0]
         if self.critic.judge(first, view).score >= CAMERA_THRESHOLD:
@@ -68,7 +68,7 @@ class RulesCameraOperator:
         best, _ = self._best(self._scouted(view)[:_FIRST], view)
         return best or first
 
-    def refine(self, draft: Take, critique: Critique, view: CameraBrief) -> Take:
+    def refine(self, draft: CameraOperatorDraft, critique: Critique, view: CameraOperatorView) -> CameraOperatorDraft:
         """Return the best of the fixed takes, of the scout's next places if no fix helps, or the draft itself."""
         known = self.critic.judged(view)
         needed = take(view, draft.camera).hidden
@@ -85,14 +85,16 @@ class RulesCameraOperator:
         best, score = self._best([other for other in self._scouted(view) if other not in known][:_NEXT], view)
         return best if best is not None and score > critique.score + 0.02 else draft
 
-    def _scouted(self, view: CameraBrief) -> list[Take]:
+    def _scouted(self, view: CameraOperatorView) -> list[CameraOperatorDraft]:
         """Return the scout's list of a shot; he goes round only once."""
         key = view.scene_id, view.shot_id
         if key not in self._lists:
             self._lists[key] = scouted(view)
         return self._lists[key]
 
-    def _best(self, takes: list[Take], view: CameraBrief) -> tuple[Take | None, float]:
+    def _best(
+        self, takes: list[CameraOperatorDraft], view: CameraOperatorView
+    ) -> tuple[CameraOperatorDraft | None, float]:
         moments = len(telling_moments(view, takes))
         takes = takes[: max(0, (_LOOKS - self.critic.looks) // max(moments, 1))]
         if not takes:
@@ -102,7 +104,7 @@ class RulesCameraOperator:
         return takes[index], scores[index]
 
 
-def _fixed(draft: Take, critique: Critique) -> list[Orbit]:
+def _fixed(draft: CameraOperatorDraft, critique: Critique) -> list[Orbit]:
     """Return the cameras that the critique asks for: each numeric fix, all of them together, each named operation."""
     cameras: dict[Orbit, None] = {}
     together = draft.camera
@@ -125,7 +127,7 @@ def _applied(camera: Orbit, numbers: Mapping[str, float]) -> Orbit:
     return pan(camera, numbers.get("pan_x", 0.0), numbers.get("pan_y", 0.0))
 
 
-CameraRole = Role[..., CameraBrief, Take]
+CameraRole = Role[..., CameraOperatorView, CameraOperatorDraft]
 Operator = Callable[[Viewfinder], CameraRole]
 """The Camera Operator for one shot: its critic looks through the engine's eye, and counts its looks."""
 
@@ -140,13 +142,13 @@ def rules_operator(
         threshold: tau.
         horizon: T_max.
     """
-    critic = CameraCritic(viewfinder)
+    critic = CameraOperatorCritic(viewfinder)
     rules = RulesCameraOperator(critic)
-    return Role("camera_operator", CameraBrief, (rules,), critic, Typed(Take), threshold, horizon)
+    return Role("camera_operator", CameraOperatorView, (rules,), critic, Typed(CameraOperatorDraft), threshold, horizon)
 
 
 def operate(
-    brief: CameraBrief, viewfinder: Viewfinder, operator: Operator = rules_operator, listener: Listener = silent
+    brief: CameraOperatorView, viewfinder: Viewfinder, operator: Operator = rules_operator, listener: Listener = silent
 ) -> CameraState:
     """Return the camera of a shot with its score and what the critic still minds.
 
@@ -165,7 +167,7 @@ def operate(
     return chosen.state(brief.duration, SIZES[brief.instruction.size].f_number, outcome.critique.score, residual)
 
 
-def side_used(brief: CameraBrief, state: CameraState) -> int:
+def side_used(brief: CameraOperatorView, state: CameraState) -> int:
     """Return the side of the instruction's axis that a shot's camera is on, for the shots after it; 0 if neither."""
     if brief.axis is None or brief.instruction.kind in ("pov", "insert", "establishing"):
         return 0

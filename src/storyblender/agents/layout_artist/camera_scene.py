@@ -6,10 +6,10 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment, far_off
 from storyblender.agents.layout_artist.camera_continuity import SceneCuts
 from storyblender.agents.layout_artist.camera_details import detail_of, held_at, middle_of
 from storyblender.agents.layout_artist.camera_operator import Operator, operate, rules_operator
+from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment, far_off
 from storyblender.agents.layout_artist.layout_things import size_of
 from storyblender.agents.layout_artist.story_moment import AT_REST, story_moment
 from storyblender.catalog.motions import clip_of
@@ -83,14 +83,14 @@ def shoot_scene(
     cameras: dict[int, CameraState] = {}
     cuts = SceneCuts()
     for shot in graph.shots_of(scene_id):
-        brief = cuts.match(shot, replace(camera_brief(graph, shot, plan, measures, moments(shot)), kit=kit))
+        brief = cuts.match(shot, replace(camera_operator_view(graph, shot, plan, measures, moments(shot)), kit=kit))
         state = shot.camera or _leaving_out(operate(brief, viewfinder, operator, listener), shot, brief)
         cameras[shot.shot_id] = state
         cuts.follow(shot, brief, state)
     return cameras
 
 
-def _leaving_out(state: CameraState, shot: ShotContext, brief: CameraBrief) -> CameraState:
+def _leaving_out(state: CameraState, shot: ShotContext, brief: CameraOperatorView) -> CameraState:
     """Return the camera with whom it was meant to show and leaves out."""
     left = tuple(node for node in shot.in_frame if node not in brief.in_frame)
     return state.model_copy(update={"leaves_out": left}) if left else state
@@ -108,13 +108,13 @@ def _handlings(shot: ShotContext, frame: int) -> list[Cue]:
     return [cue for cue in last.values() if cue.clip not in _LEAVES]
 
 
-def camera_brief(
+def camera_operator_view(
     graph: ContinuityMemoryGraph,
     shot: ShotContext,
     plan: SetPlan,
     measures: Mapping[str, AssetMeasure],
     moments: Sequence[Moment],
-) -> CameraBrief:
+) -> CameraOperatorView:
     """Return the Camera Operator's projection of the graph for one shot, without its cuts."""
     layout = graph.scene(shot.scene_id).layout
     props: dict[str, Box] = {}
@@ -162,7 +162,7 @@ def camera_brief(
         together = (*(nodes.get(name, name) for name in instruction.focus_on_ids[:1]), *in_frame)
         distant = far_off(instruction, middle_of(moments), together)
         in_frame = tuple(node for node in in_frame if node not in distant)
-    return CameraBrief(
+    return CameraOperatorView(
         scene_id=shot.scene_id,
         shot_id=shot.shot_id,
         instruction=instruction,

@@ -9,11 +9,11 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Take, share_of
 from storyblender.agents.layout_artist.camera_composition import AT_SIDE
 from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_details import at_hand
 from storyblender.agents.layout_artist.camera_furniture import GRID, backs, covers, in_the_way
+from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorDraft, CameraOperatorView, share_of
 from storyblender.agents.layout_artist.camera_room import outside, rays, void_points
 from storyblender.agents.layout_artist.camera_solids import aboard, body, holds, lidded, opened, solids
 from storyblender.agents.layout_artist.camera_start import face_limit, looks_after, start, wants_shoulder
@@ -92,7 +92,7 @@ CLEARED = 0.3
 """Points for sending somebody out of the picture who has no part in it: continuity minds a little."""
 
 
-def scouted(brief: CameraBrief) -> list[Take]:
+def scouted(brief: CameraOperatorView) -> list[CameraOperatorDraft]:
     """Return compositions from all around, the most promising first; a point of view has only one.
 
     Where people show who have no part in a shot that is not about the place, the same take without them competes; so
@@ -103,7 +103,7 @@ def scouted(brief: CameraBrief) -> list[Take]:
     turns, rises = _TURNS, _HIGH_RISES if len(brief.people) > 2 else _RISES
     if brief.over is not None:
         turns = _OVER_TURNS if wants_shoulder(brief) else (*_OVER_TURNS, *_PROFILE_TURNS)
-    takes: dict[Take, float] = {}
+    takes: dict[CameraOperatorDraft, float] = {}
     for rise in _BOAT_RISES if aboard(brief.props.values(), brief.people) else rises:
         for turn in turns:
             take = start(brief, turn, rise)
@@ -116,7 +116,7 @@ def scouted(brief: CameraBrief) -> list[Take]:
     return sorted(takes, key=lambda take: takes[take])
 
 
-def _cleared(brief: CameraBrief, take: Take) -> Take:
+def _cleared(brief: CameraOperatorView, take: CameraOperatorDraft) -> CameraOperatorDraft:
     """Return the take without the strangers whom it would show, and without what they carry."""
     if brief.instruction.size in WHOLE:
         return take
@@ -131,17 +131,17 @@ def _cleared(brief: CameraBrief, take: Take) -> Take:
     return without(take, belongings(brief, gone))
 
 
-def belongings(brief: CameraBrief, people: Iterable[str]) -> list[str]:
+def belongings(brief: CameraOperatorView, people: Iterable[str]) -> list[str]:
     """Return the node_ids of people and of what they carry."""
     return [each for node in people for each in (node, *brief.carried.get(node, ()))]
 
 
-def without(take: Take, nodes: Iterable[str]) -> Take:
+def without(take: CameraOperatorDraft, nodes: Iterable[str]) -> CameraOperatorDraft:
     """Return the take with more hidden."""
     return replace(take, hidden=tuple(dict.fromkeys((*take.hidden, *nodes))))
 
 
-def cost(brief: CameraBrief, take: Take) -> float:
+def cost(brief: CameraOperatorView, take: CameraOperatorDraft) -> float:
     """Return about how many points the critic would take off, from boxes and faces alone."""
     points = sum(fault.severity for fault in cuts(brief, take)) + _position(brief, take)
     if brief.plan is not None:
@@ -152,7 +152,7 @@ def cost(brief: CameraBrief, take: Take) -> float:
     return points + _people(brief, take) + _things(brief, take) + _kept(brief, take) + _before(brief, take)
 
 
-def _before(brief: CameraBrief, take: Take) -> float:
+def _before(brief: CameraOperatorView, take: CameraOperatorDraft) -> float:
     """Weigh what stands in the picture nearer than its people are, or its things; the middle third counts twice.
 
     What a picture of people is about counts as well, as the back of a piano does, unless they are in it. In a place
@@ -173,7 +173,7 @@ def _before(brief: CameraBrief, take: Take) -> float:
     return 8.0 * (max(0.0, float(share) - _FRONT) + max(0.0, backs(brief, take, deep + 2 * _OWN) - _BACKSIDE))
 
 
-def _kept(brief: CameraBrief, take: Take) -> float:
+def _kept(brief: CameraOperatorView, take: CameraOperatorDraft) -> float:
     """Weigh moments of the shot at which its first person has left the picture; one of several may come and go."""
     points, price = 0.0, _COMES if len(brief.people) > 1 else _LEAVES
     for moment in brief.moments if brief.focus and brief.instruction.kind != "establishing" else ():
@@ -188,7 +188,7 @@ def _framed(camera: Orbit, figure: Figure) -> bool:
     return bool(depth[0] > 0.1 and ((screen > _MARGIN) & (screen < 1 - _MARGIN)).all())
 
 
-def _things(brief: CameraBrief, take: Take) -> float:
+def _things(brief: CameraOperatorView, take: CameraOperatorDraft) -> float:
     """Weigh focus things that are out of the picture."""
     if not brief.things or brief.instruction.kind == "establishing":
         return 0.0
@@ -213,7 +213,7 @@ def _things(brief: CameraBrief, take: Take) -> float:
     return points + lost * float((~framed).sum()) + _wrong_side(brief, take.camera)
 
 
-def _wrong_side(brief: CameraBrief, camera: Orbit) -> float:
+def _wrong_side(brief: CameraOperatorView, camera: Orbit) -> float:
     """Score an insert that shows the side or the back of its thing, such as a screen or a clock."""
     if brief.instruction.kind != "insert" or brief.detail is not None or not brief.things:
         return 0.0
@@ -221,7 +221,7 @@ def _wrong_side(brief: CameraBrief, camera: Orbit) -> float:
     return _BACK * max(0.0, around - _SIDE) / (180.0 - _SIDE)
 
 
-def _position(brief: CameraBrief, take: Take) -> float:
+def _position(brief: CameraOperatorView, take: CameraOperatorDraft) -> float:
     """Weigh a camera in the floor, in a thing or in somebody."""
     points = 0.0
     passing = [figure for moment in brief.moments for figure in moment.figures]
@@ -240,12 +240,12 @@ def _meets(box: Box, x: float, y: float, z: float, near: float = _NEAR) -> bool:
     return box.z - near < z < box.top + near and distance_to_point(box, x, y) <= near
 
 
-def _solids(brief: CameraBrief, hidden: Sequence[str]) -> list[Box]:
+def _solids(brief: CameraOperatorView, hidden: Sequence[str]) -> list[Box]:
     own = belongings(brief, brief.named) if brief.detail is not None else brief.focus
     return solids(dict(brief.props), brief.plan, (*hidden, *own))
 
 
-def _people(brief: CameraBrief, take: Take) -> float:
+def _people(brief: CameraOperatorView, take: CameraOperatorDraft) -> float:
     """Weigh faces turned away, people hidden or out of the picture, and people who have no part in it."""
     moment = brief.drawn
     camera, instruction, points = take.camera, brief.instruction, 0.0
@@ -277,7 +277,7 @@ def _people(brief: CameraBrief, take: Take) -> float:
     return points
 
 
-def _gap(brief: CameraBrief, camera: Orbit) -> float:
+def _gap(brief: CameraOperatorView, camera: Orbit) -> float:
     """Penalise an empty middle between people far apart: a camera along their line brings them together."""
     people = brief.people if brief.instruction.size not in ("WS", "EWS") and brief.over is None else ()
     if len(people) < 2 or brief.instruction.kind in ("establishing", "pov", "insert"):
@@ -296,7 +296,7 @@ def _beheaded(camera: Orbit, figure: Figure) -> float:
     return _HEADLESS * bool(crown[1] < 0 or face[1] > 1)
 
 
-def _back(brief: CameraBrief, camera: Orbit, figure: Figure) -> float:
+def _back(brief: CameraOperatorView, camera: Orbit, figure: Figure) -> float:
     """Weigh the back of somebody beside the first person: who is that near takes part, and has a face."""
     near = brief.people and math.dist(figure.base[:2], brief.people[0].base[:2]) < _COMPANY
     if not near or not _inside(camera, figure):
@@ -309,7 +309,7 @@ def _behind(camera: Orbit, figure: Figure) -> float:
     return max(0.0, figure.turned_from(camera.position) - _FROM_BEHIND) / (180.0 - _FROM_BEHIND)
 
 
-def _subject(brief: CameraBrief, camera: Orbit, figure: Figure, boxes: Sequence[Box]) -> float:
+def _subject(brief: CameraOperatorView, camera: Orbit, figure: Figure, boxes: Sequence[Box]) -> float:
     """Weigh one of the people whom the shot is about."""
     lead = figure.node_id == brief.people[0].node_id if brief.people else True
     weight = 1.0 if lead else 0.6
@@ -369,7 +369,7 @@ def _body_spots(camera: Orbit, figure: Figure) -> Floats:
     return np.concatenate([column - aside, column, column + aside])
 
 
-def _beside(brief: CameraBrief, figure: Figure) -> bool:
+def _beside(brief: CameraOperatorView, figure: Figure) -> bool:
     """Return whether somebody is so near the thing of an insert that a lap or a sleeve may show."""
     near = (math.dist((box.x, box.y), figure.base[:2]) < _LAP for box in brief.things)
     return brief.instruction.kind == "insert" and any(near)

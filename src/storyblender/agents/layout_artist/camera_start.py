@@ -7,9 +7,15 @@ from dataclasses import replace
 
 import numpy as np
 
-from storyblender.agents.layout_artist.camera_brief import TALKS, TRAVEL, CameraBrief, Take, share_of
 from storyblender.agents.layout_artist.camera_details import at_hand
 from storyblender.agents.layout_artist.camera_group import group_azimuth, grouped, inside, towards_audience, turned
+from storyblender.agents.layout_artist.camera_operator_view import (
+    TALKS,
+    TRAVEL,
+    CameraOperatorDraft,
+    CameraOperatorView,
+    share_of,
+)
 from storyblender.agents.layout_artist.camera_room import fitted, walked_in
 from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.geometry import framing
@@ -47,7 +53,7 @@ _FITTINGS = 4
 """A wider lens changes the composition, and so the room that it needs."""
 
 
-def start(brief: CameraBrief, turn: float = 0.0, rise: float = 0.0) -> Take:
+def start(brief: CameraOperatorView, turn: float = 0.0, rise: float = 0.0) -> CameraOperatorDraft:
     """Return the analytic take of a shot, in the room where the place has one.
 
     Args:
@@ -77,7 +83,7 @@ def start(brief: CameraBrief, turn: float = 0.0, rise: float = 0.0) -> Take:
     return take(brief, camera)
 
 
-def take(brief: CameraBrief, camera: Orbit) -> Take:
+def take(brief: CameraOperatorView, camera: Orbit) -> CameraOperatorDraft:
     """Return the take around a composition: its move, centred on it, and the walls it needs away."""
     instruction = brief.instruction
     first = last = camera
@@ -97,10 +103,10 @@ def take(brief: CameraBrief, camera: Orbit) -> Take:
         hidden = taken_away(brief.plan, brief.loose, dict.fromkeys((first, camera, last)), _targets(brief))
     if instruction.kind == "pov" and instruction.pov_id is not None:
         hidden.append(brief.node(instruction.pov_id))
-    return Take(camera, first, last, tuple(hidden), span)
+    return CameraOperatorDraft(camera, first, last, tuple(hidden), span)
 
 
-def _targets(brief: CameraBrief) -> list[np.ndarray]:
+def _targets(brief: CameraOperatorView) -> list[np.ndarray]:
     """Return the points that have to be seen at any time."""
     faces = [
         np.asarray(figure.face)
@@ -111,12 +117,12 @@ def _targets(brief: CameraBrief) -> list[np.ndarray]:
     return faces + [np.array([box.x, box.y, box.z + box.height / 2]) for box in brief.things]
 
 
-def _waits(brief: CameraBrief) -> bool:
+def _waits(brief: CameraOperatorView) -> bool:
     """Return whether the picture holds a group wherever its walkers go, so that the camera need not follow."""
     return len(brief.people) > 1 and len(brief.stages) > len(brief.people)
 
 
-def _follows(brief: CameraBrief, camera: Orbit) -> bool:
+def _follows(brief: CameraOperatorView, camera: Orbit) -> bool:
     """Return whether the camera goes with a walker: told to, or the walk would leave the picture."""
     if not brief.walks or brief.instruction.kind in ("establishing", "pov", "insert"):
         return False
@@ -129,7 +135,7 @@ def _follows(brief: CameraBrief, camera: Orbit) -> bool:
     return bool(screen[:, 0].min() < 0.1 or screen[:, 0].max() > 0.9 or depth.min() < 0.5)
 
 
-def _walk(brief: CameraBrief) -> tuple[tuple[float, float], float]:
+def _walk(brief: CameraOperatorView) -> tuple[tuple[float, float], float]:
     """Return the shares of the shot's time in which the camera goes with a walk, and how much of it is done when drawn.
 
     A walk that is over by then, or has not begun, is not followed any further than it goes.
@@ -144,7 +150,7 @@ def _walk(brief: CameraBrief) -> tuple[tuple[float, float], float]:
     return (0.0, 1.0), ease_in_out(share)
 
 
-def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit:
+def _compose(brief: CameraOperatorView, lens: float, turn: float, rise: float) -> Orbit:
     instruction, film, people = brief.instruction, brief.film, brief.people
     elevation = framing.elevation_of(instruction.angle, instruction.size) + rise
     if instruction.kind == "pov" and (pov := _pov(brief, lens)) is not None:
@@ -179,7 +185,7 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
     return framing.frame_single(film, shown, instruction.size, azimuth, elevation, lens)
 
 
-def _with_things(brief: CameraBrief, camera: Orbit) -> Orbit:
+def _with_things(brief: CameraOperatorView, camera: Orbit) -> Orbit:
     """Return the camera panned, and moved back a little, until the things that its people hold are in the picture."""
     things = np.concatenate([corners(box) for box in at_hand(brief)])
     heads = [point for each in brief.people for point in (each.crown, each.face)]
@@ -198,18 +204,18 @@ def _with_things(brief: CameraBrief, camera: Orbit) -> Orbit:
     return camera
 
 
-def looks_after(brief: CameraBrief) -> Figure | None:
+def looks_after(brief: CameraOperatorView) -> Figure | None:
     """Return over whose shoulder the camera looks, if they see a back: the subject does not look at them."""
     over = brief.over
     return over if over is not None and brief.people[0].turned_from(over.face) >= TALKS else None
 
 
-def wants_shoulder(brief: CameraBrief) -> bool:
+def wants_shoulder(brief: CameraOperatorView) -> bool:
     """Return whether a shoulder has to be before the subject: not where a side shows more of somebody than a back."""
     return brief.over is not None and (looks_after(brief) is None or brief.in_stride)
 
 
-def face_limit(brief: CameraBrief) -> float:
+def face_limit(brief: CameraOperatorView) -> float:
     """Return the degrees a focus face may be turned away: far on a walk, and away from who looks after it."""
     if brief.instruction.behind:
         return 180.0
@@ -220,7 +226,7 @@ def face_limit(brief: CameraBrief) -> float:
     return framing.FACE_ANGLE.get(brief.instruction.kind, 108.0)
 
 
-def _near_enough(brief: CameraBrief, camera: Orbit) -> Orbit:
+def _near_enough(brief: CameraOperatorView, camera: Orbit) -> Orbit:
     """Bring a master to where its nearest person is large enough to be somebody, and small enough for a place."""
     meant = {*brief.focus, *brief.in_frame}
     people = [figure for figure in brief.drawn.figures if figure.node_id in meant]
@@ -245,18 +251,18 @@ def _near_enough(brief: CameraBrief, camera: Orbit) -> Orbit:
     return framing.place_on_screen(near, middle, 0.5, 0.6)
 
 
-def _by_things(brief: CameraBrief) -> bool:
+def _by_things(brief: CameraOperatorView) -> bool:
     """Return whether people are near the things of the picture, so that one view holds them all."""
     people = [figure for figure in brief.drawn.figures if figure.node_id in brief.in_frame]
     near = (distance_to_point(box, *figure.base[:2]) < _COMPANY for figure in people for box in brief.things)
     return bool(people) and any(near)
 
 
-def _tight(brief: CameraBrief) -> bool:
+def _tight(brief: CameraOperatorView) -> bool:
     return brief.instruction.size in TIGHT
 
 
-def _pov(brief: CameraBrief, lens: float) -> Orbit | None:
+def _pov(brief: CameraOperatorView, lens: float) -> Orbit | None:
     """Return the view through somebody's eyes to the first focus, or straight ahead."""
     eyes = brief.drawn.figure(brief.node(brief.instruction.pov_id or ""))
     if eyes is None:
@@ -270,7 +276,7 @@ def _pov(brief: CameraBrief, lens: float) -> Orbit | None:
     return framing.frame_point_of_view(brief.film, eyes, target, lens)
 
 
-def _of_things(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit:
+def _of_things(brief: CameraOperatorView, lens: float, turn: float, rise: float) -> Orbit:
     """Frame things: from above if they lie on a table, level if they hang; from the front, on the audience's side."""
     points = np.concatenate([corners(box) for box in brief.things])
     box = brief.things[0]
@@ -284,7 +290,7 @@ def _of_things(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orb
     return framing.frame_insert(brief.film, points, azimuth, elevation, lens, fill)
 
 
-def _of_walk(brief: CameraBrief, figure: Figure, lens: float, turn: float, elevation: float) -> Orbit:
+def _of_walk(brief: CameraOperatorView, figure: Figure, lens: float, turn: float, elevation: float) -> Orbit:
     """Frame a walk from the side and a little ahead, on the audience's side."""
     heading = math.degrees(math.atan2(brief.travel[0], -brief.travel[1]))
     sides = [heading + 62.0, heading - 62.0]
@@ -292,7 +298,7 @@ def _of_walk(brief: CameraBrief, figure: Figure, lens: float, turn: float, eleva
     return framing.frame_single(brief.film, figure, brief.instruction.size, azimuth, elevation, lens)
 
 
-def _single_azimuth(brief: CameraBrief, figure: Figure) -> float:
+def _single_azimuth(brief: CameraOperatorView, figure: Figure) -> float:
     """Return from where one person is taken: matching the reverse, on the line's side, not where the cut would jump."""
     if brief.instruction.behind:
         return towards_audience(figure.yaw + 180.0, _OFF_BACK)
@@ -307,7 +313,7 @@ def _single_azimuth(brief: CameraBrief, figure: Figure) -> float:
     return min(choices, key=lambda angle: (_cost(brief, figure, angle), choices.index(angle)))
 
 
-def _cost(brief: CameraBrief, figure: Figure, azimuth: float) -> float:
+def _cost(brief: CameraOperatorView, figure: Figure, azimuth: float) -> float:
     """Weigh an azimuth: across the line 4, a jump 2, away from the audience up to 1, a flat full face 0.4."""
     cost = abs(turned(azimuth)) / 180
     way = np.array([math.sin(math.radians(azimuth)), -math.cos(math.radians(azimuth))])
@@ -321,7 +327,7 @@ def _cost(brief: CameraBrief, figure: Figure, azimuth: float) -> float:
     return cost + 0.4 * (abs(turned(azimuth - figure.yaw)) < 15)
 
 
-def _reverse_azimuth(brief: CameraBrief, figure: Figure) -> float | None:
+def _reverse_azimuth(brief: CameraOperatorView, figure: Figure) -> float | None:
     """Return the mirror of the partner's single, if this is its answer."""
     if brief.reverse is None or brief.axis is None or brief.instruction.kind not in ("single", "reaction", "ots"):
         return None
@@ -333,7 +339,7 @@ def _reverse_azimuth(brief: CameraBrief, figure: Figure) -> float | None:
     return azimuth if abs(turned(azimuth - figure.yaw)) < 75 else None
 
 
-def line_side(brief: CameraBrief, focus: Figure, over: Figure) -> float:
+def line_side(brief: CameraOperatorView, focus: Figure, over: Figure) -> float:
     """Return the side of the line from ``over`` to ``focus``: the scene's if it has one, or the audience's."""
     if (axis := brief.axis) is not None and brief.side:
         return brief.side if over.node_id == axis[0].node_id else -brief.side

@@ -88,7 +88,7 @@ _PLAUSIBLE = (0.003, 60.0)
 
 
 @dataclass(frozen=True)
-class DimensionView:
+class DimensionEstimatorView:
     """What the Dimension Estimator sees.
 
     Attributes:
@@ -100,7 +100,7 @@ class DimensionView:
     rooms: Mapping[str, Vec3] = field(default_factory=dict[str, Vec3])
 
 
-def dimension_view(graph: ContinuityMemoryGraph, assets: Sequence[Asset]) -> DimensionView:
+def dimension_estimator_view(graph: ContinuityMemoryGraph, assets: Sequence[Asset]) -> DimensionEstimatorView:
     """Return the Dimension Estimator's projection of the graph.
 
     Args:
@@ -116,28 +116,28 @@ def dimension_view(graph: ContinuityMemoryGraph, assets: Sequence[Asset]) -> Dim
         for asset_id in set(setup.asset_ids) - outdoors:
             rooms[asset_id] = min(rooms.get(asset_id, room), room, key=math.prod)
     sized = {asset.asset_id for asset in assets}
-    return DimensionView(tuple(assets), {key: room for key, room in rooms.items() if key in sized})
+    return DimensionEstimatorView(tuple(assets), {key: room for key, room in rooms.items() if key in sized})
 
 
 class RulesDimensionEstimator:
     """The Dimension Estimator without a model; its draft is asset id -> dimension."""
 
-    def propose(self, view: DimensionView) -> dict[str, AssetDimension]:
+    def propose(self, view: DimensionEstimatorView) -> dict[str, AssetDimension]:
         """Return exactly one dimension for each asset."""
         return {asset.asset_id: estimate(asset, view.rooms.get(asset.asset_id)) for asset in view.assets}
 
     def refine(
-        self, draft: dict[str, AssetDimension], critique: Critique, view: DimensionView
+        self, draft: dict[str, AssetDimension], critique: Critique, view: DimensionEstimatorView
     ) -> dict[str, AssetDimension]:
         """Replace what the critic minds by the rules' own estimate."""
         wrong = {fault.subject for fault in critique.faults}
         return {name: size if name in wrong else draft[name] for name, size in self.propose(view).items()}
 
 
-class DimensionCritic:
+class DimensionEstimatorCritic:
     """Exactly one plausible value for each asset, and people within human reach."""
 
-    def judge(self, draft: dict[str, AssetDimension], view: DimensionView) -> Critique:
+    def judge(self, draft: dict[str, AssetDimension], view: DimensionEstimatorView) -> Critique:
         """Score ten less two for each asset that is wrong."""
         faults = [
             Fault(kind="dimension", subject=asset.asset_id, severity=2.0, message=f"{asset.asset_id}: {problem}")

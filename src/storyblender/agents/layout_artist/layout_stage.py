@@ -8,8 +8,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.agents.layout_artist.layout_brief import LayoutBrief
 from storyblender.agents.layout_artist.layout_things import room_of, size_of, thing_of, walls_of, with_surfaces
+from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView
 from storyblender.catalog.fixtures import Fixture, fixtures_called
 from storyblender.catalog.props.kin import kin_of, meant_by
 from storyblender.geometry.boxes import Box
@@ -37,7 +37,7 @@ class Stage:
         brief: The scene; what is dressed and what an earlier scene left stands already.
     """
 
-    def __init__(self, brief: LayoutBrief) -> None:
+    def __init__(self, brief: SpatialPlannerView) -> None:
         self.brief = brief
         self.room = room_of(brief.plan.size)
         self.walls = walls_of(brief.plan)

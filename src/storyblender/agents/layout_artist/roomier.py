@@ -11,7 +11,7 @@ from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass
 from typing import Generic, TypeVar
 
-from storyblender.agents.layout_artist.layout_brief import LayoutBrief
+from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.memory.base import Vec2
@@ -66,11 +66,11 @@ class Fitted(Generic[Tried]):
 
     tried: Tried
     room: Room
-    outcome: Outcome[LayoutBrief, Layout]
+    outcome: Outcome[SpatialPlannerView, Layout]
 
 
 def until_it_fits(
-    stage: Callable[[Room, Collection[Vec2]], tuple[Tried, Outcome[LayoutBrief, Layout]]],
+    stage: Callable[[Room, Collection[Vec2]], tuple[Tried, Outcome[SpatialPlannerView, Layout]]],
     rooms: Iterable[Room] = ROOMS,
     threshold: float = 8.0,
 ) -> Fitted[Tried]:

@@ -10,11 +10,11 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from storyblender.agents.layout_artist.layout_brief import LayoutBrief
 from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.layout_things import laid_out, layout_violations, room_of, thing_of, walls_of
 from storyblender.agents.layout_artist.object_places import place_objects
 from storyblender.agents.layout_artist.people_places import place_people
+from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.lanes import find_walkway, lane_boxes
 from storyblender.geometry.relations import Room, Thing, Violation, may_overlap_anchor
@@ -34,7 +34,7 @@ _RESERVED = (0.6, 0.5)
 class RulesSpatialPlanner:
     """The Spatial Planner without a model."""
 
-    def propose(self, view: LayoutBrief) -> Layout:
+    def propose(self, view: SpatialPlannerView) -> Layout:
         """Return a solved layout of the scene at its start."""
         stage = Stage(view)
         place_objects(stage)
@@ -42,7 +42,7 @@ class RulesSpatialPlanner:
         place_objects(stage, beside_people=True)
         return _solved(stage, view)
 
-    def refine(self, draft: Layout, critique: Critique, view: LayoutBrief) -> Layout:
+    def refine(self, draft: Layout, critique: Critique, view: SpatialPlannerView) -> Layout:
         """Apply the critic's exact fixes, then solve again from there."""
         moved = {item.node_id: item for item in draft.objects}
         for fault in critique.faults:
@@ -61,7 +61,7 @@ class RulesSpatialPlanner:
         return _solved(stage, view)
 
 
-def _solved(stage: Stage, view: LayoutBrief) -> Layout:
+def _solved(stage: Stage, view: SpatialPlannerView) -> Layout:
     """Solve the stage twice: once as wished as far as that can be, then with the walkways this leaves kept free."""
     things = [*stage.things.values(), *stage.walls]
     seed = int(content_hash("layout", view.scene_id, view.seed)[:8], 16)
@@ -104,7 +104,7 @@ def _reserved(stage: Stage) -> list[Box]:
     return volumes
 
 
-def ways_of(brief: LayoutBrief, layout: Layout) -> list[Box]:
+def ways_of(brief: SpatialPlannerView, layout: Layout) -> list[Box]:
     """Return the floor of a finished layout that stays free: before what people go to, and on their ways there."""
     stage = Stage(brief)
     for item in layout.objects:
@@ -137,7 +137,7 @@ def _walkways(stage: Stage, things: Sequence[Thing]) -> list[Box]:
     return volumes
 
 
-def _doors(brief: LayoutBrief) -> list[tuple[float, float]]:
+def _doors(brief: SpatialPlannerView) -> list[tuple[float, float]]:
     """Return the places where people enter the set."""
     return [(mark.location[0], mark.location[1]) for mark in brief.plan.marks if "enter" in mark.tags]
 
@@ -148,16 +148,16 @@ def _is_open(doors: Sequence[Vec2], spot: Vec2, things: Sequence[Thing], room: R
 
 
 @dataclass(frozen=True)
-class LayoutCritic:
+class SpatialPlannerCritic:
     """R of the Spatial Planner: the geometric checks, and everybody reachable from the doors."""
 
-    def judge(self, draft: Layout, view: LayoutBrief) -> Critique:
+    def judge(self, draft: Layout, view: SpatialPlannerView) -> Critique:
         """Score ten less the severities of what is wrong."""
         faults = layout_violations(draft, view.measures, view.plan)
         return Critique.of((*faults, *_unreachable(draft, view), *_missing(draft, view)))
 
 
-def _unreachable(draft: Layout, view: LayoutBrief) -> list[Fault]:
+def _unreachable(draft: Layout, view: SpatialPlannerView) -> list[Fault]:
     things = [thing for item in draft.objects if (thing := thing_of(item, view.measures, view.plan)) is not None]
     things += walls_of(view.plan)
     doors, room = _doors(view), room_of(draft.scene_size)
@@ -174,7 +174,7 @@ def _unreachable(draft: Layout, view: LayoutBrief) -> list[Fault]:
     ]
 
 
-def _missing(draft: Layout, view: LayoutBrief) -> list[Fault]:
+def _missing(draft: Layout, view: SpatialPlannerView) -> list[Fault]:
     present = {item.asset_id for item in draft.objects}
     wanted = [*view.pending, *(state.asset_id for state in view.states)]
     return [

@@ -29,7 +29,7 @@ _ROOM_TO_WALK = 2.2
 
 
 @dataclass(frozen=True)
-class EnvironmentView:
+class EnvironmentDesignerView:
     """What the Environment Designer sees.
 
     Attributes:
@@ -53,7 +53,7 @@ class EnvironmentView:
     age: Age | None = None
 
 
-def environment_view(graph: ContinuityMemoryGraph, scene_id: int) -> EnvironmentView:
+def environment_designer_view(graph: ContinuityMemoryGraph, scene_id: int) -> EnvironmentDesignerView:
     """Return the Environment Designer's projection of the graph.
 
     Args:
@@ -64,7 +64,7 @@ def environment_view(graph: ContinuityMemoryGraph, scene_id: int) -> Environment
     reference = scene.setup.reference_scene_id
     things = (asset for asset in graph.assets_of(scene_id) if asset.asset_type == "object")
     walks = (action.distance or 0.0 for shot in graph.shots_of(scene_id) for action in shot.character_actions)
-    return EnvironmentView(
+    return EnvironmentDesignerView(
         setup=scene.setup,
         footprints=tuple(asset.canonical.dimensions[:2] for asset in things if asset.canonical is not None),
         people=graph.people_in(scene_id),
@@ -79,7 +79,7 @@ def environment_view(graph: ContinuityMemoryGraph, scene_id: int) -> Environment
 class RulesEnvironmentDesigner:
     """Chooses by the words of the heading, then by who and what is there; sizes by what must fit."""
 
-    def propose(self, view: EnvironmentView) -> Environment:
+    def propose(self, view: EnvironmentDesignerView) -> Environment:
         """Return the environment; the same place again gets the same one, but for the snow."""
         setup = view.setup
         if view.reference is not None:
@@ -101,7 +101,7 @@ class RulesEnvironmentDesigner:
         seed = int(content_hash(setup.place.upper(), kit.key), 16) % 100_000
         return _enlarged(Environment(kit=kit.key, params=params, seed=seed), *_wanted(view, kit))
 
-    def refine(self, draft: Environment, critique: Critique, view: EnvironmentView) -> Environment:
+    def refine(self, draft: Environment, critique: Critique, view: EnvironmentDesignerView) -> Environment:
         """Return the set at the size the critic computed."""
         for fault in critique.faults:
             if "width" in fault.fix:
@@ -109,10 +109,10 @@ class RulesEnvironmentDesigner:
         return draft
 
 
-class EnvironmentCritic:
+class EnvironmentDesignerCritic:
     """Measures the plan: does everything fit, and is the set of the right sort?"""
 
-    def judge(self, draft: Environment, view: EnvironmentView) -> Critique:
+    def judge(self, draft: Environment, view: EnvironmentDesignerView) -> Critique:
         """Score ten less for a room too small or a roof where the sky should be."""
         plan, faults = plan_of(draft), []
         if plan.indoor != (view.setup.scene_type == "indoor"):
@@ -133,7 +133,7 @@ class EnvironmentCritic:
         return Critique.of(tuple(faults))
 
 
-def _wanted(view: EnvironmentView, kit: SetKit) -> Vec2:
+def _wanted(view: EnvironmentDesignerView, kit: SetKit) -> Vec2:
     """Return the width and depth that the people, the things and the ways of a scene ask for."""
     usual = kit.width.usual * kit.depth.usual
     extra = _ROOM_FOR_ONE * max(0, view.people - _CROWD)

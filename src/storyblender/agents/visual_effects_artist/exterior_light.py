@@ -7,9 +7,9 @@ import math
 import numpy as np
 
 from storyblender.agents.visual_effects_artist.light_level import metered, scaled
-from storyblender.agents.visual_effects_artist.lighting_view import (
+from storyblender.agents.visual_effects_artist.lighting_arranger_view import (
     MOST_LIGHTS,
-    LightingView,
+    LightingArrangerView,
     burning_lamps,
     mean_color,
     strongest,
@@ -50,7 +50,7 @@ _FOG_BLUE: Color = (0.72, 0.88, 1.0)
 """Lit fog at night: grey with a little of the sky's blue."""
 
 
-def exterior(view: LightingView) -> Lighting:
+def exterior(view: LightingArrangerView) -> Lighting:
     """Return the light plan of a place under the sky; no rain falls into one with a roof, such as a car."""
     hour, weather = HOURS[view.setup.time_of_day], view.setup.weather
     air, ground = WEATHERS[weather], _ground_color(view)
@@ -111,7 +111,7 @@ def _brighter(a: Color, b: Color) -> Color:
     return a if sum(a) >= sum(b) else b
 
 
-def _outdoor_key(view: LightingView, hour: Hour) -> Color:
+def _outdoor_key(view: LightingArrangerView, hour: Hour) -> Color:
     """Return the colour of faces: sunlight softened; at night the lamps, or the moon where there are none."""
     if hour.lamps < _AFTER_DARK:
         return mix(hour.sun_color, (1.0, 0.95, 0.9), 0.6)
@@ -126,7 +126,7 @@ def _sun_azimuth(plan: SetPlan, hour: Hour) -> float:
     return 58.0 if built else 104.0
 
 
-def _ground_color(view: LightingView) -> Color:
+def _ground_color(view: LightingArrangerView) -> Color:
     names = [slab.material for slab in view.plan.slabs if slab.role == "ground"]
     names += [str(piece.params["material"]) for piece in view.plan.pieces if piece.part == "terrain"]
     for stem, color in GROUNDS.items():
@@ -135,7 +135,7 @@ def _ground_color(view: LightingView) -> Color:
     return GROUNDS["grass"] if any("forest" in name for name in names) else GROUNDS["stone"]
 
 
-def _air(view: LightingView, hour: Hour, horizon: Color, sun: Vec3) -> Fog:
+def _air(view: LightingArrangerView, hour: Hour, horizon: Color, sun: Vec3) -> Fog:
     """Return the air: a thin haze by day, thicker at night and in woods, with the sun's glow in it."""
     air = WEATHERS[view.setup.weather]
     density, start, height = air.fog, air.fog_start, air.fog_height
@@ -155,7 +155,7 @@ def _air(view: LightingView, hour: Hour, horizon: Color, sun: Vec3) -> Fog:
     )
 
 
-def _night_air(view: LightingView, hour: Hour, horizon: Color, air: Air) -> Color:
+def _night_air(view: LightingArrangerView, hour: Hour, horizon: Color, air: Air) -> Color:
     """Return the colour of night air: the sky's, lifted by the town's lamps that shine into it."""
     burning = burning_lamps(view, 1.0)
     tint = mix(horizon, mean_color(burning), 0.12) if burning else horizon

@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 
 from storyblender.agents.visual_effects_artist.light_level import metered, scaled
-from storyblender.agents.visual_effects_artist.lighting_view import (
+from storyblender.agents.visual_effects_artist.lighting_arranger_view import (
     MOST_LIGHTS,
-    LightingView,
+    LightingArrangerView,
     burning_lamps,
     mean_color,
     strongest,
@@ -38,7 +38,7 @@ class WindowWall(NamedTuple):
     size: float
 
 
-def interior(view: LightingView) -> Lighting:
+def interior(view: LightingArrangerView) -> Lighting:
     """Return the light plan of a room."""
     hour, air = HOURS[view.setup.time_of_day], WEATHERS[view.setup.weather]
     openings = list(_find_window_walls(view.plan))

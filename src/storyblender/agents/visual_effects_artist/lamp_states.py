@@ -11,10 +11,10 @@ from storyblender.agents.visual_effects_artist.lighting_arranger import (
     is_outage,
     lights_out,
 )
-from storyblender.agents.visual_effects_artist.lighting_view import (
+from storyblender.agents.visual_effects_artist.lighting_arranger_view import (
     MOST_LIGHTS,
     Carried,
-    LightingView,
+    LightingArrangerView,
     burning_lamps,
     prop_key,
     strongest,
@@ -57,7 +57,7 @@ class LampStates:
         dark_at_first: What an earlier scene in the place has put out with the light.
     """
 
-    view: LightingView
+    view: LightingArrangerView
     found: Mapping[str, Condition]
     told: dict[str, bool] = field(default_factory=dict)
     cut: dict[str, None] = field(default_factory=dict)
@@ -71,7 +71,7 @@ class LampStates:
         for state in self.found.get(LIGHT, ()):
             self.dark_at_first = tuple(self._switched(state, ()))
 
-    def play(self, shot: ShotContext) -> tuple[ShotContext, LightingView]:
+    def play(self, shot: ShotContext) -> tuple[ShotContext, LightingArrangerView]:
         """Follow one shot; return it with the lamps that go out or on with the light, and the view of its end."""
         for change in shot.asset_modifications:
             self._note(change.asset_id, change.state)
@@ -117,7 +117,7 @@ class LampStates:
 
 def lit_shots(
     usual: Lighting,
-    view: LightingView,
+    view: LightingArrangerView,
     shots: Sequence[ShotContext],
     found: Mapping[str, Condition],
     change: Callable[[Lighting, ShotContext], Lighting],
@@ -146,7 +146,7 @@ def lit_shots(
     return first, tuple(lit), {**found, **out}
 
 
-def with_lamps(plan: Lighting, view: LightingView, *, dark: bool) -> Lighting:
+def with_lamps(plan: Lighting, view: LightingArrangerView, *, dark: bool) -> Lighting:
     """Return a light plan with the lamps that burn at a moment: what is off gives no light, what is lit does.
 
     Args:
@@ -180,7 +180,7 @@ def _place(light: Light | None) -> dict[str, object]:
     return {} if light is None else {"location": light.location, "target": light.target}
 
 
-def _told_lit(view: LightingView) -> set[str]:
+def _told_lit(view: LightingArrangerView) -> set[str]:
     """Return the names of the lights of lamps that the story has lit."""
     lit = {asset_id for asset_id, burns in view.told.items() if burns}
     placed = view.layout.objects if view.layout is not None else ()
@@ -188,7 +188,7 @@ def _told_lit(view: LightingView) -> set[str]:
     return {f"{name}_light" for name in names}
 
 
-def _carried(shot: ShotContext, lamps: Collection[str], view: LightingView) -> Iterator[tuple[str, Carried]]:
+def _carried(shot: ShotContext, lamps: Collection[str], view: LightingArrangerView) -> Iterator[tuple[str, Carried]]:
     """Yield where the lamps that have left their places are at the end of a shot, and where they point."""
     ends = {blocking.end.asset_id: blocking.end for blocking in shot.blocking}
     aims = {cue.asset_id: cue.target_id for cue in shot.cues if cue.clip in _AIMING and cue.target_id is not None}
@@ -212,7 +212,7 @@ def _carried(shot: ShotContext, lamps: Collection[str], view: LightingView) -> I
             yield state.asset_id, Carried(state.location, None)
 
 
-def _place_of(name: str | None, people: Mapping[str, Mark], view: LightingView) -> Vec3 | None:
+def _place_of(name: str | None, people: Mapping[str, Mark], view: LightingArrangerView) -> Vec3 | None:
     """Return the middle of a person, a thing or a part of the set."""
     if name is None:
         return None

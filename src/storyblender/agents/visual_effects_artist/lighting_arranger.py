@@ -10,11 +10,11 @@ from dataclasses import replace
 
 from storyblender.agents.visual_effects_artist.exterior_light import exterior
 from storyblender.agents.visual_effects_artist.interior_light import interior
-from storyblender.agents.visual_effects_artist.lighting_view import (
+from storyblender.agents.visual_effects_artist.lighting_arranger_view import (
     MOST_LIGHTS,
-    LightingView,
+    LightingArrangerView,
     burning_lamps,
-    lighting_view,
+    lighting_arranger_view,
     strongest,
 )
 from storyblender.catalog.light_recipes import DARKENED, MOON, mix
@@ -24,7 +24,14 @@ from storyblender.memory.scene_context import Environment, Lighting, SceneSetup
 from storyblender.memory.vocabulary import TimeOfDay
 from storyblender.reflection import Critique, Fault
 
-__all__ = ["LightingCritic", "LightingView", "RulesLightingArranger", "light_place", "lighting_view", "lights_out"]
+__all__ = [
+    "LightingArrangerCritic",
+    "LightingArrangerView",
+    "RulesLightingArranger",
+    "light_place",
+    "lighting_arranger_view",
+    "lights_out",
+]
 
 _SWITCHES = r"turn(s|ed)?|switch(es|ed)?|flip(s|ped)?|snuff(s|ed)?|blow(s|n)?"
 _OUT = (
@@ -65,11 +72,11 @@ _MOODS: tuple[tuple[str, dict[str, object]], ...] = (
 class RulesLightingArranger:
     """Lights by recipe (notes: sets and light, 1.4; director, 4.5)."""
 
-    def propose(self, view: LightingView) -> Lighting:
+    def propose(self, view: LightingArrangerView) -> Lighting:
         """Return the light plan of a scene, or the light after a change of it; words of no known change change none."""
         return _of_scene(view) if view.current is None else _changed(view.current, view)
 
-    def refine(self, draft: Lighting, critique: Critique, view: LightingView) -> Lighting:
+    def refine(self, draft: Lighting, critique: Critique, view: LightingArrangerView) -> Lighting:
         """Keep the strongest lamps; raise the level where it would be too dark to read."""
         kinds = {fault.kind for fault in critique.faults}
         update: dict[str, object] = {}
@@ -82,12 +89,12 @@ class RulesLightingArranger:
         return draft.model_copy(update=update)
 
 
-def _of_scene(view: LightingView) -> Lighting:
+def _of_scene(view: LightingArrangerView) -> Lighting:
     lighting = exterior(view) if view.plan.under_the_sky else interior(view)
     return _described(lighting, view.setup.lighting_description)
 
 
-def _changed(current: Lighting, view: LightingView) -> Lighting:
+def _changed(current: Lighting, view: LightingArrangerView) -> Lighting:
     """Return the light after a change; the current light itself if the words name no change that is known."""
     words = view.change.lower()
     hour = next((time for pattern, time in _HOUR_WORDS if re.search(pattern, words)), None)
@@ -101,10 +108,10 @@ def _changed(current: Lighting, view: LightingView) -> Lighting:
     return _described(current, words)
 
 
-class LightingCritic:
+class LightingArrangerCritic:
     """Checks that a plan can be rendered and read."""
 
-    def judge(self, draft: Lighting, view: LightingView) -> Critique:
+    def judge(self, draft: Lighting, view: LightingArrangerView) -> Critique:
         """Score ten less: too many lamps, no light at all, faces under their surroundings."""
         faults: list[Fault] = []
         if len(draft.lights) > MOST_LIGHTS:
@@ -122,7 +129,7 @@ class LightingCritic:
 
 def light_place(setup: SceneSetup, plan: SetPlan, environment: Environment) -> Lighting:
     """Return the light plan of a place without props of the script: what ``propose`` gives before the layout."""
-    return RulesLightingArranger().propose(LightingView(setup, plan, environment))
+    return RulesLightingArranger().propose(LightingArrangerView(setup, plan, environment))
 
 
 def is_outage(words: str) -> bool:
@@ -161,7 +168,7 @@ def _practicals(lighting: Lighting) -> bool:
     return any(light.role == "practical" for light in lighting.lights)
 
 
-def _lamps_burn(plan: Lighting, view: LightingView) -> Lighting:
+def _lamps_burn(plan: Lighting, view: LightingArrangerView) -> Lighting:
     return plan.model_copy(update={"lights": strongest((*plan.lights, *burning_lamps(view, 1.0)), MOST_LIGHTS)})
 
 

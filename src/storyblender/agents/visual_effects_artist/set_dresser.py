@@ -1,10 +1,11 @@
 """The Set Dresser: the furnishings of a set become assets and placed objects, giving way to what the script names.
 
 Hand-over to the Spatial Planner
-    ``Dressing.objects`` stand already: the kit's furniture (``fixed``, one asset per prop and shared by all scenes) and
-    those things of the script that took over a furnishing's place, such as the script's own piano in a cafe (also
-    ``fixed``; their ``node_id`` is their asset id). ``Dressing.pending`` are the script's objects that still need a
-    place; the planner puts them around, on or in what stands. ``Dressing.assets`` join the asset sheet.
+    ``SetDresserDraft.objects`` stand already: the kit's furniture (``fixed``, one asset per prop and shared by all
+    scenes) and those things of the script that took over a furnishing's place, such as the script's own piano in a
+    cafe (also ``fixed``; their ``node_id`` is their asset id). ``SetDresserDraft.pending`` are the script's objects
+    that still need a place; the planner puts them around, on or in what stands. ``SetDresserDraft.assets`` join the
+    asset sheet.
 """
 
 from __future__ import annotations
@@ -47,7 +48,7 @@ _COUNTERS = frozenset({"bar_counter", "counter"})
 
 
 @dataclass(frozen=True)
-class DressingView:
+class SetDresserView:
     """What the Set Dresser sees.
 
     Attributes:
@@ -63,7 +64,7 @@ class DressingView:
     people: int = 2
 
 
-class Dressing(Frozen):
+class SetDresserDraft(Frozen):
     """A dressed set."""
 
     assets: tuple[Asset, ...] = ()
@@ -76,7 +77,7 @@ class Dressing(Frozen):
     """node_ids of furnishings that were left out."""
 
 
-def dressing_view(graph: ContinuityMemoryGraph, scene_id: int) -> DressingView:
+def set_dresser_view(graph: ContinuityMemoryGraph, scene_id: int) -> SetDresserView:
     """Return the Set Dresser's projection of the graph.
 
     Args:
@@ -86,7 +87,7 @@ def dressing_view(graph: ContinuityMemoryGraph, scene_id: int) -> DressingView:
     scene = graph.scene(scene_id)
     assert scene.environment is not None, "the set comes before its dressing"
     told = told_relations(scene.setup, graph.shots_of(scene_id))
-    return DressingView(
+    return SetDresserView(
         setup=scene.setup.model_copy(update={"relations": told}),
         plan=plan_of(scene.environment),
         objects=tuple(asset for asset in graph.assets_of(scene_id) if asset.asset_type == "object"),
@@ -97,7 +98,7 @@ def dressing_view(graph: ContinuityMemoryGraph, scene_id: int) -> DressingView:
 class RulesSetDresser:
     """Places what the kit planned; the script's things come first, optional dressing gives way."""
 
-    def propose(self, view: DressingView) -> Dressing:
+    def propose(self, view: SetDresserView) -> SetDresserDraft:
         """Return the dressed set."""
         taken = _assign_furnishing_places(view)
         drives = any(prop_of(asset) in _VEHICLES for asset in view.objects)
@@ -110,7 +111,7 @@ class RulesSetDresser:
         assets = {item.asset.asset_id: item.asset for item in kept if item.asset.origin == "dressing"}
         placed = {asset.asset_id for asset in taken.values()}
         served = _has_counter(taken)
-        return Dressing(
+        return SetDresserDraft(
             assets=tuple(assets.values()),
             objects=tuple(item.placed() for item in kept),
             pending=tuple(
@@ -124,12 +125,12 @@ class RulesSetDresser:
             dropped=(*dropped, *sorted(parked)),
         )
 
-    def refine(self, draft: Dressing, critique: Critique, view: DressingView) -> Dressing:
+    def refine(self, draft: SetDresserDraft, critique: Critique, view: SetDresserView) -> SetDresserDraft:
         """Leave out what the critic names."""
         gone = {fault.subject for fault in critique.faults}
         kept = tuple(item for item in draft.objects if item.node_id not in gone)
         used = {item.asset_id for item in kept}
-        return Dressing(
+        return SetDresserDraft(
             assets=tuple(asset for asset in draft.assets if asset.asset_id in used),
             objects=kept,
             pending=draft.pending,
@@ -137,10 +138,10 @@ class RulesSetDresser:
         )
 
 
-class DressingCritic:
+class SetDresserCritic:
     """Looks for dressing that stands in other dressing or outside the set."""
 
-    def judge(self, draft: Dressing, view: DressingView) -> Critique:
+    def judge(self, draft: SetDresserDraft, view: SetDresserView) -> Critique:
         """Score ten less one for each; a fault's subject is the object to leave out."""
         required = {item.node_id for item in view.plan.furnishings if item.required}
         sizes = {asset.asset_id: size_of_asset(asset) for asset in (*draft.assets, *view.objects)}
@@ -162,7 +163,7 @@ class DressingCritic:
         return Critique.of(tuple(faults))
 
 
-def _assign_furnishing_places(view: DressingView) -> dict[str, Asset]:
+def _assign_furnishing_places(view: SetDresserView) -> dict[str, Asset]:
     """Return the script's object that takes the place of each furnishing of the kit, by the furnishing's node id."""
     taken: dict[str, Asset] = {}
     where: dict[str, Vec2] = {}
@@ -193,7 +194,7 @@ def _has_counter(taken: dict[str, Asset]) -> bool:
     return any(prop_of(asset) in _COUNTERS for asset in taken.values())
 
 
-def _is_the_place(asset: Asset, view: DressingView) -> bool:
+def _is_the_place(asset: Asset, view: SetDresserView) -> bool:
     """Tell whether the set itself already contains an object, so that it needs no prop.
 
     A harbour has its pier, and a beach its lighthouse.

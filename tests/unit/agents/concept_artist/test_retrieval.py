@@ -3,7 +3,7 @@
 import pytest
 
 from storyblender.agents.concept_artist.generator import RulesAssetGenerator
-from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, AssetRequest, ModelFile, Recipe
+from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, AssetRetrieverView, ModelFile, Recipe
 from storyblender.agents.concept_artist.retriever import RulesAssetRetriever
 from storyblender.catalog.kinds import kinds
 from storyblender.catalog.meanings import MEANT_IN
@@ -51,7 +51,7 @@ def generator(embedder):
 
 
 def request(name, models=()):
-    return AssetRequest(asset=Asset(asset_id="it", asset_type="object", description="", name=name), models=models)
+    return AssetRetrieverView(asset=Asset(asset_id="it", asset_type="object", description="", name=name), models=models)
 
 
 def test_known_things_are_found(retriever):
@@ -92,7 +92,7 @@ def test_words_alone_need_no_model():
 )
 def test_the_words_before_a_noun_choose_among_its_kinds(phrase, key):
     asset = Asset(asset_id="it", asset_type="object", description=phrase, name=phrase.split()[-1])
-    assert RulesAssetRetriever(no_model).propose(AssetRequest(asset=asset)).key == key
+    assert RulesAssetRetriever(no_model).propose(AssetRetrieverView(asset=asset)).key == key
 
 
 def test_a_word_that_only_begins_like_another_is_not_like_it(retriever):
@@ -109,9 +109,9 @@ def test_a_word_that_only_begins_like_another_is_not_like_it(retriever):
 
 def test_an_umbrella_is_up_in_the_rain_only():
     asset = Asset(asset_id="it", asset_type="object", description="", name="umbrella")
-    wet = AssetRequest(asset=asset, weather="rain")
+    wet = AssetRetrieverView(asset=asset, weather="rain")
     assert RulesAssetRetriever(no_model).propose(wet).params == {"up": True}
-    assert RulesAssetRetriever(no_model).propose(AssetRequest(asset=asset)).params == {}
+    assert RulesAssetRetriever(no_model).propose(AssetRetrieverView(asset=asset)).params == {}
 
 
 def test_a_model_of_the_user_wins_over_the_catalog(retriever):
@@ -179,19 +179,19 @@ def test_the_generator_takes_over(embedder):
 )
 def test_an_unknown_thing_is_of_its_kind(generator, name, kind, key):
     asset = Asset(asset_id="it", asset_type="object", description="", name=name, tags=(kind,))
-    assert generator.propose(AssetRequest(asset=asset)).key == key
+    assert generator.propose(AssetRetrieverView(asset=asset)).key == key
 
 
 @pytest.mark.parametrize("kind", ["animal", "vehicle"])
 def test_an_unknown_creature_or_vehicle_is_always_one(generator, kind):
     asset = Asset(asset_id="it", asset_type="object", description="", name="frobnicator", tags=(kind,))
-    recipe = generator.propose(AssetRequest(asset=asset))
+    recipe = generator.propose(AssetRetrieverView(asset=asset))
     assert PROPS[recipe.key].category == kind
 
 
 def test_a_stand_in_has_the_colour_that_is_told():
     asset = Asset(asset_id="it", asset_type="object", description="green velvet chaise longue", name="chaise longue")
-    recipe = RulesAssetGenerator(no_model).propose(AssetRequest(asset=asset))
+    recipe = RulesAssetGenerator(no_model).propose(AssetRetrieverView(asset=asset))
     assert recipe.key == "armchair" and recipe.params["color"] == "#3c6a42"
 
 
@@ -222,7 +222,7 @@ def test_every_listed_kind_is_a_prop_and_no_name_of_the_catalog():
 )
 def test_common_things_are_built_and_no_stand_ins(name, key):
     asset = Asset(asset_id="it", asset_type="object", description="", name=name)
-    assert RulesAssetRetriever(no_model).propose(AssetRequest(asset=asset)).key == key
+    assert RulesAssetRetriever(no_model).propose(AssetRetrieverView(asset=asset)).key == key
 
 
 @pytest.mark.parametrize(
@@ -245,7 +245,7 @@ def test_common_things_are_built_and_no_stand_ins(name, key):
 )
 def test_a_plain_word_means_what_it_means_in_its_place(kit, word, key):
     asset = Asset(asset_id="it", asset_type="object", description="", name=word)
-    view = AssetRequest(asset=asset, means=dict(SETS[kit].meanings))
+    view = AssetRetrieverView(asset=asset, means=dict(SETS[kit].meanings))
     assert RulesAssetRetriever(no_model).propose(view).key == key
 
 
@@ -262,7 +262,7 @@ def test_a_plain_word_means_what_it_means_in_its_place(kit, word, key):
 )
 def test_a_plain_word_means_what_it_means_in_its_age(age, word, key):
     asset = Asset(asset_id="it", asset_type="object", description="", name=word)
-    assert RulesAssetRetriever(no_model).propose(AssetRequest(asset=asset, means=dict(MEANT_IN[age]))).key == key
+    assert RulesAssetRetriever(no_model).propose(AssetRetrieverView(asset=asset, means=dict(MEANT_IN[age]))).key == key
 
 
 @pytest.mark.parametrize(
@@ -276,7 +276,7 @@ def test_a_plain_word_means_what_it_means_in_its_age(age, word, key):
 )
 def test_a_word_with_two_meanings_means_what_its_kind_says(kind, name, key):
     asset = Asset(asset_id="it", asset_type="object", description=name, name=name, tags=(kind,))
-    assert RulesAssetRetriever(no_model).propose(AssetRequest(asset=asset)).key == key
+    assert RulesAssetRetriever(no_model).propose(AssetRetrieverView(asset=asset)).key == key
 
 
 def test_what_words_mean_in_a_place_is_in_the_catalog():

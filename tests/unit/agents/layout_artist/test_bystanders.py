@@ -7,10 +7,10 @@ import math
 import pytest
 
 from storyblender.agents.layout_artist.bystanders import bystanders, placed
-from storyblender.agents.layout_artist.layout_brief import LayoutBrief, measures_of, props_of
 from storyblender.agents.layout_artist.spatial_planner import RulesSpatialPlanner, ways_of
+from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView, measures_of, props_of
 from storyblender.agents.visual_effects_artist.furniture import dressing_asset
-from storyblender.agents.visual_effects_artist.set_dresser import DressingView, RulesSetDresser
+from storyblender.agents.visual_effects_artist.set_dresser import RulesSetDresser, SetDresserView
 from storyblender.catalog.bystanders import BYSTANDER
 from storyblender.catalog.sets import plan_of
 from storyblender.geometry.boxes import Box, penetration
@@ -20,9 +20,9 @@ from storyblender.memory.scene_context import Environment, SceneSetup
 from storyblender.memory.shot_context import BodyState
 
 
-def brief(kit: str) -> LayoutBrief:
+def brief(kit: str) -> SpatialPlannerView:
     plan = plan_of(Environment(kit=kit, seed=2))
-    dressing = RulesSetDresser().propose(DressingView(SceneSetup(place=kit.upper()), plan))
+    dressing = RulesSetDresser().propose(SetDresserView(SceneSetup(place=kit.upper()), plan))
     measures = measures_of(dressing.assets)
     seat = Anchor(kind="seat", location=(0.0, -0.2, 0.46), size=(0.44, 0.44))
     for name in [name for name in measures if name.startswith("set_chair")]:
@@ -32,7 +32,7 @@ def brief(kit: str) -> LayoutBrief:
             asset_id=name, digest="", geometry_hash="", dimensions=(0.5, 0.4, 1.7), asset_type="character"
         )
     states = tuple(BodyState(asset_id=name) for name in ("ada", "tom"))
-    return LayoutBrief(
+    return SpatialPlannerView(
         1,
         SceneSetup(place=kit.upper()),
         measures,

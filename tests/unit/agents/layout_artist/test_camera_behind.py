@@ -8,7 +8,7 @@ import pytest
 from test_camera_room import brief, person
 
 from storyblender.agents.director.camera_phrases import from_behind
-from storyblender.agents.layout_artist.camera_brief import Moment
+from storyblender.agents.layout_artist.camera_operator_view import Moment
 from storyblender.agents.layout_artist.camera_scout import scouted
 from storyblender.agents.layout_artist.camera_start import start
 from storyblender.geometry.framing import project

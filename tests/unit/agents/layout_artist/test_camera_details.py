@@ -6,8 +6,8 @@ from dataclasses import replace
 import pytest
 from test_camera_operator import ANNA, TOM, brief
 
-from storyblender.agents.layout_artist.camera_brief import Moment
 from storyblender.agents.layout_artist.camera_details import detail_of, held_at
+from storyblender.agents.layout_artist.camera_operator_view import Moment
 from storyblender.agents.layout_artist.camera_scout import cost, scouted
 from storyblender.agents.layout_artist.camera_start import start
 from storyblender.geometry.boxes import Box

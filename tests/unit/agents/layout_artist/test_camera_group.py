@@ -7,8 +7,13 @@ import pytest
 from test_camera_operator import NumberFinder
 from test_camera_room import ROOM, brief, person
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment, Take, pose_of
 from storyblender.agents.layout_artist.camera_composition import composition
+from storyblender.agents.layout_artist.camera_operator_view import (
+    CameraOperatorDraft,
+    CameraOperatorView,
+    Moment,
+    pose_of,
+)
 from storyblender.agents.layout_artist.camera_room import outside, reach_back, void_points
 from storyblender.agents.layout_artist.camera_scout import cost, scouted
 from storyblender.agents.layout_artist.camera_solids import body
@@ -134,7 +139,7 @@ def test_who_walks_up_and_bends_over_a_thing_is_in_the_picture_all_the_way() -> 
     assert "headroom" not in told
 
 
-def _seen(view: CameraBrief, take: Take, figure: Figure) -> CameraView:
+def _seen(view: CameraOperatorView, take: CameraOperatorDraft, figure: Figure) -> CameraView:
     (face, top), _ = project(take.camera, [figure.face, figure.crown])
     sight = SubjectView(
         node_id="anna", visible_fraction=1.0, in_frame_fraction=1.0, face=tuple(face), head_top=float(top[1]),
@@ -203,7 +208,7 @@ def test_air_above_small_heads_is_no_fault() -> None:
     assert "headroom" not in kinds
 
 
-def request(view: CameraBrief, take: Take) -> ViewRequest:
+def request(view: CameraOperatorView, take: CameraOperatorDraft) -> ViewRequest:
     return ViewRequest(scene_id=1, shot_id=1, frame=0, pose=pose_of(take.camera), focus_ids=view.focus)
 
 
@@ -211,7 +216,7 @@ def test_nobody_of_a_group_fills_the_foreground() -> None:
     view = brief(*APART, in_frame=NAMES, kind="group", size="FS", focus_on_ids=NAMES)
     near = frame_group_from(Film(), APART, "FS", (-2.7, 0.9, 1.5), 35.0, 18.0)
     far = frame_group_from(Film(), APART, "FS", (0.0, -2.6, 1.5), 35.0, 18.0)
-    assert cost(view, Take(near, near, near)) > cost(view, Take(far, far, far)) + 0.5
+    assert cost(view, CameraOperatorDraft(near, near, near)) > cost(view, CameraOperatorDraft(far, far, far)) + 0.5
 
 
 def test_who_bends_without_a_walk_keeps_the_head_before_and_after() -> None:

@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Moment
-from storyblender.agents.layout_artist.camera_critic import CameraCritic
 from storyblender.agents.layout_artist.camera_operator import RulesCameraOperator, operate, side_used
+from storyblender.agents.layout_artist.camera_operator_critic import CameraOperatorCritic
+from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Cut, Moment
 from storyblender.agents.layout_artist.camera_start import start
 from storyblender.catalog.set_plan import SetPlan, Wall
 from storyblender.geometry.boxes import Box, corners, distance_to_point
@@ -115,13 +115,13 @@ def _free(eye: np.ndarray, points: np.ndarray, boxes: list[Box]) -> np.ndarray:
     return ~cut.any(0)
 
 
-def brief(figures=(ANNA, TOM), props=None, moments=None, **more) -> CameraBrief:
-    fields = {name: more.pop(name) for name in list(more) if name in CameraBrief.__dataclass_fields__}
+def brief(figures=(ANNA, TOM), props=None, moments=None, **more) -> CameraOperatorView:
+    fields = {name: more.pop(name) for name in list(more) if name in CameraOperatorView.__dataclass_fields__}
     moments = moments or (Moment(0, tuple(figures)),)
-    return CameraBrief(1, 1, CameraInstruction(**more), 48, moments, props=props or {}, film=FILM, **fields)
+    return CameraOperatorView(1, 1, CameraInstruction(**more), 48, moments, props=props or {}, film=FILM, **fields)
 
 
-def shoot(view: CameraBrief) -> tuple[Orbit, tuple[Flaw, ...], NumberFinder]:
+def shoot(view: CameraOperatorView) -> tuple[Orbit, tuple[Flaw, ...], NumberFinder]:
     finder = NumberFinder(view.moments, dict(view.props))
     state = operate(view, finder)
     return orbit_of(state.poses[0], FILM), state.residual, finder
@@ -186,7 +186,7 @@ def test_the_servo_walks_around_what_hides_the_subject() -> None:
     pillar = Box(-0.1, -1.3, 0, 0.6, 0.3, 2.5)
     view = brief([GUARD, figure("anna", 0, 0, 0)], {"pillar": pillar}, kind="single", size="MS", focus_on_ids=("anna",))
     finder = NumberFinder(view.moments, dict(view.props))
-    critic = CameraCritic(finder)
+    critic = CameraOperatorCritic(finder)
     straight = start(view, turn=-start(view).camera.azimuth)
     assert "hidden" in {fault.kind for fault in critic.judge(straight, view).faults}
     better = RulesCameraOperator(critic).refine(straight, critic.judge(straight, view), view)

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment, Take
+from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorDraft, CameraOperatorView, Moment
 from storyblender.agents.layout_artist.camera_room import VOID, fitted, outside
 from storyblender.agents.layout_artist.camera_scout import cost, scouted
 from storyblender.agents.layout_artist.camera_start import start, take
@@ -38,8 +38,8 @@ def person(name: str, x: float, y: float, yaw: float) -> Figure:
     return Figure(name, (x, y, 1.6), forward, 0.23, (x, y, 0.0))
 
 
-def brief(*people: Figure, in_frame: tuple[str, ...] = (), **more) -> CameraBrief:
-    return CameraBrief(
+def brief(*people: Figure, in_frame: tuple[str, ...] = (), **more) -> CameraOperatorView:
+    return CameraOperatorView(
         1, 1, CameraInstruction(**more), 48, (Moment(0, people),), plan=ROOM, film=Film(), in_frame=in_frame
     )
 
@@ -112,7 +112,7 @@ def test_a_tight_shot_is_about_the_first() -> None:
         person("anna", 0, 0, 0), person("tom", 2, 1, 180), kind="reaction", size="MCU", focus_on_ids=("anna", "tom")
     )
     assert view.focus == ("anna",)
-    take: Take = scouted(view)[0]
+    take: CameraOperatorDraft = scouted(view)[0]
     assert view.people[0].turned_from(take.camera.position) < 60
 
 

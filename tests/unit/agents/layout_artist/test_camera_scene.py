@@ -4,9 +4,9 @@ import pytest
 from test_camera_operator import ANNA, FILM, TOM, NumberFinder
 
 from storyblender.agents.layout_artist import camera_scene
-from storyblender.agents.layout_artist.camera_brief import Moment
 from storyblender.agents.layout_artist.camera_continuity import CUT_KINDS, judge_cuts
-from storyblender.agents.layout_artist.camera_scene import camera_brief, shoot_scene, telling_frames
+from storyblender.agents.layout_artist.camera_operator_view import Moment
+from storyblender.agents.layout_artist.camera_scene import camera_operator_view, shoot_scene, telling_frames
 from storyblender.agents.layout_artist.story_moment import story_moment
 from storyblender.catalog.sets import plan_of
 from storyblender.geometry.camera_path import orbit_of
@@ -89,25 +89,25 @@ def _turned(camera):
 def test_props_are_where_the_shot_has_them() -> None:
     shown = {"kind": "insert", "size": "CU", "focus_on_ids": ("cup",)}
     story = graph(shown)
-    brief = camera_brief(story, story.shots[0], PLAN, {"cup": CUP}, moments(story.shots[0]))
+    brief = camera_operator_view(story, story.shots[0], PLAN, {"cup": CUP}, moments(story.shots[0]))
     assert brief.focus == ("cup_1",)
     assert (brief.props["cup_1"].x, brief.props["cup_1"].z) == (1, 0.8)
     held = graph(shown, prop_states=(PropState(asset_id="cup", held_by="anna", hand="R"),))
-    box = camera_brief(held, held.shots[0], PLAN, {"cup": CUP}, moments(held.shots[0])).props["cup_1"]
+    box = camera_operator_view(held, held.shots[0], PLAN, {"cup": CUP}, moments(held.shots[0])).props["cup_1"]
     assert 0.1 < box.x - ANNA.base[0] < 0.6, "before her, who looks to +X"
     there = (PropState(asset_id="bag", location=(-2, 1, 0.7)),)
     laid = graph({**shown, "focus_on_ids": ("bag",)}, prop_states=there)
-    brief = camera_brief(laid, laid.shots[0], PLAN, {"bag": CUP}, moments(laid.shots[0]))
+    brief = camera_operator_view(laid, laid.shots[0], PLAN, {"bag": CUP}, moments(laid.shots[0]))
     assert [(box.x, box.z) for box in brief.things] == [(-2, 0.7)], "brought by somebody: no layout has it"
     gone = graph(shown, prop_states=(PropState(asset_id="cup", visible=False),))
-    assert camera_brief(gone, gone.shots[0], PLAN, {"cup": CUP}, moments(gone.shots[0])).props == {}
+    assert camera_operator_view(gone, gone.shots[0], PLAN, {"cup": CUP}, moments(gone.shots[0])).props == {}
 
 
 def test_what_somebody_uses_never_goes_with_a_wall() -> None:
     uses = CharacterAction(asset_id="anna", action_description="closes it", motion="close", target_id="cup")
     for actions, used in (((), ()), ((uses,), ("cup_1",))):
         story = graph({"kind": "single", "size": "MS", "focus_on_ids": ("anna",)}, character_actions=actions)
-        brief = camera_brief(story, story.shots[0], PLAN, {"cup": CUP}, moments(story.shots[0]))
+        brief = camera_operator_view(story, story.shots[0], PLAN, {"cup": CUP}, moments(story.shots[0]))
         assert brief.used == used
 
 
@@ -115,7 +115,7 @@ def test_what_somebody_uses_never_goes_with_a_wall() -> None:
 def test_what_was_put_down_before_is_not_what_a_picture_is_about(frame: int, focus: tuple[str, ...]) -> None:
     puts = Cue(asset_id="anna", clip="put_down", start=5, prop_id="cup"), Cue(asset_id="anna", clip="wave", start=50)
     story = graph({"kind": "action", "size": "MS", "focus_on_ids": ("anna", "cup")}, cues=puts)
-    brief = camera_brief(story, story.shots[0], PLAN, {}, [Moment(frame, (ANNA, TOM))])
+    brief = camera_operator_view(story, story.shots[0], PLAN, {}, [Moment(frame, (ANNA, TOM))])
     assert brief.instruction.focus_on_ids == focus
 
 
@@ -123,7 +123,7 @@ def test_who_is_embraced_after_putting_something_down_is_not_seen_with_it() -> N
     puts = Cue(asset_id="anna", clip="put_down", start=5, prop_id="cup")
     hugs = Cue(asset_id="tom", clip="hug", start=50, target_id="anna")
     story = graph({"kind": "action", "size": "MS", "focus_on_ids": (*AXIS, "cup")}, cues=(puts, hugs))
-    brief = camera_brief(story, story.shots[0], PLAN, {}, [Moment(80, (ANNA, TOM))])
+    brief = camera_operator_view(story, story.shots[0], PLAN, {}, [Moment(80, (ANNA, TOM))])
     assert set(brief.instruction.focus_on_ids) == set(AXIS)
 
 
@@ -141,7 +141,7 @@ def test_who_is_embraced_after_putting_something_down_is_not_seen_with_it() -> N
 def test_a_group_of_medium_size_holds_only_who_is_near(kind: str, size: str, x: float, held: bool) -> None:
     far = replace(TOM, face=(ANNA.face[0] + x, *TOM.face[1:]), base=(ANNA.base[0] + x, *ANNA.base[1:]))
     story = graph({"kind": kind, "size": size, "focus_on_ids": AXIS}, in_frame=("tom",))
-    brief = camera_brief(story, story.shots[0], PLAN, {}, [Moment(0, (ANNA, far))])
+    brief = camera_operator_view(story, story.shots[0], PLAN, {}, [Moment(0, (ANNA, far))])
     assert (brief.focus == AXIS) == held
     assert (brief.in_frame == ("tom",)) == held
 
@@ -347,7 +347,7 @@ def filmed(story: ContinuityMemoryGraph, **others: CameraState) -> ContinuityMem
 
 
 def wrong_cuts(story: ContinuityMemoryGraph) -> dict[int, set[str]]:
-    pairs = [(shot, camera_brief(story, shot, PLAN, {"cup": CUP}, moments(shot))) for shot in story.shots]
+    pairs = [(shot, camera_operator_view(story, shot, PLAN, {"cup": CUP}, moments(shot))) for shot in story.shots]
     told = {key: {flaw.kind for flaw in state.residual} & {*CUT_KINDS} for key, state in judge_cuts(pairs).items()}
     return {key: kinds for key, kinds in told.items() if kinds}
 
@@ -366,7 +366,9 @@ def test_a_changed_camera_makes_the_cuts_of_others_wrong_and_another_change_mend
 
 def as_judged(story: ContinuityMemoryGraph) -> ContinuityMemoryGraph:
     """Return a story whose cameras were left with the faults that they have."""
-    states = judge_cuts([(shot, camera_brief(story, shot, PLAN, {"cup": CUP}, moments(shot))) for shot in story.shots])
+    states = judge_cuts(
+        [(shot, camera_operator_view(story, shot, PLAN, {"cup": CUP}, moments(shot))) for shot in story.shots]
+    )
     shots = tuple(shot.model_copy(update={"camera": states[shot.shot_id]}) for shot in story.shots)
     return story.model_copy(update={"shots": shots})
 

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from test_camera_operator import ANNA, FILM, GUARD, TOM, NumberFinder, brief, figure, shoot
 
-from storyblender.agents.layout_artist.camera_brief import Cut, Moment, Take
 from storyblender.agents.layout_artist.camera_composition import AT_SIDE
-from storyblender.agents.layout_artist.camera_critic import CameraCritic
 from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_operator import operate
+from storyblender.agents.layout_artist.camera_operator_critic import CameraOperatorCritic
+from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorDraft, Cut, Moment
 from storyblender.agents.layout_artist.camera_scout import CLEARED, cost, hidden_share, scouted
 from storyblender.agents.layout_artist.camera_solids import holds, opened, solids
 from storyblender.agents.layout_artist.camera_start import start
@@ -130,7 +130,7 @@ def test_who_is_looked_after_is_no_back_where_a_side_shows_more() -> None:
     assert away.turned_from(camera.position) < 120 < away.turned_from(start(view).camera.position)
     assert all(AT_SIDE < x < 1 - AT_SIDE for x in project(camera, [away.face, TOM.face])[0][:, 0]), "both are shown"
     assert not [flaw for flaw in residual if flaw.kind in ("placement", "no_shoulder", "squeezed")]
-    back = [flaw.kind for flaw in CameraCritic(NumberFinder(view.moments, {})).judge(start(view), view).faults]
+    back = [flaw.kind for flaw in CameraOperatorCritic(NumberFinder(view.moments, {})).judge(start(view), view).faults]
     assert "face_away" in back
 
 
@@ -144,7 +144,7 @@ def test_who_walks_off_is_seen_from_behind_past_who_looks_after_them() -> None:
     assert walker.turned_from(camera.position) > 120
     screen, depth = project(camera, [walker.face, TOM.face])
     assert ((screen > 0) & (screen < 1)).all() and depth[1] < depth[0], "past him"
-    faults = CameraCritic(NumberFinder(steps, {})).judge(scouted(view)[0], view).faults
+    faults = CameraOperatorCritic(NumberFinder(steps, {})).judge(scouted(view)[0], view).faults
     assert "size" not in [each.kind for each in faults], "who goes may be small beside who stays"
 
 
@@ -171,7 +171,7 @@ def test_whoever_is_in_a_boat_may_be_looked_down_on() -> None:
     boat = replace(view, props={"boat": Box(0, 0, 0, 3.4, 1.5, 0.75)})
     for here, minded in ((view, True), (boat, False)):
         take = start(here, 0, 27)
-        faults = CameraCritic(NumberFinder(here.moments, {})).judge(take, here).faults
+        faults = CameraOperatorCritic(NumberFinder(here.moments, {})).judge(take, here).faults
         assert ("angle" in [fault.kind for fault in faults]) == minded
         assert (take in scouted(here)) != minded
 
@@ -242,7 +242,7 @@ def test_a_wide_and_a_medium_of_the_same_two_from_the_same_place_are_one_picture
     for back in (1.0, 1.9, 2.6):
         camera = replace(first.camera, distance=first.camera.distance / back)
         before = Cut(wide.instruction, first.state(48, 4.0, 10.0, ()), wide.subjects(wide.moments[-1]))
-        found = cuts(replace(near, previous=before), Take(camera, camera, camera))
+        found = cuts(replace(near, previous=before), CameraOperatorDraft(camera, camera, camera))
         weights.append(sum(fault.severity for fault in found if fault.kind == "jump"))
     assert weights[0] > 1.2 > weights[1] > 0 == weights[2]
 
@@ -319,7 +319,9 @@ def test_the_camera_stands_behind_the_shoulder_that_is_asked_for() -> None:
     assert head / head_share(best.camera, view.people[0]) < 4, "nobody is dwarfed"
     far = start(view, 88.0)
     assert cost(view, far) > cost(view, best) + 1.0
-    assert "no_shoulder" in [each.kind for each in CameraCritic(NumberFinder(steps, {})).judge(far, view).faults]
+    assert "no_shoulder" in [
+        each.kind for each in CameraOperatorCritic(NumberFinder(steps, {})).judge(far, view).faults
+    ]
 
 
 def test_the_back_of_a_cheek_is_no_face() -> None:
@@ -339,5 +341,5 @@ def test_a_partner_too_far_away_is_no_shoulder_unless_the_script_asks_for_it() -
     near, far = brief((ANNA, TOM), **wish), brief((ANNA, away), **wish)
     assert near.over == TOM and far.over is None and brief((ANNA, away), explicit=True, **wish).over == away
     finder = NumberFinder(far.moments, {})
-    critique = CameraCritic(finder).judge(scouted(far)[0], far)
+    critique = CameraOperatorCritic(finder).judge(scouted(far)[0], far)
     assert not {"size", "no_shoulder", "placement"} & {each.kind for each in critique.faults}, "a good single"

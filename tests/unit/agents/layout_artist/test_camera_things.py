@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment
 from storyblender.agents.layout_artist.camera_furniture import covers
+from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment
 from storyblender.agents.layout_artist.camera_scene import _handlings
 from storyblender.agents.layout_artist.camera_scout import scouted
 from storyblender.agents.layout_artist.camera_start import start
@@ -18,9 +18,9 @@ def _person(name: str, x: float, face: float = 1.6) -> Figure:
     return Figure(name, (x, 0.0, face), (0.0, -1.0, 0.0), 0.23, (x, 0.0, 0.0))
 
 
-def _brief(people: tuple[Figure, ...], props: dict[str, Box], **camera: object) -> CameraBrief:
+def _brief(people: tuple[Figure, ...], props: dict[str, Box], **camera: object) -> CameraOperatorView:
     moments = tuple(Moment(frame, people) for frame in (0, 12, 24))
-    return CameraBrief(1, 1, CameraInstruction.model_validate(camera), 24, moments, props=props)
+    return CameraOperatorView(1, 1, CameraInstruction.model_validate(camera), 24, moments, props=props)
 
 
 def test_a_thing_is_with_who_took_it_until_it_is_laid_down() -> None:

@@ -5,7 +5,7 @@ from dataclasses import replace
 from tests.crew import RULES
 
 from storyblender.agents.layout_artist.crowd_places import crowds_of
-from storyblender.agents.layout_artist.layout_brief import LayoutBrief
+from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView
 from storyblender.catalog.sets import plan_of
 from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.scene_context import Environment, LayoutObject, SceneSetup
@@ -24,7 +24,7 @@ def _laid_out() -> dict[str, LayoutObject]:
         for name in people
     }
     plan = plan_of(Environment(kit="great_hall", params={"width": 14.0, "depth": 14.0}))
-    view = LayoutBrief(
+    view = SpatialPlannerView(
         1,
         SceneSetup(asset_ids=tuple(people)),
         measures,

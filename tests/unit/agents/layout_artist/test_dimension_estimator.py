@@ -5,8 +5,8 @@ import pytest
 from storyblender.agents.concept_artist.recipe import Recipe
 from storyblender.agents.layout_artist.dimension_estimator import (
     NOUNS,
-    DimensionCritic,
-    DimensionView,
+    DimensionEstimatorCritic,
+    DimensionEstimatorView,
     RulesDimensionEstimator,
     estimate,
 )
@@ -86,17 +86,17 @@ def test_every_draft_of_the_rules_passes_the_critic() -> None:
         person(age=90).model_copy(update={"asset_id": "elder"}),
         Asset(asset_id="dog", asset_type="character", description="a dog"),
     ]
-    draft = RulesDimensionEstimator().propose(DimensionView(assets))
-    assert DimensionCritic().judge(draft, DimensionView(assets)).faults == ()
+    draft = RulesDimensionEstimator().propose(DimensionEstimatorView(assets))
+    assert DimensionEstimatorCritic().judge(draft, DimensionEstimatorView(assets)).faults == ()
 
 
 def test_the_critic_wants_exactly_one_value_and_the_rules_repair_it() -> None:
     assets = [thing("apple"), person()]
     draft = {"apple": AssetDimension(width=0.1, height=0.1), "someone": AssetDimension(height=4.0)}
-    critique = DimensionCritic().judge(draft, DimensionView(assets))
+    critique = DimensionEstimatorCritic().judge(draft, DimensionEstimatorView(assets))
     assert {fault.subject for fault in critique.faults} == {"apple", "someone"}
-    repaired = RulesDimensionEstimator().refine(draft, critique, DimensionView(assets))
-    assert DimensionCritic().judge(repaired, DimensionView(assets)).score == 10
+    repaired = RulesDimensionEstimator().refine(draft, critique, DimensionEstimatorView(assets))
+    assert DimensionEstimatorCritic().judge(repaired, DimensionEstimatorView(assets)).score == 10
 
 
 def made_of(key: str, name: str, *tags: str, source: Literal["catalog", "stand_in"] = "catalog") -> Asset:
@@ -122,7 +122,7 @@ def test_a_tree_that_was_brought_into_a_room_ends_below_its_ceiling() -> None:
     side, height = only(estimate(tree, room))
     assert side == "height"
     assert 2.0 < height < room[2]
-    assert RulesDimensionEstimator().propose(DimensionView((tree,), {"it": room}))["it"].height == height
+    assert RulesDimensionEstimator().propose(DimensionEstimatorView((tree,), {"it": room}))["it"].height == height
 
 
 def test_nothing_is_larger_than_its_room() -> None:

@@ -10,7 +10,7 @@ import pytest
 from tests.crew import RULES
 from tests.every import every
 
-from storyblender.agents.layout_artist.layout_brief import LayoutBrief
+from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import plan_of
@@ -39,7 +39,7 @@ def laid_out(told: Mapping[str, Spot], *others: str, plan: SetPlan = PLAN) -> di
     person = AssetMeasure(
         asset_id="ann", digest="", geometry_hash="", dimensions=(0.5, 0.3, 1.7), asset_type="character"
     )
-    view = LayoutBrief(
+    view = SpatialPlannerView(
         scene_id=1,
         setup=SceneSetup(asset_ids=(*things, "ann")),
         measures={**{key: _measure(key) for key in things}, "ann": person},

@@ -9,9 +9,9 @@ from itertools import pairwise
 import pytest
 from tests.crew import RULES
 
-from storyblender.agents.layout_artist.layout_brief import LayoutBrief, measures_of
 from storyblender.agents.layout_artist.roomier import ROOMS, Fitted, Room, larger, until_it_fits, without_dressing
-from storyblender.agents.visual_effects_artist.set_dresser import DressingView, RulesSetDresser
+from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView, measures_of
+from storyblender.agents.visual_effects_artist.set_dresser import RulesSetDresser, SetDresserView
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.memory.base import Vec2
 from storyblender.memory.measure import AssetMeasure
@@ -22,10 +22,10 @@ from storyblender.reflection import Critique, Fault, Outcome, reflect
 EMPTY = Layout(scene_size=SceneSize(x=2, x_negative=-2, y=2, y_negative=-2))
 
 
-BRIEF = LayoutBrief(1, SceneSetup(), {}, plan_of(Environment(kit="closet")))
+BRIEF = SpatialPlannerView(1, SceneSetup(), {}, plan_of(Environment(kit="closet")))
 
 
-def outcome(score: float) -> Outcome[LayoutBrief, Layout]:
+def outcome(score: float) -> Outcome[SpatialPlannerView, Layout]:
     fault = Fault(kind="penetration", subject="sofa", message="in the wall", severity=10 - score)
     item = LayoutObject(node_id="sofa", asset_id="sofa", location=(1.0, 0.5, 0.0))
     draft = EMPTY.model_copy(update={"objects": (item,)})
@@ -35,7 +35,7 @@ def outcome(score: float) -> Outcome[LayoutBrief, Layout]:
 def tried(scores: list[float]) -> tuple[Fitted[int], list[Collection[Vec2]]]:
     told: list[Collection[Vec2]] = []
 
-    def stage(room: Room, faulty: Collection[Vec2]) -> tuple[int, Outcome[LayoutBrief, Layout]]:
+    def stage(room: Room, faulty: Collection[Vec2]) -> tuple[int, Outcome[SpatialPlannerView, Layout]]:
         told.append(faulty)
         return len(told), outcome(scores[len(told) - 1])
 
@@ -74,7 +74,7 @@ def test_a_set_grows_to_what_its_kit_can_be(kit: str) -> None:
 
 def test_only_dressing_gives_way_and_nothing_is_left_in_the_air() -> None:
     plan = plan_of(Environment(kit="kitchen", seed=3))
-    objects = RulesSetDresser().propose(DressingView(SceneSetup(place="KITCHEN"), plan)).objects
+    objects = RulesSetDresser().propose(SetDresserView(SceneSetup(place="KITCHEN"), plan)).objects
     kept = without_dressing(objects, plan, [(0.0, 0.0)], 99.0)
     assert {item.node_id for item in kept} == {item.node_id for item in plan.furnishings if item.required}
     assert without_dressing(objects, plan, [], 99.0) == objects
@@ -94,11 +94,11 @@ def test_a_company_too_many_for_a_small_room_finds_place_in_a_larger_one() -> No
     }
     states = tuple(BodyState(asset_id=name) for name in people)
 
-    def stage(room: Room, faulty: Collection[Vec2]) -> tuple[float, Outcome[LayoutBrief, Layout]]:
+    def stage(room: Room, faulty: Collection[Vec2]) -> tuple[float, Outcome[SpatialPlannerView, Layout]]:
         plan = plan_of(larger(Environment(kit="closet", seed=1), room.grown))
-        dressing = RulesSetDresser().propose(DressingView(SceneSetup(place="CLOSET"), plan, people=6))
+        dressing = RulesSetDresser().propose(SetDresserView(SceneSetup(place="CLOSET"), plan, people=6))
         standing = without_dressing(dressing.objects, plan, faulty, room.shed)
-        brief = LayoutBrief(
+        brief = SpatialPlannerView(
             1, SceneSetup(place="CLOSET"), measures_of(dressing.assets) | known, plan, standing,
             pending=("trunk", "stove"), states=states, apart=room.apart,
         )  # fmt: skip

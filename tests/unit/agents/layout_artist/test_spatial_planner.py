@@ -6,10 +6,10 @@ import pytest
 from tests.crew import RULES
 from tests.every import every
 
-from storyblender.agents.layout_artist.layout_brief import LayoutBrief, layout_brief
 from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.layout_things import layout_violations
-from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, RulesSpatialPlanner
+from storyblender.agents.layout_artist.spatial_planner import RulesSpatialPlanner, SpatialPlannerCritic
+from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView, spatial_planner_view
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.memory.asset_sheet import Anchor, Asset
@@ -66,20 +66,20 @@ def plan(kit: str = "plain_room") -> SetPlan:
     return bare.model_copy(update={"furnishings": ()})
 
 
-def brief(pending=(), relations=(), people=(), **more) -> LayoutBrief:
+def brief(pending=(), relations=(), people=(), **more) -> SpatialPlannerView:
     states = tuple(who if isinstance(who, BodyState) else BodyState(asset_id=who) for who in people)
     related = tuple(Relation(asset_id=a, kind=kind, anchor_asset_id=b) for a, kind, b in relations)
     ids = (*pending, *(state.asset_id for state in states))
-    return LayoutBrief(
+    return SpatialPlannerView(
         1, SceneSetup(asset_ids=ids, relations=related), MEASURES, plan(), pending=tuple(pending), states=states, **more
     )
 
 
-def plan_layout(view: LayoutBrief) -> Outcome[LayoutBrief, Layout]:
+def plan_layout(view: SpatialPlannerView) -> Outcome[SpatialPlannerView, Layout]:
     return reflect(replace(RULES.spatial_planner, threshold=9.9, horizon=3), "SC010", view)
 
 
-def solved(view: LayoutBrief) -> dict[str, LayoutObject]:
+def solved(view: SpatialPlannerView) -> dict[str, LayoutObject]:
     outcome = plan_layout(view)
     assert outcome.critique.faults == ()
     return {item.node_id: item for item in outcome.draft.objects}
@@ -93,14 +93,14 @@ def forward(item: LayoutObject) -> tuple[float, float]:
 @every("kit", SETS)
 def test_every_set_takes_people_and_things_without_a_fault(kit: str) -> None:
     view = brief(["table", "jewel_box", "painting"], [("jewel_box", "on", "table")], ["ana", "ben", "cal"])
-    view = LayoutBrief(**{**view.__dict__, "plan": plan(kit), "groups": (("ana", "ben"),)})
+    view = SpatialPlannerView(**{**view.__dict__, "plan": plan(kit), "groups": (("ana", "ben"),)})
     assert plan_layout(view).critique.faults == ()
 
 
 def test_who_bears_the_name_of_a_trade_begins_at_its_mark() -> None:
     measures = MEASURES | {"judge_okoro": measure("judge_okoro", 1.1, 0.35, 1.75, person=True)}
     view = brief(people=["judge_okoro", "ana"])
-    at = solved(LayoutBrief(**{**view.__dict__, "plan": plan("courtroom"), "measures": measures}))
+    at = solved(SpatialPlannerView(**{**view.__dict__, "plan": plan("courtroom"), "measures": measures}))
     bench = next(mark for mark in plan("courtroom").marks if "judge" in mark.tags)
     assert math.dist(at["judge_okoro"].location, bench.location) < 0.3
     assert math.dist(at["ana"].location, bench.location) > 0.5
@@ -214,7 +214,7 @@ def test_every_fault_is_found_and_refine_mends_it() -> None:
     faults = layout_violations(broken, MEASURES, view.plan)
     assert {"penetration", "floor"} <= {fault.kind for fault in faults}
     assert all(fault.fix for fault in faults)
-    critic = LayoutCritic()
+    critic = SpatialPlannerCritic()
     mended = RulesSpatialPlanner().refine(broken, critic.judge(broken, view), view)
     assert critic.judge(mended, view).faults == ()
 
@@ -222,16 +222,18 @@ def test_every_fault_is_found_and_refine_mends_it() -> None:
 def test_whoever_has_no_place_is_named() -> None:
     view = brief(people=["ana"])
     empty = Layout(scene_size=view.plan.size)
-    assert [(fault.kind, fault.subject) for fault in LayoutCritic().judge(empty, view).faults] == [("missing", "ana")]
+    assert [(fault.kind, fault.subject) for fault in SpatialPlannerCritic().judge(empty, view).faults] == [
+        ("missing", "ana")
+    ]
 
 
 def test_luggage_stands_on_the_floor_beside_who_takes_it() -> None:
     view = brief(["table", "suitcase"], people=["ana", "ben"], handlers={"suitcase": ("cal", "ana")})
-    at = solved(LayoutBrief(**{**view.__dict__, "placements": {"suitcase": "surface"}}))
+    at = solved(SpatialPlannerView(**{**view.__dict__, "placements": {"suitcase": "surface"}}))
     assert at["suitcase"].location[2] == 0
     assert math.dist(at["suitcase"].location, at["ana"].location) < 1.2
     alone = brief(["table", "suitcase"], people=["ana"], handlers={"suitcase": ("cal",)})
-    at = solved(LayoutBrief(**{**alone.__dict__, "placements": {"suitcase": "surface"}}))
+    at = solved(SpatialPlannerView(**{**alone.__dict__, "placements": {"suitcase": "surface"}}))
     assert at["suitcase"].location[2] == 0, "nor on a table when its owner is still to come"
 
 
@@ -244,7 +246,7 @@ def test_what_somebody_takes_lies_within_their_reach() -> None:
         chair = LayoutObject(node_id="chair", asset_id="chair", location=(x, 0.7, 0), rotation=(0, 0, 180), fixed=True)
         sitter = BodyState(asset_id="ana", posture="sit", support_id="chair")
         view = brief(["jewel_box"], people=[sitter], dressed=(*tables, chair), handlers={"jewel_box": ("ana",)})
-        at = solved(LayoutBrief(**{**view.__dict__, "placements": {"jewel_box": "surface"}}))
+        at = solved(SpatialPlannerView(**{**view.__dict__, "placements": {"jewel_box": "surface"}}))
         assert at["jewel_box"].anchor_asset_id == near
         assert math.dist(at["jewel_box"].location[:2], at["ana"].location[:2]) < 0.7
 
@@ -279,7 +281,7 @@ def test_who_leans_on_a_stick_by_the_table_is_by_the_table() -> None:
     leaning = BodyState(asset_id="ana", posture="lean", support_id="stick")
     table = LayoutObject(node_id="table", asset_id="table", location=(-1.6, 1.2, 0), fixed=True)
     view = brief(["stick"], [("ana", "next_to", "table")], [leaning, "ben"], dressed=(table,))
-    at = solved(LayoutBrief(**{**view.__dict__, "placements": {"stick": "surface"}}))
+    at = solved(SpatialPlannerView(**{**view.__dict__, "placements": {"stick": "surface"}}))
     assert at["ana"].anchor_asset_id == "table"
 
 
@@ -309,14 +311,15 @@ def test_with_whom_somebody_stands_is_read_from_the_scenes_first_words() -> None
     graph = ContinuityMemoryGraph(
         assets=tuple(people), scenes=(SceneContext(scene_id=1, setup=SceneSetup()),), shots=(shot,)
     )
-    assert layout_brief(graph, 1, plan()).company == {"ben": "ana"}
+    assert spatial_planner_view(graph, 1, plan()).company == {"ben": "ana"}
 
 
 def test_the_lid_of_a_bin_is_no_table() -> None:
     bin_ = LayoutObject(node_id="bin", asset_id="bin", location=(0.9, 1.6, 0), fixed=True)
     view = brief(["jewel_box"], people=["ana"], dressed=(bin_,))
     assert (
-        solved(LayoutBrief(**{**view.__dict__, "placements": {"jewel_box": "surface"}}))["jewel_box"].location[2] == 0
+        solved(SpatialPlannerView(**{**view.__dict__, "placements": {"jewel_box": "surface"}}))["jewel_box"].location[2]
+        == 0
     )
 
 
@@ -349,7 +352,7 @@ def test_who_sits_opposite_somebody_takes_the_seat_they_look_at() -> None:
     assert {at["ana"].anchor_asset_id, at["ben"].anchor_asset_id} == {"bench_1", "bench_2"}
 
 
-def court(**fields: object) -> LayoutBrief:
+def court(**fields: object) -> SpatialPlannerView:
     people = {
         name: measure(name, 1.1, 0.35, 1.75, person=True) for name in ("judge_ito", "juror_1", "juror_2", "bo", "eve")
     }
@@ -370,7 +373,7 @@ def court(**fields: object) -> LayoutBrief:
     )
     measures = people | {"set_chair": chair, "set_pew": pew}
     setup = SceneSetup(scene_type="indoor", place="courtroom", asset_ids=tuple(people))
-    return LayoutBrief(scene_id=1, setup=setup, measures=measures, plan=court, dressed=dressed, **fields)  # type: ignore[arg-type]
+    return SpatialPlannerView(scene_id=1, setup=setup, measures=measures, plan=court, dressed=dressed, **fields)  # type: ignore[arg-type]
 
 
 def test_whom_a_later_shot_finds_in_court_is_at_the_place_of_their_office() -> None:
@@ -414,7 +417,7 @@ def test_who_comes_in_later_has_no_place_yet_and_who_is_found_there_has() -> Non
         scenes=(SceneContext(scene_id=1, setup=SceneSetup(scene_type="indoor", asset_ids=("ana", "ben", "cal"))),),
         shots=(shot(1, ("ana",)), shot(2, ("ana", "ben"), waits), shot(3, ("ana", "ben", "cal"), walk)),
     )
-    brief = layout_brief(graph, 1, plan())
+    brief = spatial_planner_view(graph, 1, plan())
     assert [state.asset_id for state in brief.found] == ["ben"]
     assert brief.stations == {"ben": "door"}
 
@@ -438,7 +441,7 @@ def test_nothing_lies_where_somebody_lies_on_the_bed() -> None:
     sleeper = BodyState(asset_id="ana", posture="lie", support_id="bed")
     view = brief(["bed", "cat"], [("cat", "on", "bed")], [sleeper])
     for states in (view.states, ()):
-        at = solved(LayoutBrief(**{**view.__dict__, "measures": MEASURES | {"bed": bed}, "states": states}))
+        at = solved(SpatialPlannerView(**{**view.__dict__, "measures": MEASURES | {"bed": bed}, "states": states}))
         x, y = (a - b for a, b in zip(at["cat"].location[:2], at["bed"].location[:2], strict=True))
         aside = abs(
             x * math.cos(math.radians(at["bed"].rotation[2])) + y * math.sin(math.radians(at["bed"].rotation[2]))
@@ -450,7 +453,7 @@ def test_a_place_before_furniture_has_a_backdrop_and_one_before_a_bare_wall_has_
     shelf = LayoutObject(node_id="wardrobe", asset_id="wardrobe", location=(1.6, 2.0, 0), fixed=True)
     bare = plan().model_copy(update={"walls": tuple(w.model_copy(update={"openings": ()}) for w in plan().walls)})
     view = brief(people=["ana", "ben"], dressed=(shelf,))
-    stage = Stage(LayoutBrief(**{**view.__dict__, "plan": bare}))
+    stage = Stage(SpatialPlannerView(**{**view.__dict__, "plan": bare}))
     assert stage.backdrop(1.6, 0.0) > 0.3
     assert stage.backdrop(-1.6, 0.0) < 0.15
     assert stage.backdrop(1.6, 2.4) == 0.0, "it is before them there"

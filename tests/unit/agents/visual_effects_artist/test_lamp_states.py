@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 
 from storyblender.agents.visual_effects_artist.lamp_states import lit_shots
-from storyblender.agents.visual_effects_artist.lighting_arranger import LightingView, RulesLightingArranger
-from storyblender.agents.visual_effects_artist.lighting_view import prop_key
+from storyblender.agents.visual_effects_artist.lighting_arranger import LightingArrangerView, RulesLightingArranger
+from storyblender.agents.visual_effects_artist.lighting_arranger_view import prop_key
 from storyblender.catalog.light_recipes import LAMPS
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.sets import plan_of
@@ -26,7 +26,7 @@ from storyblender.memory.shot_context import (
 _KEYS = sorted(key for key in LAMPS if key in PROPS and PROPS[key].placement != "ceiling")
 
 
-def _view(*keys: str) -> LightingView:
+def _view(*keys: str) -> LightingArrangerView:
     environment = Environment(kit="living_room")
     plan = plan_of(environment)
     assets = tuple(
@@ -41,7 +41,7 @@ def _view(*keys: str) -> LightingView:
         for index, key in enumerate(keys)
     )
     setup = SceneSetup(scene_type="indoor", time_of_day="night")
-    return LightingView(setup, plan, environment, Layout(scene_size=plan.size, objects=objects), assets)
+    return LightingArrangerView(setup, plan, environment, Layout(scene_size=plan.size, objects=objects), assets)
 
 
 def _shot(number: int, *changes: tuple[str, str], light: str | None = None, **fields: object) -> ShotContext:
@@ -60,7 +60,7 @@ def _changed(current: Lighting, shot: ShotContext) -> Lighting:
 
 
 def _plans(
-    view: LightingView, *shots: ShotContext, **found: tuple[str, ...]
+    view: LightingArrangerView, *shots: ShotContext, **found: tuple[str, ...]
 ) -> tuple[list[Lighting], list[ShotContext]]:
     usual = RulesLightingArranger().propose(view)
     current, lit, _ = lit_shots(usual, view, shots, found, _changed)

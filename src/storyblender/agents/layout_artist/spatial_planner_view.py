@@ -20,7 +20,7 @@ _RESTING = ("idle", "stand", "wait", "sit", "lean")
 
 
 @dataclass(frozen=True)
-class LayoutBrief:
+class SpatialPlannerView:
     """The Spatial Planner's view of one scene.
 
     Attributes:
@@ -84,7 +84,7 @@ def measures_of(assets: Iterable[Asset]) -> dict[str, AssetMeasure]:
     }
 
 
-def layout_brief(
+def spatial_planner_view(
     graph: ContinuityMemoryGraph,
     scene_id: int,
     plan: SetPlan,
@@ -92,7 +92,7 @@ def layout_brief(
     pending: tuple[str, ...] | None = None,
     placements: Mapping[str, str] | None = None,
     apart: float = 1.0,
-) -> LayoutBrief:
+) -> SpatialPlannerView:
     """Read a scene's brief from the graph.
 
     Args:
@@ -129,7 +129,7 @@ def layout_brief(
             if action.prop_id in objects:
                 handlers[action.prop_id] = (*handlers.get(action.prop_id, ()), action.asset_id)
     reference = scene.setup.reference_scene_id
-    return LayoutBrief(
+    return SpatialPlannerView(
         scene_id=scene_id,
         setup=scene.setup,
         measures=measures_of(graph.assets),

@@ -7,8 +7,8 @@ from types import SimpleNamespace
 import pytest
 from test_camera_operator import ANNA, GUARD, TOM, brief, figure
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment
-from storyblender.agents.layout_artist.camera_critic import CameraCritic, telling_moments
+from storyblender.agents.layout_artist.camera_operator_critic import CameraOperatorCritic, telling_moments
+from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment
 from storyblender.agents.layout_artist.camera_scout import cost
 from storyblender.agents.layout_artist.camera_start import start
 from storyblender.geometry.boxes import Box
@@ -39,10 +39,10 @@ def thing(node: str, **changes) -> SubjectView:
 
 
 def faults(
-    view: CameraBrief, *subjects: SubjectView, **others: tuple[SubjectView, ...]
+    view: CameraOperatorView, *subjects: SubjectView, **others: tuple[SubjectView, ...]
 ) -> dict[tuple[str, str], Fault]:
     views = {view.drawn.frame: subjects} | {int(frame[1:]): seen for frame, seen in others.items()}
-    found = CameraCritic(Written(views)).judge(start(view), view).faults
+    found = CameraOperatorCritic(Written(views)).judge(start(view), view).faults
     return {(fault.kind, fault.subject): fault for fault in found}
 
 
@@ -96,7 +96,7 @@ def test_the_floor_of_a_place_is_no_foreground(focus: tuple[str, ...], minded: b
     finder = SimpleNamespace(
         look=lambda requests: [CameraView(subjects=(), void=0.0, foreground=0.4) for _ in requests]
     )
-    found = CameraCritic(finder).judge(start(view), view).faults
+    found = CameraOperatorCritic(finder).judge(start(view), view).faults
     assert ("foreground" in {fault.kind for fault in found}) == minded
 
 

@@ -61,7 +61,7 @@ class Cut:
 
 
 @dataclass(frozen=True)
-class CameraBrief:
+class CameraOperatorView:
     """The Camera Operator's projection of the graph for one shot.
 
     Attributes:
@@ -332,13 +332,13 @@ def far_off(instruction: CameraInstruction, drawn: Moment, nodes: Sequence[str])
     return {each.node_id for each in people if math.dist(each.base[:2], people[0].base[:2]) > reach}
 
 
-def share_of(brief: CameraBrief, frame: int) -> float:
+def share_of(brief: CameraOperatorView, frame: int) -> float:
     """Return the share of the shot's time at a frame."""
     return min(frame / max(brief.duration - 1, 1), 1.0)
 
 
 @dataclass(frozen=True)
-class Take:
+class CameraOperatorDraft:
     """The Camera Operator's draft: the composition in the middle of the move, and the poses that come of it."""
 
     camera: Orbit

@@ -9,9 +9,15 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment, Take, pose_of, share_of
 from storyblender.agents.layout_artist.camera_composition import composition, fault
 from storyblender.agents.layout_artist.camera_cuts import cuts
+from storyblender.agents.layout_artist.camera_operator_view import (
+    CameraOperatorDraft,
+    CameraOperatorView,
+    Moment,
+    pose_of,
+    share_of,
+)
 from storyblender.agents.layout_artist.camera_room import outside, void_points
 from storyblender.agents.layout_artist.camera_scout import AT_EDGE, CLEARED, LEAST_OVER
 from storyblender.agents.layout_artist.camera_start import face_limit, wants_shoulder
@@ -36,7 +42,7 @@ _ARMS = 0.5
 _AROUND = "orbit_left orbit_right"
 
 
-class CameraCritic:
+class CameraOperatorCritic:
     """R of the Camera Operator. Remembers what it saw, so that judging the same take again costs nothing.
 
     Args:
@@ -45,9 +51,9 @@ class CameraCritic:
 
     def __init__(self, viewfinder: Viewfinder) -> None:
         self._viewfinder = viewfinder
-        self._seen: dict[tuple[int, int, int, Take], CameraView] = {}
+        self._seen: dict[tuple[int, int, int, CameraOperatorDraft], CameraView] = {}
 
-    def judge(self, draft: Take, view: CameraBrief) -> Critique:
+    def judge(self, draft: CameraOperatorDraft, view: CameraOperatorView) -> Critique:
         """Score one take."""
         return self.judge_all([draft], view)[0]
 
@@ -56,11 +62,11 @@ class CameraCritic:
         """How often this critic has looked."""
         return len(self._seen)
 
-    def judged(self, brief: CameraBrief) -> set[Take]:
+    def judged(self, brief: CameraOperatorView) -> set[CameraOperatorDraft]:
         """Return the takes of a shot that were looked at."""
         return {take for scene, shot, _, take in self._seen if (scene, shot) == (brief.scene_id, brief.shot_id)}
 
-    def judge_all(self, takes: Sequence[Take], brief: CameraBrief) -> list[Critique]:
+    def judge_all(self, takes: Sequence[CameraOperatorDraft], brief: CameraOperatorView) -> list[Critique]:
         """Score several takes with one batch of looks."""
         moments = telling_moments(brief, takes)
         wanted = [(take, moment) for take in takes for moment in moments]
@@ -76,18 +82,20 @@ class CameraCritic:
         ]
 
     @staticmethod
-    def _key(brief: CameraBrief, take: Take, frame: int) -> tuple[int, int, int, Take]:
+    def _key(
+        brief: CameraOperatorView, take: CameraOperatorDraft, frame: int
+    ) -> tuple[int, int, int, CameraOperatorDraft]:
         return brief.scene_id, brief.shot_id, frame, take
 
 
-def telling_moments(brief: CameraBrief, takes: Sequence[Take]) -> list[Moment]:
+def telling_moments(brief: CameraOperatorView, takes: Sequence[CameraOperatorDraft]) -> list[Moment]:
     """Return the moments worth a look: the one that is drawn; all of them if the camera moves or goes with a walk."""
     if brief.walks or any(take.moves for take in takes):
         return list(brief.moments)
     return [brief.drawn]
 
 
-def _request(brief: CameraBrief, take: Take, frame: int) -> ViewRequest:
+def _request(brief: CameraOperatorView, take: CameraOperatorDraft, frame: int) -> ViewRequest:
     return ViewRequest(
         scene_id=brief.scene_id,
         shot_id=brief.shot_id,
@@ -99,7 +107,9 @@ def _request(brief: CameraBrief, take: Take, frame: int) -> ViewRequest:
     )
 
 
-def _faults(brief: CameraBrief, take: Take, seen: Sequence[tuple[Moment, CameraView]]) -> tuple[Fault, ...]:
+def _faults(
+    brief: CameraOperatorView, take: CameraOperatorDraft, seen: Sequence[tuple[Moment, CameraView]]
+) -> tuple[Fault, ...]:
     """Judge composition where the take is centred, and visibility everywhere."""
     told: list[Fault] = []
     main = brief.drawn
@@ -124,7 +134,7 @@ def _faults(brief: CameraBrief, take: Take, seen: Sequence[tuple[Moment, CameraV
     return tuple(told)
 
 
-def _visibility(brief: CameraBrief, moment: Moment, view: CameraView) -> list[Fault]:
+def _visibility(brief: CameraOperatorView, moment: Moment, view: CameraView) -> list[Fault]:
     """Focus seen and not hidden, faces free; whoever else belongs in the picture is in it."""
     found: list[Fault] = []
     faces: dict[str, list[Fault]] = {}
@@ -167,7 +177,7 @@ def _visibility(brief: CameraBrief, moment: Moment, view: CameraView) -> list[Fa
     return found
 
 
-def _shoulder(brief: CameraBrief, over: SubjectView) -> list[Fault]:
+def _shoulder(brief: CameraOperatorView, over: SubjectView) -> list[Fault]:
     """The partner is before the subject, with a head, and not somebody in the background."""
     aside = over.face is not None and abs(over.face[0] - 0.5) > AT_EDGE
     far = wants_shoulder(brief) and over.head_height < LEAST_OVER
@@ -184,7 +194,7 @@ def _in_arms(moment: Moment, one: str, other: str) -> bool:
     return first is not None and second is not None and math.dist(first.face, second.face) < _ARMS
 
 
-def _face(brief: CameraBrief, subject: SubjectView) -> list[Fault]:
+def _face(brief: CameraOperatorView, subject: SubjectView) -> list[Fault]:
     node = subject.node_id
     limit = face_limit(brief)
     if subject.face is None or not (0.02 < subject.face[0] < 0.98 and -0.02 < subject.face[1] < 0.98):
@@ -211,7 +221,7 @@ def _place(view: CameraView) -> list[Fault]:
     return found
 
 
-def _nothing(brief: CameraBrief, take: Take, camera: Orbit, view: CameraView) -> float:
+def _nothing(brief: CameraOperatorView, take: CameraOperatorDraft, camera: Orbit, view: CameraView) -> float:
     """Return the share of the picture that is empty, or that looks past the edge of the room."""
     return view.void if brief.plan is None else max(view.void, outside(brief.plan, camera, take.hidden))
 
@@ -223,7 +233,7 @@ def _void(share: float) -> list[Fault]:
     return [fault("void", "", points, text, ops="orbit_left orbit_right orbit_down zoom_in")]
 
 
-def _surroundings(brief: CameraBrief, view: CameraView) -> list[Fault]:
+def _surroundings(brief: CameraOperatorView, view: CameraView) -> list[Fault]:
     """Nothing looming, nobody cut by the frame, somebody to look at."""
     found: list[Fault] = []
     kind = brief.instruction.kind
@@ -245,7 +255,7 @@ def _surroundings(brief: CameraBrief, view: CameraView) -> list[Fault]:
     return found
 
 
-def _bystanders(brief: CameraBrief, view: CameraView, own: set[str]) -> list[Fault]:
+def _bystanders(brief: CameraOperatorView, view: CameraView, own: set[str]) -> list[Fault]:
     """People outside the focus are whole from side to side, and only at home where the shot shows a place.
 
     Of an insert nobody is asked to be whole.
@@ -276,7 +286,7 @@ def _bystanders(brief: CameraBrief, view: CameraView, own: set[str]) -> list[Fau
     return found
 
 
-def _top(brief: CameraBrief, subject: SubjectView) -> float:
+def _top(brief: CameraOperatorView, subject: SubjectView) -> float:
     """Return what of a bystander has to be below the picture's upper edge: the crown, in a tight shot the face."""
     assert subject.face is not None
     crown = subject.head_top if brief.instruction.size not in TIGHT else None

@@ -31,7 +31,7 @@ class Carried(NamedTuple):
 
 
 @dataclass(frozen=True)
-class LightingView:
+class LightingArrangerView:
     """What the Lighting Arranger sees.
 
     Attributes:
@@ -57,9 +57,9 @@ class LightingView:
     carried: Mapping[str, Carried] = field(default_factory=dict[str, Carried])
 
 
-def lighting_view(
+def lighting_arranger_view(
     graph: ContinuityMemoryGraph, scene_id: int, current: Lighting | None = None, change: str = ""
-) -> LightingView:
+) -> LightingArrangerView:
     """Return the Lighting Arranger's projection of the graph.
 
     Args:
@@ -71,10 +71,10 @@ def lighting_view(
     scene = graph.scene(scene_id)
     assert scene.environment is not None, "the set comes before its light"
     plan, assets = plan_of(scene.environment), graph.assets_of(scene_id)
-    return LightingView(scene.setup, plan, scene.environment, scene.layout, assets, current, change)
+    return LightingArrangerView(scene.setup, plan, scene.environment, scene.layout, assets, current, change)
 
 
-def burning_lamps(view: LightingView, share: float) -> tuple[Light, ...]:
+def burning_lamps(view: LightingArrangerView, share: float) -> tuple[Light, ...]:
     """Return the burning lamps: those of the architecture and one inside every lamp prop."""
     lights = [(light, share) for light in view.plan.lamps]
     lights += [(light, 1.0 if told else share) for light, told in _lamp_props(view)]
@@ -85,7 +85,7 @@ def burning_lamps(view: LightingView, share: float) -> tuple[Light, ...]:
     )
 
 
-def _lamp_props(view: LightingView) -> Iterator[tuple[Light, bool]]:
+def _lamp_props(view: LightingArrangerView) -> Iterator[tuple[Light, bool]]:
     """Yield the light of every lamp prop that is not off, and whether the story tells that it burns."""
     for prop in _standing_props(view):
         kind, told = LAMPS.get(prop.key), view.told.get(prop.asset_id)
@@ -139,7 +139,7 @@ class _Standing(NamedTuple):
     unlit: bool
 
 
-def _standing_props(view: LightingView) -> Iterator[_Standing]:
+def _standing_props(view: LightingArrangerView) -> Iterator[_Standing]:
     """Yield every prop of the scene, and every lamp that a person brought."""
     if view.layout is None:
         for item in view.plan.furnishings:
