@@ -1,4 +1,4 @@
-"""The animatic: moving frames strung to an H.264 film, with the dialogue as a subtitle track and beside it."""
+"""The animatic: an H.264 film of the moving frames, with the dialogue as a subtitle track and as an ``.srt`` file."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ Style: Default,Arial,18,&Hffffff,&H0,2
 [Events]
 Format: Layer, Start, End, Style, Name, MarginL, MarginR, MarginV, Effect, Text
 """
-"""White words at the foot of the picture, in the one language that the encoder reads styles in."""
+"""White subtitles at the bottom of the picture, as an ASS header, the only form that the encoder reads."""
 _MILLISECOND = Fraction(1, 1000)
 _MARKUP = re.compile(r"[<&\\]")
 _BRACES = str.maketrans("{}", "｛｝")
@@ -36,7 +36,7 @@ def film_segments(
 
     Args:
         graph: The story; its format gives the rate.
-        clips: Shot name to its moving frames in order; each is held so that together they fill the shot.
+        clips: Shot name to its moving frames in order; each is held equally long so that together they fill the shot.
         stills: Shot name to its board frame, for a shot without moving frames.
     """
     size = _size(clips, stills)
@@ -68,7 +68,7 @@ def write_subtitles(graph: ContinuityMemoryGraph, part: Path) -> None:
 
 
 def subrip(shots: Sequence[Panel]) -> str:
-    """Return the dialogue as SubRip text; what players would take for markup in it is shown as it is written."""
+    """Return the dialogue as SubRip text; characters that players read as markup are escaped."""
     return "\n".join(
         f"{number}\n{_srt_time(piece.start)} --> {_srt_time(piece.end)}\n{_unmarked(piece.text)}\n"
         for number, piece in enumerate(subtitles(shots), start=1)
@@ -76,7 +76,7 @@ def subrip(shots: Sequence[Panel]) -> str:
 
 
 def _unmarked(text: str) -> str:
-    """Return words for SubRip, which has no way to escape its markup.
+    """Escape markup for SubRip, which has no escape syntax.
 
     An invisible word joiner keeps ``<i>`` and ``&lt;`` from being read as markup. Players hide any text in braces, so
     braces become full-width ones.
@@ -85,7 +85,7 @@ def _unmarked(text: str) -> str:
 
 
 def _add_subtitles(container: OutputContainer, pieces: Sequence[Subtitle]) -> None:
-    """Give the film its track of words; none where nobody speaks."""
+    """Add the subtitle track; no track for a film without dialogue."""
     if not pieces:
         return
     track = container.add_stream("mov_text")
@@ -104,7 +104,7 @@ def _add_subtitles(container: OutputContainer, pieces: Sequence[Subtitle]) -> No
 
 
 def _size(clips: Mapping[str, Sequence[Path]], stills: Mapping[str, Path]) -> tuple[int, int]:
-    """The size of the first picture, made even as the codec needs."""
+    """Return width and height of the first picture, rounded down to even numbers for the codec."""
     first = next((paths[0] for paths in clips.values() if paths), None) or next(iter(stills.values()))
     with Image.open(first) as image:
         return image.width // 2 * 2, image.height // 2 * 2

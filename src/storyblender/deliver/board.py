@@ -1,4 +1,4 @@
-"""The storyboard as a PDF: a grid of panels, or one panel a page. A scene's heading stands over its first panel."""
+"""The storyboard as a PDF, six panels or one panel a page, with scene headings over the first panel of each scene."""
 
 from __future__ import annotations
 
@@ -25,27 +25,27 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 INK, GREY, RULE, NOTE = HexColor("#1b1b1f"), HexColor("#6d6d76"), HexColor("#d5d5da"), HexColor("#2f5f9e")
 MARGIN, GUTTER = 30.0, 16.0
 HEADING = 13.0
-"""Points over every picture for the heading of a scene that begins there."""
+"""Points kept free above every picture for a scene heading."""
 Paper = Literal["a4", "letter"]
 PAPERS: dict[Paper, tuple[float, float]] = {"a4": landscape(A4), "letter": landscape(LETTER)}
-"""Points across and down."""
+"""Width and height in points."""
 
 LEAST_WORDS = 480.0
-"""Points across that the words under a single picture have, however narrow it is."""
+"""Least width of the text under a picture in the ``single`` layout, in points."""
 ELLIPSIS = 12.0
-"""Points kept free at the right for the sign that more was written."""
+"""Points kept free at the right for the ellipsis of a cut text."""
 BASELINE = 0.15
-"""Share of their size that the letters of a line stand lower than where it is asked for."""
+"""Offset of a line's baseline below its y, as a share of the font size."""
 MOST_LETTERS = 4000
-"""Of a text that are laid out: more than a page holds of the smallest."""
+"""Characters of a text that are laid out at most; a page holds fewer."""
 SHRINKING = (0.9, 0.8, 0.7)
-"""Shares that the letters of a long text shrink to before any of it is left out."""
+"""Font sizes, as shares of the usual one, that are tried before a long text is cut."""
 PICTURE_SHARE = {"grid": 0.66, "single": 0.78}
-"""At most this share of a panel's height is picture; the rest is for the words."""
+"""Largest share of a panel's height for the picture, by layout; the rest is text."""
 
 
 class _Print(ImageReader):
-    """A picture to be bound. A JPEG goes in as it is; reportlab would unpack it too, only to name it by its pixels."""
+    """A picture that enters the PDF as the JPEG that it is; reportlab would decode it only to hash its pixels."""
 
     _dataA = None
 
@@ -68,7 +68,7 @@ def write_board(
         frames: Shot name to picture, JPEG for a small file; a missing one is drawn as an empty frame.
         part: The PDF.
         layout: ``grid`` sets six panels on a page, ``single`` one.
-        paper: Size of the pages, which lie across.
+        paper: Page size; pages are landscape.
     """
     fonts.register()
     rl_config.useA85 = 0  # pictures as the bytes they are: to write them as text takes nine tenths of the time
@@ -80,7 +80,7 @@ def write_board(
     pages = _pages(shots, 6 if layout == "grid" else 1)
     listed: set[int] = set()
     for number, page in enumerate(pages, start=1):
-        _furniture(canvas, graph, length, (number, len(pages)), PAPERS[paper])
+        _page_frame(canvas, graph, length, (number, len(pages)), PAPERS[paper])
         for index, panel in enumerate(page):
             x, y, width, height = _cell(index, layout, graph.format.aspect, PAPERS[paper])
             if index == 0 or panel.scene is not page[index - 1].scene:
@@ -95,12 +95,19 @@ def write_board(
 
 
 def _pages(items: Sequence[Panel], size: int) -> list[list[Panel]]:
-    """Split into pages; one, without panels, where there is nothing to show."""
+    """Split panels into pages of ``size``; a single empty page for no panels."""
     return [list(items[index : index + size]) for index in range(0, len(items), size)] or [[]]
 
 
 def _cell(index: int, layout: str, aspect: float, size: tuple[float, float]) -> tuple[float, float, float, float]:
-    """Left, top, width, height of a panel on a page of that size."""
+    """Return left, top, width and height of a panel, in points.
+
+    Args:
+        index: Of the panel on its page.
+        layout: ``grid`` or ``single``.
+        aspect: Width over height of the picture.
+        size: Width and height of the page in points.
+    """
     across, down = size
     top, height = down - MARGIN - 16, down - 2 * MARGIN - 22
     if layout == "single":
@@ -113,14 +120,14 @@ def _cell(index: int, layout: str, aspect: float, size: tuple[float, float]) -> 
     return MARGIN + column * (width + GUTTER), top - HEADING - row * row_height, width, row_height - HEADING
 
 
-def _furniture(
+def _page_frame(
     canvas: Canvas, graph: ContinuityMemoryGraph, length: str, page: tuple[int, int], size: tuple[float, float]
 ) -> None:
-    """Title, length, script with version and date, and page number around the panels."""
+    """Draw title, length, script version and page number around the panels."""
     across, down = size
     room = across - 2 * MARGIN
-    told = canvas.stringWidth(length, fonts.REGULAR, 9)
-    _line(canvas, graph.title or "Untitled", MARGIN, down - MARGIN, 12, room - told - GUTTER)
+    length_width = canvas.stringWidth(length, fonts.REGULAR, 9)
+    _line(canvas, graph.title or "Untitled", MARGIN, down - MARGIN, 12, room - length_width - GUTTER)
     _line(canvas, length, MARGIN, down - MARGIN, 9, room, color=GREY, right=True)
     source = " · ".join(filter(None, (graph.script_name, graph.edition)))
     _line(canvas, source, MARGIN, MARGIN - 12, 8, room * 0.8, color=GREY)
@@ -162,7 +169,17 @@ def _panel(
 
 
 def _words(canvas: Canvas, panel: Panel, x: float, y: float, width: float, room: float, size: float) -> None:
-    """Action, dialogue and notes, in smaller letters where it is long; an ellipsis says that more was written."""
+    """Draw action, dialogue and notes; long text shrinks first and is then cut with an ellipsis.
+
+    Args:
+        canvas: The page.
+        panel: The shot.
+        x: Left edge in points.
+        y: Upper edge.
+        width: Of the text.
+        room: Height for the text.
+        size: Usual font size.
+    """
     texts = _texts(panel, size)
     for shrunk in SHRINKING:
         if sum(text.wrap(width, room)[1] for text in texts) <= room:
@@ -183,7 +200,7 @@ def _words(canvas: Canvas, panel: Panel, x: float, y: float, width: float, room:
 
 
 def _texts(panel: Panel, size: float) -> list[Flowable]:
-    """What stands under a picture, in letters of ``size`` points and a little less."""
+    """Return the paragraphs under a picture; ``size`` is the font size of the slate in points."""
     style = ParagraphStyle("action", fontName=fonts.REGULAR, fontSize=size * 0.9, leading=size * 1.12, textColor=INK)
     speech = ParagraphStyle("speech", parent=style, leftIndent=size)
     said = panel.action or ("" if panel.dialogue else panel.outline.shot_description)
@@ -193,12 +210,12 @@ def _texts(panel: Panel, size: float) -> list[Flowable]:
 
 
 def _setting(pieces: Sequence[tuple[str, Color]], style: ParagraphStyle, most: int = 0) -> Flowable:
-    """Return texts with their colours as a paragraph; as a picture of it where Noto Sans lacks their letters.
+    """Return coloured texts as one paragraph, drawn as a picture where Noto Sans lacks a character.
 
     Args:
         pieces: Texts with their colours, in reading order.
         style: Size and indent.
-        most: Lines that a picture may have; 0 for all.
+        most: Most lines of the picture; 0 for all.
     """
     pieces = [(text[:MOST_LETTERS], color) for text, color in pieces]
     colored = [(text, f"#{color.hexval()[2:]}") for text, color in pieces]
@@ -218,7 +235,7 @@ def _line(
     color: Color = INK,
     right: bool = False,
 ) -> None:
-    """One line of text, cut where it is too long; set without a paragraph where the font has all its letters."""
+    """Draw one line of text, cut with an ellipsis if it is wider than ``width`` points; ``right`` aligns it right."""
     text = " ".join(text.splitlines())
     if len(text) > width or _width(canvas, text, size) > width:  # hardly a letter is narrower than a point
         fits = bisect_right(range(min(len(text), int(width))), width, key=lambda n: _width(canvas, _cut(text, n), size))

@@ -1,7 +1,7 @@
-"""What a person should look at: only what a director would mind, in plain words, with the command that mends it.
+"""The checklist: flaws that a director would mind, in plain words, each with the command that fixes it.
 
-The crew keeps every flaw that its critics mind, down to a few hundredths of headroom. Here is decided which of
-them are told, and how; the rest stays in the trace.
+The critics record every flaw, down to a few hundredths of headroom. This module selects those worth showing and words
+them; the rest stays in the trace.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ CAMERA: dict[str, tuple[float, str, str]] = {
     "jump": (1.0, "the cut goes to almost the same picture", "tighter"),
     "eyeline": (1.0, "the two look past each other over the cut", "wider"),
 }
-"""A camera critic's word: the least points of ten that are told, the sentence, and what mends it."""
+"""Flaw kind of the camera critic: points of ten from which it is listed, the sentence, and the fix."""
 
 STAGING: dict[str, tuple[float, str]] = {
     "missing": (0.0, "{message}"),
@@ -43,7 +43,7 @@ STAGING: dict[str, tuple[float, str]] = {
     "crossing": (0.20, "{who} walks through somebody"),
     "late": (0.50, "{who} does not get there before the cut"),
 }
-"""The animator's word: the least metres that are told, and the sentence."""
+"""Flaw kind of the animator: metres from which it is listed, and the sentence."""
 
 READING: dict[str, str] = {
     "pronoun": "{who} is meant? {reason}",
@@ -51,25 +51,23 @@ READING: dict[str, str] = {
     "prop": "a plain stand-in is shown: {reason}",
     "camera": "{reason}",
 }
-"""What the Director was unsure of, and the sentence."""
-
-
-UNTOLD: dict[str, str] = {
+"""Topic that the Director was unsure of, and the sentence."""
+FRAME_FIXES: dict[str, str] = {
     "person_missing": "wider", "people_missing": "wider", "face_out": "wider", "thing_missing": "wider",
     "nothing": "wider", "person_small": "tighter", "flat": "tighter", "void": "tighter", "dark": "tighter",
     "person_hidden": "above", "face_hidden": "above", "face_away": "above", "foreground": "above",
 }  # fmt: skip
-"""The Frame Critic's findings, and what may fix them."""
+"""Flaw kind of the Frame Critic, and the fix."""
 
 
 @dataclass(frozen=True)
 class Check:
-    """One thing to look at.
+    """One item of the checklist.
 
     Attributes:
         shot: Shot name.
-        says: A sentence without codes.
-        mend: The command that mends it, or what to change before it.
+        says: A sentence with names in place of ids.
+        mend: The command that fixes it, or what to change first.
     """
 
     shot: str
@@ -78,32 +76,32 @@ class Check:
 
 
 def checklist(graph: ContinuityMemoryGraph, staged: Iterable[Flaw], poor: Iterable[Flaw], folder: str) -> list[Check]:
-    """Return the things to check, shot by shot in story order, without duplicates.
+    """Return the checklist in story order, without duplicates.
 
     Args:
         graph: The story; its shots and cameras hold their own flaws.
-        staged: Failures of the staging that the engine found, of all packs.
-        poor: The Frame Critic's findings in frames that do not tell their lines.
+        staged: Staging flaws that the engine found, of all scenes.
+        poor: The Frame Critic's flaws in frames that do not show what their lines say.
         folder: The project folder, as written in a command.
     """
     names = names_of(graph)
     flaws: dict[str, list[Flaw]] = {}
     for flaw in staged:
         flaws.setdefault(flaw.shot, []).append(flaw)
-    untold: dict[str, list[Flaw]] = {}
+    frame_flaws: dict[str, list[Flaw]] = {}
     for flaw in poor:
-        untold.setdefault(flaw.shot, []).append(flaw)
+        frame_flaws.setdefault(flaw.shot, []).append(flaw)
     found: list[Check] = []
     for panel in panels(graph):
-        found += _unsure(panel, graph.script_name, names)
-        found += _staged(panel, [*flaws.get(panel.name, []), *panel.shot.flaws], graph.script_name, names)
-        found += _pictured(panel, folder, names)
-        found += _untold(panel, untold.get(panel.name, []), folder, names)
+        found += _reading_checks(panel, graph.script_name, names)
+        found += _staging_checks(panel, [*flaws.get(panel.name, []), *panel.shot.flaws], graph.script_name, names)
+        found += _camera_checks(panel, folder, names)
+        found += _frame_checks(panel, frame_flaws.get(panel.name, []), folder, names)
     return list(dict.fromkeys(found))
 
 
 def names_of(graph: ContinuityMemoryGraph) -> dict[str, str]:
-    """Return what people call every asset and every placed object: ``Ilsa Lund``, ``the round table``."""
+    """Return the display name of every asset and placed object by id: ``Ilsa Lund``, ``the round table``."""
     names = {
         asset.asset_id: asset.name if asset.asset_type == "character" and asset.name else f"the {asset.name}"
         for asset in graph.assets
@@ -120,13 +118,13 @@ def names_of(graph: ContinuityMemoryGraph) -> dict[str, str]:
 
 
 def plain(text: str, names: Mapping[str, str]) -> str:
-    """Return a sentence of the crew with every code replaced by its name; quoted words of the script stay."""
+    """Return a message with every id replaced by its display name; quoted words of the script stay as they are."""
     return re.sub(r"“[^”]*”|\b[a-z]\w*", lambda word: names.get(word[0], word[0]), text)
 
 
-def _unsure(panel: Panel, script: str, names: Mapping[str, str]) -> Iterator[Check]:
+def _reading_checks(panel: Panel, script: str, names: Mapping[str, str]) -> Iterator[Check]:
     for flag in panel.shot.flags:
-        says = READING.get(flag.topic, "{reason}").format(who=_called(flag.choice, names), reason=flag.reason)
+        says = READING.get(flag.topic, "{reason}").format(who=_display_name(flag.choice, names), reason=flag.reason)
         yield Check(panel.name, _sentence(says), _script_mend(flag, script))
 
 
@@ -137,16 +135,16 @@ def _script_mend(flag: Flag, script: str) -> str:
     return f"say it in the script, then: {again}"
 
 
-def _staged(panel: Panel, flaws: Iterable[Flaw], script: str, names: Mapping[str, str]) -> Iterator[Check]:
+def _staging_checks(panel: Panel, flaws: Iterable[Flaw], script: str, names: Mapping[str, str]) -> Iterator[Check]:
     for flaw in flaws:
         least, says = STAGING.get(flaw.kind, (0.0, "{message}"))
         if flaw.weight >= least:
             mend = f"change it in story.blend, or reword the line, then: storyblender make {shlex.quote(script)}"
-            yield Check(panel.name, _told(says, flaw, names), mend)
+            yield Check(panel.name, _worded(says, flaw, names), mend)
 
 
 def picture_flaws(shot: ShotContext) -> list[Flaw]:
-    """Return what a director would mind in a shot's picture; of one person or thing only the worst."""
+    """Return the camera flaws that a director would mind, only the worst for each person or thing."""
     size = shot.camera_instruction.size
     worst: dict[str, Flaw] = {}
     for flaw in shot.camera.residual if shot.camera else ():
@@ -159,25 +157,25 @@ def picture_flaws(shot: ShotContext) -> list[Flaw]:
     return list(worst.values())
 
 
-def _pictured(panel: Panel, folder: str, names: Mapping[str, str]) -> Iterator[Check]:
+def _camera_checks(panel: Panel, folder: str, names: Mapping[str, str]) -> Iterator[Check]:
     for flaw in picture_flaws(panel.shot):
         _, says, way = CAMERA[flaw.kind]
         command = f"storyblender render {shlex.quote(folder)} --shot {panel.name}"
-        yield Check(panel.name, _told(says, flaw, names), f"{command} {_reframed(way, panel)}")
+        yield Check(panel.name, _worded(says, flaw, names), f"{command} {_reframed(way, panel)}")
 
 
-def _untold(panel: Panel, flaws: Iterable[Flaw], folder: str, names: Mapping[str, str]) -> Iterator[Check]:
-    """Yield the checks for what a frame does not show of its lines; staging and reading have checks of their own."""
-    told = {flaw.subject for flaw in picture_flaws(panel.shot)}
+def _frame_checks(panel: Panel, flaws: Iterable[Flaw], folder: str, names: Mapping[str, str]) -> Iterator[Check]:
+    """Yield checks for what a frame fails to show, unless the camera checks name the same person or thing."""
+    listed = {flaw.subject for flaw in picture_flaws(panel.shot)}
     for flaw in flaws:
-        if flaw.kind in UNTOLD and (flaw.subject not in told or not flaw.subject):
-            way = _reframed(UNTOLD[flaw.kind], panel)
+        if flaw.kind in FRAME_FIXES and (flaw.subject not in listed or not flaw.subject):
+            way = _reframed(FRAME_FIXES[flaw.kind], panel)
             command = f"storyblender render {shlex.quote(folder)} --shot {panel.name} {way}"
-            yield Check(panel.name, _told("{message}", flaw, names), command)
+            yield Check(panel.name, _worded("{message}", flaw, names), command)
 
 
 def _reframed(way: str, panel: Panel) -> str:
-    """Return the option that mends a picture: another size, or a look from above."""
+    """Return the command line option for a fix: the next wider or tighter size, or a high angle."""
     step = {"wider": -1, "tighter": 1}.get(way)
     at = SHOT_SIZES.index(panel.shot.camera_instruction.size)
     if step is None or not 0 <= at + step < len(SHOT_SIZES):
@@ -185,14 +183,14 @@ def _reframed(way: str, panel: Panel) -> str:
     return f"--size {SHOT_SIZES[at + step]}"
 
 
-def _told(says: str, flaw: Flaw, names: Mapping[str, str]) -> str:
-    who = _called(flaw.subject, names)
+def _worded(says: str, flaw: Flaw, names: Mapping[str, str]) -> str:
+    who = _display_name(flaw.subject, names)
     whose = f"{who}'" if who.endswith("s") else f"{who}'s"
     return _sentence(says.format(who=who, whose=whose, message=plain(flaw.message, names)))
 
 
-def _called(code: str, names: Mapping[str, str]) -> str:
-    """Return a name; a part of the set has none, and its code without number is its name."""
+def _display_name(code: str, names: Mapping[str, str]) -> str:
+    """Return the display name of an id; a part of the set is named by its id without the number."""
     return names.get(code) or f"the {re.sub(r'[_0-9]+', ' ', code).strip() or 'set'}"
 
 

@@ -1,4 +1,4 @@
-"""Contact sheets: every frame small, as a director looks them over; a long story has several."""
+"""Contact sheets: every frame as a thumbnail; a long story has several sheets."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from PIL import Image, ImageDraw, ImageFont
 from storyblender.deliver.fonts import font_file
 
 GAP, LABEL = 6, 20
-"""Pixels between pictures, and under each for its name."""
+"""Pixels between pictures, and of the caption under each."""
 TALLEST = 4000
-"""Pixels down at most, unless a single row is taller: a screen shows it, and a JPEG ends at 65,500."""
+"""Greatest height in pixels, unless a single row is taller; a JPEG may have 65,500."""
 
 COLUMNS, WIDTH = 4, 400
-"""Pictures across, and pixels of one."""
+"""Pictures in a row, and the width of each in pixels."""
 
 
 def sheet_pages(frames: Mapping[str, Path]) -> list[dict[str, Path]]:
-    """Return the pictures of each sheet, by shot name in order: as many sheets as it takes."""
+    """Split the frames, shot name to picture, into sheets that are not too tall."""
     shown = list(frames.items())
     height = _height(shown[0][1], WIDTH) if shown else 0
     most = COLUMNS * max(1, (TALLEST - GAP) // (height + LABEL + GAP))
@@ -33,14 +33,14 @@ def write_contact_sheet(frames: Mapping[str, Path], part: Path, shows: str = "")
     Args:
         frames: Shot name to picture, in order; one of the ``sheet_pages``.
         part: A JPEG.
-        shows: Names what it shows, as a comment in the file that ``shown_by`` finds.
+        shows: Digest of the frames, stored as the JPEG comment; ``shown_by`` reads it.
     """
     shown = list(frames.items())
     _sheet(shown, COLUMNS, (WIDTH, _height(shown[0][1], WIDTH))).save(part, "JPEG", comment=shows)
 
 
 def shown_by(sheet: Path) -> str:
-    """Return the name of what a sheet shows; empty if it is none of ours."""
+    """Return the digest of the frames that a sheet shows; empty if the file is no sheet of this program."""
     try:
         with Image.open(sheet) as picture:
             comment = picture.info.get("comment", b"")
@@ -50,12 +50,12 @@ def shown_by(sheet: Path) -> str:
 
 
 def sheet_name(number: int) -> str:
-    """Return the name of a sheet's file; the first is number 1."""
+    """Return the file name of a sheet; ``number`` counts from 1."""
     return "contact_sheet.jpg" if number == 1 else f"contact_sheet_{number}.jpg"
 
 
 def sheets_in(folder: Path) -> list[str]:
-    """Return the names of the sheets that there are, in order."""
+    """Return the file names of the sheets in a project folder, in order."""
     return list(takewhile(lambda name: (folder / name).exists(), map(sheet_name, count(1))))
 
 

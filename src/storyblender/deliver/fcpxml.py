@@ -25,7 +25,7 @@ _NO_XML = {code: " " for code in (*range(32), 127, 0xFFFE, 0xFFFF) if chr(code) 
 
 
 def write_fcpxml(media: TimelineMedia, part: Path) -> None:
-    """Write the timeline to ``part``; a shot's moving picture stands in place of its still."""
+    """Write the timeline to ``part``, with the moving picture of each shot, or else its still."""
     graph, clips = media.graph, media.clips
     shots, fps = panels(graph), graph.format.fps
     root = Element("fcpxml", version="1.8")
@@ -89,7 +89,7 @@ def _size(clips: Mapping[str, Path]) -> tuple[int, int]:
 
 
 def _seconds(frames: int, fps: int) -> str:
-    """Return a time as FCPXML has it: ``13/2s``."""
+    """Return a time in the rational notation of FCPXML: ``13/2s``."""
     return f"{Fraction(frames, fps)}s"
 
 

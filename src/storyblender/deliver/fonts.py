@@ -1,4 +1,4 @@
-"""The font of boards and slates, Noto Sans, and what it can set."""
+"""Noto Sans, the font of boards and slates, and which characters it has."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def font_file() -> Path:
 
 @cache
 def register() -> None:
-    """Make the font known to reportlab, once."""
+    """Register the font with reportlab, once."""
     pdfmetrics.registerFont(TTFont(REGULAR, font_file()))
 
 

@@ -1,4 +1,4 @@
-"""Words whose letters Noto Sans lacks, drawn with the fonts that Blender brings: shaped, wrapped, from either side."""
+"""Text in scripts that Noto Sans lacks, drawn with Blender's fonts: shaped, wrapped, left to right or right to left."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from reportlab.platypus.flowables import Flowable
 from storyblender.deliver.fonts import font_file, in_regular
 
 EM = 48
-"""Pixels of an em in the drawing; on the page it is as large as the text around."""
+"""Pixels of an em in the drawing, which is scaled to the font size on the page."""
 LEADING, ASCENT = 1.28, 1.02
 """Ems from line to line, and from the top of a line to its baseline."""
 _SPACE = 0.26
@@ -32,13 +32,13 @@ _RANGES = (
     (0xAC00, 0xD7FF, " CJK"), (0xF900, 0xFAFF, " CJK"), (0xFB50, 0xFDFF, "Arabic"), (0xFE30, 0xFE4F, " CJK"),
     (0xFE70, 0xFEFC, "Arabic"), (0xFF00, 0xFFEF, " CJK"), (0x1F000, 0x1FAFF, "Emoji"), (0x20000, 0x3FFFF, " CJK"),
 )  # fmt: skip
-"""First and last character, and what the name of Blender's font for them holds."""
+"""First and last character of a script, and a part of the file name of Blender's font for it."""
 _NO_LINE_START = "、。，．！？：；）」』】〉》〕…ー"
 
 
 @dataclass(frozen=True)
 class Word:
-    """What is drawn in one piece.
+    """Letters of one font that are never broken over two lines.
 
     Attributes:
         text: Its letters, in reading order.
@@ -70,7 +70,7 @@ class Lettering(Flowable):
         pieces: Texts with their colours, in reading order.
         size: Points of an em.
         indent: Points.
-        most: Lines to draw at most; 0 for all.
+        most: Most lines to draw; 0 for all.
     """
 
     def __init__(self, pieces: Sequence[tuple[str, str]], size: float, indent: float = 0.0, most: int = 0) -> None:
@@ -99,7 +99,7 @@ class Lettering(Flowable):
 
 
 def words_of(text: str, color: str) -> Iterator[Word]:
-    """Split text where a line may end and where the font changes; every Chinese or Japanese letter stands alone."""
+    """Split text at spaces and where the font changes; a line may break after any Chinese or Japanese letter."""
     for word in text.split():
         spaced = True
         for font, run in _runs(word):
@@ -109,7 +109,7 @@ def words_of(text: str, color: str) -> Iterator[Word]:
 
 
 def lines_of(words: Sequence[Word], width: float) -> list[list[Word]]:
-    """Break words into lines of so many ems."""
+    """Break words into lines of at most ``width`` ems."""
     lines: list[list[Word]] = [[]]
     used = 0.0
     for word in words:
@@ -123,13 +123,13 @@ def lines_of(words: Sequence[Word], width: float) -> list[list[Word]]:
 
 
 def width_of(text: str, size: float) -> float:
-    """Return the points that a text in one line takes, in letters of ``size`` points."""
+    """Return the width in points of a text on one line, at a font size of ``size`` points."""
     words = list(words_of(text, ""))
     return size * sum(word.width + _SPACE * (word.spaced and bool(at)) for at, word in enumerate(words))
 
 
 def draw_lines(lines: Sequence[Sequence[Word]], width: float) -> Image.Image:
-    """Return lines as a picture on white, ``width`` ems wide; one that is read from the right begins there."""
+    """Return lines as a picture on white, ``width`` ems wide; right-to-left lines are aligned right."""
     picture = Image.new("RGB", (max(1, round(width * EM)), max(1, round(len(lines) * LEADING * EM))), "white")
     draw = ImageDraw.Draw(picture)
     for number, line in enumerate(lines):
@@ -155,7 +155,7 @@ def font_of(letter: str) -> Path:
 
 
 def _runs(word: str) -> list[tuple[Path, str]]:
-    """Split a word where its font changes; a full stop goes with the letters before it."""
+    """Split a word where its font changes; punctuation keeps the font of the letters before it."""
     runs: list[tuple[Path, str]] = []
     for letter in word:
         font = runs[-1][0] if runs and in_regular(letter) and not letter.isalnum() else font_of(letter)
@@ -167,7 +167,7 @@ def _runs(word: str) -> list[tuple[Path, str]]:
 
 
 def _visual(line: Sequence[Word]) -> list[int]:
-    """Return the places in reading order as they stand on the page: runs read from the right are turned round."""
+    """Return the indices of a line's words from left to right: right-to-left runs are reversed."""
     runs = [list(run) for _, run in groupby(range(len(line)), key=lambda at: line[at].from_right)]
     turned = [run[::-1] if line[run[0]].from_right else run for run in runs]
     return [at for run in (turned[::-1] if line[0].from_right else turned) for at in run]

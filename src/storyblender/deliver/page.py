@@ -1,4 +1,4 @@
-"""``index.html``: frames, words and film on one page that needs no network and no server."""
+"""``index.html``: frames, script and animatic on one page that needs neither network nor server."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ FILES = (
 )
 
 UNFOLDED = 24
-"""Scenes that are listed at once."""
+"""Scenes up to which the list of scenes starts expanded."""
 
 
 def write_page(
@@ -45,10 +45,10 @@ def write_page(
     Args:
         graph: The story.
         frames: Shot name to picture, inside the folder.
-        part: ``index.html``, wherever it is written.
-        folder: Where it is opened; the files there are linked.
-        checks: What a person should look at, in order.
-        thumbnails: Shot name to a small picture that stands for its frame until it is enlarged.
+        part: The file to write.
+        folder: The project folder, where the page will lie; the page links to the files in it.
+        checks: The checklist.
+        thumbnails: Shot name to a small picture, shown until the frame is enlarged.
     """
     shots = panels(graph)
     counts = Counter(check.shot for check in checks)
@@ -97,7 +97,7 @@ def _links(folder: Path, to_check: int) -> str:
 
 
 def _contents(headings: Sequence[tuple[str, str]]) -> str:
-    """Where the scenes are on the page, if there is more than one; folded where they would push the pictures away."""
+    """Return links to the scenes as HTML, collapsed where there are many; empty for a single scene."""
     links = "".join(f'<a href="#{name}">{heading}</a>' for name, heading in headings)
     shown = " open" if len(headings) <= UNFOLDED else ""
     listed = f'<nav class="links" aria-label="Scenes">{links}</nav>'
@@ -109,7 +109,7 @@ def _source(path: Path, folder: Path) -> str:
 
 
 def _video(folder: Path, shots: Sequence[Panel], frames: Mapping[str, Path]) -> str:
-    """The film with its subtitles written into the page: a browser reads no neighbouring file without a server."""
+    """Return the video element with its subtitles inline: without a server a browser cannot load a subtitle file."""
     if not (folder / "animatic.mp4").exists():
         return ""
     cues = [[round(piece.start, 3), round(piece.end, 3), escape(piece.text, quote=False)] for piece in subtitles(shots)]
@@ -120,15 +120,22 @@ def _video(folder: Path, shots: Sequence[Panel], frames: Mapping[str, Path]) -> 
 
 
 def _card(panel: Panel, sources: tuple[str, str] | None, to_check: int, film: bool) -> str:
-    """One shot with its picture, small and enlarged; where there is a film, its length plays it from there."""
+    """Return one shot as an HTML card.
+
+    Args:
+        panel: The shot.
+        sources: Links to its thumbnail and its frame; None without a frame.
+        to_check: Number of its entries in the checklist.
+        film: Whether there is an animatic; the length of the shot then becomes a button that plays it.
+    """
     picture, length = "", f"{panel.seconds:.1f} s"
     if sources is not None:
         alt = escape(panel.outline.shot_description, quote=True)
         image = f'<img loading="lazy" decoding="async" src="{sources[0]}" data-frame="{sources[1]}" alt="{alt}">'
         picture = f'<button class="picture" aria-label="Enlarge {panel.name}">{image}</button>'
     if film:
-        told = f'data-start="{panel.start / panel.fps:.3f}" data-seconds="{length}" title="Play the film from here"'
-        length = f'<button class="play" {told}>{length} ▶</button>'
+        start = f'data-start="{panel.start / panel.fps:.3f}" data-seconds="{length}" title="Play the film from here"'
+        length = f'<button class="play" {start}>{length} ▶</button>'
     words = [f"<p>{escape(panel.action)}</p>"] if panel.action else []
     for line in panel.dialogue:
         words.append(f'<p class="speech"><b>{escape(cue_of(line))}</b> {escape(line.text)}</p>')
@@ -143,7 +150,7 @@ def _card(panel: Panel, sources: tuple[str, str] | None, to_check: int, film: bo
 
 
 def _checks(checks: Sequence[Check]) -> str:
-    """What to look at, grouped by shot, each with its command."""
+    """Return the checklist as HTML, grouped by shot."""
     if not checks:
         return ""
     shots = []

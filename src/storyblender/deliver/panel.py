@@ -1,4 +1,4 @@
-"""One shot as the deliverables show it: its names, words and numbers, gathered once from the graph."""
+"""A panel: the names, words and numbers of one shot, as every deliverable shows them."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from storyblender.screenplay.comments import without_comments
 from storyblender.screenplay.cues import strip_emphasis
 
 Way = Literal["left", "right", "up", "down", "in", "out"]
-"""Where a camera goes or turns, as its picture shows it."""
+"""Direction of a camera move on the screen."""
 STOPS = (".", "!", "?", "…", ":", "。", "！", "？")
-"""What ends a sentence."""
+"""Characters that end a sentence."""
 STILL = 0.02
-"""Metres moved, or radians turned, below which a camera stands still."""
+"""Metres moved, or radians turned, below which a camera counts as static."""
 USUAL_CLOSING = 0.7
-"""Share of the picture that a push in ends on, before there is a camera."""
+"""Share of the starting picture that a push in ends on, where the shot has no camera yet."""
 KIND_LABEL = {
     "two_shot": "two-shot",
     "ots": "over the shoulder",
@@ -36,7 +36,7 @@ KIND_LABEL = {
 
 @dataclass(frozen=True)
 class Panel:
-    """What a board, a list, a timeline and a page say about one shot.
+    """What board, shot list, timeline and page say about one shot.
 
     Attributes:
         name: Slate, e.g. ``SC010_SH020``.
@@ -45,7 +45,7 @@ class Panel:
         shot: Its context.
         start: First frame on the story's timeline.
         fps: Frames a second.
-        action: The script's action lines in its own words, as they read without what stands before and after.
+        action: The script's own action lines, with an ellipsis where a sentence is cut.
     """
 
     name: str
@@ -80,7 +80,7 @@ class Panel:
 
     @property
     def closes_to(self) -> float:
-        """Share of the wider picture that a camera going in or out sees at its narrowest, at the pivot."""
+        """Width of the narrowest view divided by that of the widest, at the pivot; for push in and pull out."""
         camera = self.shot.camera
         if camera is None:
             return USUAL_CLOSING
@@ -89,9 +89,9 @@ class Panel:
 
     @property
     def move(self) -> Movement:
-        """What the camera does: one that was to go along and holds everybody from where it is stands still.
+        """The move that the camera really makes.
 
-        One that was to stand still and turns after somebody pans.
+        A static shot whose camera turns to follow a person is a pan; a move whose camera keeps one pose is static.
         """
         wanted, camera = self.shot.camera_instruction.movement, self.shot.camera
         if camera is None:
@@ -108,7 +108,7 @@ class Panel:
 
     @property
     def way(self) -> Way | None:
-        """Where the camera goes, as it was set, or else as the script says; None if it stands still."""
+        """Direction of the move: measured from the camera, else as the script says; None if static."""
         move, camera = self.move, self.shot.camera
         if move == "static":
             return None
@@ -154,18 +154,18 @@ def panels(graph: ContinuityMemoryGraph) -> list[Panel]:
     start = 0
     for scene in graph.outline:
         lines = [line for outline in scene.shots for line in outline.lines]
-        told = 0
+        first = 0
         for outline in scene.shots:
             shot = contexts[scene.scene_id, outline.shot_id]
             name = shot_name(scene.scene_id, outline.shot_id)
-            action = _action(lines, told, told + len(outline.lines))
+            action = _action(lines, first, first + len(outline.lines))
             result.append(Panel(name, scene, outline, shot, start, graph.format.fps, action))
-            start, told = start + shot.duration, told + len(outline.lines)
+            start, first = start + shot.duration, first + len(outline.lines)
     return result
 
 
 def length_of(shots: Sequence[Panel]) -> str:
-    """Return how much there is: ``5 scenes, 22 shots, 2:54 minutes``."""
+    """Return a summary of the length: ``5 scenes, 22 shots, 2:54 minutes``."""
     scenes = len({panel.scene.scene_id for panel in shots})
     minutes, seconds = divmod(round(sum(panel.seconds for panel in shots)), 60)
     counted = ", ".join(
@@ -175,8 +175,8 @@ def length_of(shots: Sequence[Panel]) -> str:
 
 
 def _action(lines: Sequence[ScriptLine], first: int, end: int) -> str:
-    """Return the action lines of a shot, letter for letter; an ellipsis where a sentence goes on from another shot, or
-    from a direction to the camera that is left out.
+    """Return the action lines of a shot as written, with an ellipsis where a sentence goes on in another shot or in
+    a camera direction that is left out.
 
     Args:
         lines: All lines of the scene.
@@ -197,7 +197,7 @@ def _action(lines: Sequence[ScriptLine], first: int, end: int) -> str:
 
 
 def _goes_on(line: ScriptLine) -> bool:
-    """Whether a line of action stops before its sentence does."""
+    """Return whether an action line ends in the middle of a sentence."""
     return line.kind == "action" and not line.text.rstrip(" \n\"'”’)]").endswith(STOPS)
 
 
@@ -214,6 +214,6 @@ def frame_of(time: str, fps: int) -> int:
 
 
 def cue_of(line: ScriptLine) -> str:
-    """Return the speaker as a script has it: ``ANNA (whispering)``."""
+    """Return the character cue of a speech as scripts write it: ``ANNA (whispering)``."""
     notes = [*(["O.S."] if line.off_screen else []), *([line.parenthetical] if line.parenthetical else [])]
     return " ".join([line.speaker_name.upper(), *(f"({note})" for note in notes)])

@@ -1,4 +1,4 @@
-"""Shots of the film as H.264 segments, named by what they show: encoded once, and joined without encoding again."""
+"""Shots of the animatic as H.264 segments, named by their content: encoded once, joined without encoding again."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from storyblender.outputs import Outputs
 
 SEGMENTS = "build/film"
 _CODEC = {"crf": "20", "preset": "veryfast", "threads": "1"}
-"""One thread an encoder: its result is the same on every machine; segments are encoded side by side."""
+"""One thread an encoder, so that its result is the same on every machine; segments are encoded in parallel."""
 _COLORS = (ColorPrimaries.BT709, ColorTrc.BT709, Colorspace.ITU709, ColorRange.MPEG)
-"""What the numbers of a picture mean, written into the file: without it every player guesses, and not all alike."""
+"""Colour metadata written into the file; without it players guess, and not all alike."""
 _SCALING = Interpolation.BILINEAR | Interpolation.ACCURATE_RND | Interpolation.BITEXACT
-"""Exact rounding: the quick one makes every picture darker by a step or two."""
+"""Exact rounding; the fast one darkens every picture by a step or two."""
 _SEEK = 4
-"""Seconds at most between pictures that a player can jump to; every cut is one."""
+"""Most seconds between key frames; every cut is one too."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class Segment:
     """One shot of the film.
 
     Attributes:
-        pictures: In order; each is held so that together they fill the shot.
+        pictures: In order; each is held equally long so that together they fill the shot.
         length: Frames of the film.
         size: Pixels across and down, both even.
         fps: Frames a second.
@@ -48,7 +48,7 @@ class Segment:
 
     @property
     def digest(self) -> str:
-        """Names what it shows: equal digests, equal segments."""
+        """Hash of pictures and encoder settings: equal digests, equal segments."""
         settings = (av.__version__, sorted(_CODEC.items()), _COLORS, _SCALING, _SEEK, self.length, self.size, self.fps)
         content = hashlib.sha256(repr(settings).encode())
         for path in self.pictures:
@@ -56,21 +56,21 @@ class Segment:
         return content.hexdigest()[:16]
 
 
-def encoded(
+def encode_segments(
     segments: Sequence[Segment],
     files: Folder,
     outputs: Outputs,
     processes: int = 1,
-    told: Callable[[int, int], None] = lambda done, of: None,
+    progress: Callable[[int, int], None] = lambda done, of: None,
 ) -> list[Path]:
-    """Return a file for each segment, in order; only those that are new are encoded, and those of no use deleted.
+    """Return a file for each segment, in order; encode only new ones and delete unused ones.
 
     Args:
         segments: The film.
         files: The project.
-        outputs: What was written into it.
-        processes: How many are encoded at a time.
-        told: Hears how many of those that are new are done.
+        outputs: The record of written files.
+        processes: How many are encoded in parallel.
+        progress: Called with the number of segments encoded and to encode.
     """
     names = [f"{SEGMENTS}/{segment.digest}.mp4" for segment in segments]
     new = {name: segment for name, segment in zip(names, segments, strict=True) if not outputs.whole(name)}
@@ -81,25 +81,25 @@ def encoded(
 
     with ThreadPoolExecutor(processes) as threads:
         for done, _ in enumerate(threads.map(encode, new), start=1):
-            told(done, len(new))
+            progress(done, len(new))
     outputs.keep_only(f"{SEGMENTS}/", names)
     return [files.path(name) for name in names]
 
 
 def add_track(film: OutputContainer, segment: Path) -> VideoStream:
-    """Give a film a stream for pictures such as those of a segment."""
+    """Add a video stream to a film with the codec parameters of a segment."""
     with av.open(str(segment)) as piece:
         return film.add_stream_from_template(piece.streams.video[0])
 
 
 def join(segments: Sequence[tuple[Path, int]], fps: int, film: OutputContainer, track: VideoStream) -> None:
-    """Put segments one behind the other.
+    """Append segments to a film.
 
     Args:
         segments: Files of equal size, and their lengths in frames.
         fps: Frames a second.
-        film: Takes them.
-        track: Its stream for pictures.
+        film: The film.
+        track: Its video stream.
     """
     start = 0
     for path, length in segments:
@@ -134,7 +134,7 @@ def _encode(segment: Segment, part: Path) -> None:
 
 
 def _frame(content: bytes, size: tuple[int, int]) -> av.VideoFrame:
-    """Return a picture as the codec wants it, in the colours that the film says it has."""
+    """Decode a picture into the codec's pixel format and the film's colour space."""
     with av.open(BytesIO(content), "r") as image:
         picture = next(image.decode(video=0))
     primaries, transfer, matrix, limited = _COLORS

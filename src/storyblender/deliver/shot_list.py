@@ -65,7 +65,7 @@ def write_shot_list(graph: ContinuityMemoryGraph, part: Path, start: str = "00:0
 
 
 def _description(panel: Panel, names: Mapping[str, str], place: str) -> str:
-    """Return the camera in a sentence as it became: where it was to move and stands still, it stands still here too."""
+    """Return the camera in a sentence, with the move that it really makes."""
     wanted = panel.shot.camera_instruction
     way = panel.way if panel.way not in ("in", "out") else None
     became = wanted.model_copy(update={"movement": panel.move, "direction": way})
@@ -73,5 +73,5 @@ def _description(panel: Panel, names: Mapping[str, str], place: str) -> str:
 
 
 def _inert(value: object) -> object:
-    """A script line must never run as a spreadsheet formula, also not after blanks, and not in full-width letters."""
+    """Quote text that a spreadsheet would run as a formula, also after blanks and in full-width characters."""
     return f"'{value}" if isinstance(value, str) and value.lstrip()[:1] in _FORMULA else value

@@ -1,4 +1,4 @@
-"""The slate burnt into a frame: shot, lens and time under the picture's lower edge."""
+"""The slate burnt into the lower edge of a frame: shot, lens and timecode."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ def burn_in(source: Path, panel: Panel, part: Path, first: int = 0) -> None:
     Args:
         source: The clean frame; it is never changed.
         panel: What the slate says.
-        part: The copy.
-        first: Frame that the story's timecode begins at.
+        part: The file to write.
+        first: Frame number of the story's start timecode.
     """
     with Image.open(source) as image:
         picture = image.convert("RGB")
@@ -37,7 +37,7 @@ def burn_in(source: Path, panel: Panel, part: Path, first: int = 0) -> None:
 
 
 def _fitting(line: str, size: int, room: float) -> ImageFont.FreeTypeFont:
-    """Return the font at ``size`` pixels, or smaller so that the line fits into ``room``: frames may be upright."""
+    """Return the font at ``size`` pixels, or smaller so that the line fits into ``room`` pixels."""
     font = ImageFont.truetype(str(font_file()), size)
     wide = font.getlength(line)
     return font if wide <= room else font.font_variant(size=max(1, int(size * room / wide)))

@@ -1,4 +1,4 @@
-"""When the words of a shot are said, for subtitles and for the markers of the timeline."""
+"""When each speech of a shot is spoken, for subtitles and timeline markers."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from storyblender.memory.outline import ScriptLine
 SPOKEN = ("talk", "whisper", "shout")
 """Clips during which a mouth moves."""
 SUBTITLE = 84
-"""Characters that are read at a glance: two lines of 42."""
+"""Most characters of a subtitle: two lines of 42."""
 _QUOTED = re.compile(r"[\"“„«]([^\"“”„«»]+)[\"”“»]")
 _SENTENCE_END = re.compile(r"(?<=[.!?…][\"'”’)]) |(?<=[.!?…]) ")
 
@@ -35,7 +35,7 @@ class Speech:
 
 @dataclass(frozen=True)
 class Subtitle:
-    """Words under the film, with start and end in seconds from its beginning."""
+    """One subtitle, with start and end in seconds from the beginning of the film."""
 
     start: float
     end: float
@@ -43,9 +43,9 @@ class Subtitle:
 
 
 def speeches(panel: Panel) -> list[Speech]:
-    """Return the speeches of a shot, each while its speaker's mouth moves and until the next begins.
+    """Return the speeches of a shot, timed by the talking motions of their speakers and ended by the next speech.
 
-    Before there is motion they share the shot by their lengths.
+    In a shot without motions yet they share the duration by their number of characters.
     """
     cues = sorted((cue for cue in panel.shot.cues if cue.clip in SPOKEN), key=lambda cue: cue.start)
     said: list[Speech] = []
@@ -62,7 +62,7 @@ def speeches(panel: Panel) -> list[Speech]:
 
 
 def subtitles(shots: Sequence[Panel]) -> list[Subtitle]:
-    """Return the dialogue of the film in pieces short enough to read, the speaker named at the first."""
+    """Return the dialogue as subtitles of readable length; the first of each speech names the speaker."""
     pieces: list[Subtitle] = []
     for panel in shots:
         for speech in speeches(panel):
@@ -77,13 +77,13 @@ def subtitles(shots: Sequence[Panel]) -> list[Subtitle]:
 
 
 def _said(panel: Panel, text: str) -> str:
-    """Return what is heard: in prose, whose scenes have no heading, the words in quotation marks."""
+    """Return the spoken words of a line: in prose (scenes without heading) only those in quotation marks."""
     quoted = [] if panel.scene.heading else [piece.strip() for piece in _QUOTED.findall(text)]
     return " ".join(quoted).rstrip(",") or text
 
 
 def _pieces(text: str) -> list[str]:
-    """Split where sentences end, as far as a piece holds them; a longer sentence into pieces of about one length."""
+    """Split text into subtitles, at sentence ends where possible; a longer sentence into parts of similar length."""
     pieces: list[str] = []
     for sentence in _SENTENCE_END.split(" ".join(text.split())):
         if pieces and len(pieces[-1]) + 1 + len(sentence) <= SUBTITLE:
@@ -97,7 +97,7 @@ def _pieces(text: str) -> list[str]:
 
 
 def _in_lines(piece: str) -> str:
-    """Break what is too long for a line near its middle."""
+    """Break a subtitle that is too long for one line near its middle."""
     spaces = [at for at, letter in enumerate(piece) if letter == " "]
     if len(piece) <= SUBTITLE // 2 or not spaces:
         return piece

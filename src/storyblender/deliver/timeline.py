@@ -15,7 +15,7 @@ from storyblender.errors import InputError
 EXTRA_FORMATS = {"edl": ".edl", "fcpxml": ".fcpxml"}
 _EDL = "cmx_3600"
 STILL = "still"
-"""Name of a clip's other media: its board frame, beside the moving picture."""
+"""Media key of a clip's board frame, beside its moving picture."""
 
 
 def build_timeline(media: TimelineMedia) -> otio.schema.Timeline:
@@ -62,7 +62,7 @@ def _write_edl(timeline: otio.schema.Timeline, part: Path, rate: int) -> None:
 
 
 def reel_of(panel: Panel) -> str:
-    """Return the name an EDL knows a shot's picture by: eight characters at most, and of no other shot."""
+    """Return a shot's reel name for an EDL: unique, at most eight characters."""
     return panel.name.replace("SC", "").replace("SH", "")
 
 

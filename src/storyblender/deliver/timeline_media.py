@@ -1,4 +1,4 @@
-"""What every timeline format is written from: the story, the media of its shots, and where the timecode starts."""
+"""The input of every timeline format: the story, the media of its shots, and the start timecode."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class TimelineMedia:
         graph: The story.
         frames: Shot name to still picture.
         clips: Shot name to moving picture, as long as the shot.
-        folder: Media are named relative to it, so the project can be moved.
+        folder: Media paths are written relative to it, so that the project can be moved.
         start: Timecode of the first frame, ``HH:MM:SS:FF``.
     """
 

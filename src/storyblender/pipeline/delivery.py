@@ -12,7 +12,7 @@ from storyblender.deliver.checklist import Check, checklist
 from storyblender.deliver.contact_sheet import sheet_name, sheet_pages, shown_by, write_contact_sheet
 from storyblender.deliver.page import write_page
 from storyblender.deliver.panel import frame_of, panels
-from storyblender.deliver.segments import encoded
+from storyblender.deliver.segments import encode_segments
 from storyblender.deliver.shot_list import write_shot_list
 from storyblender.deliver.timeline import write_timeline
 from storyblender.deliver.timeline_media import TimelineMedia
@@ -73,7 +73,7 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
     run.progress("deliver", 3, steps, "animatic.mp4")
     film = folder / "animatic.mp4"
     if clips is not None and frames:
-        segments = encoded(
+        segments = encode_segments(
             film_segments(graph, clips, frames),
             run.project.files,
             run.outputs,

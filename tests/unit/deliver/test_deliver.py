@@ -36,7 +36,7 @@ def film_of(
 ) -> list[Path]:
     """Write film and subtitles into a folder, and return its shots."""
     files = Folder(folder)
-    paths = segments.encoded(animatic.film_segments(graph, clips, frames), files, Outputs(files))
+    paths = segments.encode_segments(animatic.film_segments(graph, clips, frames), files, Outputs(files))
     animatic.write_animatic(graph, paths, folder / "animatic.mp4")
     animatic.write_subtitles(graph, folder / "animatic.srt")
     return paths

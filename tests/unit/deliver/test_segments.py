@@ -9,7 +9,7 @@ import av
 import pytest
 from PIL import Image
 
-from storyblender.deliver.segments import Segment, add_track, encoded, join
+from storyblender.deliver.segments import Segment, add_track, encode_segments, join
 from storyblender.folder import Folder
 from storyblender.outputs import Outputs
 
@@ -29,7 +29,7 @@ def segment(folder: Path, number: int, length: int, grey: int) -> Segment:
 
 def made(segments: list[Segment], folder: Path, processes: int = 1) -> list[Path]:
     files = Folder(folder)
-    return encoded(segments, files, Outputs(files), processes)
+    return encode_segments(segments, files, Outputs(files), processes)
 
 
 def joined(paths: list[Path], out: Path) -> list[tuple[float, float]]:
@@ -85,6 +85,6 @@ def test_it_is_told_how_many_new_ones_are_done(tmp_path: Path) -> None:
     segments = [segment(tmp_path, number, 4, 40 + number) for number in range(3)]
     files, told = Folder(tmp_path), list[tuple[int, int]]()
     outputs = Outputs(files)
-    encoded(segments[:1], files, outputs)
-    encoded(segments, files, outputs, 2, lambda done, of: told.append((done, of)))
+    encode_segments(segments[:1], files, outputs)
+    encode_segments(segments, files, outputs, 2, lambda done, of: told.append((done, of)))
     assert told == [(1, 2), (2, 2)]
