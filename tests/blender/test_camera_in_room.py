@@ -55,6 +55,6 @@ def scene():
 def test_in_a_closed_room_the_camera_finds_its_picture(scene, instruction) -> None:
     moments = (Moment(0, figures(scene)),)
     props = {"table": Box(1.8, 1.6, 0, 1.2, 0.8, 0.75)}
-    brief = CameraOperatorView(1, 1, CameraInstruction(**instruction), 48, moments, PLAN, props, side=-1)
-    state = operate(brief, RealFinder(scene))
+    view = CameraOperatorView(1, 1, CameraInstruction(**instruction), 48, moments, PLAN, props, side=-1)
+    state = operate(view, RealFinder(scene))
     assert state.score >= 9, state.residual

@@ -76,22 +76,22 @@ def _laid_out(
     return scene, run.reflect(role, name, run.graph, scene_id, plan, standing, pending, placements, room.apart)
 
 
-def _with_crowd(run: Run, brief: SpatialPlannerView, layout: Layout) -> Layout:
+def _with_crowd(run: Run, view: SpatialPlannerView, layout: Layout) -> Layout:
     """Return a layout with the people of the background that the script tells of."""
     graph = run.graph
-    size = brief.plan.size
+    size = view.plan.size
     area = (size.x - size.x_negative) * (size.y - size.y_negative)
-    count = _crowd_told(graph, brief.scene_id, area) - graph.people_in(brief.scene_id)
+    count = _crowd_told(graph, view.scene_id, area) - graph.people_in(view.scene_id)
     if count <= 0:
         return layout
-    found = bystanders(brief, layout, count, ways_of(brief, layout))
+    found = bystanders(view, layout, count, ways_of(view, layout))
     age = graph.age or "today"
     params = [{"posture": each.posture, "variant": each.variant, "age": age} for each in found]
     figures = [dressing_asset("background_figure", dict(each)) for each in params]
     known = {asset.asset_id for asset in graph.assets}
     fresh = {asset.asset_id: asset for asset in figures if asset.asset_id not in known}
     if fresh:
-        run.commit("set_dresser", f"people of the background of {scene_name(brief.scene_id)}", *fresh.values())
+        run.commit("set_dresser", f"people of the background of {scene_name(view.scene_id)}", *fresh.values())
         materialize(run, list(fresh.values()))
     objects = placed(found, figures, measures_of(run.graph.assets))
     return layout.model_copy(update={"objects": (*layout.objects, *objects)})

@@ -55,22 +55,22 @@ class Bystander:
     seat: str | None = None
 
 
-def bystanders(brief: SpatialPlannerView, layout: Layout, count: int, lanes: Sequence[Box]) -> list[Bystander]:
+def bystanders(view: SpatialPlannerView, layout: Layout, count: int, lanes: Sequence[Box]) -> list[Bystander]:
     """Return where the people of the background are: as many as told, or as find room.
 
     Args:
-        brief: Of the scene.
+        view: Of the scene.
         layout: With everybody and everything of the story in place.
         count: How many are told.
         lanes: Floor that stays free for ways.
     """
-    stage = Stage(brief)
+    stage = Stage(view)
     for item in layout.objects:
         if item.node_id not in stage.things:
             stage.put(item, fixed=item.fixed)
     people = [(thing.box.x, thing.box.y) for thing in stage.things.values() if thing.walks]
     people = people or [stage.middle]
-    seated = _seated(stage, people, round(_SITTING * count), set(brief.targets))
+    seated = _seated(stage, people, round(_SITTING * count), set(view.targets))
     for number, lane in enumerate(lanes):
         stage.add(Thing(f"lane_{number}", lane, fixed=True), "")
     return [*seated, *_standing(stage, people, count - len(seated))]

@@ -35,34 +35,34 @@ def fault(kind: str, subject: str, severity: float, message: str, **fix: float |
     return Fault(kind=kind, subject=subject, severity=round(severity, 3), message=message, fix=fix)
 
 
-def composition(brief: CameraOperatorView, camera: Orbit, moment: Moment, view: CameraView) -> list[Fault]:
+def composition(view: CameraOperatorView, camera: Orbit, moment: Moment, seen: CameraView) -> list[Fault]:
     """Size, headroom, place in the picture, angle."""
-    kind = brief.instruction.kind
+    kind = view.instruction.kind
     found: list[Fault] = []
     if kind not in ("pov", "establishing"):
-        found += _angle(brief, camera)
-    subjects = {subject.node_id: subject for subject in view.subjects}
-    faces = [(moment.figure(node), subjects[node]) for node in brief.focus if node in subjects]
+        found += _angle(view, camera)
+    subjects = {subject.node_id: subject for subject in seen.subjects}
+    faces = [(moment.figure(node), subjects[node]) for node in view.focus if node in subjects]
     heads = [(figure, subject) for figure, subject in faces if figure is not None and subject.face is not None]
     if kind == "insert" or (not faces and kind not in ("establishing", "pov")):
-        return found + _thing(brief, camera, [subjects[node] for node in brief.focus if node in subjects])
+        return found + _thing(view, camera, [subjects[node] for node in view.focus if node in subjects])
     if not heads or kind in ("establishing", "pov"):
         return found
-    over = subjects.get(brief.over.node_id) if brief.over is not None else None
-    after = looks_after(brief)
-    if over is not None and over.face is not None and after is not None and not wants_shoulder(brief):
+    over = subjects.get(view.over.node_id) if view.over is not None else None
+    after = looks_after(view)
+    if over is not None and over.face is not None and after is not None and not wants_shoulder(view):
         # Who has their back to somebody and who sees it are a group.
         heads.append((after, over))
         over = None
     if over is None or after is None:
         # Who walks off from a shoulder is as small as the way they have gone.
-        found += _size(brief, [subject for _, subject in heads])
-    if at_hand(brief) and over is None:
+        found += _size(view, [subject for _, subject in heads])
+    if at_hand(view) and over is None:
         return found
     if len(heads) == 1 or over is not None:
         figure, subject = heads[0]
         assert figure is not None and subject.face is not None
-        found += _lone_place(brief, camera, figure, subject)
+        found += _lone_place(view, camera, figure, subject)
     else:
         xs = [subject.face[0] for _, subject in heads if subject.face is not None]
         off = (min(xs) + max(xs)) / 2 - 0.5
@@ -73,26 +73,26 @@ def composition(brief: CameraOperatorView, camera: Orbit, moment: Moment, view: 
         if aside > 0:
             text = "the frame cuts the people at its sides"
             found.append(fault("squeezed", heads[0][1].node_id, 1.0 + 10 * aside, text, dolly=-2.0, ops="zoom_out"))
-        found += _apart(brief, camera, [subject for _, subject in heads])
-    bends = any(figure is not None and brief.upright(figure) is not figure for figure, _ in heads)
+        found += _apart(view, camera, [subject for _, subject in heads])
+    bends = any(figure is not None and view.upright(figure) is not figure for figure, _ in heads)
     # The air above somebody bent is where they stood.
-    return found if bends else found + _headroom(brief, [subject for _, subject in heads], over)
+    return found if bends else found + _headroom(view, [subject for _, subject in heads], over)
 
 
-def _apart(brief: CameraOperatorView, camera: Orbit, heads: Sequence[SubjectView]) -> list[Fault]:
+def _apart(view: CameraOperatorView, camera: Orbit, heads: Sequence[SubjectView]) -> list[Fault]:
     """People of a picture that is no wide shot stand together in it."""
     faces = [(subject.face[0], subject.head_height) for subject in heads if subject.face is not None]
     over = widest_face_gap(faces, camera.aspect) - MAX_FACE_GAP
-    if over <= 0 or brief.instruction.size in ("WS", "EWS"):
+    if over <= 0 or view.instruction.size in ("WS", "EWS"):
         return []
     text = "the middle between the people is empty"
     return [fault("apart", heads[0].node_id, min(0.5 + 0.3 * over, 2.0), text, ops="orbit_left orbit_right")]
 
 
-def _thing(brief: CameraOperatorView, camera: Orbit, subjects: Sequence[SubjectView]) -> list[Fault]:
+def _thing(view: CameraOperatorView, camera: Orbit, subjects: Sequence[SubjectView]) -> list[Fault]:
     """A thing is in the middle and fills the picture as its size wants; hands may hold it anywhere."""
     boxes = [subject.box for subject in subjects if subject.box is not None]
-    if not boxes or not brief.things:
+    if not boxes or not view.things:
         return []
     left, top = min(box[0] for box in boxes), min(box[1] for box in boxes)
     right, bottom = max(box[2] for box in boxes), max(box[3] for box in boxes)
@@ -101,49 +101,49 @@ def _thing(brief: CameraOperatorView, camera: Orbit, subjects: Sequence[SubjectV
     if max(abs(x), abs(y)) > _THING_STRAY:
         text = f"{node} is off the middle by {x:+.2f} of the width and {y:+.2f} of the height"
         found.append(fault("placement", node, 0.8 + 2 * max(abs(x), abs(y)), text, pan_x=x * camera.aspect, pan_y=-y))
-    wanted = SIZES[brief.instruction.size].fill
+    wanted = SIZES[view.instruction.size].fill
     extent = max(right - left, bottom - top)
     if not 0.55 * wanted < extent < min(1.7 * wanted, 0.97):
         steps = math.log(wanted / max(extent, 0.01), DOLLY)
-        text = f"{node} fills {extent:.2f} of the picture, {brief.instruction.size} wants {wanted:.2f}"
+        text = f"{node} fills {extent:.2f} of the picture, {view.instruction.size} wants {wanted:.2f}"
         found.append(fault("size", node, min(0.5 + 0.2 * abs(steps), 3.0), text, dolly=steps))
     return found
 
 
-def _angle(brief: CameraOperatorView, camera: Orbit) -> list[Fault]:
-    low, high = framing.ELEVATION_BAND[brief.instruction.angle]
-    if brief.things and not brief.people:
+def _angle(view: CameraOperatorView, camera: Orbit) -> list[Fault]:
+    low, high = framing.ELEVATION_BAND[view.instruction.angle]
+    if view.things and not view.people:
         high = max(high, 45.0)
-    if brief.instruction.angle == "eye-level" and (brief.over is not None or len(brief.people) > 2):
+    if view.instruction.angle == "eye-level" and (view.over is not None or len(view.people) > 2):
         high = max(high, _PAST_OTHERS)
-    if aboard(brief.props.values(), brief.people):
+    if aboard(view.props.values(), view.people):
         high = max(high, _PAST_SIDES)
     elevation = camera.elevation
     if low <= elevation <= high:
         return []
     by = (low - elevation) if elevation < low else (high - elevation)
-    text = f"{elevation:.0f} degrees is not {brief.instruction.angle}"
+    text = f"{elevation:.0f} degrees is not {view.instruction.angle}"
     return [fault("angle", "", min(0.4 + abs(by) / 25, 1.5), text, elevation=by + math.copysign(2, by))]
 
 
-def _size(brief: CameraOperatorView, heads: Sequence[SubjectView]) -> list[Fault]:
-    scale = SIZES[brief.instruction.size]
+def _size(view: CameraOperatorView, heads: Sequence[SubjectView]) -> list[Fault]:
+    scale = SIZES[view.instruction.size]
     low, high = scale.band
-    if len(heads) > 1 or at_hand(brief):
+    if len(heads) > 1 or at_hand(view):
         low *= 0.5
     largest = max(subject.head_height for subject in heads)
     if low <= largest <= high or largest <= 0:
         return []
     steps = math.log(scale.head / largest, DOLLY)
-    text = f"the head fills {largest:.2f} of the height, {brief.instruction.size} wants {scale.head:.2f}"
+    text = f"the head fills {largest:.2f} of the height, {view.instruction.size} wants {scale.head:.2f}"
     return [fault("size", heads[0].node_id, min(0.5 + 0.25 * abs(steps), 3.0), text, dolly=steps)]
 
 
-def _lone_place(brief: CameraOperatorView, camera: Orbit, figure: Figure, subject: SubjectView) -> list[Fault]:
+def _lone_place(view: CameraOperatorView, camera: Orbit, figure: Figure, subject: SubjectView) -> list[Fault]:
     """Lead room for one face; in an over-the-shoulder the face has the half without the shoulder."""
     assert subject.face is not None
     wanted = framing.lead_room_x(camera, figure)
-    if brief.over is not None:
+    if view.over is not None:
         wanted = 0.5 + math.copysign(0.13, subject.face[0] - 0.5)
     off = subject.face[0] - wanted
     if abs(off) <= _STRAY:
@@ -152,19 +152,19 @@ def _lone_place(brief: CameraOperatorView, camera: Orbit, figure: Figure, subjec
     return [fault("placement", subject.node_id, 0.5 + 2 * abs(off), text, pan_x=off * camera.aspect)]
 
 
-def _headroom(brief: CameraOperatorView, heads: Sequence[SubjectView], over: SubjectView | None) -> list[Fault]:
+def _headroom(view: CameraOperatorView, heads: Sequence[SubjectView], over: SubjectView | None) -> list[Fault]:
     """The crown at its height; the near head of an over-the-shoulder may need more of it."""
     tops = [subject.head_top for subject in heads if subject.head_top is not None]
-    if not tops or brief.instruction.size in ("ECU", "EWS"):
+    if not tops or view.instruction.size in ("ECU", "EWS"):
         return []
-    crown, top = SIZES[brief.instruction.size].crown, min(tops)
+    crown, top = SIZES[view.instruction.size].crown, min(tops)
     if len(heads) > 1:
         # A group may be taken from further away than its size says: then more air belongs above it.
         crown = max(crown, framing.crown_screen_y(max(subject.head_height for subject in heads)))
     if over is not None and over.head_top is not None and over.head_top < top:
         top = max(over.head_top, min(crown, top))
-    low = -0.04 if brief.instruction.size == "CU" else 0.01
-    high = crown + (0.24 if len(heads) > 1 or brief.instruction.size == "WS" else 0.14)
+    low = -0.04 if view.instruction.size == "CU" else 0.01
+    high = crown + (0.24 if len(heads) > 1 or view.instruction.size == "WS" else 0.14)
     if low <= top <= high:
         return []
     off = crown - top

@@ -35,38 +35,38 @@ class SceneCuts:
         self._answered: dict[Pair, Cut] = {}
         self._lines: dict[Pair, Faces] = {}
 
-    def match(self, shot: ShotContext, brief: CameraOperatorView) -> CameraOperatorView:
-        """Return a shot's brief with what its camera has to match.
+    def match(self, shot: ShotContext, view: CameraOperatorView) -> CameraOperatorView:
+        """Return a shot's view with what its camera has to match.
 
         Args:
             shot: The next one of the scene.
-            brief: Its projection of the graph.
+            view: Its projection of the graph.
         """
-        brief = replace(brief, previous=self._previous)
+        view = replace(view, previous=self._previous)
         axis = shot.camera_instruction.axis
-        if axis is None or brief.axis is None:
-            return brief
-        faces = (brief.axis[0].face, brief.axis[1].face)
+        if axis is None or view.axis is None:
+            return view
+        faces = (view.axis[0].face, view.axis[1].face)
         if has_new_line(self._lines.setdefault(axis, faces), faces):
             self._sides.pop(axis, None)
             self._answered.pop(axis, None)
         self._lines[axis] = faces
         last = self._answered.get(axis)
         had_last_word = last is not None and last.instruction.focus_on_ids != shot.camera_instruction.focus_on_ids
-        return replace(brief, side=self._sides.get(axis, 0), reverse=last if had_last_word else None)
+        return replace(view, side=self._sides.get(axis, 0), reverse=last if had_last_word else None)
 
-    def follow(self, shot: ShotContext, brief: CameraOperatorView, state: CameraState) -> None:
+    def follow(self, shot: ShotContext, view: CameraOperatorView, state: CameraState) -> None:
         """Remember the camera of a shot for the shots after it.
 
         Args:
             shot: The one that was matched last.
-            brief: As ``match`` returned it.
+            view: As ``match`` returned it.
             state: Its camera.
         """
         instruction = shot.camera_instruction
-        self._previous = Cut(instruction, state, brief.subjects(brief.moments[-1]) if brief.moments else ())
+        self._previous = Cut(instruction, state, view.subjects(view.moments[-1]) if view.moments else ())
         if instruction.axis is not None:
-            self._sides[instruction.axis] = self._sides.get(instruction.axis) or side_used(brief, state)
+            self._sides[instruction.axis] = self._sides.get(instruction.axis) or side_used(view, state)
             if instruction.kind in _ANSWERS:
                 self._answered[instruction.axis] = self._previous
 
@@ -82,13 +82,13 @@ def judge_cuts(scene: Iterable[tuple[ShotContext, CameraOperatorView]]) -> Mappi
     """
     going, states = SceneCuts(), dict[int, CameraState]()
     for shot, alone in scene:
-        state, brief = shot.camera, going.match(shot, alone)
+        state, view = shot.camera, going.match(shot, alone)
         if state is None:
             continue
-        going.follow(shot, brief, state)
-        ends = [orbit_of(pose, brief.film) for pose in (state.poses[0], state.poses[-1])]
+        going.follow(shot, view, state)
+        ends = [orbit_of(pose, view.film) for pose in (state.poses[0], state.poses[-1])]
         take = CameraOperatorDraft(interpolate_cameras(ends[0], ends[1], 0.5), ends[0], ends[1], state.hidden_node_ids)
-        found = cuts(brief, take) if brief.moments else []
+        found = cuts(view, take) if view.moments else []
         now = [Flaw(kind=each.kind, subject=each.subject, weight=each.severity, message=each.message) for each in found]
         kept = [flaw for flaw in state.residual if flaw.kind not in CUT_KINDS]
         states[shot.shot_id] = state.model_copy(update={"residual": (*kept, *now)})

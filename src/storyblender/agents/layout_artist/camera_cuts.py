@@ -21,32 +21,32 @@ _LIKE, _OTHER = math.log(1.5), math.log(2.5)
 on it is another one."""
 
 
-def cuts(brief: CameraOperatorView, take: CameraOperatorDraft) -> list[Fault]:
+def cuts(view: CameraOperatorView, take: CameraOperatorDraft) -> list[Fault]:
     """Return what is wrong with the cuts from the shots before."""
     found: list[Fault] = []
-    name = shot_name(brief.scene_id, brief.shot_id)
-    kind, axis = brief.instruction.kind, brief.axis
+    name = shot_name(view.scene_id, view.shot_id)
+    kind, axis = view.instruction.kind, view.axis
     if axis is not None and kind not in ("pov", "establishing", "insert"):
-        crossed = [crosses_line(end, axis[0].face, axis[1].face, brief.side) for end in (take.start, take.end)]
+        crossed = [crosses_line(end, axis[0].face, axis[1].face, view.side) for end in (take.start, take.end)]
         if any(crossed):
             found.append(fault("line", name, 3.5, f"{name} crosses the line", ops=_AROUND))
-    found += _jump(brief, take, name)
-    reverse = brief.reverse
-    if reverse is not None and axis is not None and kind in ("single", "reaction", "ots") and brief.people:
-        partner = next((figure for figure in axis if figure.node_id != brief.people[0].node_id), None)
-        other = orbit_of(reverse.state.poses[0], brief.film)
-        if partner is not None and not do_looks_match(take.camera, brief.people[0].forward, other, partner.forward):
+    found += _jump(view, take, name)
+    reverse = view.reverse
+    if reverse is not None and axis is not None and kind in ("single", "reaction", "ots") and view.people:
+        partner = next((figure for figure in axis if figure.node_id != view.people[0].node_id), None)
+        other = orbit_of(reverse.state.poses[0], view.film)
+        if partner is not None and not do_looks_match(take.camera, view.people[0].forward, other, partner.forward):
             found.append(fault("eyeline", name, 1.5, "both singles look to one side of the picture", ops=_AROUND))
     return found
 
 
-def _jump(brief: CameraOperatorView, take: CameraOperatorDraft, name: str) -> list[Fault]:
+def _jump(view: CameraOperatorView, take: CameraOperatorDraft, name: str) -> list[Fault]:
     """Return the cut from one picture of somebody to nearly the same picture of them."""
-    before = brief.previous
-    if before is None or "pov" in (brief.instruction.kind, before.instruction.kind) or take.start.distance <= 0:
+    before = view.previous
+    if before is None or "pov" in (view.instruction.kind, before.instruction.kind) or take.start.distance <= 0:
         return []
-    last = orbit_of(before.state.poses[-1], brief.film)
-    alike, subject = _alike(brief, before, last, take.start)
+    last = orbit_of(before.state.poses[-1], view.film)
+    alike, subject = _alike(view, before, last, take.start)
     change = angle_between_views(last, take.start, subject)
     if not alike or change >= JUMP_CUT_DEGREES:
         return []
@@ -56,21 +56,21 @@ def _jump(brief: CameraOperatorView, take: CameraOperatorDraft, name: str) -> li
     return [fault("jump", name, alike * (0.6 + short / 40), text, azimuth=float(way * short))]
 
 
-def _alike(brief: CameraOperatorView, before: Cut, last: Orbit, now: Orbit) -> tuple[float, Vec3]:
+def _alike(view: CameraOperatorView, before: Cut, last: Orbit, now: Orbit) -> tuple[float, Vec3]:
     """Return how far a shot shows the same as the one before in like size, 0 to 1, and whom it is measured by.
 
     People are measured by their heads: a wide of two who stand together may be as near as a medium of two apart.
     """
     pairs = [
         (then, figure)
-        for figure in brief.subjects(brief.moments[0])
+        for figure in view.subjects(view.moments[0])
         for then in before.people
         if then.node_id == figure.node_id
     ]
     if not pairs:
-        same = {*before.instruction.focus_on_ids} == {*brief.instruction.focus_on_ids}
-        return float(same and brief.size_steps(before.instruction.size) < 2), now.pivot
-    if not len(pairs) == len(before.people) == len(brief.subjects(brief.moments[0])):
+        same = {*before.instruction.focus_on_ids} == {*view.instruction.focus_on_ids}
+        return float(same and view.size_steps(before.instruction.size) < 2), now.pivot
+    if not len(pairs) == len(before.people) == len(view.subjects(view.moments[0])):
         return 0.0, now.pivot
     scale = max(abs(math.log(head_share(now, figure) / head_share(last, then))) for then, figure in pairs)
     return min(max((_OTHER - scale) / (_OTHER - _LIKE), 0.0), 1.0), pairs[0][1].face

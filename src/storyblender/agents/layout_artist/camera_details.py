@@ -46,12 +46,12 @@ def held_at(figure: Figure, hand: Hand | None, size: Vec3) -> Box:
     return Box(x + ahead * math.sin(yaw), y - ahead * math.cos(yaw), z - below, *size, yaw)
 
 
-def at_hand(brief: CameraOperatorView) -> tuple[Box, ...]:
+def at_hand(view: CameraOperatorView) -> tuple[Box, ...]:
     """Return the boxes of small focus things near the first person, so that one picture holds both."""
-    if not brief.people or brief.detail is not None:
+    if not view.people or view.detail is not None:
         return ()
-    x, y, _ = brief.people[0].base
-    small = (box for box in brief.things if max(box.width, box.depth, box.height) < _SMALL)
+    x, y, _ = view.people[0].base
+    small = (box for box in view.things if max(box.width, box.depth, box.height) < _SMALL)
     return tuple(box for box in small if distance_to_point(box, x, y) < _AT_HAND)
 
 

@@ -26,18 +26,18 @@ _FURNITURE = 0.3
 """Cubic metres from which a thing has a back."""
 
 
-def in_the_way(brief: CameraOperatorView, camera: Orbit) -> list[str]:
+def in_the_way(view: CameraOperatorView, camera: Orbit) -> list[str]:
     """Return the node_ids of the furniture that stands before the people of a picture, and of what stands on it.
 
     Not what is theirs, what somebody uses or sits on; nothing where the shot shows a place.
     """
-    people = brief.people
-    if not people or not brief.loose or brief.instruction.kind in ("establishing", "pov", "insert"):
+    people = view.people
+    if not people or not view.loose or view.instruction.kind in ("establishing", "pov", "insert"):
         return []
     deep = float(project(camera, [figure.face for figure in people])[1].mean())
-    _, depths = project(camera, [(box.x, box.y, box.z + box.height / 2) for box in brief.loose.values()])
-    near = [pair for pair, depth in zip(brief.loose.items(), depths, strict=True) if 0 < depth < _NEARER * deep]
-    near = [(node, box) for node, box in near if not _is_theirs(brief, box)]
+    _, depths = project(camera, [(box.x, box.y, box.z + box.height / 2) for box in view.loose.values()])
+    near = [pair for pair, depth in zip(view.loose.items(), depths, strict=True) if 0 < depth < _NEARER * deep]
+    near = [(node, box) for node, box in near if not _is_theirs(view, box)]
     if not near:
         return []
     spots = camera.position + rays(camera, *GRID) * deep
@@ -46,46 +46,46 @@ def in_the_way(brief: CameraOperatorView, camera: Orbit) -> list[str]:
     gone: list[str] = []
     for node, box in near:
         if float(find_hidden([box], camera.position, spots).mean()) > _TAKES:
-            gone += [node, *(other for other, each in brief.props.items() if _stands_on(each, box))]
+            gone += [node, *(other for other, each in view.props.items() if _stands_on(each, box))]
     return gone
 
 
-def covers(brief: CameraOperatorView) -> list[str]:
+def covers(view: CameraOperatorView) -> list[str]:
     """Return the node_ids that contain or cover the thing of an insert: the drawer's desk, the cup on the letter."""
-    if brief.instruction.kind != "insert" or brief.detail is not None:
+    if view.instruction.kind != "insert" or view.detail is not None:
         return []
     found: list[str] = []
-    for thing in brief.things:
-        for node, box in brief.loose.items():
+    for thing in view.things:
+        for node, box in view.loose.items():
             over = box.top > thing.top + _ON and box.z < thing.top + _ABOVE
             if over and distance_to_point(box, thing.x, thing.y) <= 0:
-                found += [node, *(each for each, other in brief.props.items() if _on_it(each, other, box, brief))]
+                found += [node, *(each for each, other in view.props.items() if _on_it(each, other, box, view))]
     return list(dict.fromkeys(found))
 
 
-def _on_it(node: str, thing: Box, box: Box, brief: CameraOperatorView) -> bool:
-    return node in brief.loose and _stands_on(thing, box)
+def _on_it(node: str, thing: Box, box: Box, view: CameraOperatorView) -> bool:
+    return node in view.loose and _stands_on(thing, box)
 
 
-def _is_theirs(brief: CameraOperatorView, box: Box) -> bool:
-    return min(distance_to_point(box, *figure.base[:2]) for figure in brief.people) < _THEIRS
+def _is_theirs(view: CameraOperatorView, box: Box) -> bool:
+    return min(distance_to_point(box, *figure.base[:2]) for figure in view.people) < _THEIRS
 
 
 def _stands_on(thing: Box, box: Box) -> bool:
     return abs(thing.z - box.top) < _ON and distance_to_point(box, thing.x, thing.y) <= 0
 
 
-def backs(brief: CameraOperatorView, take: CameraOperatorDraft, deep: float) -> float:
+def backs(view: CameraOperatorView, take: CameraOperatorDraft, deep: float) -> float:
     """Return the share of the picture that shows the backs of furniture: bare boards that stood at a wall.
 
     Args:
-        brief: The shot.
+        view: The shot.
         take: The camera, and what it hides.
         deep: Metres from the camera up to which it counts.
     """
     camera, behind = take.camera, list[Box]()
     eye_x, eye_y = float(camera.position[0]), float(camera.position[1])
-    for node, box in brief.props.items():
+    for node, box in view.props.items():
         if box.width * box.depth * box.height < _FURNITURE or node in take.hidden:
             continue
         x, y = box.to_local(eye_x, eye_y)

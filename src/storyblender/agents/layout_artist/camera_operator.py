@@ -148,28 +148,28 @@ def rules_operator(
 
 
 def operate(
-    brief: CameraOperatorView, viewfinder: Viewfinder, operator: Operator = rules_operator, listener: Listener = silent
+    view: CameraOperatorView, viewfinder: Viewfinder, operator: Operator = rules_operator, listener: Listener = silent
 ) -> CameraState:
     """Return the camera of a shot with its score and what the critic still minds.
 
     Args:
-        brief: The shot.
+        view: The shot.
         viewfinder: The engine's eye.
         operator: The member of the crew who decides.
         listener: Receives the trace.
     """
-    outcome = reflect(operator(viewfinder), shot_name(brief.scene_id, brief.shot_id), brief, listener)
+    outcome = reflect(operator(viewfinder), shot_name(view.scene_id, view.shot_id), view, listener)
     residual = tuple(
         Flaw(kind=fault.kind, subject=fault.subject, weight=fault.severity, message=fault.message)
         for fault in outcome.critique.faults
     )
     chosen = outcome.draft
-    return chosen.state(brief.duration, SIZES[brief.instruction.size].f_number, outcome.critique.score, residual)
+    return chosen.state(view.duration, SIZES[view.instruction.size].f_number, outcome.critique.score, residual)
 
 
-def side_used(brief: CameraOperatorView, state: CameraState) -> int:
+def side_used(view: CameraOperatorView, state: CameraState) -> int:
     """Return the side of the instruction's axis that a shot's camera is on, for the shots after it; 0 if neither."""
-    if brief.axis is None or brief.instruction.kind in ("pov", "insert", "establishing"):
+    if view.axis is None or view.instruction.kind in ("pov", "insert", "establishing"):
         return 0
-    first, second = brief.axis
-    return side_of_line(orbit_of(state.poses[0], brief.film).position, first.face, second.face)
+    first, second = view.axis
+    return side_of_line(orbit_of(state.poses[0], view.film).position, first.face, second.face)

@@ -62,85 +62,85 @@ class CameraOperatorCritic:
         """How often this critic has looked."""
         return len(self._seen)
 
-    def judged(self, brief: CameraOperatorView) -> set[CameraOperatorDraft]:
+    def judged(self, view: CameraOperatorView) -> set[CameraOperatorDraft]:
         """Return the takes of a shot that were looked at."""
-        return {take for scene, shot, _, take in self._seen if (scene, shot) == (brief.scene_id, brief.shot_id)}
+        return {take for scene, shot, _, take in self._seen if (scene, shot) == (view.scene_id, view.shot_id)}
 
-    def judge_all(self, takes: Sequence[CameraOperatorDraft], brief: CameraOperatorView) -> list[Critique]:
+    def judge_all(self, takes: Sequence[CameraOperatorDraft], view: CameraOperatorView) -> list[Critique]:
         """Score several takes with one batch of looks."""
-        moments = telling_moments(brief, takes)
+        moments = telling_moments(view, takes)
         wanted = [(take, moment) for take in takes for moment in moments]
         fresh = [pair for pair in dict.fromkeys((take, moment.frame) for take, moment in wanted)
-                 if self._key(brief, *pair) not in self._seen]  # fmt: skip
+                 if self._key(view, *pair) not in self._seen]  # fmt: skip
         fresh.sort(key=lambda pair: pair[1])
-        views = self._viewfinder.look([_request(brief, take, frame) for take, frame in fresh])
+        views = self._viewfinder.look([_request(view, take, frame) for take, frame in fresh])
         for (take, frame), seen in zip(fresh, views, strict=True):
-            self._seen[self._key(brief, take, frame)] = seen
+            self._seen[self._key(view, take, frame)] = seen
         return [
-            Critique.of(_faults(brief, take, [(m, self._seen[self._key(brief, take, m.frame)]) for m in moments]))
+            Critique.of(_faults(view, take, [(m, self._seen[self._key(view, take, m.frame)]) for m in moments]))
             for take in takes
         ]
 
     @staticmethod
     def _key(
-        brief: CameraOperatorView, take: CameraOperatorDraft, frame: int
+        view: CameraOperatorView, take: CameraOperatorDraft, frame: int
     ) -> tuple[int, int, int, CameraOperatorDraft]:
-        return brief.scene_id, brief.shot_id, frame, take
+        return view.scene_id, view.shot_id, frame, take
 
 
-def telling_moments(brief: CameraOperatorView, takes: Sequence[CameraOperatorDraft]) -> list[Moment]:
+def telling_moments(view: CameraOperatorView, takes: Sequence[CameraOperatorDraft]) -> list[Moment]:
     """Return the moments worth a look: the one that is drawn; all of them if the camera moves or goes with a walk."""
-    if brief.walks or any(take.moves for take in takes):
-        return list(brief.moments)
-    return [brief.drawn]
+    if view.walks or any(take.moves for take in takes):
+        return list(view.moments)
+    return [view.drawn]
 
 
-def _request(brief: CameraOperatorView, take: CameraOperatorDraft, frame: int) -> ViewRequest:
+def _request(view: CameraOperatorView, take: CameraOperatorDraft, frame: int) -> ViewRequest:
     return ViewRequest(
-        scene_id=brief.scene_id,
-        shot_id=brief.shot_id,
+        scene_id=view.scene_id,
+        shot_id=view.shot_id,
         frame=frame,
-        pose=pose_of(take.at(share_of(brief, frame)), frame),
-        sensor_width=brief.film.sensor_width,
+        pose=pose_of(take.at(share_of(view, frame)), frame),
+        sensor_width=view.film.sensor_width,
         hidden_node_ids=take.hidden,
-        focus_ids=brief.focus or brief.named,
+        focus_ids=view.focus or view.named,
     )
 
 
 def _faults(
-    brief: CameraOperatorView, take: CameraOperatorDraft, seen: Sequence[tuple[Moment, CameraView]]
+    view: CameraOperatorView, take: CameraOperatorDraft, looks: Sequence[tuple[Moment, CameraView]]
 ) -> tuple[Fault, ...]:
     """Judge composition where the take is centred, and visibility everywhere."""
     told: list[Fault] = []
-    main = brief.drawn
-    for moment, view in sorted(seen, key=lambda pair: pair[0] is not main):
-        camera = take.at(share_of(brief, moment.frame))
-        found = _visibility(brief, moment, view)
+    main = view.drawn
+    for moment, seen in sorted(looks, key=lambda pair: pair[0] is not main):
+        camera = take.at(share_of(view, moment.frame))
+        found = _visibility(view, moment, seen)
         if moment is not main:
             found = [
                 each.model_copy(update={"severity": _PASSING * each.severity})
                 for each in found
                 if each.kind != "face_away"
             ]
-        found += [*_place(view), *_void(_nothing(brief, take, camera, view))]
+        found += [*_place(seen), *_void(_nothing(view, take, camera, seen))]
         if moment is main:
-            found += [*composition(brief, camera, moment, view), *_surroundings(brief, view)]
+            found += [*composition(view, camera, moment, seen), *_surroundings(view, seen)]
         known = {(fault.kind, fault.subject) for fault in told}
         told += [fault for fault in found if (fault.kind, fault.subject) not in known]
-    told += cuts(brief, take)
-    for node in brief.strangers:
+    told += cuts(view, take)
+    for node in view.strangers:
         if node in take.hidden:
             told.append(fault("cleared", node, CLEARED, f"{node} stands aside for this picture"))
     return tuple(told)
 
 
-def _visibility(brief: CameraOperatorView, moment: Moment, view: CameraView) -> list[Fault]:
+def _visibility(view: CameraOperatorView, moment: Moment, seen: CameraView) -> list[Fault]:
     """Focus seen and not hidden, faces free; whoever else belongs in the picture is in it."""
     found: list[Fault] = []
     faces: dict[str, list[Fault]] = {}
-    kind, size = brief.instruction.kind, brief.instruction.size
-    subjects = {subject.node_id: subject for subject in view.subjects}
-    for node in brief.focus:
+    kind, size = view.instruction.kind, view.instruction.size
+    subjects = {subject.node_id: subject for subject in seen.subjects}
+    for node in view.focus:
         subject = subjects.get(node)
         if subject is None:
             continue
@@ -148,39 +148,39 @@ def _visibility(brief: CameraOperatorView, moment: Moment, view: CameraView) -> 
         shows_face = subject.face is not None and all(0 < value < 1 for value in subject.face)
         if subject.in_frame_fraction < 0.02 and not shows_face:
             text = f"{node} is not in the picture"
-            weight = 5.0 if is_person or not brief.people else _LEFT_OUT
+            weight = 5.0 if is_person or not view.people else _LEFT_OUT
             found.append(fault("out_of_frame", node, weight, text, ops="zoom_out", dolly=-4.0))
             continue
         hidden = 1 - subject.visible_fraction / max(subject.in_frame_fraction, 1e-6)
         if hidden > _HIDDEN and subject.in_frame_fraction >= 0.02:
             text = f"{node} is {hidden:.0%} hidden"
             weight = 1 + 4 * (hidden - _HIDDEN)
-            weight = weight if is_person or not brief.people else min(weight, _LEFT_OUT)
+            weight = weight if is_person or not view.people else min(weight, _LEFT_OUT)
             found.append(fault("hidden", node, weight, text, ops=f"{_AROUND} orbit_up"))
         whole = size in WHOLE if is_person else kind == "insert"
         if whole and kind != "establishing" and subject.in_frame_fraction < 0.96:
             cut = 1 - subject.in_frame_fraction
             found.append(fault("cropped", node, 0.5 + 2 * cut, f"{node} is cut off", ops="zoom_out pan_down pan_up"))
         if is_person and kind != "establishing":
-            faces[node] = _face(brief, subject)
+            faces[node] = _face(view, subject)
     for node, faults in faces.items():
         # Of two in each other's arms one face is seen.
         held = [other for other in faces if other != node and _in_arms(moment, node, other)]
         found += [] if any(not faces[other] for other in held) else faults
-    over_node = brief.node(brief.instruction.over_id or "")
-    for node in () if size in TIGHT else brief.in_frame:
+    over_node = view.node(view.instruction.over_id or "")
+    for node in () if size in TIGHT else view.in_frame:
         other = subjects.get(node)
-        if other is not None and other.visible_fraction < 0.05 and node not in (*brief.focus, over_node):
+        if other is not None and other.visible_fraction < 0.05 and node not in (*view.focus, over_node):
             found.append(fault("missing", node, 1.0, f"{node} belongs in the picture", ops=f"zoom_out {_AROUND}"))
-    if brief.over is not None and (over := subjects.get(brief.over.node_id)) is not None:
-        found += _shoulder(brief, over)
+    if view.over is not None and (over := subjects.get(view.over.node_id)) is not None:
+        found += _shoulder(view, over)
     return found
 
 
-def _shoulder(brief: CameraOperatorView, over: SubjectView) -> list[Fault]:
+def _shoulder(view: CameraOperatorView, over: SubjectView) -> list[Fault]:
     """The partner is before the subject, with a head, and not somebody in the background."""
     aside = over.face is not None and abs(over.face[0] - 0.5) > AT_EDGE
-    far = wants_shoulder(brief) and over.head_height < LEAST_OVER
+    far = wants_shoulder(view) and over.head_height < LEAST_OVER
     if over.pixels < 0.02 or aside or far:
         return [fault("no_shoulder", over.node_id, 1.5, "the shoulder is not in the picture", ops=_AROUND)]
     if over.face is None or over.face[1] < 0:
@@ -194,9 +194,9 @@ def _in_arms(moment: Moment, one: str, other: str) -> bool:
     return first is not None and second is not None and math.dist(first.face, second.face) < _ARMS
 
 
-def _face(brief: CameraOperatorView, subject: SubjectView) -> list[Fault]:
+def _face(view: CameraOperatorView, subject: SubjectView) -> list[Fault]:
     node = subject.node_id
-    limit = face_limit(brief)
+    limit = face_limit(view)
     if subject.face is None or not (0.02 < subject.face[0] < 0.98 and -0.02 < subject.face[1] < 0.98):
         return [fault("face_out", node, 4.0, f"the face of {node} is out of the picture", ops="zoom_out")]
     found: list[Fault] = []
@@ -204,26 +204,26 @@ def _face(brief: CameraOperatorView, subject: SubjectView) -> list[Fault]:
         over = (subject.face_angle - limit) / 45
         text = f"the face of {node} is turned {subject.face_angle:.0f} degrees away"
         found.append(fault("face_away", node, min(0.6 + 1.5 * over, 2.5), text, ops=_AROUND))
-    elif subject.face_visible < _FACE_SHOWN and subject.face_angle < 100 and brief.instruction.size != "ECU":
+    elif subject.face_visible < _FACE_SHOWN and subject.face_angle < 100 and view.instruction.size != "ECU":
         short = _FACE_SHOWN - subject.face_visible
         ops = f"{_AROUND} orbit_up"
         found.append(fault("face_hidden", node, 1 + 3 * short, f"the face of {node} is hidden", ops=ops))
     return found
 
 
-def _place(view: CameraView) -> list[Fault]:
+def _place(seen: CameraView) -> list[Fault]:
     found = [
         fault("inside", node, 5.0, f"the camera is in {node}", ops="zoom_in zoom_out orbit_left orbit_right")
-        for node in view.inside
+        for node in seen.inside
     ]
-    if view.below_floor:
+    if seen.below_floor:
         found.append(fault("below_floor", "", 5.0, "the camera is below the floor", ops="orbit_up"))
     return found
 
 
-def _nothing(brief: CameraOperatorView, take: CameraOperatorDraft, camera: Orbit, view: CameraView) -> float:
+def _nothing(view: CameraOperatorView, take: CameraOperatorDraft, camera: Orbit, seen: CameraView) -> float:
     """Return the share of the picture that is empty, or that looks past the edge of the room."""
-    return view.void if brief.plan is None else max(view.void, outside(brief.plan, camera, take.hidden))
+    return seen.void if view.plan is None else max(seen.void, outside(view.plan, camera, take.hidden))
 
 
 def _void(share: float) -> list[Fault]:
@@ -233,45 +233,45 @@ def _void(share: float) -> list[Fault]:
     return [fault("void", "", points, text, ops="orbit_left orbit_right orbit_down zoom_in")]
 
 
-def _surroundings(brief: CameraOperatorView, view: CameraView) -> list[Fault]:
+def _surroundings(view: CameraOperatorView, seen: CameraView) -> list[Fault]:
     """Nothing looming, nobody cut by the frame, somebody to look at."""
     found: list[Fault] = []
-    kind = brief.instruction.kind
-    allowed = _FOREGROUND_OTS if brief.over is not None else _FOREGROUND
+    kind = view.instruction.kind
+    allowed = _FOREGROUND_OTS if view.over is not None else _FOREGROUND
     # A place that is shown for itself has a floor before its middle, and nobody to stand before.
-    if view.foreground > allowed and kind != "pov" and brief.named:
-        text = f"{view.foreground:.0%} of the picture is in front of the subject"
+    if seen.foreground > allowed and kind != "pov" and view.named:
+        text = f"{seen.foreground:.0%} of the picture is in front of the subject"
         ops = "zoom_in zoom_out orbit_left orbit_right orbit_up"
-        found.append(fault("foreground", "", 0.5 + 4 * (view.foreground - allowed), text, ops=ops))
-    own = {*(brief.focus or brief.named), brief.node(brief.instruction.over_id or "")} - {""}
-    covered = sum(subject.pixels for subject in view.subjects if subject.node_id in own)
-    if own and covered < 0.003 and kind not in ("establishing", "pov") and brief.instruction.size != "EWS":
+        found.append(fault("foreground", "", 0.5 + 4 * (seen.foreground - allowed), text, ops=ops))
+    own = {*(view.focus or view.named), view.node(view.instruction.over_id or "")} - {""}
+    covered = sum(subject.pixels for subject in seen.subjects if subject.node_id in own)
+    if own and covered < 0.003 and kind not in ("establishing", "pov") and view.instruction.size != "EWS":
         found.append(fault("empty", "", 3.0, "there is nothing to look at", ops="zoom_in"))
-    if kind == "establishing" and view.subjects and max(subject.visible_fraction for subject in view.subjects) < 0.3:
+    if kind == "establishing" and seen.subjects and max(subject.visible_fraction for subject in seen.subjects) < 0.3:
         found.append(fault("empty", "", 3.0, "nobody of the scene is seen", ops=f"{_AROUND} orbit_up zoom_in"))
     if kind != "pov":
         main = set() if kind == "establishing" else own
-        found += _bystanders(brief, view, main)
+        found += _bystanders(view, seen, main)
     return found
 
 
-def _bystanders(brief: CameraOperatorView, view: CameraView, own: set[str]) -> list[Fault]:
+def _bystanders(view: CameraOperatorView, seen: CameraView, own: set[str]) -> list[Fault]:
     """People outside the focus are whole from side to side, and only at home where the shot shows a place.
 
     Of an insert nobody is asked to be whole.
     """
     found: list[Fault] = []
-    largest = max((subject.pixels for subject in view.subjects if subject.node_id in own), default=0.0)
-    for subject in view.subjects:
+    largest = max((subject.pixels for subject in seen.subjects if subject.node_id in own), default=0.0)
+    for subject in seen.subjects:
         if subject.node_id in own or subject.box is None or subject.pixels < _SEEN:
             continue
         steals = subject.pixels > max(1.2 * largest, 0.1)
-        if subject.node_id in brief.strangers and (steals or brief.instruction.size not in WHOLE):
+        if subject.node_id in view.strangers and (steals or view.instruction.size not in WHOLE):
             text = f"{subject.node_id} {'steals the picture' if steals else 'has no part in the picture'}"
             found.append(fault("stranger", subject.node_id, 1.0, text, ops=f"{_AROUND} zoom_in"))
-        if subject.face is None or subject.pixels < 0.004 or brief.instruction.kind == "insert":
+        if subject.face is None or subject.pixels < 0.004 or view.instruction.kind == "insert":
             continue
-        top = _top(brief, subject)
+        top = _top(view, subject)
         if subject.pixels > 0.012 and (top < 0 or subject.face[1] > 1):
             text = f"the frame takes the head off {subject.node_id}"
             ops = f"{_AROUND} zoom_in zoom_out"
@@ -286,8 +286,8 @@ def _bystanders(brief: CameraOperatorView, view: CameraView, own: set[str]) -> l
     return found
 
 
-def _top(brief: CameraOperatorView, subject: SubjectView) -> float:
+def _top(view: CameraOperatorView, subject: SubjectView) -> float:
     """Return what of a bystander has to be below the picture's upper edge: the crown, in a tight shot the face."""
     assert subject.face is not None
-    crown = subject.head_top if brief.instruction.size not in TIGHT else None
+    crown = subject.head_top if view.instruction.size not in TIGHT else None
     return subject.face[1] if crown is None else crown

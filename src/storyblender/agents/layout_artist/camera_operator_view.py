@@ -332,9 +332,9 @@ def far_off(instruction: CameraInstruction, drawn: Moment, nodes: Sequence[str])
     return {each.node_id for each in people if math.dist(each.base[:2], people[0].base[:2]) > reach}
 
 
-def share_of(brief: CameraOperatorView, frame: int) -> float:
+def share_of(view: CameraOperatorView, frame: int) -> float:
     """Return the share of the shot's time at a frame."""
-    return min(frame / max(brief.duration - 1, 1), 1.0)
+    return min(frame / max(view.duration - 1, 1), 1.0)
 
 
 @dataclass(frozen=True)

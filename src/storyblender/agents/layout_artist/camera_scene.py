@@ -83,16 +83,16 @@ def shoot_scene(
     cameras: dict[int, CameraState] = {}
     cuts = SceneCuts()
     for shot in graph.shots_of(scene_id):
-        brief = cuts.match(shot, replace(camera_operator_view(graph, shot, plan, measures, moments(shot)), kit=kit))
-        state = shot.camera or _leaving_out(operate(brief, viewfinder, operator, listener), shot, brief)
+        view = cuts.match(shot, replace(camera_operator_view(graph, shot, plan, measures, moments(shot)), kit=kit))
+        state = shot.camera or _leaving_out(operate(view, viewfinder, operator, listener), shot, view)
         cameras[shot.shot_id] = state
-        cuts.follow(shot, brief, state)
+        cuts.follow(shot, view, state)
     return cameras
 
 
-def _leaving_out(state: CameraState, shot: ShotContext, brief: CameraOperatorView) -> CameraState:
+def _leaving_out(state: CameraState, shot: ShotContext, view: CameraOperatorView) -> CameraState:
     """Return the camera with whom it was meant to show and leaves out."""
-    left = tuple(node for node in shot.in_frame if node not in brief.in_frame)
+    left = tuple(node for node in shot.in_frame if node not in view.in_frame)
     return state.model_copy(update={"leaves_out": left}) if left else state
 
 

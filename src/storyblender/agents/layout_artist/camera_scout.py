@@ -92,48 +92,48 @@ CLEARED = 0.3
 """Points for sending somebody out of the picture who has no part in it: continuity minds a little."""
 
 
-def scouted(brief: CameraOperatorView) -> list[CameraOperatorDraft]:
+def scouted(view: CameraOperatorView) -> list[CameraOperatorDraft]:
     """Return compositions from all around, the most promising first; a point of view has only one.
 
     Where people show who have no part in a shot that is not about the place, the same take without them competes; so
     it does without the furniture that stands before the people.
     """
-    if brief.instruction.kind == "pov":
-        return [start(brief)]
-    turns, rises = _TURNS, _HIGH_RISES if len(brief.people) > 2 else _RISES
-    if brief.over is not None:
-        turns = _OVER_TURNS if wants_shoulder(brief) else (*_OVER_TURNS, *_PROFILE_TURNS)
+    if view.instruction.kind == "pov":
+        return [start(view)]
+    turns, rises = _TURNS, _HIGH_RISES if len(view.people) > 2 else _RISES
+    if view.over is not None:
+        turns = _OVER_TURNS if wants_shoulder(view) else (*_OVER_TURNS, *_PROFILE_TURNS)
     takes: dict[CameraOperatorDraft, float] = {}
-    for rise in _BOAT_RISES if aboard(brief.props.values(), brief.people) else rises:
+    for rise in _BOAT_RISES if aboard(view.props.values(), view.people) else rises:
         for turn in turns:
-            take = start(brief, turn, rise)
+            take = start(view, turn, rise)
             away = abs(turn) / 240 + rise / 45
-            takes.setdefault(take, cost(brief, take) + away)
-            cleared = _cleared(brief, take)
-            for other in (cleared, without(cleared, (*in_the_way(brief, take.camera), *covers(brief)))):
+            takes.setdefault(take, cost(view, take) + away)
+            cleared = _cleared(view, take)
+            for other in (cleared, without(cleared, (*in_the_way(view, take.camera), *covers(view)))):
                 if other not in takes:
-                    takes[other] = cost(brief, other) + away
+                    takes[other] = cost(view, other) + away
     return sorted(takes, key=lambda take: takes[take])
 
 
-def _cleared(brief: CameraOperatorView, take: CameraOperatorDraft) -> CameraOperatorDraft:
+def _cleared(view: CameraOperatorView, take: CameraOperatorDraft) -> CameraOperatorDraft:
     """Return the take without the strangers whom it would show, and without what they carry."""
-    if brief.instruction.size in WHOLE:
+    if view.instruction.size in WHOLE:
         return take
-    moments = brief.moments if take.moves else (brief.drawn,)
+    moments = view.moments if take.moves else (view.drawn,)
     gone: list[str] = []
     for moment in moments:
-        camera = take.at(share_of(brief, moment.frame))
-        for node in brief.strangers:
+        camera = take.at(share_of(view, moment.frame))
+        for node in view.strangers:
             figure = moment.figure(node)
-            if figure is not None and (_inside(camera, figure) or _beside(brief, figure)):
+            if figure is not None and (_inside(camera, figure) or _beside(view, figure)):
                 gone.append(node)
-    return without(take, belongings(brief, gone))
+    return without(take, belongings(view, gone))
 
 
-def belongings(brief: CameraOperatorView, people: Iterable[str]) -> list[str]:
+def belongings(view: CameraOperatorView, people: Iterable[str]) -> list[str]:
     """Return the node_ids of people and of what they carry."""
-    return [each for node in people for each in (node, *brief.carried.get(node, ()))]
+    return [each for node in people for each in (node, *view.carried.get(node, ()))]
 
 
 def without(take: CameraOperatorDraft, nodes: Iterable[str]) -> CameraOperatorDraft:
@@ -141,45 +141,45 @@ def without(take: CameraOperatorDraft, nodes: Iterable[str]) -> CameraOperatorDr
     return replace(take, hidden=tuple(dict.fromkeys((*take.hidden, *nodes))))
 
 
-def cost(brief: CameraOperatorView, take: CameraOperatorDraft) -> float:
+def cost(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
     """Return about how many points the critic would take off, from boxes and faces alone."""
-    points = sum(fault.severity for fault in cuts(brief, take)) + _position(brief, take)
-    if brief.plan is not None:
-        points += void_points(outside(brief.plan, take.camera, take.hidden))
-    points += CLEARED * sum(node in take.hidden for node in brief.strangers)
-    gone = [box for node, box in brief.props.items() if node in take.hidden and box.z < _STANDS]
+    points = sum(fault.severity for fault in cuts(view, take)) + _position(view, take)
+    if view.plan is not None:
+        points += void_points(outside(view.plan, take.camera, take.hidden))
+    points += CLEARED * sum(node in take.hidden for node in view.strangers)
+    gone = [box for node, box in view.props.items() if node in take.hidden and box.z < _STANDS]
     points += sum(min(_TAKEN + 0.5 * box.width * box.depth * box.height, 2.0) for box in gone)
-    return points + _people(brief, take) + _things(brief, take) + _kept(brief, take) + _before(brief, take)
+    return points + _people(view, take) + _things(view, take) + _kept(view, take) + _before(view, take)
 
 
-def _before(brief: CameraOperatorView, take: CameraOperatorDraft) -> float:
+def _before(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
     """Weigh what stands in the picture nearer than its people are, or its things; the middle third counts twice.
 
     What a picture of people is about counts as well, as the back of a piano does, unless they are in it. In a place
     that is shown for itself only the set counts, as the houses across the street do.
     """
-    kind, things = brief.instruction.kind, [(box.x, box.y, box.z + box.height / 2) for box in brief.things]
-    shown = [figure.face for figure in brief.people] or things
-    if (not shown and kind != "establishing") or brief.over is not None or kind in ("pov", "insert"):
+    kind, things = view.instruction.kind, [(box.x, box.y, box.z + box.height / 2) for box in view.things]
+    shown = [figure.face for figure in view.people] or things
+    if (not shown and kind != "establishing") or view.over is not None or kind in ("pov", "insert"):
         return 0.0
     camera, (columns, rows) = take.camera, GRID
     deep = max(float(project(camera, shown or [camera.pivot])[1].mean()), 0.5) - _OWN
     spots = camera.position + rays(camera, columns, rows) * deep
-    own = () if brief.people else brief.focus
-    boxes = solids(dict(brief.props) if shown else {}, brief.plan, (*take.hidden, *brief.vessels, *own))
+    own = () if view.people else view.focus
+    boxes = solids(dict(view.props) if shown else {}, view.plan, (*take.hidden, *view.vessels, *own))
     taken = find_hidden(boxes, camera.position, spots).reshape(rows, columns).mean(0)
     third = columns // 3
     share = (taken.sum() + taken[third : columns - third].sum()) / (2 * columns - 2 * third)
-    return 8.0 * (max(0.0, float(share) - _FRONT) + max(0.0, backs(brief, take, deep + 2 * _OWN) - _BACKSIDE))
+    return 8.0 * (max(0.0, float(share) - _FRONT) + max(0.0, backs(view, take, deep + 2 * _OWN) - _BACKSIDE))
 
 
-def _kept(brief: CameraOperatorView, take: CameraOperatorDraft) -> float:
+def _kept(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
     """Weigh moments of the shot at which its first person has left the picture; one of several may come and go."""
-    points, price = 0.0, _COMES if len(brief.people) > 1 else _LEAVES
-    for moment in brief.moments if brief.focus and brief.instruction.kind != "establishing" else ():
-        figure = moment.figure(brief.focus[0])
+    points, price = 0.0, _COMES if len(view.people) > 1 else _LEAVES
+    for moment in view.moments if view.focus and view.instruction.kind != "establishing" else ():
+        figure = moment.figure(view.focus[0])
         if figure is not None:
-            points += price * (not _framed(take.at(share_of(brief, moment.frame)), figure))
+            points += price * (not _framed(take.at(share_of(view, moment.frame)), figure))
     return points
 
 
@@ -188,16 +188,16 @@ def _framed(camera: Orbit, figure: Figure) -> bool:
     return bool(depth[0] > 0.1 and ((screen > _MARGIN) & (screen < 1 - _MARGIN)).all())
 
 
-def _things(brief: CameraOperatorView, take: CameraOperatorDraft) -> float:
+def _things(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
     """Weigh focus things that are out of the picture."""
-    if not brief.things or brief.instruction.kind == "establishing":
+    if not view.things or view.instruction.kind == "establishing":
         return 0.0
-    middles = [(box.x, box.y, box.z + box.height / 2) for box in brief.things]
+    middles = [(box.x, box.y, box.z + box.height / 2) for box in view.things]
     screen, depth = project(take.camera, middles)
     framed, points = (depth > 0.1) & ((screen > _MARGIN) & (screen < 1 - _MARGIN)).all(1), 0.0
-    if brief.instruction.kind == "insert":
-        spots = [(box.x, box.y, box.top) for box in brief.things]
-        figures, boxes = brief.drawn.figures, _solids(brief, take.hidden)
+    if view.instruction.kind == "insert":
+        spots = [(box.x, box.y, box.top) for box in view.things]
+        figures, boxes = view.drawn.figures, _solids(view, take.hidden)
         bodies = [box for figure in figures if figure.node_id not in take.hidden for box in body(figure)]
         around = [box for box in [*bodies, *boxes] if any(_meets(box, *spot, near=0.0) for spot in spots)]
         # What it lies in, as a hand by the hip lies in the box of a chair, would hide it from everywhere: only its top
@@ -205,33 +205,33 @@ def _things(brief: CameraOperatorView, take: CameraOperatorDraft) -> float:
         tops = [lidded(box) for box in around if not any(holds(box, figure) for figure in figures)]
         boxes = [*(box for box in [*bodies, *boxes] if box not in around), *tops]
         framed &= ~find_hidden(boxes, take.camera.position, spots, _AT_HAND)
-    elif at_hand(brief):
-        boxes = [box for figure in brief.drawn.figures if figure.node_id not in take.hidden for box in body(figure)]
-        small = np.array([box in at_hand(brief) for box in brief.things])
+    elif at_hand(view):
+        boxes = [box for figure in view.drawn.figures if figure.node_id not in take.hidden for box in body(figure)]
+        small = np.array([box in at_hand(view) for box in view.things])
         points += _UNSEEN * float((framed & small & find_hidden(boxes, take.camera.position, middles, _AT_HAND)).sum())
-    lost = 1.6 if brief.people and brief.instruction.explicit else 1.0 if brief.people else 2.5
-    return points + lost * float((~framed).sum()) + _wrong_side(brief, take.camera)
+    lost = 1.6 if view.people and view.instruction.explicit else 1.0 if view.people else 2.5
+    return points + lost * float((~framed).sum()) + _wrong_side(view, take.camera)
 
 
-def _wrong_side(brief: CameraOperatorView, camera: Orbit) -> float:
+def _wrong_side(view: CameraOperatorView, camera: Orbit) -> float:
     """Score an insert that shows the side or the back of its thing, such as a screen or a clock."""
-    if brief.instruction.kind != "insert" or brief.detail is not None or not brief.things:
+    if view.instruction.kind != "insert" or view.detail is not None or not view.things:
         return 0.0
-    around = abs(math.remainder(camera.azimuth - math.degrees(brief.things[0].yaw), 360.0))
+    around = abs(math.remainder(camera.azimuth - math.degrees(view.things[0].yaw), 360.0))
     return _BACK * max(0.0, around - _SIDE) / (180.0 - _SIDE)
 
 
-def _position(brief: CameraOperatorView, take: CameraOperatorDraft) -> float:
+def _position(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
     """Weigh a camera in the floor, in a thing or in somebody."""
     points = 0.0
-    passing = [figure for moment in brief.moments for figure in moment.figures]
+    passing = [figure for moment in view.moments for figure in moment.figures]
     there = [figure for figure in passing if figure.node_id not in take.hidden]
     for camera in dict.fromkeys((take.start, take.end)):
         x, y, z = (float(value) for value in camera.position)
         points += 5.0 * (z < 0.12)
-        points += 5.0 * any(_meets(box, x, y, z) for box in _solids(brief, take.hidden))
+        points += 5.0 * any(_meets(box, x, y, z) for box in _solids(view, take.hidden))
         for each in there:
-            near = _AT_BACK if brief.over is not None and each.node_id == brief.over.node_id else _NEAR
+            near = _AT_BACK if view.over is not None and each.node_id == view.over.node_id else _NEAR
             points += 5.0 * any(_meets(box, x, y, z, near) for box in body(each))
     return points
 
@@ -240,47 +240,47 @@ def _meets(box: Box, x: float, y: float, z: float, near: float = _NEAR) -> bool:
     return box.z - near < z < box.top + near and distance_to_point(box, x, y) <= near
 
 
-def _solids(brief: CameraOperatorView, hidden: Sequence[str]) -> list[Box]:
-    own = belongings(brief, brief.named) if brief.detail is not None else brief.focus
-    return solids(dict(brief.props), brief.plan, (*hidden, *own))
+def _solids(view: CameraOperatorView, hidden: Sequence[str]) -> list[Box]:
+    own = belongings(view, view.named) if view.detail is not None else view.focus
+    return solids(dict(view.props), view.plan, (*hidden, *own))
 
 
-def _people(brief: CameraOperatorView, take: CameraOperatorDraft) -> float:
+def _people(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
     """Weigh faces turned away, people hidden or out of the picture, and people who have no part in it."""
-    moment = brief.drawn
-    camera, instruction, points = take.camera, brief.instruction, 0.0
+    moment = view.drawn
+    camera, instruction, points = take.camera, view.instruction, 0.0
     there = [figure for figure in moment.figures if figure.node_id not in take.hidden]
-    solid = solids(dict(brief.props), brief.plan, take.hidden)
+    solid = solids(dict(view.props), view.plan, take.hidden)
     wanted = SIZES[instruction.size].head
-    points += _gap(brief, camera)
+    points += _gap(view, camera)
     bodies = {figure.node_id: body(figure) for figure in there}
     for figure in there:
         others = [box for other in there if other is not figure for box in bodies[other.node_id]]
-        if figure.node_id in brief.focus and instruction.kind != "establishing":
-            points += _subject(brief, camera, figure, [*others, *opened(solid, figure)])
-        elif figure is brief.over:
+        if figure.node_id in view.focus and instruction.kind != "establishing":
+            points += _subject(view, camera, figure, [*others, *opened(solid, figure)])
+        elif figure is view.over:
             (near,), _ = project(camera, [figure.face])
             head = head_share(camera, figure)
             aside = abs(float(near[0]) - 0.5) > min(AT_EDGE, _SHOULDER_IN + 0.5 * head)
-            points += 1.5 * (aside or (wants_shoulder(brief) and head < LEAST_OVER))
-        elif figure.node_id in brief.in_frame and instruction.size not in TIGHT:
+            points += 1.5 * (aside or (wants_shoulder(view) and head < LEAST_OVER))
+        elif figure.node_id in view.in_frame and instruction.size not in TIGHT:
             whole = _framed(camera, figure) and project(camera, figure.crown)[0][0, 1] > 0
             points += 0.8 * (not whole or hidden_share(camera, figure, [*others, *solid]) > _MOST)
             if instruction.kind == "establishing":
                 points += _cut_off(camera, figure)
-                points += 0.0 if brief.in_stride else _TURNED * _behind(camera, figure) / len(brief.in_frame)
+                points += 0.0 if view.in_stride else _TURNED * _behind(camera, figure) / len(view.in_frame)
             points += _LOOMING * max(0.0, math.log(head_share(camera, figure) / wanted) - 0.5) * _inside(camera, figure)
-        elif figure.node_id in brief.strangers and brief.focus and instruction.size not in WHOLE:
+        elif figure.node_id in view.strangers and view.focus and instruction.size not in WHOLE:
             points += 0.9 * (_inside(camera, figure) and hidden_share(camera, figure, solid) < 1)
-        elif figure.node_id in brief.strangers and instruction.kind not in ("establishing", "insert"):
-            points += _back(brief, camera, figure) + _beheaded(camera, figure)
+        elif figure.node_id in view.strangers and instruction.kind not in ("establishing", "insert"):
+            points += _back(view, camera, figure) + _beheaded(camera, figure)
     return points
 
 
-def _gap(brief: CameraOperatorView, camera: Orbit) -> float:
+def _gap(view: CameraOperatorView, camera: Orbit) -> float:
     """Penalise an empty middle between people far apart: a camera along their line brings them together."""
-    people = brief.people if brief.instruction.size not in ("WS", "EWS") and brief.over is None else ()
-    if len(people) < 2 or brief.instruction.kind in ("establishing", "pov", "insert"):
+    people = view.people if view.instruction.size not in ("WS", "EWS") and view.over is None else ()
+    if len(people) < 2 or view.instruction.kind in ("establishing", "pov", "insert"):
         return 0.0
     across = project(camera, [figure.face for figure in people])[0][:, 0]
     gap = widest_face_gap([(float(x), head_share(camera, each)) for x, each in zip(across, people, strict=True)],
@@ -296,9 +296,9 @@ def _beheaded(camera: Orbit, figure: Figure) -> float:
     return _HEADLESS * bool(crown[1] < 0 or face[1] > 1)
 
 
-def _back(brief: CameraOperatorView, camera: Orbit, figure: Figure) -> float:
+def _back(view: CameraOperatorView, camera: Orbit, figure: Figure) -> float:
     """Weigh the back of somebody beside the first person: who is that near takes part, and has a face."""
-    near = brief.people and math.dist(figure.base[:2], brief.people[0].base[:2]) < _COMPANY
+    near = view.people and math.dist(figure.base[:2], view.people[0].base[:2]) < _COMPANY
     if not near or not _inside(camera, figure):
         return 0.0
     return _BACK * _behind(camera, figure)
@@ -309,27 +309,27 @@ def _behind(camera: Orbit, figure: Figure) -> float:
     return max(0.0, figure.turned_from(camera.position) - _FROM_BEHIND) / (180.0 - _FROM_BEHIND)
 
 
-def _subject(brief: CameraOperatorView, camera: Orbit, figure: Figure, boxes: Sequence[Box]) -> float:
+def _subject(view: CameraOperatorView, camera: Orbit, figure: Figure, boxes: Sequence[Box]) -> float:
     """Weigh one of the people whom the shot is about."""
-    lead = figure.node_id == brief.people[0].node_id if brief.people else True
+    lead = figure.node_id == view.people[0].node_id if view.people else True
     weight = 1.0 if lead else 0.6
     # Who walks off from the one over whose shoulder they are seen may show their back.
-    leaves = looks_after(brief) is not None and brief.in_stride
-    limit = min(face_limit(brief), math.inf if leaves or brief.instruction.behind else 75.0)
+    leaves = looks_after(view) is not None and view.in_stride
+    limit = min(face_limit(view), math.inf if leaves or view.instruction.behind else 75.0)
     turned = figure.turned_from(camera.position)
-    points = weight * (2.0 * max(0.0, (turned - limit) / 60) + _NO_FACE * (turned > face_limit(brief)))
-    if brief.instruction.behind:
+    points = weight * (2.0 * max(0.0, (turned - limit) / 60) + _NO_FACE * (turned > face_limit(view)))
+    if view.instruction.behind:
         points += weight * _FACED * (1 - _behind(camera, figure))
     else:
         points += weight * _bent_from_behind(camera, figure)
     if not _framed(camera, figure):
         return points + 3.0
     x = float(project(camera, [figure.face])[0][0, 0])
-    points += len(brief.people) > 1 and not AT_SIDE < x < 1 - AT_SIDE
+    points += len(view.people) > 1 and not AT_SIDE < x < 1 - AT_SIDE
     share = hidden_share(camera, figure, boxes)
     points += weight * (2.5 * _covered(camera, [figure.face], boxes) + (1 + 4 * (share - _MOST)) * (share > _MOST))
-    points += _cut_off(camera, figure) * (brief.instruction.size in WHOLE)
-    off = math.log(head_share(camera, figure) / SIZES[brief.instruction.size].head)
+    points += _cut_off(camera, figure) * (view.instruction.size in WHOLE)
+    off = math.log(head_share(camera, figure) / SIZES[view.instruction.size].head)
     return points + 0.8 * max(0.0, -off - 0.5) * lead + _LOOMING * max(0.0, off - 0.35)
 
 
@@ -369,10 +369,10 @@ def _body_spots(camera: Orbit, figure: Figure) -> Floats:
     return np.concatenate([column - aside, column, column + aside])
 
 
-def _beside(brief: CameraOperatorView, figure: Figure) -> bool:
+def _beside(view: CameraOperatorView, figure: Figure) -> bool:
     """Return whether somebody is so near the thing of an insert that a lap or a sleeve may show."""
-    near = (math.dist((box.x, box.y), figure.base[:2]) < _LAP for box in brief.things)
-    return brief.instruction.kind == "insert" and any(near)
+    near = (math.dist((box.x, box.y), figure.base[:2]) < _LAP for box in view.things)
+    return view.instruction.kind == "insert" and any(near)
 
 
 def _inside(camera: Orbit, figure: Figure) -> bool:

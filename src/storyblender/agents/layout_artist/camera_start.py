@@ -53,95 +53,95 @@ _FITTINGS = 4
 """A wider lens changes the composition, and so the room that it needs."""
 
 
-def start(brief: CameraOperatorView, turn: float = 0.0, rise: float = 0.0) -> CameraOperatorDraft:
+def start(view: CameraOperatorView, turn: float = 0.0, rise: float = 0.0) -> CameraOperatorDraft:
     """Return the analytic take of a shot, in the room where the place has one.
 
     Args:
-        brief: The shot.
+        view: The shot.
         turn: Degrees to go round from the preferred azimuth; the composition is made anew there.
         rise: Degrees to go up from the preferred elevation.
     """
-    camera = _compose(brief, brief.lens, turn, rise)
-    kind = brief.instruction.kind
-    if brief.over is None and kind != "pov":
-        if kind not in ("establishing", "insert") and len(brief.people) > 1:
-            camera = inside(brief, camera)
+    camera = _compose(view, view.lens, turn, rise)
+    kind = view.instruction.kind
+    if view.over is None and kind != "pov":
+        if kind not in ("establishing", "insert") and len(view.people) > 1:
+            camera = inside(view, camera)
         else:
-            widest = "WS" if kind == "insert" or not brief.people else brief.instruction.size
+            widest = "WS" if kind == "insert" or not view.people else view.instruction.size
             # A lens that was asked for is the lens: then the camera only walks.
-            for _ in range(0 if brief.instruction.lens else _FITTINGS):
-                lens = brief.widened(fitted(brief.plan, camera, widest).lens)
+            for _ in range(0 if view.instruction.lens else _FITTINGS):
+                lens = view.widened(fitted(view.plan, camera, widest).lens)
                 if lens == camera.lens:
                     break
-                camera = _compose(brief, lens, turn, rise)
-        if kind == "establishing" or not brief.people:
-            camera = walked_in(brief.plan, camera)
-    if kind != "insert" and at_hand(brief) and brief.over is None and kind not in ("pov", "establishing"):
-        camera = _with_things(brief, camera)
-    if brief.instruction.angle == "dutch":
+                camera = _compose(view, lens, turn, rise)
+        if kind == "establishing" or not view.people:
+            camera = walked_in(view.plan, camera)
+    if kind != "insert" and at_hand(view) and view.over is None and kind not in ("pov", "establishing"):
+        camera = _with_things(view, camera)
+    if view.instruction.angle == "dutch":
         camera = roll(camera, framing.DUTCH_ROLL)
-    return take(brief, camera)
+    return take(view, camera)
 
 
-def take(brief: CameraOperatorView, camera: Orbit) -> CameraOperatorDraft:
+def take(view: CameraOperatorView, camera: Orbit) -> CameraOperatorDraft:
     """Return the take around a composition: its move, centred on it, and the walls it needs away."""
-    instruction = brief.instruction
+    instruction = view.instruction
     first = last = camera
     span = (0.0, 1.0)
-    if _waits(brief):
+    if _waits(view):
         first = last = camera
-    elif _follows(brief, camera):
+    elif _follows(view, camera):
         # What is drawn is composed; before it and after it the camera goes with the walk.
-        span, done, travel = *_walk(brief), np.asarray(brief.travel)
+        span, done, travel = *_walk(view), np.asarray(view.travel)
         first = follow_subject(camera, instruction.movement, tuple(-done * travel))
         last = follow_subject(camera, instruction.movement, tuple((1 - done) * travel))
     elif instruction.movement != "static":
         direction = instruction.direction
         first, last = (move_camera(camera, instruction.movement, direction, share) for share in (-0.5, 0.5))
     hidden: list[str] = []
-    if brief.plan is not None:
-        hidden = taken_away(brief.plan, brief.loose, dict.fromkeys((first, camera, last)), _targets(brief))
+    if view.plan is not None:
+        hidden = taken_away(view.plan, view.loose, dict.fromkeys((first, camera, last)), _targets(view))
     if instruction.kind == "pov" and instruction.pov_id is not None:
-        hidden.append(brief.node(instruction.pov_id))
+        hidden.append(view.node(instruction.pov_id))
     return CameraOperatorDraft(camera, first, last, tuple(hidden), span)
 
 
-def _targets(brief: CameraOperatorView) -> list[np.ndarray]:
+def _targets(view: CameraOperatorView) -> list[np.ndarray]:
     """Return the points that have to be seen at any time."""
     faces = [
         np.asarray(figure.face)
-        for moment in brief.moments
-        for node in (*brief.focus, *brief.in_frame)
+        for moment in view.moments
+        for node in (*view.focus, *view.in_frame)
         if (figure := moment.figure(node)) is not None
     ]
-    return faces + [np.array([box.x, box.y, box.z + box.height / 2]) for box in brief.things]
+    return faces + [np.array([box.x, box.y, box.z + box.height / 2]) for box in view.things]
 
 
-def _waits(brief: CameraOperatorView) -> bool:
+def _waits(view: CameraOperatorView) -> bool:
     """Return whether the picture holds a group wherever its walkers go, so that the camera need not follow."""
-    return len(brief.people) > 1 and len(brief.stages) > len(brief.people)
+    return len(view.people) > 1 and len(view.stages) > len(view.people)
 
 
-def _follows(brief: CameraOperatorView, camera: Orbit) -> bool:
+def _follows(view: CameraOperatorView, camera: Orbit) -> bool:
     """Return whether the camera goes with a walker: told to, or the walk would leave the picture."""
-    if not brief.walks or brief.instruction.kind in ("establishing", "pov", "insert"):
+    if not view.walks or view.instruction.kind in ("establishing", "pov", "insert"):
         return False
-    if brief.instruction.movement in ("pan", "track"):
+    if view.instruction.movement in ("pan", "track"):
         return True
-    if brief.instruction.movement != "static":
+    if view.instruction.movement != "static":
         return False
-    faces = [figure.face for moment in brief.moments if (figure := moment.figure(brief.walker)) is not None]
+    faces = [figure.face for moment in view.moments if (figure := moment.figure(view.walker)) is not None]
     screen, depth = framing.project(camera, faces)
     return bool(screen[:, 0].min() < 0.1 or screen[:, 0].max() > 0.9 or depth.min() < 0.5)
 
 
-def _walk(brief: CameraOperatorView) -> tuple[tuple[float, float], float]:
+def _walk(view: CameraOperatorView) -> tuple[tuple[float, float], float]:
     """Return the shares of the shot's time in which the camera goes with a walk, and how much of it is done when drawn.
 
     A walk that is over by then, or has not begun, is not followed any further than it goes.
     """
-    first, drawn, last = (moment.figure(brief.walker) for moment in (brief.moments[0], brief.drawn, brief.moments[-1]))
-    share = share_of(brief, brief.drawn.frame)
+    first, drawn, last = (moment.figure(view.walker) for moment in (view.moments[0], view.drawn, view.moments[-1]))
+    share = share_of(view, view.drawn.frame)
     if first is not None and drawn is not None and last is not None:
         if math.dist(drawn.base[:2], last.base[:2]) < TRAVEL / 2:
             return (0.0, share), 1.0
@@ -150,45 +150,45 @@ def _walk(brief: CameraOperatorView) -> tuple[tuple[float, float], float]:
     return (0.0, 1.0), ease_in_out(share)
 
 
-def _compose(brief: CameraOperatorView, lens: float, turn: float, rise: float) -> Orbit:
-    instruction, film, people = brief.instruction, brief.film, brief.people
+def _compose(view: CameraOperatorView, lens: float, turn: float, rise: float) -> Orbit:
+    instruction, film, people = view.instruction, view.film, view.people
     elevation = framing.elevation_of(instruction.angle, instruction.size) + rise
-    if instruction.kind == "pov" and (pov := _pov(brief, lens)) is not None:
+    if instruction.kind == "pov" and (pov := _pov(view, lens)) is not None:
         return pov
-    if instruction.kind == "establishing" or not (people or brief.things):
+    if instruction.kind == "establishing" or not (people or view.things):
         up = max(elevation, _MASTER_ELEVATION)
         fill = 0.6 if instruction.size == "EWS" else 0.8
-        camera = framing.frame_master(film, brief.bounds(), _MASTER_AZIMUTH + turn, up, lens, fill)
-        return _near_enough(brief, camera)
+        camera = framing.frame_master(film, view.bounds(), _MASTER_AZIMUTH + turn, up, lens, fill)
+        return _near_enough(view, camera)
     lead = people[0] if people else None
-    if lead is None and instruction.size in WHOLE and instruction.kind != "insert" and _by_things(brief):
-        azimuth = towards_audience(math.degrees(brief.things[0].yaw), 50.0) + _MASTER_AZIMUTH + turn
-        camera = framing.frame_master(film, brief.bounds(), azimuth, max(elevation, _MASTER_ELEVATION), lens, _HELD)
-        return _near_enough(brief, camera)
-    if lead is None or (brief.things and instruction.kind == "insert"):
-        return _of_things(brief, lens, turn, rise)
-    if (over := brief.over) is not None:
-        side = line_side(brief, lead, over)
+    if lead is None and instruction.size in WHOLE and instruction.kind != "insert" and _by_things(view):
+        azimuth = towards_audience(math.degrees(view.things[0].yaw), 50.0) + _MASTER_AZIMUTH + turn
+        camera = framing.frame_master(film, view.bounds(), azimuth, max(elevation, _MASTER_ELEVATION), lens, _HELD)
+        return _near_enough(view, camera)
+    if lead is None or (view.things and instruction.kind == "insert"):
+        return _of_things(view, lens, turn, rise)
+    if (over := view.over) is not None:
+        side = line_side(view, lead, over)
         camera = framing.frame_over_shoulder(film, lead, over, instruction.size, side, elevation - 2, lens)
-        if abs(turn) > (_LEAVING_TURN if brief.in_stride and looks_after(brief) is not None else _SHOULDER_TURN):
+        if abs(turn) > (_LEAVING_TURN if view.in_stride and looks_after(view) is not None else _SHOULDER_TURN):
             return framing.frame_group(film, (lead, over), instruction.size, camera.azimuth + turn, elevation, lens)
         return orbit(camera, turn) if turn else camera
     if len(people) > 1:
         around = turn + (180.0 if instruction.behind else 0.0)
-        return grouped(brief, lens, group_azimuth(brief) + around, elevation)
-    if brief.in_stride and not _tight(brief):
-        return _of_walk(brief, lead, lens, turn, elevation)
-    azimuth = _single_azimuth(brief, lead) + turn
-    shown = lead if _tight(brief) else brief.upright(lead)
+        return grouped(view, lens, group_azimuth(view) + around, elevation)
+    if view.in_stride and not _tight(view):
+        return _of_walk(view, lead, lens, turn, elevation)
+    azimuth = _single_azimuth(view, lead) + turn
+    shown = lead if _tight(view) else view.upright(lead)
     if instruction.size not in WHOLE and shown.face[2] - lead.face[2] > _SQUATS:
         shown = lead
     return framing.frame_single(film, shown, instruction.size, azimuth, elevation, lens)
 
 
-def _with_things(brief: CameraOperatorView, camera: Orbit) -> Orbit:
+def _with_things(view: CameraOperatorView, camera: Orbit) -> Orbit:
     """Return the camera panned, and moved back a little, until the things that its people hold are in the picture."""
-    things = np.concatenate([corners(box) for box in at_hand(brief)])
-    heads = [point for each in brief.people for point in (each.crown, each.face)]
+    things = np.concatenate([corners(box) for box in at_hand(view)])
+    heads = [point for each in view.people for point in (each.crown, each.face)]
     points = np.concatenate([np.asarray(heads, float), things])
     for _ in range(2):
         screen, depth = framing.project(camera, points)
@@ -204,37 +204,37 @@ def _with_things(brief: CameraOperatorView, camera: Orbit) -> Orbit:
     return camera
 
 
-def looks_after(brief: CameraOperatorView) -> Figure | None:
+def looks_after(view: CameraOperatorView) -> Figure | None:
     """Return over whose shoulder the camera looks, if they see a back: the subject does not look at them."""
-    over = brief.over
-    return over if over is not None and brief.people[0].turned_from(over.face) >= TALKS else None
+    over = view.over
+    return over if over is not None and view.people[0].turned_from(over.face) >= TALKS else None
 
 
-def wants_shoulder(brief: CameraOperatorView) -> bool:
+def wants_shoulder(view: CameraOperatorView) -> bool:
     """Return whether a shoulder has to be before the subject: not where a side shows more of somebody than a back."""
-    return brief.over is not None and (looks_after(brief) is None or brief.in_stride)
+    return view.over is not None and (looks_after(view) is None or view.in_stride)
 
 
-def face_limit(brief: CameraOperatorView) -> float:
+def face_limit(view: CameraOperatorView) -> float:
     """Return the degrees a focus face may be turned away: far on a walk, and away from who looks after it."""
-    if brief.instruction.behind:
+    if view.instruction.behind:
         return 180.0
-    if brief.in_stride:
-        return 150.0 if looks_after(brief) is None else 180.0
-    if brief.over is not None and brief.instruction.explicit:
+    if view.in_stride:
+        return 150.0 if looks_after(view) is None else 180.0
+    if view.over is not None and view.instruction.explicit:
         return framing.FACE_ANGLE["two_shot"]
-    return framing.FACE_ANGLE.get(brief.instruction.kind, 108.0)
+    return framing.FACE_ANGLE.get(view.instruction.kind, 108.0)
 
 
-def _near_enough(brief: CameraOperatorView, camera: Orbit) -> Orbit:
+def _near_enough(view: CameraOperatorView, camera: Orbit) -> Orbit:
     """Bring a master to where its nearest person is large enough to be somebody, and small enough for a place."""
-    meant = {*brief.focus, *brief.in_frame}
-    people = [figure for figure in brief.drawn.figures if figure.node_id in meant]
+    meant = {*view.focus, *view.in_frame}
+    people = [figure for figure in view.drawn.figures if figure.node_id in meant]
     if not people:
         return camera
     tall = max(figure.crown[2] - figure.base[2] for figure in people)
     _, depth = framing.project(camera, [figure.face for figure in people])
-    size, nearest = brief.instruction.size, float(depth.min())
+    size, nearest = view.instruction.size, float(depth.min())
     least, most = (
         framing.distance_for(tall, share, camera.tangent) for share in (_TALL, _SHORTEST if size == "EWS" else _SHORT)
     )
@@ -243,105 +243,105 @@ def _near_enough(brief: CameraOperatorView, camera: Orbit) -> Orbit:
     if nearest <= most:
         return camera
     points = [point for figure in people for point in (figure.base, figure.crown)]
-    held = framing.frame_master(brief.film, points, camera.azimuth, camera.elevation, camera.lens, _HELD)
+    held = framing.frame_master(view.film, points, camera.azimuth, camera.elevation, camera.lens, _HELD)
     if held.distance >= most:
         return held
     middle = np.mean([(*figure.face[:2], (figure.face[2] + figure.base[2]) / 2) for figure in people], axis=0)
-    near = brief.film.look(middle, camera.azimuth, camera.elevation, max(most, 2.0), camera.lens)
+    near = view.film.look(middle, camera.azimuth, camera.elevation, max(most, 2.0), camera.lens)
     return framing.place_on_screen(near, middle, 0.5, 0.6)
 
 
-def _by_things(brief: CameraOperatorView) -> bool:
+def _by_things(view: CameraOperatorView) -> bool:
     """Return whether people are near the things of the picture, so that one view holds them all."""
-    people = [figure for figure in brief.drawn.figures if figure.node_id in brief.in_frame]
-    near = (distance_to_point(box, *figure.base[:2]) < _COMPANY for figure in people for box in brief.things)
+    people = [figure for figure in view.drawn.figures if figure.node_id in view.in_frame]
+    near = (distance_to_point(box, *figure.base[:2]) < _COMPANY for figure in people for box in view.things)
     return bool(people) and any(near)
 
 
-def _tight(brief: CameraOperatorView) -> bool:
-    return brief.instruction.size in TIGHT
+def _tight(view: CameraOperatorView) -> bool:
+    return view.instruction.size in TIGHT
 
 
-def _pov(brief: CameraOperatorView, lens: float) -> Orbit | None:
+def _pov(view: CameraOperatorView, lens: float) -> Orbit | None:
     """Return the view through somebody's eyes to the first focus, or straight ahead."""
-    eyes = brief.drawn.figure(brief.node(brief.instruction.pov_id or ""))
+    eyes = view.drawn.figure(view.node(view.instruction.pov_id or ""))
     if eyes is None:
         return None
     target = np.asarray(eyes.face) + 3 * np.asarray(eyes.forward)
-    if brief.people:
-        target = np.mean([figure.face for figure in brief.people], axis=0)
-    elif brief.things:
-        target = np.mean([corners(box).mean(0) for box in brief.things], axis=0)
-    lens = brief.instruction.lens or (lens if lens <= _EYES else brief.widened(_EYES))
-    return framing.frame_point_of_view(brief.film, eyes, target, lens)
+    if view.people:
+        target = np.mean([figure.face for figure in view.people], axis=0)
+    elif view.things:
+        target = np.mean([corners(box).mean(0) for box in view.things], axis=0)
+    lens = view.instruction.lens or (lens if lens <= _EYES else view.widened(_EYES))
+    return framing.frame_point_of_view(view.film, eyes, target, lens)
 
 
-def _of_things(brief: CameraOperatorView, lens: float, turn: float, rise: float) -> Orbit:
+def _of_things(view: CameraOperatorView, lens: float, turn: float, rise: float) -> Orbit:
     """Frame things: from above if they lie on a table, level if they hang; from the front, on the audience's side."""
-    points = np.concatenate([corners(box) for box in brief.things])
-    box = brief.things[0]
+    points = np.concatenate([corners(box) for box in view.things])
+    box = view.things[0]
     high = points[:, 2].mean() > 1.25 or box.height > 1.2
-    angle = framing.ELEVATION[brief.instruction.angle]
+    angle = framing.ELEVATION[view.instruction.angle]
     elevation = (max(angle, 4.0) if high else max(angle, _INSERT_ELEVATION)) + rise
     azimuth = towards_audience(math.degrees(box.yaw), 50.0) + 12.0 + turn
     extent = float(np.ptp(points, axis=0).max())
-    wide = SIZES[brief.instruction.size].fill_large if extent >= _LARGE else None
-    fill = wide or SIZES[brief.instruction.size].fill
-    return framing.frame_insert(brief.film, points, azimuth, elevation, lens, fill)
+    wide = SIZES[view.instruction.size].fill_large if extent >= _LARGE else None
+    fill = wide or SIZES[view.instruction.size].fill
+    return framing.frame_insert(view.film, points, azimuth, elevation, lens, fill)
 
 
-def _of_walk(brief: CameraOperatorView, figure: Figure, lens: float, turn: float, elevation: float) -> Orbit:
+def _of_walk(view: CameraOperatorView, figure: Figure, lens: float, turn: float, elevation: float) -> Orbit:
     """Frame a walk from the side and a little ahead, on the audience's side."""
-    heading = math.degrees(math.atan2(brief.travel[0], -brief.travel[1]))
+    heading = math.degrees(math.atan2(view.travel[0], -view.travel[1]))
     sides = [heading + 62.0, heading - 62.0]
     azimuth = min(sides, key=lambda angle: abs(turned(angle))) + turn
-    return framing.frame_single(brief.film, figure, brief.instruction.size, azimuth, elevation, lens)
+    return framing.frame_single(view.film, figure, view.instruction.size, azimuth, elevation, lens)
 
 
-def _single_azimuth(brief: CameraOperatorView, figure: Figure) -> float:
+def _single_azimuth(view: CameraOperatorView, figure: Figure) -> float:
     """Return from where one person is taken: matching the reverse, on the line's side, not where the cut would jump."""
-    if brief.instruction.behind:
+    if view.instruction.behind:
         return towards_audience(figure.yaw + 180.0, _OFF_BACK)
-    if (matched := _reverse_azimuth(brief, figure)) is not None:
+    if (matched := _reverse_azimuth(view, figure)) is not None:
         return matched
-    size = brief.instruction.size
+    size = view.instruction.size
     off = SIZES[size].off_face
     choices = [figure.yaw + off, figure.yaw - off]
-    if brief.instruction.kind == "action" and size in (*WHOLE, "MWS"):
+    if view.instruction.kind == "action" and size in (*WHOLE, "MWS"):
         choices.insert(0, towards_audience(figure.yaw, 55.0))
     choices += [figure.yaw, figure.yaw + 65.0, figure.yaw - 65.0]
-    return min(choices, key=lambda angle: (_cost(brief, figure, angle), choices.index(angle)))
+    return min(choices, key=lambda angle: (_cost(view, figure, angle), choices.index(angle)))
 
 
-def _cost(brief: CameraOperatorView, figure: Figure, azimuth: float) -> float:
+def _cost(view: CameraOperatorView, figure: Figure, azimuth: float) -> float:
     """Weigh an azimuth: across the line 4, a jump 2, away from the audience up to 1, a flat full face 0.4."""
     cost = abs(turned(azimuth)) / 180
     way = np.array([math.sin(math.radians(azimuth)), -math.cos(math.radians(azimuth))])
-    if (axis := brief.axis) is not None and brief.side:
+    if (axis := view.axis) is not None and view.side:
         position = np.asarray(figure.face)[:2] + 2 * way
-        cost += 4.0 * (side_of_line(position, axis[0].face, axis[1].face) == -brief.side)
-    if (before := brief.previous) is not None and brief.size_steps(before.instruction.size) < 2:
-        same = set(before.instruction.focus_on_ids) == set(brief.instruction.focus_on_ids)
-        last = orbit_of(before.state.poses[-1], brief.film)
+        cost += 4.0 * (side_of_line(position, axis[0].face, axis[1].face) == -view.side)
+    if (before := view.previous) is not None and view.size_steps(before.instruction.size) < 2:
+        same = set(before.instruction.focus_on_ids) == set(view.instruction.focus_on_ids)
+        last = orbit_of(before.state.poses[-1], view.film)
         cost += 2.0 * (same and abs(turned(last.azimuth - azimuth)) < JUMP_CUT_DEGREES)
     return cost + 0.4 * (abs(turned(azimuth - figure.yaw)) < 15)
 
 
-def _reverse_azimuth(brief: CameraOperatorView, figure: Figure) -> float | None:
+def _reverse_azimuth(view: CameraOperatorView, figure: Figure) -> float | None:
     """Return the mirror of the partner's single, if this is its answer."""
-    if brief.reverse is None or brief.axis is None or brief.instruction.kind not in ("single", "reaction", "ots"):
+    if view.reverse is None or view.axis is None or view.instruction.kind not in ("single", "reaction", "ots"):
         return None
-    first, second = brief.axis
+    first, second = view.axis
     if figure.node_id not in (first.node_id, second.node_id):
         return None
-    partner = orbit_of(brief.reverse.state.poses[0], brief.film)
+    partner = orbit_of(view.reverse.state.poses[0], view.film)
     azimuth = mirror_azimuth(partner.azimuth, first.face, second.face)
     return azimuth if abs(turned(azimuth - figure.yaw)) < 75 else None
 
 
-def line_side(brief: CameraOperatorView, focus: Figure, over: Figure) -> float:
+def line_side(view: CameraOperatorView, focus: Figure, over: Figure) -> float:
     """Return the side of the line from ``over`` to ``focus``: the scene's if it has one, or the audience's."""
-    if (axis := brief.axis) is not None and brief.side:
-        return brief.side if over.node_id == axis[0].node_id else -brief.side
+    if (axis := view.axis) is not None and view.side:
+        return view.side if over.node_id == axis[0].node_id else -view.side
     ahead = np.subtract(focus.face, over.face)
     return 1.0 if ahead[0] < 0 else -1.0

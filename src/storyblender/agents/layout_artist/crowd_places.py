@@ -70,7 +70,7 @@ def place_crowd(stage: Stage, members: Sequence[str]) -> None:
 
 def for_anybody(stage: Stage, name: str) -> bool:
     """Return whether a seat is open to a crowd: not a throne or a place of work."""
-    return stage.brief.props.get(stage.assets[name]) in _SEATS
+    return stage.view.props.get(stage.assets[name]) in _SEATS
 
 
 def _open(point: Vec2, principals: Sequence[Vec2]) -> bool:

@@ -34,25 +34,25 @@ class Stage:
     """Things by name, and questions about the room between them.
 
     Args:
-        brief: The scene; what is dressed and what an earlier scene left stands already.
+        view: The scene; what is dressed and what an earlier scene left stands already.
     """
 
-    def __init__(self, brief: SpatialPlannerView) -> None:
-        self.brief = brief
-        self.room = room_of(brief.plan.size)
-        self.walls = walls_of(brief.plan)
+    def __init__(self, view: SpatialPlannerView) -> None:
+        self.view = view
+        self.room = room_of(view.plan.size)
+        self.walls = walls_of(view.plan)
         self.things: dict[str, Thing] = {}
         self.assets: dict[str, str] = {}
         self._dressed: NDArray[np.float64] | None = None
-        for item in brief.dressed:
+        for item in view.dressed:
             self.put(item, fixed=True)
         for item in self._left():
             self.put(item, fixed=True)
 
     def _left(self) -> list[LayoutObject]:
         """Return what this scene asks for and an earlier one left here, with what it lay on still under it."""
-        objects = self.brief.reference.objects if self.brief.reference is not None else ()
-        wanted = {*self.brief.pending, *self.brief.setup.asset_ids}
+        objects = self.view.reference.objects if self.view.reference is not None else ()
+        wanted = {*self.view.pending, *self.view.setup.asset_ids}
         asked = [
             item
             for item in objects
@@ -68,11 +68,11 @@ class Stage:
 
     def put(self, item: LayoutObject, fixed: bool) -> None:
         """Stand a thing where the graph has it."""
-        thing = thing_of(item, self.brief.measures, self.brief.plan)
+        thing = thing_of(item, self.view.measures, self.view.plan)
         if thing is not None:
             thing.fixed = fixed or thing.floats
             self.add(thing, item.asset_id)
-            with_surfaces([thing, *self.things.values()], self.assets, self.brief.measures)
+            with_surfaces([thing, *self.things.values()], self.assets, self.view.measures)
 
     def add(self, thing: Thing, asset_id: str) -> None:
         """Stand a thing."""
@@ -87,14 +87,14 @@ class Stage:
     @property
     def middle(self) -> tuple[float, float]:
         """Where people act: the set's own mark for it, else the middle of the playing area."""
-        mark = next((mark for mark in self.brief.plan.marks if "centre" in mark.tags), None)
+        mark = next((mark for mark in self.view.plan.marks if "centre" in mark.tags), None)
         if mark is not None:
             return mark.location[0], mark.location[1]
         return (self.room.x_min + self.room.x_max) / 2, (self.room.y_min + self.room.y_max) / 2
 
     def measure(self, asset_id: str) -> AssetMeasure:
         """Return an asset's measure; a knee-high stand-in's where it is unknown."""
-        known = self.brief.measures.get(asset_id)
+        known = self.view.measures.get(asset_id)
         return known or AssetMeasure(asset_id=asset_id, digest="", geometry_hash="", dimensions=(0.4, 0.4, 0.4))
 
     def find(self, asset_id: str | None, near: tuple[float, float] = (0.0, 0.0)) -> Thing | None:
@@ -110,11 +110,11 @@ class Stage:
         """Return the thing that an anchor id stands for: the thing, a substitute for it, or a part of the set."""
         near = near or self.middle
         thing = self.find(asset_id, near)
-        if thing is not None or asset_id is None or asset_id in self.brief.pending:
+        if thing is not None or asset_id is None or asset_id in self.view.pending:
             return thing
-        prop = self.brief.props.get(asset_id)
+        prop = self.view.props.get(asset_id)
         kin = kin_of(prop) if prop is not None else meant_by(asset_id)
-        alike = [thing for name, thing in self.things.items() if self.brief.props.get(self.assets[name]) in kin]
+        alike = [thing for name, thing in self.things.items() if self.view.props.get(self.assets[name]) in kin]
         if alike:
             return min(alike, key=lambda thing: math.dist((thing.box.x, thing.box.y), near))
         fixture = self.fixture(asset_id, near)
@@ -122,7 +122,7 @@ class Stage:
 
     def fixture(self, name: str | None, near: tuple[float, float] | None = None) -> Fixture | None:
         """Return the part of the set that a name means; the nearest one if several match equally."""
-        found = fixtures_called(self.brief.plan, name)
+        found = fixtures_called(self.view.plan, name)
         near = near or self.middle
         sure = [fixture for fixture in found if fixture.kind == found[0].kind and fixture.tags == found[0].tags]
         return min(sure, key=lambda each: math.dist((each.box.x, each.box.y), near), default=None)
@@ -164,7 +164,7 @@ class Stage:
         """
         if self._dressed is None:
             solid = [thing.box for thing in self.things.values() if not thing.walks and thing.box.top > _SEEN]
-            found = fixtures_called(self.brief.plan, "window") + fixtures_called(self.brief.plan, "door")
+            found = fixtures_called(self.view.plan, "window") + fixtures_called(self.view.plan, "door")
             boxes = [*solid, *(fixture.box for fixture in found)]
             self._dressed = np.array([(box.x, box.y, max(box.width, box.depth) / 2) for box in boxes]).reshape(-1, 3)
         ahead = self._dressed[:, 1] - y

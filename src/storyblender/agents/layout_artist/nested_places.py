@@ -27,7 +27,7 @@ def put_in(stage: Stage, asset_id: str, anchor: Thing) -> bool:
     riders = [thing for thing in stage.things.values() if thing.anchor == anchor.name and may_overlap_anchor(thing)]
     size, base = size_of(stage.measure(asset_id)), anchor.box
     seats = anchors_of(measure, "seat") if anchors_of(measure, "door") else []
-    place = inside(stage.brief.props.get(measure.asset_id), size_of(measure), size, len(riders))
+    place = inside(stage.view.props.get(measure.asset_id), size_of(measure), size, len(riders))
     if seats and max(size) < _ON_SEAT:
         x, y, z = seats[-1 - len(riders) % len(seats)].location
         place = (x, y + size[1] / 2, z)
@@ -42,11 +42,11 @@ def put_in(stage: Stage, asset_id: str, anchor: Thing) -> bool:
 def put_outside(stage: Stage, asset_id: str, spot: Spot, anchor: Thing) -> bool:
     """Stand what is told to be behind a window or a door of a room outside, beyond the wall; return whether it was."""
     fixture = stage.fixture(spot.anchor_id) if anchor.name not in stage.things else None
-    opening = fixture.kind if fixture is not None else stage.brief.props.get(stage.assets.get(anchor.name, ""))
+    opening = fixture.kind if fixture is not None else stage.view.props.get(stage.assets.get(anchor.name, ""))
     size, base = size_of(stage.measure(asset_id)), anchor.box
     x_min, x_max, y_min, y_max = stage.room
     large = max(size[:2]) > _LARGE * min(x_max - x_min, y_max - y_min)
-    if opening not in ("window", "door") or not stage.brief.plan.indoor or not (large or spot.distance):
+    if opening not in ("window", "door") or not stage.view.plan.indoor or not (large or spot.distance):
         return False
     x, y = base.to_world(0.0, base.depth / 2 + (_OUTSIDE if spot.distance is None else spot.distance) + size[1] / 2)
     stage.stand(asset_id, stage.box(asset_id, x, y, 0.0, base.yaw), floats=True, fixed=True)

@@ -50,7 +50,7 @@ def place_objects(stage: Stage, beside_people: bool = False) -> None:
         beside_people: Place what relates to people or is handled by them, who stand already; else all the rest.
     """
     told = _told(stage)
-    waiting = [asset_id for asset_id in stage.brief.pending if stage.find(asset_id) is None]
+    waiting = [asset_id for asset_id in stage.view.pending if stage.find(asset_id) is None]
     if not beside_people:
         waiting = [each for each in waiting if not _by_people(stage, each, told)]
     waiting.sort(key=lambda asset_id: (_depth(asset_id, told), -_bulk(stage, asset_id)))
@@ -70,22 +70,22 @@ def _by_people(stage: Stage, asset_id: str, told: dict[str, Spot], depth: int = 
     spot = told.get(asset_id)
     if spot is None or spot.anchor_id is None or depth > len(told):
         return _handled(stage, asset_id)
-    people = {state.asset_id for state in stage.brief.states}
-    pending = spot.anchor_id in stage.brief.pending
+    people = {state.asset_id for state in stage.view.states}
+    pending = spot.anchor_id in stage.view.pending
     return spot.anchor_id in people or (pending and _by_people(stage, spot.anchor_id or "", told, depth + 1))
 
 
 def _told(stage: Stage) -> dict[str, Spot]:
     """Return the spots of things in the script; a thing beside a person who comes later goes where they will be."""
-    stated = reversed(stage.brief.setup.relations)
+    stated = reversed(stage.view.setup.relations)
     told = {each.asset_id: Spot(relation=each.kind, anchor_id=each.anchor_asset_id) for each in stated}
-    told.update(stage.brief.told)
+    told.update(stage.view.told)
     return told
 
 
 def _handled(stage: Stage, asset_id: str) -> bool:
     """Return whether somebody takes a small thing into their hands: it belongs within their reach."""
-    return bool(stage.brief.handlers.get(asset_id)) and stage.brief.placements.get(asset_id) == "surface"
+    return bool(stage.view.handlers.get(asset_id)) and stage.view.placements.get(asset_id) == "surface"
 
 
 def _depth(asset_id: str, told: dict[str, Spot]) -> int:
@@ -133,7 +133,7 @@ def _relate(stage: Stage, asset_id: str, spot: Spot, anchor: Thing) -> bool:
 
 def _second(stage: Stage, asset_id: str) -> Thing | None:
     """Return the second of the two things that something is between."""
-    stated = (each for each in stage.brief.setup.relations if each.asset_id == asset_id)
+    stated = (each for each in stage.view.setup.relations if each.asset_id == asset_id)
     return stage.find(next((each.second_anchor_asset_id for each in stated), None))
 
 
@@ -183,7 +183,7 @@ def find_perch(stage: Stage, asset_id: str, anchor: Thing, near: tuple[float, fl
 def _lain_on(stage: Stage, anchor: Thing) -> list[Taken]:
     """Return what somebody takes of a bed they lie on when the scene begins, or are found on later."""
     names = (anchor.name, stage.assets[anchor.name])
-    states = (*stage.brief.states, *stage.brief.found)
+    states = (*stage.view.states, *stage.view.found)
     if not any(state.posture in ("lie", "asleep") and state.support_id in names for state in states):
         return []
     beds = anchors_of(stage.measure(stage.assets[anchor.name]), "bed")
@@ -233,10 +233,10 @@ def _stand_beside(stage: Stage, asset_id: str, spot: Spot, anchor: Thing) -> Non
     looked_at = kind == "facing" or (seat and kind in ("behind", "in_front_of", "at") and not anchor.walks)
     if looked_at:
         box.turn_to(yaw_along(anchor.box.x - box.x, anchor.box.y - box.y))
-    at_wall = stage.brief.placements.get(asset_id) == "wall" and spot.height is None
+    at_wall = stage.view.placements.get(asset_id) == "wall" and spot.height is None
     if at_wall and hang(stage, asset_id, near=(box.x, box.y)):
         return
-    slab = _ceiling(stage) if stage.brief.placements.get(asset_id) == "ceiling" else None
+    slab = _ceiling(stage) if stage.view.placements.get(asset_id) == "ceiling" else None
     if slab is not None or spot.height:
         box.z = spot.height if slab is None and spot.height else (slab or box.height) - box.height
         stage.stand(asset_id, box, anchor=anchor.name if anchor.name in stage.things else None, floats=True)
@@ -269,14 +269,14 @@ def _stand_alone(stage: Stage, asset_id: str, near: Vec2 | None = None) -> None:
         near: The wanted floor point, if there was no room at it.
     """
     width, depth, height = size_of(stage.measure(asset_id))
-    placement = stage.brief.placements.get(asset_id)
+    placement = stage.view.placements.get(asset_id)
     if placement == "wall" and hang(stage, asset_id):
         return
     if placement == "ceiling" and (slab := _ceiling(stage)) is not None:
         x, y = stage.middle
         stage.stand(asset_id, stage.box(asset_id, x, y, slab - height), floats=True, fixed=True)
         return
-    handlers = stage.brief.handlers.get(asset_id, ())
+    handlers = stage.view.handlers.get(asset_id, ())
     user = next((user for each in handlers if (user := stage.things.get(each))), None)
     luggage = bool(handlers) and placement == "surface" and height > _LUGGAGE
     if luggage and user is not None:
@@ -286,7 +286,7 @@ def _stand_alone(stage: Stage, asset_id: str, near: Vec2 | None = None) -> None:
     if small and not luggage and _on_nearest_table(stage, asset_id, user, near):
         return
     used_from_behind = any(s.relation == "behind" and s.anchor_id == asset_id for s in _spots(stage))
-    walled = stage.brief.plan.indoor and (luggage or max(width, height) > 0.9) and not used_from_behind
+    walled = stage.view.plan.indoor and (luggage or max(width, height) > 0.9) and not used_from_behind
     if walled and stand_against(stage, asset_id, near=near):
         return
     if user is not None:
@@ -303,7 +303,7 @@ def _stand_alone(stage: Stage, asset_id: str, near: Vec2 | None = None) -> None:
 
 def _spots(stage: Stage) -> list[Spot]:
     """Return all spots of people and things in the script."""
-    states = (*stage.brief.states, *stage.brief.found)
+    states = (*stage.view.states, *stage.view.found)
     return [*_told(stage).values(), *(state.spot for state in states if state.spot is not None)]
 
 
@@ -320,7 +320,7 @@ def _stand_at_hand(stage: Stage, asset_id: str, user: Thing) -> None:
 
 
 def _ceiling(stage: Stage) -> float | None:
-    return next((slab.z for slab in stage.brief.plan.slabs if slab.role == "ceiling"), None)
+    return next((slab.z for slab in stage.view.plan.slabs if slab.role == "ceiling"), None)
 
 
 def _on_nearest_table(stage: Stage, asset_id: str, user: Thing | None, told: Vec2 | None) -> bool:
@@ -329,7 +329,7 @@ def _on_nearest_table(stage: Stage, asset_id: str, user: Thing | None, told: Vec
     Only pots and pans are put on a stove.
     """
     near = told or ((user.box.x, user.box.y) if user is not None else stage.middle)
-    cooks = stage.brief.props.get(asset_id) in _COOKED_IN
+    cooks = stage.view.props.get(asset_id) in _COOKED_IN
     tables = []
     for name, thing in stage.things.items():
         measure = stage.measure(stage.assets[name])
@@ -337,7 +337,7 @@ def _on_nearest_table(stage: Stage, asset_id: str, user: Thing | None, told: Vec
         own = user is not None and user.anchor == name and thing.box.width > _LONG_SEAT
         roomy = [top for top in anchors_of(measure, "top") if own or min(top.size) > _ROOMY]
         table = any(_TABLE[0] <= top.location[2] <= _TABLE[1] for top in roomy)
-        hot = stage.brief.props.get(stage.assets[name]) in _HOT and not cooks
+        hot = stage.view.props.get(stage.assets[name]) in _HOT and not cooks
         if table and not hot and (own or not seat) and not thing.walks and thing.box.z < 0.1:
             tables.append((round(math.dist((thing.box.x, thing.box.y), near), 3), name))
     return any(_stand_on(stage, asset_id, stage.things[name], near) for _, name in sorted(tables))

@@ -29,21 +29,21 @@ _FORMATION = {2: (180.0, 0.0), 3: (195.0, 90.0, -15.0), 4: (200.0, 130.0, 50.0, 
 
 def place_people(stage: Stage) -> None:
     """Place the people who are on stage at the start, then the people who are first seen in a later shot."""
-    states = {state.asset_id: state for state in stage.brief.states}
+    states = {state.asset_id: state for state in stage.view.states}
     wishes = wanted_by(stage)
     for state in sorted(states.values(), key=lambda state: state.asset_id in wishes):
         if state.posture in SEATED:
             _seat_person(stage, state, wishes.get(state.asset_id))
     for state in (each for each in states.values() if each.asset_id not in stage.things):
         _place_standing_person(stage, state, wishes.get(state.asset_id))
-    company = stage.brief.company
+    company = stage.view.company
     for member in sorted((each for each in states if each not in stage.things), key=lambda each: each not in wishes):
         _place_beside_companion(stage, member, wishes.get(member), company.get(member, ""))
-    crowds = crowds_of([*states, *(state.asset_id for state in stage.brief.found)])
+    crowds = crowds_of([*states, *(state.asset_id for state in stage.view.found)])
     many = {member for members in crowds for member in members if not (member in wishes and wishes[member].sure)}
     for members in _group_people(stage, [each for each in states if each not in many]):
         _place_group(stage, members)
-    for state in (each for each in stage.brief.found if each.asset_id not in many):
+    for state in (each for each in stage.view.found if each.asset_id not in many):
         _place_found_person(stage, state, wishes.get(state.asset_id))
     for members in crowds:
         place_crowd(stage, [member for member in members if member in many])
@@ -53,7 +53,7 @@ def place_people(stage: Stage) -> None:
 def _place_standing_person(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
     """Stand a person at the thing or part of the set they belong to, at their work, or at the mark of their trade."""
     leaned_on = state.support_id if state.posture == "lean" else None
-    carried = wanted is not None and stage.brief.placements.get(leaned_on or "") == "surface"
+    carried = wanted is not None and stage.view.placements.get(leaned_on or "") == "surface"
     anchor = stage.anchor(None if carried else leaned_on)  # a person who leans on a stick by the boat is by the boat
     anchor = anchor or (stage.anchor(wanted.anchor) if wanted is not None else None)
     anchor = anchor or work_place(stage, state)
@@ -91,7 +91,7 @@ def _place_found_person(stage: Stage, state: BodyState, wanted: Wanted | None) -
 def _group_people(stage: Stage, present: list[str]) -> list[list[str]]:
     """Return groups of asset ids: talkers whose pairs share a person stand together, others alone."""
     groups: list[list[str]] = []
-    for pair in stage.brief.groups:
+    for pair in stage.view.groups:
         here = [member for member in pair if member in present]
         if len(here) < 2:
             continue
@@ -117,7 +117,7 @@ def _find_set_mark(stage: Stage, person: str, place: str | None) -> PlanMark | N
     """Return the mark of the set whose tags match a person's place best, then their station, then their trade.
 
     Args:
-        stage: The set and the brief.
+        stage: The set and the view.
         person: Asset id of the person; its words may name a trade.
         place: Asset id of the thing the person is in or at; None if the script names none.
 
@@ -126,14 +126,14 @@ def _find_set_mark(stage: Stage, person: str, place: str | None) -> PlanMark | N
     """
     trade = {word for word in person.split("_") if not word.isdigit()}
     named = [
-        {each, each.rsplit("_", 1)[-1]} if each else set[str]() for each in (place, stage.brief.stations.get(person))
+        {each, each.rsplit("_", 1)[-1]} if each else set[str]() for each in (place, stage.view.stations.get(person))
     ]
 
     def match_score(mark: PlanMark) -> int:
         tags = {*mark.tags}
         return 4 * bool(named[0] & tags) + 2 * bool(named[1] & tags) + bool(trade & tags)
 
-    best = max(stage.brief.plan.marks, key=match_score)
+    best = max(stage.view.plan.marks, key=match_score)
     return best if match_score(best) else None
 
 
@@ -179,7 +179,7 @@ def _place_group(stage: Stage, members: list[str]) -> None:
         box.turn_to(yaw_along(*_direction_to_audience(x, y, stage)))
         stage.add(Thing(members[0], box, walks=True), members[0])
         return
-    radius = stage.brief.apart * (TALK / 2 if len(members) == 2 else max(0.8, 0.22 * len(members)))
+    radius = stage.view.apart * (TALK / 2 if len(members) == 2 else max(0.8, 0.22 * len(members)))
     x, y = stage.free_spot(stage.middle, radius + 0.45, lambda x, y: _bareness(stage, x, y))
     angles = _FORMATION.get(len(members)) or tuple(np.linspace(200, -20, len(members)).tolist())
     for member, angle in zip(members, angles, strict=True):
@@ -249,7 +249,7 @@ def turn_towards_audience(yaw: float) -> float:
 
 def _turn_to_looked_at(stage: Stage) -> None:
     """Turn every person who stands alone towards the person or thing they look at."""
-    for state in stage.brief.states:
+    for state in stage.view.states:
         thing, target = stage.things.get(state.asset_id), stage.find(state.looking_at)
         free = thing is not None and thing.anchor is None and target is not None and target is not thing
         if free and thing is not None and target is not None and footprint_gap(thing.box, target.box)[0] > 0:

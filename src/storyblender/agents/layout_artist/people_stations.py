@@ -54,9 +54,9 @@ class Wanted:
 
 def wanted_by(stage: Stage) -> dict[str, Wanted]:
     """Return each person's place in the script as the scene begins, or when they are first found in it."""
-    states = (*stage.brief.states, *stage.brief.found)
+    states = (*stage.view.states, *stage.view.found)
     people = {state.asset_id for state in states}
-    stated = [relation for relation in reversed(stage.brief.setup.relations) if relation.asset_id in people]
+    stated = [relation for relation in reversed(stage.view.setup.relations) if relation.asset_id in people]
     wishes = {each.asset_id: Wanted(each.kind, each.anchor_asset_id) for each in stated}
     told = [(state.asset_id, state.spot) for state in reversed(states) if state.spot is not None]
     own = {name: Wanted(s.relation, s.anchor_id, s.side, s.distance, s.facing, sure=True) for name, s in told}
@@ -65,9 +65,9 @@ def wanted_by(stage: Stage) -> dict[str, Wanted]:
 
 def work_place(stage: Stage, state: BodyState) -> Thing | None:
     """Return the thing for a person's action as the scene begins, if the script names none."""
-    for motion, prop in stage.brief.deeds.get(state.asset_id, ()):
+    for motion, prop in stage.view.deeds.get(state.asset_id, ()):
         for wanted in workplaces_of(motion, prop):
-            found = [t for name, t in stage.things.items() if stage.brief.props.get(stage.assets[name]) == wanted]
+            found = [t for name, t in stage.things.items() if stage.view.props.get(stage.assets[name]) == wanted]
             if found:
                 return min(found, key=lambda thing: math.dist((thing.box.x, thing.box.y), stage.middle))
     return None

@@ -96,7 +96,7 @@ def _let_go(thing: Thing, residual: Sequence[Violation]) -> Thing:
 def _reserved(stage: Stage) -> list[Box]:
     """Return the floor before everything that somebody will go to."""
     volumes = []
-    for asset_id in stage.brief.targets:
+    for asset_id in stage.view.targets:
         target = stage.find(asset_id)
         if target is not None and target.box.z < 0.1 and not target.walks and target.fixed:
             x, y = target.box.to_world(0.0, -target.box.depth / 2 - 0.1 - _RESERVED[1] / 2)
@@ -104,9 +104,9 @@ def _reserved(stage: Stage) -> list[Box]:
     return volumes
 
 
-def ways_of(brief: SpatialPlannerView, layout: Layout) -> list[Box]:
+def ways_of(view: SpatialPlannerView, layout: Layout) -> list[Box]:
     """Return the floor of a finished layout that stays free: before what people go to, and on their ways there."""
-    stage = Stage(brief)
+    stage = Stage(view)
     for item in layout.objects:
         if item.node_id not in stage.things:
             stage.put(item, fixed=item.fixed)
@@ -119,11 +119,11 @@ def _walkways(stage: Stage, things: Sequence[Thing]) -> list[Box]:
     if not people:
         return []
     spots = [(person.box.x, person.box.y) for person in people]
-    doors = _doors(stage.brief)
+    doors = _doors(stage.view)
     trips = [(door, spots[0]) for door in doors[:2]]
     trips += [(doors[0], spot) for spot in spots[1:] if doors and not _is_open(doors, spot, things, stage.room)]
     by_name = {thing.name: thing for thing in things}
-    for asset_id in stage.brief.targets[:4]:
+    for asset_id in stage.view.targets[:4]:
         target = stage.find(asset_id)
         target = by_name.get(target.name) if target is not None else None
         if target is not None and not target.walks and target.relationship != "on_top_of":
@@ -137,9 +137,9 @@ def _walkways(stage: Stage, things: Sequence[Thing]) -> list[Box]:
     return volumes
 
 
-def _doors(brief: SpatialPlannerView) -> list[tuple[float, float]]:
+def _doors(view: SpatialPlannerView) -> list[tuple[float, float]]:
     """Return the places where people enter the set."""
-    return [(mark.location[0], mark.location[1]) for mark in brief.plan.marks if "enter" in mark.tags]
+    return [(mark.location[0], mark.location[1]) for mark in view.plan.marks if "enter" in mark.tags]
 
 
 def _is_open(doors: Sequence[Vec2], spot: Vec2, things: Sequence[Thing], room: Room) -> bool:

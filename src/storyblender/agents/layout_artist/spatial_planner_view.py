@@ -93,7 +93,7 @@ def spatial_planner_view(
     placements: Mapping[str, str] | None = None,
     apart: float = 1.0,
 ) -> SpatialPlannerView:
-    """Read a scene's brief from the graph.
+    """Read a scene's view from the graph.
 
     Args:
         graph: With the Director's scenes and shots, and the assets already built.

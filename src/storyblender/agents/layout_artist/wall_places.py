@@ -85,7 +85,7 @@ def stand_against(stage: Stage, asset_id: str, near: tuple[float, float] | None 
 def _wall_places(stage: Stage, width: float, reach: float) -> list[tuple[Wall, float, float, float, float]]:
     """Return (wall, x, y, yaw, dislike) along the walls: the back wall first, openings and the camera's wall out."""
     places = []
-    for wall in stage.brief.plan.walls:
+    for wall in stage.view.plan.walls:
         length = math.dist(wall.start, wall.end)
         ux, uy = (wall.end[0] - wall.start[0]) / length, (wall.end[1] - wall.start[1]) / length
         inward = (-uy, ux)

@@ -20,7 +20,7 @@ from storyblender.memory.scene_context import Environment, SceneSetup
 from storyblender.memory.shot_context import BodyState
 
 
-def brief(kit: str) -> SpatialPlannerView:
+def view_of(kit: str) -> SpatialPlannerView:
     plan = plan_of(Environment(kit=kit, seed=2))
     dressing = RulesSetDresser().propose(SetDresserView(SceneSetup(place=kit.upper()), plan))
     measures = measures_of(dressing.assets)
@@ -46,7 +46,7 @@ def brief(kit: str) -> SpatialPlannerView:
 
 @pytest.mark.parametrize("kit", ["cafe", "bar", "square", "street", "lobby", "park"])
 def test_a_crowd_finds_room_and_leaves_the_story_its_own(kit: str) -> None:
-    scene = brief(kit)
+    scene = view_of(kit)
     layout = RulesSpatialPlanner().propose(scene)
     people = [item.location for item in layout.objects if item.asset_id in ("ada", "tom")]
     lanes = ways_of(scene, layout)
@@ -62,12 +62,12 @@ def test_a_crowd_finds_room_and_leaves_the_story_its_own(kit: str) -> None:
 
 
 def test_nobody_is_put_where_there_is_no_room() -> None:
-    scene = brief("elevator")
+    scene = view_of("elevator")
     assert len(bystanders(scene, RulesSpatialPlanner().propose(scene), 20, [])) < 6
 
 
 def test_figures_are_few_and_their_copies_many() -> None:
-    scene = brief("cafe")
+    scene = view_of("cafe")
     layout = RulesSpatialPlanner().propose(scene)
     found = bystanders(scene, layout, 20, [])
     assets = [dressing_asset("background_figure", {"posture": each.posture, "variant": each.variant}) for each in found]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from test_camera_room import brief, person
+from test_camera_room import person, view_of
 
 from storyblender.agents.layout_artist.camera_scout import scouted
 from storyblender.geometry.framing import head_share, project
@@ -16,7 +16,7 @@ from storyblender.geometry.gaps import MAX_FACE_GAP, widest_face_gap
 def test_two_who_are_apart_are_near_each_other_in_the_picture(apart: float) -> None:
     pair = person("anna", -apart / 2, 0.0, 90), person("tom", apart / 2, 0.0, -90)
     wish = {"kind": "action", "size": "MS", "focus_on_ids": ("anna", "tom")}
-    view = replace(brief(*pair, in_frame=("anna", "tom"), **wish), plan=None)
+    view = replace(view_of(*pair, in_frame=("anna", "tom"), **wish), plan=None)
     camera = scouted(view)[0].camera
     across = project(camera, [each.face for each in pair])[0][:, 0]
     faces = [(float(x), head_share(camera, each)) for x, each in zip(across, pair, strict=True)]
@@ -31,4 +31,4 @@ def test_who_is_too_far_off_for_the_size_is_left_out_unless_the_script_orders_it
 ) -> None:
     pair = person("anna", -2.0, 0.0, 90), person("tom", 2.0, 0.0, -90)
     wish = {"kind": kind, "size": "MS", "focus_on_ids": ("anna", "tom"), "explicit": explicit}
-    assert len(brief(*pair, in_frame=("anna", "tom"), **wish).people) == held
+    assert len(view_of(*pair, in_frame=("anna", "tom"), **wish).people) == held

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from test_camera_room import brief, person
+from test_camera_room import person, view_of
 
 from storyblender.agents.director.camera_phrases import from_behind
 from storyblender.agents.layout_artist.camera_operator_view import Moment
@@ -20,7 +20,7 @@ def test_a_back_that_the_script_asks_for_is_shown(yaw: int, size: str) -> None:
     anna = person("anna", 0.0, 0.0, yaw)
     wish = {"kind": "action", "size": size, "focus_on_ids": ("anna",)}
     for behind in (False, True):
-        view = replace(brief(anna, in_frame=("anna",), behind=behind, **wish), plan=None)
+        view = replace(view_of(anna, in_frame=("anna",), behind=behind, **wish), plan=None)
         turned = anna.turned_from(scouted(view)[0].camera.position)
         assert (turned > 120) == behind
 
@@ -45,7 +45,7 @@ def test_the_words_for_a_back(words: str, behind: bool) -> None:
 def test_who_crouches_has_the_face_in_the_upper_half_of_a_medium_shot(drop: float) -> None:
     up = person("anna", 0.0, 0.0, 0)
     down = replace(up, face=(0.0, 0.0, up.face[2] - drop))
-    view = brief(down, in_frame=("anna",), kind="single", size="MS", focus_on_ids=("anna",))
+    view = view_of(down, in_frame=("anna",), kind="single", size="MS", focus_on_ids=("anna",))
     view = replace(view, moments=(Moment(0, (up,)), Moment(20, (down,)), Moment(47, (down,))), plan=None)
     (face,), _ = project(start(view).camera, [down.face])
     assert face[1] < 0.5

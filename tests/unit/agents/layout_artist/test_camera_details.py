@@ -4,7 +4,7 @@ import math
 from dataclasses import replace
 
 import pytest
-from test_camera_operator import ANNA, TOM, brief
+from test_camera_operator import ANNA, TOM, view_of
 
 from storyblender.agents.layout_artist.camera_details import detail_of, held_at
 from storyblender.agents.layout_artist.camera_operator_view import Moment
@@ -60,7 +60,7 @@ def test_what_is_held_is_at_the_hand() -> None:
 
 def test_an_insert_frames_the_hand_from_where_nobody_stands_before_it() -> None:
     box = Box(-0.35, 0.1, 0.9, 0.2, 0.2, 0.2)
-    view = brief((HANDED, TOM), kind="insert", size="CU", focus_on_ids=("anna",), detail=box)
+    view = view_of((HANDED, TOM), kind="insert", size="CU", focus_on_ids=("anna",), detail=box)
     assert view.people == () and view.things == (box,)
     camera = scouted(view)[0].camera
     (hand, face), _ = project(camera, [middle(box), HANDED.face])
@@ -71,18 +71,18 @@ def test_an_insert_frames_the_hand_from_where_nobody_stands_before_it() -> None:
 def test_what_a_hand_lies_in_does_not_hide_it_and_what_stands_before_it_does() -> None:
     box = Box(-0.35, 0.1, 0.5, 0.2, 0.2, 0.2)
     wish = {"kind": "insert", "size": "CU", "focus_on_ids": ("anna",), "detail": box}
-    free = brief((HANDED,), **wish)
+    free = view_of((HANDED,), **wish)
     take = scouted(free)[0]
     chair, screen = Box(-0.35, 0.1, 0.0, 0.5, 0.5, 0.9), Box(-0.35, -0.5, 0.0, 2.5, 0.1, 2.5)
     price = cost(free, take)
-    assert cost(brief((HANDED,), props={"chair": chair}, **wish), take) < price + 1
-    assert cost(brief((HANDED,), props={"screen": screen}, **wish), take) > price + 2
+    assert cost(view_of((HANDED,), props={"chair": chair}, **wish), take) < price + 1
+    assert cost(view_of((HANDED,), props={"screen": screen}, **wish), take) > price + 2
 
 
 def test_the_top_of_a_table_hides_the_hand_below_it() -> None:
     box = Box(0.4, -0.1, 0.25, 0.2, 0.2, 0.2)
     table = Box(0.6, -0.6, 0.0, 1.4, 1.4, 0.85)
-    view = brief((HANDED,), kind="insert", size="CU", focus_on_ids=("anna",), detail=box, props={"table": table})
+    view = view_of((HANDED,), kind="insert", size="CU", focus_on_ids=("anna",), detail=box, props={"table": table})
     turns = (start(view, turn) for turn in range(-180, 180, 15))
     across = min(turns, key=lambda take: take.camera.position[1])
     bare = replace(view, props={})
@@ -93,6 +93,6 @@ def test_the_top_of_a_table_hides_the_hand_below_it() -> None:
 def test_whoever_holds_what_an_insert_shows_does_not_stand_aside() -> None:
     orange = held_at(HANDED, "R", (0.08, 0.08, 0.08))
     wish = {"kind": "insert", "size": "CU", "focus_on_ids": ("orange",), "props": {"orange": orange}}
-    view = brief((HANDED, TOM), carried={"anna": ("orange",)}, **wish)
+    view = view_of((HANDED, TOM), carried={"anna": ("orange",)}, **wish)
     assert view.strangers == ("tom",)
     assert not {"anna", "orange"} & {*scouted(view)[0].hidden}

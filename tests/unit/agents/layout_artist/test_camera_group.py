@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from test_camera_operator import NumberFinder
-from test_camera_room import ROOM, brief, person
+from test_camera_room import ROOM, person, view_of
 
 from storyblender.agents.layout_artist.camera_composition import composition
 from storyblender.agents.layout_artist.camera_operator_view import (
@@ -39,7 +39,7 @@ NAMES = ("anna", "tom", "sam")
 
 @pytest.mark.parametrize("size", ["FS", "MWS", "MS"])
 def test_a_group_is_never_taken_from_beyond_the_walls(size: str) -> None:
-    view = brief(*APART, in_frame=NAMES, kind="action", size=size, focus_on_ids=NAMES, explicit=True)
+    view = view_of(*APART, in_frame=NAMES, kind="action", size=size, focus_on_ids=NAMES, explicit=True)
     for turn in (0, 30, -70, 125, 180):
         take = start(view, turn)
         assert outside(ROOM, take.camera, take.hidden) < 0.03
@@ -85,7 +85,7 @@ def test_nothing_costs_much_more_than_an_edge() -> None:
 
 def test_what_stands_before_everybody_looms_and_vanishes_at_a_price() -> None:
     pair = person("anna", -0.5, 1.5, 20), person("tom", 0.5, 1.5, -20)
-    view = brief(*pair, in_frame=("anna", "tom"), kind="two_shot", size="MWS", focus_on_ids=("anna", "tom"))
+    view = view_of(*pair, in_frame=("anna", "tom"), kind="two_shot", size="MWS", focus_on_ids=("anna", "tom"))
     take = replace(start(view), hidden=("front",))
     eye, middle = take.camera.position, np.array([0.0, 1.5])
     x, y = eye[:2] + (middle - eye[:2]) * 0.4
@@ -99,7 +99,7 @@ def test_a_followed_walk_is_composed_when_it_is_drawn() -> None:
     steps = ((0, -2.0), (20, 1.4), (47, 1.6))
     moments = tuple(Moment(frame, (person("anna", x, 0.0, 90),)) for frame, x in steps)
     wish = {"kind": "action", "size": "MWS", "focus_on_ids": ("anna",), "movement": "track"}
-    view = replace(brief(moments[0].figures[0], in_frame=("anna",), **wish), moments=moments, plan=None)
+    view = replace(view_of(moments[0].figures[0], in_frame=("anna",), **wish), moments=moments, plan=None)
     take = start(view)
     assert take.moves
     (drawn,), _ = project(take.at(20 / 47), [moments[1].figures[0].face])
@@ -115,7 +115,7 @@ def test_whoever_has_arrived_is_taken_by_the_face_and_not_by_the_way() -> None:
         way = tuple(Moment(frame, (person("anna", x, 0.0, 90),)) for frame, x in ((0, came[0]), (20, drawn), (47, 1.6)))
         turned = Moment(20, (person("anna", drawn, 0.0, 180 if not stride else 90),))
         view = replace(
-            brief(turned.figures[0], in_frame=("anna",), **wish), moments=(way[0], turned, way[2]), plan=None
+            view_of(turned.figures[0], in_frame=("anna",), **wish), moments=(way[0], turned, way[2]), plan=None
         )
         assert view.walks and view.in_stride == stride
         assert view.people[0].turned_from(start(view).camera.position) < 70
@@ -126,7 +126,7 @@ def test_who_walks_up_and_bends_over_a_thing_is_in_the_picture_all_the_way() -> 
     here, came = person("anna", 1.5, 0.0, 90), person("anna", -2.0, 0.0, 90)
     bent = replace(here, face=(2.0, 0.0, 0.85))
     view = replace(
-        brief(here, in_frame=("anna",), **wish),
+        view_of(here, in_frame=("anna",), **wish),
         moments=(Moment(0, (came,)), Moment(40, (bent,)), Moment(47, (here,))),
         plan=None,
     )
@@ -153,7 +153,7 @@ def test_walks_are_held_only_where_people_stay_large_enough() -> None:
     for first in (-1.5, -9.0):
         here, there = person("anna", -0.6, 0.0, 90), person("anna", first, 0.0, 90)
         tom = person("tom", 0.6, 0.0, -90)
-        view = brief(here, tom, in_frame=("anna", "tom"), kind="action", size="FS", focus_on_ids=("anna", "tom"))
+        view = view_of(here, tom, in_frame=("anna", "tom"), kind="action", size="FS", focus_on_ids=("anna", "tom"))
         moments = (Moment(0, (there, tom)), Moment(20, (here, tom)), Moment(47, (here, tom)))
         camera = start(replace(view, moments=moments, plan=None)).camera
         (seen,), depth = project(camera, [there.face])
@@ -165,7 +165,7 @@ def test_walks_are_held_only_where_people_stay_large_enough() -> None:
 def test_a_shoulder_that_is_not_in_the_picture_costs() -> None:
     pair = person("anna", 0.0, 0.0, 0), person("tom", 0.0, -1.5, 180)
     wish = {"kind": "ots", "size": "MCU", "focus_on_ids": ("anna",), "over_id": "tom"}
-    view = brief(*pair, in_frame=("anna", "tom"), **wish)
+    view = view_of(*pair, in_frame=("anna", "tom"), **wish)
     best = scouted(view)[0]
     aside = replace(best, camera=orbit(best.camera, 60))
     assert cost(view, aside) > cost(view, best) + 1.4
@@ -177,21 +177,21 @@ def test_a_face_is_seen_beside_the_head_of_whom_we_look_past() -> None:
     assert head.top == pytest.approx(APART[0].crown[2])
     pair = person("anna", 0.0, 0.0, 0), person("tom", 0.0, -1.8, 180)
     wish = {"kind": "ots", "size": "MCU", "focus_on_ids": ("anna",), "over_id": "tom"}
-    view = replace(brief(*pair, in_frame=("anna", "tom"), **wish), plan=None)
+    view = replace(view_of(*pair, in_frame=("anna", "tom"), **wish), plan=None)
     assert not find_hidden(body(pair[1]), start(view).camera.position, [pair[0].face]).any()
 
 
 def test_a_rise_over_a_shoulder_is_a_rise_once() -> None:
     pair = person("anna", 0.0, 0.0, 0), person("tom", 0.0, -1.8, 180)
     wish = {"kind": "ots", "size": "MCU", "focus_on_ids": ("anna",), "over_id": "tom"}
-    view = replace(brief(*pair, **wish), plan=None)
+    view = replace(view_of(*pair, **wish), plan=None)
     assert start(view, 0, 9).camera.elevation - start(view).camera.elevation == pytest.approx(9, abs=1.5)
 
 
 def test_a_group_is_about_the_middle_when_it_is_drawn_whatever_its_walks_need() -> None:
     tom = person("tom", 0.3, 0.0, -90)
     steps = [Moment(20 * n, (person("anna", x, 0.1, 90), tom)) for n, x in enumerate((-2.4, -0.3, -0.3))]
-    view = replace(brief(*steps[1].figures, kind="two_shot", size="FS", focus_on_ids=("anna", "tom")), plan=None)
+    view = replace(view_of(*steps[1].figures, kind="two_shot", size="FS", focus_on_ids=("anna", "tom")), plan=None)
     camera = start(replace(view, moments=tuple(steps))).camera
     across = project(camera, [each.face for each in steps[1].figures])[0][:, 0]
     assert abs(float(across.mean()) - 0.5) < 0.1
@@ -200,7 +200,7 @@ def test_a_group_is_about_the_middle_when_it_is_drawn_whatever_its_walks_need() 
 def test_air_above_small_heads_is_no_fault() -> None:
     far = person("anna", -4, 0, 0), person("tom", 4, 0, 0)
     wish = {"kind": "action", "size": "MWS", "focus_on_ids": ("anna", "tom"), "explicit": True}
-    view = replace(brief(*far, in_frame=("anna", "tom"), **wish), plan=None)
+    view = replace(view_of(*far, in_frame=("anna", "tom"), **wish), plan=None)
     take = start(view)
     (look,) = NumberFinder(view.moments, {}).look([request(view, take)])
     kinds = {flaw.kind for flaw in composition(view, take.camera, view.drawn, look)}
@@ -213,7 +213,7 @@ def request(view: CameraOperatorView, take: CameraOperatorDraft) -> ViewRequest:
 
 
 def test_nobody_of_a_group_fills_the_foreground() -> None:
-    view = brief(*APART, in_frame=NAMES, kind="group", size="FS", focus_on_ids=NAMES)
+    view = view_of(*APART, in_frame=NAMES, kind="group", size="FS", focus_on_ids=NAMES)
     near = frame_group_from(Film(), APART, "FS", (-2.7, 0.9, 1.5), 35.0, 18.0)
     far = frame_group_from(Film(), APART, "FS", (0.0, -2.6, 1.5), 35.0, 18.0)
     assert cost(view, CameraOperatorDraft(near, near, near)) > cost(view, CameraOperatorDraft(far, far, far)) + 0.5
@@ -224,7 +224,7 @@ def test_who_bends_without_a_walk_keeps_the_head_before_and_after() -> None:
     bent = replace(here, face=(0.35, 0.0, here.face[2] - 0.45))
     wish = {"kind": "action", "size": "MS", "focus_on_ids": ("anna",)}
     moments = (Moment(0, (here,)), Moment(24, (bent,)), Moment(47, (here,)))
-    view = replace(brief(bent, in_frame=("anna",), **wish), moments=moments, plan=None)
+    view = replace(view_of(bent, in_frame=("anna",), **wish), moments=moments, plan=None)
     camera = start(view).camera
     for figure in (here, bent):
         screen, _ = project(camera, [figure.crown, figure.face])
@@ -240,7 +240,7 @@ def test_who_bends_without_a_walk_keeps_the_head_before_and_after() -> None:
     ],
 )
 def test_a_room_too_short_for_a_lens_takes_another_of_the_kit(wish: dict[str, object]) -> None:
-    free = replace(brief(*APART, in_frame=NAMES, **wish), kit=())
+    free = replace(view_of(*APART, in_frame=NAMES, **wish), kit=())
     view = replace(free, kit=(16.0, 21.0, 40.0, 65.0))
     lenses = [start(view, turn).camera.lens for turn in (0, 30, -70, 125, 180)]
     assert set(lenses) <= {*view.kit} and min(lenses) < 65

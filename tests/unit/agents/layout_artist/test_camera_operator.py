@@ -115,7 +115,7 @@ def _free(eye: np.ndarray, points: np.ndarray, boxes: list[Box]) -> np.ndarray:
     return ~cut.any(0)
 
 
-def brief(figures=(ANNA, TOM), props=None, moments=None, **more) -> CameraOperatorView:
+def view_of(figures=(ANNA, TOM), props=None, moments=None, **more) -> CameraOperatorView:
     fields = {name: more.pop(name) for name in list(more) if name in CameraOperatorView.__dataclass_fields__}
     moments = moments or (Moment(0, tuple(figures)),)
     return CameraOperatorView(1, 1, CameraInstruction(**more), 48, moments, props=props or {}, film=FILM, **fields)
@@ -133,7 +133,7 @@ def seen(camera: Orbit, who: Figure) -> np.ndarray:
 
 @pytest.mark.parametrize("size", ["EWS", "WS", "FS", "MWS", "MS", "MCU", "CU", "ECU"])
 def test_singles_of_every_size_are_right_from_the_start(size: str) -> None:
-    camera, residual, finder = shoot(brief([ANNA], kind="single", size=size, focus_on_ids=("anna",)))
+    camera, residual, finder = shoot(view_of([ANNA], kind="single", size=size, focus_on_ids=("anna",)))
     assert residual == ()
     assert finder.looks <= 3
     chin_to_crown = np.array([[0, 0, 0.55 * ANNA.head], [0, 0, -0.5 * ANNA.head]]) + ANNA.face
@@ -147,7 +147,7 @@ def test_a_dialogue_stays_on_its_side_of_the_line(side: int) -> None:
         ("two_shot", ("anna", "tom"), None), ("ots", ("anna",), "tom"), ("ots", ("tom",), "anna"),
         ("single", ("anna",), None), ("single", ("tom",), None), ("reaction", ("anna",), None),
     ):  # fmt: skip
-        view = brief(kind=kind, size="MS", focus_on_ids=focus, over_id=over, side=side, **TALK)
+        view = view_of(kind=kind, size="MS", focus_on_ids=focus, over_id=over, side=side, **TALK)
         camera, residual, _ = shoot(view)
         # two people 1.2 m apart: a medium single cannot always leave the partner's arm out
         minor = ("the frame cuts", "anna stands aside", "tom stands aside")
@@ -156,16 +156,16 @@ def test_a_dialogue_stays_on_its_side_of_the_line(side: int) -> None:
 
 
 def test_the_side_of_the_first_shot_is_handed_on() -> None:
-    view = brief(kind="two_shot", size="MS", focus_on_ids=("anna", "tom"), **TALK)
+    view = view_of(kind="two_shot", size="MS", focus_on_ids=("anna", "tom"), **TALK)
     state = operate(view, NumberFinder(view.moments, {}))
     assert side_used(view, state) == -1, "the audience's side"
 
 
 def test_reverse_singles_mirror_each_other() -> None:
-    first = brief(kind="single", size="MCU", focus_on_ids=("anna",), side=-1, **TALK)
+    first = view_of(kind="single", size="MCU", focus_on_ids=("anna",), side=-1, **TALK)
     state = operate(first, NumberFinder(first.moments, {}))
     cut = Cut(first.instruction, state)
-    second = brief(kind="single", size="MCU", focus_on_ids=("tom",), side=-1, reverse=cut, previous=cut, **TALK)
+    second = view_of(kind="single", size="MCU", focus_on_ids=("tom",), side=-1, reverse=cut, previous=cut, **TALK)
     one, other = orbit_of(state.poses[0], FILM), shoot(second)[0]
     assert do_looks_match(one, ANNA.forward, other, TOM.forward)
     assert seen(one, ANNA)[0] < 0.5 < seen(other, TOM)[0]
@@ -173,7 +173,7 @@ def test_reverse_singles_mirror_each_other() -> None:
 
 
 def test_a_second_shot_of_the_same_size_moves_thirty_degrees() -> None:
-    first = brief([GUARD], kind="action", size="FS", focus_on_ids=("guard",))
+    first = view_of([GUARD], kind="action", size="FS", focus_on_ids=("guard",))
     state = operate(first, NumberFinder(first.moments, {}))
     again = replace(first, previous=Cut(first.instruction, state))
     camera, residual, _ = shoot(again)
@@ -184,7 +184,9 @@ def test_a_second_shot_of_the_same_size_moves_thirty_degrees() -> None:
 
 def test_the_servo_walks_around_what_hides_the_subject() -> None:
     pillar = Box(-0.1, -1.3, 0, 0.6, 0.3, 2.5)
-    view = brief([GUARD, figure("anna", 0, 0, 0)], {"pillar": pillar}, kind="single", size="MS", focus_on_ids=("anna",))
+    view = view_of(
+        [GUARD, figure("anna", 0, 0, 0)], {"pillar": pillar}, kind="single", size="MS", focus_on_ids=("anna",)
+    )
     finder = NumberFinder(view.moments, dict(view.props))
     critic = CameraOperatorCritic(finder)
     straight = start(view, turn=-start(view).camera.azimuth)
@@ -196,14 +198,14 @@ def test_the_servo_walks_around_what_hides_the_subject() -> None:
 
 @pytest.mark.parametrize(("angle", "low", "high"), [("high angle", 16, 55), ("low angle", -38, -6), ("dutch", -9, 14)])
 def test_angles_are_kept(angle: str, low: float, high: float) -> None:
-    camera, residual, _ = shoot(brief([GUARD], kind="single", size="MS", focus_on_ids=("guard",), angle=angle))
+    camera, residual, _ = shoot(view_of([GUARD], kind="single", size="MS", focus_on_ids=("guard",), angle=angle))
     assert residual == ()
     assert low <= camera.elevation <= high
     assert (abs(camera.roll) > 8) == (angle == "dutch")
 
 
 def test_a_point_of_view_hides_its_owner_and_looks_where_they_look() -> None:
-    view = brief(kind="pov", size="MS", focus_on_ids=("tom",), pov_id="anna")
+    view = view_of(kind="pov", size="MS", focus_on_ids=("tom",), pov_id="anna")
     state = operate(view, NumberFinder(view.moments, {}))
     assert "anna" in state.hidden_node_ids
     camera = orbit_of(state.poses[0], FILM)
@@ -213,7 +215,7 @@ def test_a_point_of_view_hides_its_owner_and_looks_where_they_look() -> None:
 
 def test_an_insert_fills_the_frame_from_above() -> None:
     cup = {"cup": Box(0, 0, 0.75, 0.09, 0.09, 0.12)}
-    camera, residual, _ = shoot(brief([], cup, kind="insert", size="CU", focus_on_ids=("cup",)))
+    camera, residual, _ = shoot(view_of([], cup, kind="insert", size="CU", focus_on_ids=("cup",)))
     assert residual == ()
     screen = project(camera, corners(cup["cup"]))[0]
     assert 0.4 < (screen.max(0) - screen.min(0)).max() < 0.75
@@ -223,7 +225,7 @@ def test_an_insert_fills_the_frame_from_above() -> None:
 @pytest.mark.parametrize("movement", ["static", "pan", "track"])
 def test_a_walk_keeps_its_walker_in_the_picture(movement: str) -> None:
     moments = tuple(Moment(frame, (figure("anna", x, 0.5, 90),)) for frame, x in ((0, -2.5), (24, 0.0), (47, 2.5)))
-    view = brief(moments=moments, kind="action", size="FS", focus_on_ids=("anna",), movement=movement)
+    view = view_of(moments=moments, kind="action", size="FS", focus_on_ids=("anna",), movement=movement)
     state = operate(view, NumberFinder(moments, {}))
     assert len(state.poses) == 2
     for pose, moment in zip(state.poses, (moments[0], moments[-1]), strict=True):
@@ -234,7 +236,7 @@ def test_a_walk_keeps_its_walker_in_the_picture(movement: str) -> None:
 
 
 def test_a_plain_move_is_centred_on_the_composition() -> None:
-    view = brief([GUARD], kind="single", size="MS", focus_on_ids=("guard",), movement="pan", direction="left")
+    view = view_of([GUARD], kind="single", size="MS", focus_on_ids=("guard",), movement="pan", direction="left")
     state = operate(view, NumberFinder([Moment(0, (GUARD,))], {}))
     first, last = (seen(orbit_of(pose, FILM), GUARD)[0] for pose in state.poses)
     assert first < seen(start(view).camera, GUARD)[0] < last, "panning left, the subject goes from left to right"
@@ -247,15 +249,15 @@ def test_walls_in_the_way_are_taken_away_and_only_those() -> None:
         for name, start, end in zip(("front", "right", "back", "left"), points, (*points[1:], points[0]), strict=True)
     )
     plan = SetPlan(kit="room", indoor=True, size=SceneSize(x=2, x_negative=-2, y=2, y_negative=-2), walls=walls)
-    view = brief(kind="two_shot", size="FS", focus_on_ids=("anna", "tom"), plan=plan, **TALK)
+    view = view_of(kind="two_shot", size="FS", focus_on_ids=("anna", "tom"), plan=plan, **TALK)
     assert start(view).hidden == ("wall_front",)
     shelf = {"shelf_1": Box(0, -1.8, 0, 1.6, 0.3, 2.0)}
     assert start(replace(view, props=shelf)).hidden == ("wall_front", "shelf_1")
     assert start(replace(view, props=shelf, used=("shelf_1",))).hidden == ("wall_front",), "somebody works at it"
-    tight = brief([figure("anna", 0, 1, 0)], kind="single", size="CU", focus_on_ids=("anna",), lens=50.0, plan=plan)
+    tight = view_of([figure("anna", 0, 1, 0)], kind="single", size="CU", focus_on_ids=("anna",), lens=50.0, plan=plan)
     assert start(tight).hidden == ()
 
 
 def test_the_same_brief_gives_the_same_camera() -> None:
-    view = brief(kind="ots", size="MCU", focus_on_ids=("anna",), over_id="tom", **TALK)
+    view = view_of(kind="ots", size="MCU", focus_on_ids=("anna",), over_id="tom", **TALK)
     assert operate(view, NumberFinder(view.moments, {})) == operate(view, NumberFinder(view.moments, {}))

@@ -5,7 +5,7 @@ from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
-from test_camera_operator import ANNA, GUARD, TOM, brief, figure
+from test_camera_operator import ANNA, GUARD, TOM, figure, view_of
 
 from storyblender.agents.layout_artist.camera_operator_critic import CameraOperatorCritic, telling_moments
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment
@@ -47,17 +47,17 @@ def faults(
 
 
 def test_a_thing_in_a_picture_of_people_weighs_less_than_a_person_in_it() -> None:
-    view = brief(kind="two_shot", size="MS", focus_on_ids=("anna", "tom", "cup"), props={"cup": CUP})
+    view = view_of(kind="two_shot", size="MS", focus_on_ids=("anna", "tom", "cup"), props={"cup": CUP})
     behind = {"visible_fraction": 0.0}
     found = faults(view, sight("anna"), sight("tom", **behind), thing("cup", **behind))
     assert found["hidden", "cup"].severity < 1.5 < found["hidden", "tom"].severity
-    alone = brief((), kind="insert", size="CU", focus_on_ids=("cup",), props={"cup": CUP})
+    alone = view_of((), kind="insert", size="CU", focus_on_ids=("cup",), props={"cup": CUP})
     assert faults(alone, thing("cup", **behind))["hidden", "cup"].severity > 2
 
 
 def test_a_face_may_turn_away_before_it_is_drawn() -> None:
     moments = tuple(Moment(frame, (ANNA, TOM)) for frame in (0, 20, 40))
-    view = brief(moments=moments, kind="two_shot", size="MS", focus_on_ids=("anna", "tom"), movement="push in")
+    view = view_of(moments=moments, kind="two_shot", size="MS", focus_on_ids=("anna", "tom"), movement="push in")
     good, away = (sight("anna"), sight("tom")), (sight("anna", face_angle=170.0), sight("tom"))
     assert ("face_away", "anna") not in faults(view, *good, _0=away, _40=good)
     assert ("face_away", "anna") in faults(view, *away, _0=good, _40=good)
@@ -66,7 +66,7 @@ def test_a_face_may_turn_away_before_it_is_drawn() -> None:
 @pytest.mark.parametrize(("size", "cut"), [("MS", True), ("MCU", False)])
 def test_the_frame_takes_no_crown_off_whoever_belongs_in_it(size: str, cut: bool) -> None:
     wish = {"kind": "ots", "size": size, "focus_on_ids": ("anna",), "over_id": "tom", "in_frame": ("guard",)}
-    view = brief((ANNA, TOM, GUARD), **wish)
+    view = view_of((ANNA, TOM, GUARD), **wish)
     found = faults(view, sight("anna"), sight("tom"), sight("guard", head_top=-0.08, face=(0.8, 0.05)))
     assert (("beheaded", "guard") in found) == cut
     if cut:
@@ -74,25 +74,25 @@ def test_the_frame_takes_no_crown_off_whoever_belongs_in_it(size: str, cut: bool
 
 
 def test_a_shoulder_has_its_head_in_the_picture_or_nearly() -> None:
-    view = brief(kind="ots", size="MS", focus_on_ids=("anna",), over_id="tom")
+    view = view_of(kind="ots", size="MS", focus_on_ids=("anna",), over_id="tom")
     assert ("no_shoulder", "tom") in faults(view, sight("anna"), sight("tom", face=(1.2, 0.2)))
     assert ("no_shoulder", "tom") not in faults(view, sight("anna"), sight("tom", face=(0.9, 0.2)))
 
 
 def test_of_an_insert_nobody_is_asked_to_be_whole() -> None:
     cut = sight("anna", face=(0.5, -0.4), head_top=-0.6, box=(0.0, 0.0, 0.5, 1.0), pixels=0.3)
-    view = brief((ANNA,), kind="insert", size="CU", focus_on_ids=("cup",), props={"cup": CUP}, in_frame=("anna",))
+    view = view_of((ANNA,), kind="insert", size="CU", focus_on_ids=("cup",), props={"cup": CUP}, in_frame=("anna",))
     found = faults(view, cut, thing("cup", box=(0.2, 0.2, 0.75, 0.75)))
     assert not [kind for kind, subject in found if subject == "anna"]
 
 
 def test_a_picture_of_a_place_alone_is_not_empty() -> None:
-    assert faults(brief((), kind="action", size="WS")) == {}
+    assert faults(view_of((), kind="action", size="WS")) == {}
 
 
 @pytest.mark.parametrize(("focus", "minded"), [((), False), (("cup",), True)])
 def test_the_floor_of_a_place_is_no_foreground(focus: tuple[str, ...], minded: bool) -> None:
-    view = brief((), kind="establishing", size="EWS", focus_on_ids=focus, props={"cup": CUP})
+    view = view_of((), kind="establishing", size="EWS", focus_on_ids=focus, props={"cup": CUP})
     finder = SimpleNamespace(
         look=lambda requests: [CameraView(subjects=(), void=0.0, foreground=0.4) for _ in requests]
     )
@@ -104,23 +104,23 @@ def test_of_two_in_each_others_arms_one_face_is_enough() -> None:
     close = (figure("anna", -0.12, 0, 90, 1.65), figure("tom", 0.12, 0, -90, 1.8))
     back = sight("tom", face_angle=165.0)
     for people, one_is_enough in ((close, True), ((ANNA, TOM), False)):
-        view = brief(people, kind="action", size="MWS", focus_on_ids=("anna", "tom"))
+        view = view_of(people, kind="action", size="MWS", focus_on_ids=("anna", "tom"))
         assert (("face_away", "tom") not in faults(view, sight("anna"), back)) == one_is_enough
-    view = brief(close, kind="action", size="MWS", focus_on_ids=("anna", "tom"))
+    view = view_of(close, kind="action", size="MWS", focus_on_ids=("anna", "tom"))
     assert ("face_away", "tom") in faults(view, sight("anna", face_angle=165.0), back)
 
 
 def test_a_camera_that_stands_still_is_looked_through_when_it_is_drawn() -> None:
     moments = (Moment(0, (GUARD, TOM)), Moment(20, (ANNA, TOM)), Moment(40, (ANNA, GUARD)))
-    still = brief(moments=moments, kind="two_shot", size="MS", focus_on_ids=("anna", "tom"))
+    still = view_of(moments=moments, kind="two_shot", size="MS", focus_on_ids=("anna", "tom"))
     assert telling_moments(still, [start(still)]) == [still.drawn]
-    pushed = brief(moments=moments, kind="two_shot", size="MS", focus_on_ids=("anna", "tom"), movement="push in")
+    pushed = view_of(moments=moments, kind="two_shot", size="MS", focus_on_ids=("anna", "tom"), movement="push in")
     assert telling_moments(pushed, [start(pushed)]) == list(moments)
 
 
 @pytest.mark.parametrize(("x", "cut"), [(0.03, True), (0.15, False)])
 def test_the_frame_cuts_nobody_of_a_group_at_its_sides(x: float, cut: bool) -> None:
-    view = brief(kind="two_shot", size="MS", focus_on_ids=("anna", "tom"))
+    view = view_of(kind="two_shot", size="MS", focus_on_ids=("anna", "tom"))
     found = faults(view, sight("anna", face=(x, 0.25)), sight("tom", face=(1 - x, 0.25)))
     assert (("squeezed", "anna") in found) == cut
     camera = start(view).camera

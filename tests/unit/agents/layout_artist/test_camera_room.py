@@ -38,7 +38,7 @@ def person(name: str, x: float, y: float, yaw: float) -> Figure:
     return Figure(name, (x, y, 1.6), forward, 0.23, (x, y, 0.0))
 
 
-def brief(*people: Figure, in_frame: tuple[str, ...] = (), **more) -> CameraOperatorView:
+def view_of(*people: Figure, in_frame: tuple[str, ...] = (), **more) -> CameraOperatorView:
     return CameraOperatorView(
         1, 1, CameraInstruction(**more), 48, (Moment(0, people),), plan=ROOM, film=Film(), in_frame=in_frame
     )
@@ -75,7 +75,7 @@ def test_a_long_lens_gives_way_to_the_room_and_keeps_the_size() -> None:
 def test_a_master_indoors_stays_in_the_room_and_shows_people_large(kind: str) -> None:
     people = (person("anna", -1, 1, 30), person("tom", 0.6, 1.2, -20))
     names = ("anna", "tom")
-    take = scouted(brief(*people, in_frame=names, kind=kind, size="WS", focus_on_ids=names))[0]
+    take = scouted(view_of(*people, in_frame=names, kind=kind, size="WS", focus_on_ids=names))[0]
     assert outside(ROOM, take.camera, take.hidden) < 0.03
     heights = [float(project(take.camera, [who.base, who.crown])[0][:, 1] @ (1, -1)) for who in people]
     assert 0.17 < max(heights) < 0.75
@@ -83,7 +83,7 @@ def test_a_master_indoors_stays_in_the_room_and_shows_people_large(kind: str) ->
 
 def test_a_picture_of_things_stays_in_the_room_however_large_they_are() -> None:
     tree, bone = Box(1.0, 1.0, 0.0, 1.8, 1.8, 2.2), Box(-2.0, 1.0, 0.0, 0.1, 0.1, 0.1)
-    shot = brief(kind="action", size="MS", focus_on_ids=["tree", "bone"])
+    shot = view_of(kind="action", size="MS", focus_on_ids=["tree", "bone"])
     shot = replace(shot, props={"tree": tree, "bone": bone})
     assert shot.things, "the picture is of them"
     camera = start(shot).camera
@@ -94,21 +94,21 @@ def test_a_picture_of_things_stays_in_the_room_however_large_they_are() -> None:
 def test_a_lens_that_was_asked_for_is_the_lens() -> None:
     pair = person("anna", -0.6, 0, 90), person("tom", 0.6, 0, -90)
     asked = {"kind": "establishing", "size": "WS", "focus_on_ids": ["anna", "tom"]}
-    free, told = start(brief(*pair, **asked)).camera, start(brief(*pair, **asked, lens=35.0)).camera
+    free, told = start(view_of(*pair, **asked)).camera, start(view_of(*pair, **asked, lens=35.0)).camera
     assert free.lens < 35, "the room calls for a wider one"
     assert told.lens == 35
 
 
 def test_who_has_no_part_is_left_out() -> None:
     anna, guard = person("anna", 0, 0, 0), person("guard", 0.9, 1.4, 0)
-    view = brief(anna, guard, in_frame=("anna",), kind="single", size="MS", focus_on_ids=("anna",))
+    view = view_of(anna, guard, in_frame=("anna",), kind="single", size="MS", focus_on_ids=("anna",))
     screen, _ = project(scouted(view)[0].camera, [guard.face])
     assert not 0 < screen[0, 0] < 1
     assert cost(view, scouted(view)[0]) < cost(view, start(view, 180))
 
 
 def test_a_tight_shot_is_about_the_first() -> None:
-    view = brief(
+    view = view_of(
         person("anna", 0, 0, 0), person("tom", 2, 1, 180), kind="reaction", size="MCU", focus_on_ids=("anna", "tom")
     )
     assert view.focus == ("anna",)
@@ -118,11 +118,11 @@ def test_a_tight_shot_is_about_the_first() -> None:
 
 def test_what_somebody_lies_on_stays_where_the_wall_before_it_goes() -> None:
     sleeper, guest = person("anna", 0.0, -2.4, 0), person("tom", 0.0, 1.5, 0)
-    view = brief(sleeper, guest, in_frame=("anna", "tom"), kind="group", size="MWS", focus_on_ids=("tom",))
+    view = view_of(sleeper, guest, in_frame=("anna", "tom"), kind="group", size="MWS", focus_on_ids=("tom",))
     bed = {"bed": Box(0.0, -2.4, 0.0, 1.0, 2.0, 1.4)}
     camera = camera_looking_at((0.0, -4.5, 1.2), (0.0, 1.5, 1.2), 24.0, **FILM)
     assert "bed" not in take(replace(view, props=bed), camera).hidden
-    empty = brief(guest, in_frame=("tom",), kind="single", size="MWS", focus_on_ids=("tom",))
+    empty = view_of(guest, in_frame=("tom",), kind="single", size="MWS", focus_on_ids=("tom",))
     assert "bed" in take(replace(empty, props=bed), camera).hidden, "nobody would float without it"
 
 
@@ -131,7 +131,7 @@ def test_who_bows_into_a_wall_opens_none() -> None:
     camera = camera_looking_at((0, 0, 1.5), bowed.face, 35.0, **FILM)
     assert taken_away(ROOM, {}, [camera], [np.array(bowed.face)]) == []
     assert taken_away(ROOM, {}, [camera], [np.array((-3.6, 0.0, 1.6))]) == ["left"], "who is behind a wall is seen"
-    best = scouted(brief(bowed, kind="action", size="MWS", focus_on_ids=("anna",)))[0]
+    best = scouted(view_of(bowed, kind="action", size="MWS", focus_on_ids=("anna",)))[0]
     assert outside(ROOM, best.camera, best.hidden) < VOID
 
 
@@ -146,7 +146,7 @@ def test_what_hangs_on_a_wall_goes_with_it() -> None:
 
 @pytest.mark.parametrize("kind", ["action", "insert"])
 def test_things_too_large_for_the_room_at_the_lens_of_their_size_take_a_wider_one(kind: str) -> None:
-    view = brief(kind=kind, size="CU", focus_on_ids=("boiler",))
+    view = view_of(kind=kind, size="CU", focus_on_ids=("boiler",))
     shot = start(replace(view, props={"boiler": Box(0, 2, 0, 2.4, 1.5, 2.2)})).camera
     top, low = project(shot, [(0, 1.25, 2.2), (0, 1.25, 0)])[0][:, 1]
     assert shot.lens < 85 and 0 < top < low < 1

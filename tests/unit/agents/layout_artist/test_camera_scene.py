@@ -89,16 +89,16 @@ def _turned(camera):
 def test_props_are_where_the_shot_has_them() -> None:
     shown = {"kind": "insert", "size": "CU", "focus_on_ids": ("cup",)}
     story = graph(shown)
-    brief = camera_operator_view(story, story.shots[0], PLAN, {"cup": CUP}, moments(story.shots[0]))
-    assert brief.focus == ("cup_1",)
-    assert (brief.props["cup_1"].x, brief.props["cup_1"].z) == (1, 0.8)
+    view = camera_operator_view(story, story.shots[0], PLAN, {"cup": CUP}, moments(story.shots[0]))
+    assert view.focus == ("cup_1",)
+    assert (view.props["cup_1"].x, view.props["cup_1"].z) == (1, 0.8)
     held = graph(shown, prop_states=(PropState(asset_id="cup", held_by="anna", hand="R"),))
     box = camera_operator_view(held, held.shots[0], PLAN, {"cup": CUP}, moments(held.shots[0])).props["cup_1"]
     assert 0.1 < box.x - ANNA.base[0] < 0.6, "before her, who looks to +X"
     there = (PropState(asset_id="bag", location=(-2, 1, 0.7)),)
     laid = graph({**shown, "focus_on_ids": ("bag",)}, prop_states=there)
-    brief = camera_operator_view(laid, laid.shots[0], PLAN, {"bag": CUP}, moments(laid.shots[0]))
-    assert [(box.x, box.z) for box in brief.things] == [(-2, 0.7)], "brought by somebody: no layout has it"
+    view = camera_operator_view(laid, laid.shots[0], PLAN, {"bag": CUP}, moments(laid.shots[0]))
+    assert [(box.x, box.z) for box in view.things] == [(-2, 0.7)], "brought by somebody: no layout has it"
     gone = graph(shown, prop_states=(PropState(asset_id="cup", visible=False),))
     assert camera_operator_view(gone, gone.shots[0], PLAN, {"cup": CUP}, moments(gone.shots[0])).props == {}
 
@@ -107,24 +107,24 @@ def test_what_somebody_uses_never_goes_with_a_wall() -> None:
     uses = CharacterAction(asset_id="anna", action_description="closes it", motion="close", target_id="cup")
     for actions, used in (((), ()), ((uses,), ("cup_1",))):
         story = graph({"kind": "single", "size": "MS", "focus_on_ids": ("anna",)}, character_actions=actions)
-        brief = camera_operator_view(story, story.shots[0], PLAN, {"cup": CUP}, moments(story.shots[0]))
-        assert brief.used == used
+        view = camera_operator_view(story, story.shots[0], PLAN, {"cup": CUP}, moments(story.shots[0]))
+        assert view.used == used
 
 
 @pytest.mark.parametrize(("frame", "focus"), [(20, ("anna", "cup")), (60, ("anna",))])
 def test_what_was_put_down_before_is_not_what_a_picture_is_about(frame: int, focus: tuple[str, ...]) -> None:
     puts = Cue(asset_id="anna", clip="put_down", start=5, prop_id="cup"), Cue(asset_id="anna", clip="wave", start=50)
     story = graph({"kind": "action", "size": "MS", "focus_on_ids": ("anna", "cup")}, cues=puts)
-    brief = camera_operator_view(story, story.shots[0], PLAN, {}, [Moment(frame, (ANNA, TOM))])
-    assert brief.instruction.focus_on_ids == focus
+    view = camera_operator_view(story, story.shots[0], PLAN, {}, [Moment(frame, (ANNA, TOM))])
+    assert view.instruction.focus_on_ids == focus
 
 
 def test_who_is_embraced_after_putting_something_down_is_not_seen_with_it() -> None:
     puts = Cue(asset_id="anna", clip="put_down", start=5, prop_id="cup")
     hugs = Cue(asset_id="tom", clip="hug", start=50, target_id="anna")
     story = graph({"kind": "action", "size": "MS", "focus_on_ids": (*AXIS, "cup")}, cues=(puts, hugs))
-    brief = camera_operator_view(story, story.shots[0], PLAN, {}, [Moment(80, (ANNA, TOM))])
-    assert set(brief.instruction.focus_on_ids) == set(AXIS)
+    view = camera_operator_view(story, story.shots[0], PLAN, {}, [Moment(80, (ANNA, TOM))])
+    assert set(view.instruction.focus_on_ids) == set(AXIS)
 
 
 @pytest.mark.parametrize(
@@ -141,9 +141,9 @@ def test_who_is_embraced_after_putting_something_down_is_not_seen_with_it() -> N
 def test_a_group_of_medium_size_holds_only_who_is_near(kind: str, size: str, x: float, held: bool) -> None:
     far = replace(TOM, face=(ANNA.face[0] + x, *TOM.face[1:]), base=(ANNA.base[0] + x, *ANNA.base[1:]))
     story = graph({"kind": kind, "size": size, "focus_on_ids": AXIS}, in_frame=("tom",))
-    brief = camera_operator_view(story, story.shots[0], PLAN, {}, [Moment(0, (ANNA, far))])
-    assert (brief.focus == AXIS) == held
-    assert (brief.in_frame == ("tom",)) == held
+    view = camera_operator_view(story, story.shots[0], PLAN, {}, [Moment(0, (ANNA, far))])
+    assert (view.focus == AXIS) == held
+    assert (view.in_frame == ("tom",)) == held
 
 
 def test_a_camera_says_whom_it_leaves_out(monkeypatch) -> None:
@@ -160,13 +160,13 @@ def test_a_reverse_answers_only_where_the_two_have_not_walked_around_each_other(
     story = graph(*DIALOGUE[3:])
     behind = replace(TOM, face=(-0.6, 1.2, TOM.face[2]), base=(-0.6, 1.2, 0.0))
     for second, answers in ((TOM, True), (behind, False)):
-        briefs = []
-        monkeypatch.setattr(camera_scene, "operate", lambda view, *_, seen=briefs, **more: seen.append(view) or SET)
+        views = []
+        monkeypatch.setattr(camera_scene, "operate", lambda view, *_, seen=views, **more: seen.append(view) or SET)
         at = {1: (ANNA, TOM), 2: (ANNA, second)}
         faces = lambda shot, at=at: [Moment(frame, at[shot.shot_id]) for frame in telling_frames(shot)]  # noqa: E731
         shoot_scene(story, 1, PLAN, {"cup": CUP}, faces, NumberFinder([], {}))
-        assert (briefs[1].reverse is not None) == answers
-        assert (briefs[1].side != 0) == answers, "a new line has no side yet"
+        assert (views[1].reverse is not None) == answers
+        assert (views[1].side != 0) == answers, "a new line has no side yet"
 
 
 TALK = {"clip": "talk", "start": 5, "duration": 60, "target_id": "tom"}

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from test_camera_operator import ANNA, FILM, GUARD, TOM, NumberFinder, brief, figure, shoot
+from test_camera_operator import ANNA, FILM, GUARD, TOM, NumberFinder, figure, shoot, view_of
 
 from storyblender.agents.layout_artist.camera_composition import AT_SIDE
 from storyblender.agents.layout_artist.camera_cuts import cuts
@@ -44,7 +44,7 @@ def test_who_sits_in_a_boat_is_seen_over_its_side_and_who_sits_on_a_chair_is_see
     boat, chair = Box(0, 0, 0, 3.4, 1.5, 0.75), Box(0.2, 0, 0, 0.5, 0.5, 0.9)
     assert holds(boat, rower) and not holds(chair, rower)
     assert opened([chair], rower) == [chair] and len(opened([boat], rower)) == 4
-    view = brief([rower], kind="action", size="FS", focus_on_ids=("anna",), props={"boat": boat})
+    view = view_of([rower], kind="action", size="FS", focus_on_ids=("anna",), props={"boat": boat})
     level, high = start(view), start(view, 0, 19)
     assert high.camera.elevation > level.camera.elevation + 15
     sides = opened([boat], rower)
@@ -55,7 +55,7 @@ def test_who_sits_in_a_boat_is_seen_over_its_side_and_who_sits_on_a_chair_is_see
 
 
 def test_a_camera_does_not_look_into_a_pier() -> None:
-    view = brief([figure("anna", 1.5, -1, 0)], kind="single", size="FS", focus_on_ids=("anna",), plan=PLAN)
+    view = view_of([figure("anna", 1.5, -1, 0)], kind="single", size="FS", focus_on_ids=("anna",), plan=PLAN)
     best = scouted(view)[0]
     assert hidden_share(best.camera, view.people[0], piece_boxes(ARCADE)) < 0.3
     straight = next(take for take in (start(view, turn) for turn in range(-40, 41, 5)) if abs(take.camera.azimuth) < 6)
@@ -65,13 +65,13 @@ def test_a_camera_does_not_look_into_a_pier() -> None:
 def test_a_stranger_stands_aside_in_a_tight_shot_with_what_he_carries_and_stays_in_a_wide_one() -> None:
     behind = figure("guard", 0, 1.0, 0)
     people = {"figures": (ANNA, TOM, behind), "focus_on_ids": ("anna", "tom"), "carried": {"guard": ("lamp",)}}
-    tight = brief(kind="two_shot", size="MS", **people)
+    tight = view_of(kind="two_shot", size="MS", **people)
     assert {"guard", "lamp"} <= set(scouted(tight)[0].hidden)
-    assert not any("guard" in take.hidden for take in scouted(brief(kind="two_shot", size="WS", **people)))
+    assert not any("guard" in take.hidden for take in scouted(view_of(kind="two_shot", size="WS", **people)))
 
 
 def test_sending_somebody_away_costs_a_little() -> None:
-    view = brief((ANNA, GUARD), kind="single", size="MS", focus_on_ids=("anna",))
+    view = view_of((ANNA, GUARD), kind="single", size="MS", focus_on_ids=("anna",))
     take = scouted(view)[0]
     kept = replace(take, hidden=())
     away = replace(take, hidden=("guard",))
@@ -80,7 +80,7 @@ def test_sending_somebody_away_costs_a_little() -> None:
 
 
 def test_a_full_shot_that_cuts_the_feet_costs() -> None:
-    view = brief((ANNA, TOM), kind="action", size="FS", focus_on_ids=("anna", "tom"))
+    view = view_of((ANNA, TOM), kind="action", size="FS", focus_on_ids=("anna", "tom"))
     whole = start(view)
     cut = replace(whole, camera=pan(whole.camera, 0.0, 0.15))
     assert project(cut.camera, ANNA.base)[0][0, 1] > 1 > project(whole.camera, ANNA.base)[0][0, 1]
@@ -89,7 +89,7 @@ def test_a_full_shot_that_cuts_the_feet_costs() -> None:
 
 def test_nobody_walks_into_the_camera_and_one_of_several_may_leave_the_picture() -> None:
     wish = {"kind": "two_shot", "size": "MS", "focus_on_ids": ("anna", "tom")}
-    still = brief(moments=tuple(Moment(frame, (ANNA, TOM)) for frame in (0, 20, 40)), **wish)
+    still = view_of(moments=tuple(Moment(frame, (ANNA, TOM)) for frame in (0, 20, 40)), **wish)
     take = start(still)
     x, y, _ = take.camera.position
     prices = []
@@ -101,7 +101,7 @@ def test_nobody_walks_into_the_camera_and_one_of_several_may_leave_the_picture()
 
 def test_three_people_in_a_row_are_seen_past_each_other() -> None:
     crowd = [figure("a", 0, 0, 0), figure("b", 0.3, 0.9, 0), figure("c", -0.2, 1.8, 0)]
-    _, residual, finder = shoot(brief(crowd, kind="group", size="MWS", focus_on_ids=("a", "b", "c")))
+    _, residual, finder = shoot(view_of(crowd, kind="group", size="MWS", focus_on_ids=("a", "b", "c")))
     assert not [flaw for flaw in residual if flaw.kind in ("hidden", "face_hidden", "out_of_frame", "face_out")]
     assert finder.looks <= 20
 
@@ -118,14 +118,14 @@ def test_a_standing_partner_keeps_the_head_over_whose_shoulder_we_look() -> None
 def test_a_script_that_asks_for_a_shoulder_gets_it_even_if_the_subject_walks_away() -> None:
     away = figure("anna", -0.6, 0, -90, 1.65)
     for explicit, over in ((True, True), (False, False)):
-        view = brief((away, TOM), kind="ots", size="MS", focus_on_ids=("anna",), over_id="tom", explicit=explicit)
+        view = view_of((away, TOM), kind="ots", size="MS", focus_on_ids=("anna",), over_id="tom", explicit=explicit)
         seen = project(start(view).camera, TOM.face)
         assert (0 < seen[0][0, 0] < 1 and seen[1][0] > 0) == over
 
 
 def test_who_is_looked_after_is_no_back_where_a_side_shows_more() -> None:
     away = figure("anna", -0.6, 0, -90, 1.65)
-    view = brief((away, TOM), kind="ots", size="MS", focus_on_ids=("anna",), over_id="tom", explicit=True)
+    view = view_of((away, TOM), kind="ots", size="MS", focus_on_ids=("anna",), over_id="tom", explicit=True)
     camera, residual, _ = shoot(view)
     assert away.turned_from(camera.position) < 120 < away.turned_from(start(view).camera.position)
     assert all(AT_SIDE < x < 1 - AT_SIDE for x in project(camera, [away.face, TOM.face])[0][:, 0]), "both are shown"
@@ -137,7 +137,7 @@ def test_who_is_looked_after_is_no_back_where_a_side_shows_more() -> None:
 def test_who_walks_off_is_seen_from_behind_past_who_looks_after_them() -> None:
     steps = tuple(Moment(20 * n, (TOM, figure("anna", -0.6 - 1.2 * n, 0.1, -90, 1.65))) for n in range(3))
     wish = {"kind": "ots", "size": "MS", "focus_on_ids": ("anna",), "over_id": "tom", "explicit": True}
-    view = replace(brief(moments=steps, **wish), duration=41)
+    view = replace(view_of(moments=steps, **wish), duration=41)
     assert view.in_stride
     camera = scouted(view)[0].camera
     walker = view.people[0]
@@ -152,14 +152,14 @@ def test_who_walks_off_is_seen_from_behind_past_who_looks_after_them() -> None:
 def test_who_squats_after_a_walk_is_in_a_medium_shot_and_who_bends_is_low_in_it(stature: float, low: bool) -> None:
     steps = tuple(Moment(20 * n, (figure("tom", x, 0, 90, tall),)) for n, (x, tall) in enumerate(
         ((-2.0, 1.75), (0.0, stature), (0.0, stature))))  # fmt: skip
-    view = replace(brief(moments=steps, kind="action", size="MS", focus_on_ids=("tom",)), duration=41)
+    view = replace(view_of(moments=steps, kind="action", size="MS", focus_on_ids=("tom",)), duration=41)
     (_, y), *_ = project(start(view).camera, [view.people[0].face])[0]
     assert (y > 0.35) == low and y < 0.8
 
 
 def test_who_bends_is_not_taken_from_behind() -> None:
     bent = replace(figure("tom", 0, 0, 0, 1.1), forward=(0.0, -0.5, -0.85))
-    view = brief([bent], kind="action", size="MS", focus_on_ids=("tom",))
+    view = view_of([bent], kind="action", size="MS", focus_on_ids=("tom",))
     assert abs(scouted(view)[0].camera.azimuth) < 110
     before, behind = (start(view, turn - start(view).camera.azimuth) for turn in (0.0, 180.0))
     assert cost(view, behind) > cost(view, before) + 1.0
@@ -167,7 +167,7 @@ def test_who_bends_is_not_taken_from_behind() -> None:
 
 def test_whoever_is_in_a_boat_may_be_looked_down_on() -> None:
     rower, friend = figure("anna", 0.4, 0, -90, 1.3), figure("tom", -0.4, 0, 90, 1.3)
-    view = brief([rower, friend], kind="action", size="MWS", focus_on_ids=("anna", "tom"))
+    view = view_of([rower, friend], kind="action", size="MWS", focus_on_ids=("anna", "tom"))
     boat = replace(view, props={"boat": Box(0, 0, 0, 3.4, 1.5, 0.75)})
     for here, minded in ((view, True), (boat, False)):
         take = start(here, 0, 27)
@@ -178,7 +178,7 @@ def test_whoever_is_in_a_boat_may_be_looked_down_on() -> None:
 
 def test_a_group_is_held_wherever_one_of_it_walks() -> None:
     moments = tuple(Moment(index * 10, (TOM, figure("anna", x, 0.4, 90))) for index, x in enumerate((-2.2, -1.4, -0.6)))
-    view = brief(moments=moments, kind="action", size="FS", focus_on_ids=("tom", "anna"), movement="pan")
+    view = view_of(moments=moments, kind="action", size="FS", focus_on_ids=("tom", "anna"), movement="pan")
     state = operate(replace(view, duration=21), NumberFinder(moments, {}))
     assert len(state.poses) == 1, "the camera waits"
     camera = scouted(view)[0].camera
@@ -195,7 +195,7 @@ def test_nobody_of_a_deep_group_is_behind_the_camera() -> None:
 
 
 def test_the_camera_of_a_frame_is_between_its_poses() -> None:
-    view = brief([GUARD], kind="single", size="MS", focus_on_ids=("guard",), movement="pan", direction="left")
+    view = view_of([GUARD], kind="single", size="MS", focus_on_ids=("guard",), movement="pan", direction="left")
     state = start(view).state(49, 4.0, 10.0, ())
     first, last = state.poses
     assert camera_at(state, 0, FILM).rotation == pytest.approx(first.rotation)
@@ -208,14 +208,14 @@ def test_the_camera_of_a_frame_is_between_its_poses() -> None:
 def test_who_sits_beside_the_thing_of_an_insert_may_stand_aside_for_it(x: float, aside: bool) -> None:
     ring = Box(0, 0, 0.45, 0.03, 0.03, 0.03)
     sitter = figure("tom", x, 0, 0, 1.3)
-    view = brief([sitter], {"ring": ring}, kind="insert", size="CU", focus_on_ids=("ring",))
+    view = view_of([sitter], {"ring": ring}, kind="insert", size="CU", focus_on_ids=("ring",))
     assert any(take.hidden == ("tom",) for take in scouted(view)) == aside
 
 
 @pytest.mark.parametrize("steps", [(-3.0, 0.0, 0.0), (0.0, 0.0, 3.0), (-3.0, -1.5, 0.0)], ids=["over", "to come", "on"])
 def test_a_camera_goes_with_a_walk_when_it_is_walked(steps: tuple[float, ...]) -> None:
     moments = tuple(Moment(24 * n, (figure("anna", x, 0, 90),)) for n, x in enumerate(steps))
-    view = brief(moments=moments, kind="action", size="FS", focus_on_ids=("anna",), movement="track")
+    view = view_of(moments=moments, kind="action", size="FS", focus_on_ids=("anna",), movement="track")
     view = replace(view, duration=49)
     taken = start(view)
     state = taken.state(view.duration, 5.6, 10.0, ())
@@ -226,7 +226,7 @@ def test_a_camera_goes_with_a_walk_when_it_is_walked(steps: tuple[float, ...]) -
 
 def test_who_is_there_by_chance_keeps_the_head() -> None:
     child = figure("tam", 0, 0, 0, 1.1)
-    view = brief([child], kind="action", size="FS", focus_on_ids=("tam",))
+    view = view_of([child], kind="action", size="FS", focus_on_ids=("tam",))
     take = start(view)
     for stature, minded in ((1.1, False), (1.95, True)):
         by = replace(view, moments=(Moment(0, (child, figure("maren", -0.5, -0.3, 0, stature))),))
@@ -235,9 +235,9 @@ def test_who_is_there_by_chance_keeps_the_head() -> None:
 
 def test_a_wide_and_a_medium_of_the_same_two_from_the_same_place_are_one_picture_where_heads_are_alike() -> None:
     pair = figure("anna", -0.4, 0, 90), figure("tom", 0.4, 0, -90)
-    wide = brief(pair, kind="action", size="FS", focus_on_ids=("anna", "tom"))
+    wide = view_of(pair, kind="action", size="FS", focus_on_ids=("anna", "tom"))
     first = start(wide)
-    near = brief(pair, kind="two_shot", size="MS", focus_on_ids=("tom", "anna"))
+    near = view_of(pair, kind="two_shot", size="MS", focus_on_ids=("tom", "anna"))
     weights = []
     for back in (1.0, 1.9, 2.6):
         camera = replace(first.camera, distance=first.camera.distance / back)
@@ -249,7 +249,7 @@ def test_a_wide_and_a_medium_of_the_same_two_from_the_same_place_are_one_picture
 
 def test_a_place_shows_the_faces_of_those_who_talk_in_it() -> None:
     talk = figure("anna", 0, -0.6, 180), figure("tom", 0, 0.6, 0)
-    view = replace(brief(talk, kind="establishing", size="WS"), in_frame=("anna", "tom"))
+    view = replace(view_of(talk, kind="establishing", size="WS"), in_frame=("anna", "tom"))
     best = scouted(view)[0]
     assert all(one.turned_from(best.camera.position) < 115 for one in talk)
     assert talk[0].turned_from(start(view).camera.position) > 150, "the audience's side shows a back"
@@ -260,7 +260,7 @@ def test_who_walks_into_a_place_may_show_it_a_back() -> None:
     walk = [Moment(frame, (figure("anna", 0, y, 180),)) for frame, y in ((0, -1.5), (20, 0), (40, 1.5))]
     wish = {"kind": "establishing", "size": "WS", "focus_on_ids": ("anna",)}
     stands, walks = (
-        replace(brief(moments=tuple(steps), **wish), in_frame=("anna",), duration=41) for steps in (still, walk)
+        replace(view_of(moments=tuple(steps), **wish), in_frame=("anna",), duration=41) for steps in (still, walk)
     )
     behind = start(walks)
     assert walks.in_stride and walks.people[0].turned_from(behind.camera.position) > 150
@@ -275,7 +275,7 @@ def test_a_place_without_people_is_where_it_plays_and_not_behind_its_houses() ->
     area = SceneSize(x=9, x_negative=-9, y=2.8, y_negative=-2.8)
     street = SetPlan(kit="street", indoor=False, size=area, pieces=tuple(row))
     lamps = {f"lamp_{x}": Box(x, -1.7, 0, 0.3, 0.3, 4.5) for x in range(-40, 41, 8)}
-    view = brief((), kind="establishing", size="EWS", plan=street, props=lamps)
+    view = view_of((), kind="establishing", size="EWS", plan=street, props=lamps)
     best = scouted(view)[0].camera
     assert best.distance < 25 and -13 < best.position[1] < 2.8
     assert cost(view, start(view)) > cost(view, scouted(view)[0]) + 3, "straight on, a house is before it"
@@ -287,32 +287,32 @@ def test_a_close_picture_of_things_is_about_the_first_and_what_is_by_it() -> Non
         "key": Box(0.4, 0, 1, 0.1, 0.1, 0.1),
         "bag": Box(5, 0, 0, 0.4, 0.4, 0.4),
     }
-    close = brief((), kind="action", size="CU", focus_on_ids=("valve", "key", "bag"), props=things)
+    close = view_of((), kind="action", size="CU", focus_on_ids=("valve", "key", "bag"), props=things)
     assert close.focus == ("valve", "key")
     assert replace(close, instruction=close.instruction.model_copy(update={"size": "FS"})).focus == tuple(things)
 
 
 def test_who_stands_over_somebody_keeps_the_head() -> None:
     kneels, stands = figure("anna", 0, 0, 20, 1.1), figure("tom", 0.7, 0.2, -30, 1.8)
-    view = brief((kneels, stands), kind="action", size="FS", focus_on_ids=("anna",))
+    view = view_of((kneels, stands), kind="action", size="FS", focus_on_ids=("anna",))
     assert view.focus == ("anna", "tom")
     assert project(scouted(view)[0].camera, stands.crown)[0][0, 1] > 0
     for other in ({"kind": "single"}, {"size": "MS"}):
-        assert brief((kneels, stands), **{"kind": "action", "size": "FS", "focus_on_ids": ("anna",)} | other).focus == (
-            "anna",
-        )
+        assert view_of(
+            (kneels, stands), **{"kind": "action", "size": "FS", "focus_on_ids": ("anna",)} | other
+        ).focus == ("anna",)
 
 
 def test_a_place_shown_by_a_thing_shows_the_thing_and_no_counter_before_it() -> None:
     props = {"stove": Box(0, 1, 0, 0.6, 0.6, 1.0), "counter": Box(0, -1.2, 0, 2.4, 0.6, 1.1)}
-    view = brief((), kind="establishing", size="WS", focus_on_ids=("stove",), props=props)
+    view = view_of((), kind="establishing", size="WS", focus_on_ids=("stove",), props=props)
     assert cost(view, start(view)) > cost(view, scouted(view)[0]) + 1
 
 
 def test_the_camera_stands_behind_the_shoulder_that_is_asked_for() -> None:
     steps = tuple(Moment(20 * n, (TOM, figure("anna", -0.9 - 1.2 * n, 0.1, -90, 1.65))) for n in range(3))
     wish = {"kind": "ots", "size": "MS", "focus_on_ids": ("anna",), "over_id": "tom", "explicit": True}
-    view = replace(brief(moments=steps, **wish), duration=41)
+    view = replace(view_of(moments=steps, **wish), duration=41)
     best = scouted(view)[0]
     head = head_share(best.camera, TOM)
     assert 0.25 < head < 0.6 and TOM.turned_from(best.camera.position) > 120
@@ -325,7 +325,7 @@ def test_the_camera_stands_behind_the_shoulder_that_is_asked_for() -> None:
 
 
 def test_the_back_of_a_cheek_is_no_face() -> None:
-    view = brief([GUARD], kind="action", size="FS", focus_on_ids=("guard",))
+    view = view_of([GUARD], kind="action", size="FS", focus_on_ids=("guard",))
     prices = {}
     for turn in range(0, 180, 5):
         take = start(view, float(turn))
@@ -338,8 +338,8 @@ def test_the_back_of_a_cheek_is_no_face() -> None:
 def test_a_partner_too_far_away_is_no_shoulder_unless_the_script_asks_for_it() -> None:
     away = figure("tom", 0.6 + 3.5, 0, -90, 1.8)
     wish = {"kind": "ots", "size": "MCU", "focus_on_ids": ("anna",), "over_id": "tom"}
-    near, far = brief((ANNA, TOM), **wish), brief((ANNA, away), **wish)
-    assert near.over == TOM and far.over is None and brief((ANNA, away), explicit=True, **wish).over == away
+    near, far = view_of((ANNA, TOM), **wish), view_of((ANNA, away), **wish)
+    assert near.over == TOM and far.over is None and view_of((ANNA, away), explicit=True, **wish).over == away
     finder = NumberFinder(far.moments, {})
     critique = CameraOperatorCritic(finder).judge(scouted(far)[0], far)
     assert not {"size", "no_shoulder", "placement"} & {each.kind for each in critique.faults}, "a good single"

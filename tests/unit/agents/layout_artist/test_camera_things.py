@@ -18,7 +18,7 @@ def _person(name: str, x: float, face: float = 1.6) -> Figure:
     return Figure(name, (x, 0.0, face), (0.0, -1.0, 0.0), 0.23, (x, 0.0, 0.0))
 
 
-def _brief(people: tuple[Figure, ...], props: dict[str, Box], **camera: object) -> CameraOperatorView:
+def _view_of(people: tuple[Figure, ...], props: dict[str, Box], **camera: object) -> CameraOperatorView:
     moments = tuple(Moment(frame, people) for frame in (0, 12, 24))
     return CameraOperatorView(1, 1, CameraInstruction.model_validate(camera), 24, moments, props=props)
 
@@ -38,26 +38,26 @@ def test_a_thing_is_with_who_took_it_until_it_is_laid_down() -> None:
 def test_an_ordered_close_shot_of_two_holds_both_heads_tall_and_small() -> None:
     people = (_person("ann", 0.0), _person("child", 0.6, 1.1))
     for explicit in (True, False):
-        brief = _brief(people, {}, size="MCU", kind="action", explicit=explicit, focus_on_ids=("ann", "child"))
-        assert brief.focus == (("ann", "child") if explicit else ("ann",))
-    brief = _brief(people, {}, size="CU", kind="action", explicit=True, focus_on_ids=("ann", "child"))
+        view = _view_of(people, {}, size="MCU", kind="action", explicit=explicit, focus_on_ids=("ann", "child"))
+        assert view.focus == (("ann", "child") if explicit else ("ann",))
+    view = _view_of(people, {}, size="CU", kind="action", explicit=True, focus_on_ids=("ann", "child"))
     ends = [point for each in people for point in (each.crown, (*each.face[:2], each.face[2] - 0.1))]
-    screen, _ = project(start(brief).camera, ends)
+    screen, _ = project(start(view).camera, ends)
     assert screen.min() > 0 and screen.max() < 1
 
 
 def test_a_close_shot_of_somebody_with_a_thing_in_hand_holds_both() -> None:
     watch = Box(0.2, -0.25, 1.15, 0.06, 0.06, 0.06)
-    brief = _brief((_person("ann", 0.0),), {"watch": watch}, size="CU", kind="single", focus_on_ids=("watch", "ann"))
-    screen, _ = project(start(brief).camera, [*corners(watch), brief.people[0].face])
+    view = _view_of((_person("ann", 0.0),), {"watch": watch}, size="CU", kind="single", focus_on_ids=("watch", "ann"))
+    screen, _ = project(start(view).camera, [*corners(watch), view.people[0].face])
     assert screen.min() > 0 and screen.max() < 1
 
 
 def test_the_insert_of_a_thing_in_a_desk_may_do_without_the_desk_and_shows_its_front() -> None:
     desk, screen = Box(0.0, 0.0, 0.0, 1.6, 0.8, 0.76), Box(0.3, 0.0, 0.1, 0.34, 0.3, 0.23)
-    brief = _brief((), {"desk": desk, "laptop": screen}, size="CU", kind="insert", focus_on_ids=("laptop",))
-    assert covers(brief) == ["desk"]
-    takes = scouted(brief)
+    view = _view_of((), {"desk": desk, "laptop": screen}, size="CU", kind="insert", focus_on_ids=("laptop",))
+    assert covers(view) == ["desk"]
+    takes = scouted(view)
     first = takes[0]
     assert any("desk" in take.hidden for take in takes)
     assert abs(math.remainder(first.camera.azimuth - math.degrees(screen.yaw), 360)) < 60

@@ -22,14 +22,14 @@ from storyblender.reflection import Critique, Fault, Outcome, reflect
 EMPTY = Layout(scene_size=SceneSize(x=2, x_negative=-2, y=2, y_negative=-2))
 
 
-BRIEF = SpatialPlannerView(1, SceneSetup(), {}, plan_of(Environment(kit="closet")))
+VIEW = SpatialPlannerView(1, SceneSetup(), {}, plan_of(Environment(kit="closet")))
 
 
 def outcome(score: float) -> Outcome[SpatialPlannerView, Layout]:
     fault = Fault(kind="penetration", subject="sofa", message="in the wall", severity=10 - score)
     item = LayoutObject(node_id="sofa", asset_id="sofa", location=(1.0, 0.5, 0.0))
     draft = EMPTY.model_copy(update={"objects": (item,)})
-    return Outcome(BRIEF, draft, Critique(score=score, faults=(fault,) if score < 10 else ()), 0, False)
+    return Outcome(VIEW, draft, Critique(score=score, faults=(fault,) if score < 10 else ()), 0, False)
 
 
 def tried(scores: list[float]) -> tuple[Fitted[int], list[Collection[Vec2]]]:
@@ -98,11 +98,11 @@ def test_a_company_too_many_for_a_small_room_finds_place_in_a_larger_one() -> No
         plan = plan_of(larger(Environment(kit="closet", seed=1), room.grown))
         dressing = RulesSetDresser().propose(SetDresserView(SceneSetup(place="CLOSET"), plan, people=6))
         standing = without_dressing(dressing.objects, plan, faulty, room.shed)
-        brief = SpatialPlannerView(
+        view = SpatialPlannerView(
             1, SceneSetup(place="CLOSET"), measures_of(dressing.assets) | known, plan, standing,
             pending=("trunk", "stove"), states=states, apart=room.apart,
         )  # fmt: skip
-        return plan.size.x, reflect(replace(RULES.spatial_planner, horizon=1), "SC010", brief)
+        return plan.size.x, reflect(replace(RULES.spatial_planner, horizon=1), "SC010", view)
 
     first = stage(ROOMS[0], [])
     fitted = until_it_fits(stage)

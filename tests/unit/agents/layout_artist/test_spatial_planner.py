@@ -66,7 +66,7 @@ def plan(kit: str = "plain_room") -> SetPlan:
     return bare.model_copy(update={"furnishings": ()})
 
 
-def brief(pending=(), relations=(), people=(), **more) -> SpatialPlannerView:
+def view_of(pending=(), relations=(), people=(), **more) -> SpatialPlannerView:
     states = tuple(who if isinstance(who, BodyState) else BodyState(asset_id=who) for who in people)
     related = tuple(Relation(asset_id=a, kind=kind, anchor_asset_id=b) for a, kind, b in relations)
     ids = (*pending, *(state.asset_id for state in states))
@@ -92,14 +92,14 @@ def forward(item: LayoutObject) -> tuple[float, float]:
 
 @every("kit", SETS)
 def test_every_set_takes_people_and_things_without_a_fault(kit: str) -> None:
-    view = brief(["table", "jewel_box", "painting"], [("jewel_box", "on", "table")], ["ana", "ben", "cal"])
+    view = view_of(["table", "jewel_box", "painting"], [("jewel_box", "on", "table")], ["ana", "ben", "cal"])
     view = SpatialPlannerView(**{**view.__dict__, "plan": plan(kit), "groups": (("ana", "ben"),)})
     assert plan_layout(view).critique.faults == ()
 
 
 def test_who_bears_the_name_of_a_trade_begins_at_its_mark() -> None:
     measures = MEASURES | {"judge_okoro": measure("judge_okoro", 1.1, 0.35, 1.75, person=True)}
-    view = brief(people=["judge_okoro", "ana"])
+    view = view_of(people=["judge_okoro", "ana"])
     at = solved(SpatialPlannerView(**{**view.__dict__, "plan": plan("courtroom"), "measures": measures}))
     bench = next(mark for mark in plan("courtroom").marks if "judge" in mark.tags)
     assert math.dist(at["judge_okoro"].location, bench.location) < 0.3
@@ -107,7 +107,7 @@ def test_who_bears_the_name_of_a_trade_begins_at_its_mark() -> None:
 
 
 def test_two_who_talk_face_each_other_at_talking_distance_open_to_the_audience() -> None:
-    at = solved(brief(people=["ana", "ben"]))
+    at = solved(view_of(people=["ana", "ben"]))
     ana, ben = at["ana"], at["ben"]
     apart = math.dist(ana.location, ben.location)
     assert 1.0 <= apart <= 1.4
@@ -118,19 +118,19 @@ def test_two_who_talk_face_each_other_at_talking_distance_open_to_the_audience()
 
 
 def test_a_group_is_open_to_the_audience_and_nobody_hides_another() -> None:
-    at = solved(brief(people=["ana", "ben", "cal"], groups=(("ana", "ben"), ("ben", "cal"))))
+    at = solved(view_of(people=["ana", "ben", "cal"], groups=(("ana", "ben"), ("ben", "cal"))))
     xs = sorted(at[name].location[0] for name in ("ana", "ben", "cal"))
     assert all(right - left > 0.35 for left, right in itertools.pairwise(xs))
 
 
 def test_the_jewel_box_is_on_the_desk_not_on_the_mirror() -> None:
-    at = solved(brief(["dresser", "jewel_box"], [("jewel_box", "on", "dresser")]))
+    at = solved(view_of(["dresser", "jewel_box"], [("jewel_box", "on", "dresser")]))
     assert at["jewel_box"].location[2] == pytest.approx(0.76)
     assert at["jewel_box"].relationship == "on_top_of"
 
 
 def test_whoever_sits_is_at_the_seats_front_edge_with_its_yaw() -> None:
-    at = solved(brief(["chair"], people=[BodyState(asset_id="ana", posture="sit", support_id="chair"), "ben"]))
+    at = solved(view_of(["chair"], people=[BodyState(asset_id="ana", posture="sit", support_id="chair"), "ben"]))
     chair, ana = at["chair"], at["ana"]
     assert ana.anchor_asset_id == "chair"
     assert ana.location[2] == pytest.approx(0.46)
@@ -139,7 +139,7 @@ def test_whoever_sits_is_at_the_seats_front_edge_with_its_yaw() -> None:
 
 
 def test_relations_decide_sides() -> None:
-    at = solved(brief(["table", "cat", "wardrobe"], [("cat", "under", "table"), ("wardrobe", "left_of", "table")]))
+    at = solved(view_of(["table", "cat", "wardrobe"], [("cat", "under", "table"), ("wardrobe", "left_of", "table")]))
     assert math.dist(at["cat"].location[:2], at["table"].location[:2]) < 0.3
     assert at["cat"].location[2] == 0
     assert at["wardrobe"].location[0] < at["table"].location[0]
@@ -149,7 +149,7 @@ def test_what_has_no_room_beside_a_thing_stands_elsewhere() -> None:
     by_the_wall = LayoutObject(
         node_id="wardrobe", asset_id="wardrobe", location=(plan().size.x - 0.7, 0, 0), fixed=True
     )
-    view = brief(["boat"], [("boat", "right_of", "wardrobe")], dressed=(by_the_wall,))
+    view = view_of(["boat"], [("boat", "right_of", "wardrobe")], dressed=(by_the_wall,))
     view = replace(view, measures={**MEASURES, "boat": measure("boat", 2.5, 1.0, 0.8)})
     outcome = plan_layout(view)
     assert outcome.critique.faults == ()
@@ -159,13 +159,13 @@ def test_what_has_no_room_beside_a_thing_stands_elsewhere() -> None:
 
 def test_behind_the_bar_is_at_its_own_back() -> None:
     counter = LayoutObject(node_id="bar", asset_id="bar", location=(-1.2, 0, 0), rotation=(0, 0, 90), fixed=True)
-    at = solved(brief(dressed=(counter,), relations=[("ana", "behind", "bar")], people=["ana", "ben"]))
+    at = solved(view_of(dressed=(counter,), relations=[("ana", "behind", "bar")], people=["ana", "ben"]))
     assert at["ana"].location[0] < -1.5
     assert at["bar"] == counter
 
 
 def test_a_picture_hangs_on_a_wall_facing_the_room() -> None:
-    view = brief(["painting"], placements={"painting": "wall"})
+    view = view_of(["painting"], placements={"painting": "wall"})
     painting, size = solved(view)["painting"], view.plan.size
     x, y, z = painting.location
     assert z > 0.9
@@ -175,37 +175,37 @@ def test_a_picture_hangs_on_a_wall_facing_the_room() -> None:
 
 def test_what_is_held_or_dressed_is_not_placed_again() -> None:
     table = LayoutObject(node_id="set_table", asset_id="table", location=(0, 1, 0), fixed=True)
-    layout = plan_layout(brief(dressed=(table,), people=["ana"])).draft
+    layout = plan_layout(view_of(dressed=(table,), people=["ana"])).draft
     assert [item.node_id for item in layout.objects] == ["set_table", "ana"]
 
 
 def test_an_earlier_scenes_furniture_stays_where_it_was() -> None:
-    first = plan_layout(brief(["table", "wardrobe"], people=["ana", "ben"])).draft
-    again = solved(brief(["table", "wardrobe"], people=["ana", "cal"], reference=first))
+    first = plan_layout(view_of(["table", "wardrobe"], people=["ana", "ben"])).draft
+    again = solved(view_of(["table", "wardrobe"], people=["ana", "cal"], reference=first))
     for item in first.objects:
         if item.asset_id in ("table", "wardrobe"):
             assert again[item.node_id].location == pytest.approx(item.location, abs=1e-3)
 
 
 def test_what_lay_on_a_table_that_is_gone_is_laid_anew() -> None:
-    first = plan_layout(brief(["table", "jewel_box"], people=["ana"])).draft
+    first = plan_layout(view_of(["table", "jewel_box"], people=["ana"])).draft
     on_table = [
         item.model_copy(update={"anchor_asset_id": "table"}) if item.asset_id == "jewel_box" else item
         for item in first.objects
     ]
     first = first.model_copy(update={"objects": tuple(on_table)})
-    again = solved(brief(["jewel_box"], people=["ana"], reference=first))
+    again = solved(view_of(["jewel_box"], people=["ana"], reference=first))
     assert again["jewel_box"].anchor_asset_id != "table"
     assert {item.anchor_asset_id for item in again.values()} <= {None, *again}
 
 
 def test_the_same_brief_gives_the_same_layout() -> None:
-    view = brief(["table", "jewel_box", "wardrobe"], people=["ana", "ben", "cal"], groups=(("ana", "cal"),))
+    view = view_of(["table", "jewel_box", "wardrobe"], people=["ana", "ben", "cal"], groups=(("ana", "cal"),))
     assert plan_layout(view).draft == plan_layout(view).draft
 
 
 def test_every_fault_is_found_and_refine_mends_it() -> None:
-    view = brief(["table", "wardrobe"], people=["ana"])
+    view = view_of(["table", "wardrobe"], people=["ana"])
     good = RulesSpatialPlanner().propose(view)
     items = {item.node_id: item for item in good.objects}
     x, y, _ = items["table"].location
@@ -220,7 +220,7 @@ def test_every_fault_is_found_and_refine_mends_it() -> None:
 
 
 def test_whoever_has_no_place_is_named() -> None:
-    view = brief(people=["ana"])
+    view = view_of(people=["ana"])
     empty = Layout(scene_size=view.plan.size)
     assert [(fault.kind, fault.subject) for fault in SpatialPlannerCritic().judge(empty, view).faults] == [
         ("missing", "ana")
@@ -228,11 +228,11 @@ def test_whoever_has_no_place_is_named() -> None:
 
 
 def test_luggage_stands_on_the_floor_beside_who_takes_it() -> None:
-    view = brief(["table", "suitcase"], people=["ana", "ben"], handlers={"suitcase": ("cal", "ana")})
+    view = view_of(["table", "suitcase"], people=["ana", "ben"], handlers={"suitcase": ("cal", "ana")})
     at = solved(SpatialPlannerView(**{**view.__dict__, "placements": {"suitcase": "surface"}}))
     assert at["suitcase"].location[2] == 0
     assert math.dist(at["suitcase"].location, at["ana"].location) < 1.2
-    alone = brief(["table", "suitcase"], people=["ana"], handlers={"suitcase": ("cal",)})
+    alone = view_of(["table", "suitcase"], people=["ana"], handlers={"suitcase": ("cal",)})
     at = solved(SpatialPlannerView(**{**alone.__dict__, "placements": {"suitcase": "surface"}}))
     assert at["suitcase"].location[2] == 0, "nor on a table when its owner is still to come"
 
@@ -245,7 +245,7 @@ def test_what_somebody_takes_lies_within_their_reach() -> None:
     for x, near in ((-1.6, "table_0"), (1.6, "table_1")):
         chair = LayoutObject(node_id="chair", asset_id="chair", location=(x, 0.7, 0), rotation=(0, 0, 180), fixed=True)
         sitter = BodyState(asset_id="ana", posture="sit", support_id="chair")
-        view = brief(["jewel_box"], people=[sitter], dressed=(*tables, chair), handlers={"jewel_box": ("ana",)})
+        view = view_of(["jewel_box"], people=[sitter], dressed=(*tables, chair), handlers={"jewel_box": ("ana",)})
         at = solved(SpatialPlannerView(**{**view.__dict__, "placements": {"jewel_box": "surface"}}))
         assert at["jewel_box"].anchor_asset_id == near
         assert math.dist(at["jewel_box"].location[:2], at["ana"].location[:2]) < 0.7
@@ -254,7 +254,7 @@ def test_what_somebody_takes_lies_within_their_reach() -> None:
 def test_a_thing_on_a_bench_leaves_seats_next_to_each_other() -> None:
     bench = LayoutObject(node_id="bench", asset_id="bench", location=(0, 1.5, 0), fixed=True)
     sitters = [BodyState(asset_id=name, posture="sit", support_id="bench") for name in ("ana", "ben")]
-    at = solved(brief(["jewel_box"], [("jewel_box", "on", "bench")], sitters, dressed=(bench,)))
+    at = solved(view_of(["jewel_box"], [("jewel_box", "on", "bench")], sitters, dressed=(bench,)))
     ana, ben, box = (at[name].location for name in ("ana", "ben", "jewel_box"))
     assert math.dist(ana, ben) == pytest.approx(0.5, abs=0.02)
     assert min(math.dist(box[:2], ana[:2]), math.dist(box[:2], ben[:2])) > 0.4
@@ -263,7 +263,7 @@ def test_a_thing_on_a_bench_leaves_seats_next_to_each_other() -> None:
 def test_who_stands_with_somebody_stands_at_their_shoulder() -> None:
     relations = [("ana", "at", "bar"), ("ben", "next_to", "ana"), ("cal", "next_to", "ana")]
     counter = LayoutObject(node_id="bar", asset_id="bar", location=(-1.2, 1.5, 0), rotation=(0, 0, 90), fixed=True)
-    at = solved(brief(dressed=(counter,), relations=relations, people=["ana", "ben", "cal", "dee"]))
+    at = solved(view_of(dressed=(counter,), relations=relations, people=["ana", "ben", "cal", "dee"]))
     for name in ("ben", "cal"):
         assert math.dist(at[name].location, at["ana"].location) < 1.3
 
@@ -271,7 +271,7 @@ def test_who_stands_with_somebody_stands_at_their_shoulder() -> None:
 def test_two_at_a_bar_stand_side_by_side_before_it() -> None:
     counter = LayoutObject(node_id="bar", asset_id="bar", location=(0, 1.6, 0), fixed=True)
     at = solved(
-        brief(dressed=(counter,), relations=[("ana", "at", "bar"), ("ben", "at", "bar")], people=["ana", "ben"])
+        view_of(dressed=(counter,), relations=[("ana", "at", "bar"), ("ben", "at", "bar")], people=["ana", "ben"])
     )
     assert all(at[name].location[1] < 1.3 for name in ("ana", "ben"))
     assert math.dist(at["ana"].location, at["ben"].location) == pytest.approx(0.8, abs=0.15)
@@ -280,21 +280,21 @@ def test_two_at_a_bar_stand_side_by_side_before_it() -> None:
 def test_who_leans_on_a_stick_by_the_table_is_by_the_table() -> None:
     leaning = BodyState(asset_id="ana", posture="lean", support_id="stick")
     table = LayoutObject(node_id="table", asset_id="table", location=(-1.6, 1.2, 0), fixed=True)
-    view = brief(["stick"], [("ana", "next_to", "table")], [leaning, "ben"], dressed=(table,))
+    view = view_of(["stick"], [("ana", "next_to", "table")], [leaning, "ben"], dressed=(table,))
     at = solved(SpatialPlannerView(**{**view.__dict__, "placements": {"stick": "surface"}}))
     assert at["ana"].anchor_asset_id == "table"
 
 
 def test_who_is_by_a_thing_outside_the_playing_area_stands_at_its_edge_with_their_company() -> None:
     ship = LayoutObject(node_id="ship", asset_id="ship", location=(1.0, 5.5, 0), rotation=(0, 0, 95), fixed=True)
-    view = brief((), [("ana", "next_to", "ship")], ["ana", "ben"], dressed=(ship,), company={"ben": "ana"})
+    view = view_of((), [("ana", "next_to", "ship")], ["ana", "ben"], dressed=(ship,), company={"ben": "ana"})
     at = solved(replace(view, measures={**MEASURES, "ship": measure("ship", 4.0, 9.0, 5.0)}))
     assert at["ana"].location[1] > 1.0 and abs(at["ana"].location[0] - 1.0) < 2.5
     assert math.dist(at["ana"].location, at["ben"].location) < 1.3
 
 
 def test_who_is_at_a_part_of_the_set_stands_there() -> None:
-    at = solved(brief((), [("ana", "at", "window"), ("ben", "at", "corner")], ["ana", "ben"]))
+    at = solved(view_of((), [("ana", "at", "window"), ("ben", "at", "corner")], ["ana", "ben"]))
     assert {"ana", "ben"} <= at.keys()
 
 
@@ -316,7 +316,7 @@ def test_with_whom_somebody_stands_is_read_from_the_scenes_first_words() -> None
 
 def test_the_lid_of_a_bin_is_no_table() -> None:
     bin_ = LayoutObject(node_id="bin", asset_id="bin", location=(0.9, 1.6, 0), fixed=True)
-    view = brief(["jewel_box"], people=["ana"], dressed=(bin_,))
+    view = view_of(["jewel_box"], people=["ana"], dressed=(bin_,))
     assert (
         solved(SpatialPlannerView(**{**view.__dict__, "placements": {"jewel_box": "surface"}}))["jewel_box"].location[2]
         == 0
@@ -330,12 +330,12 @@ def test_who_finds_a_bench_full_takes_the_nearest_other_seat() -> None:
         for index, x in enumerate((-2, 1.4))
     )
     sitters = [BodyState(asset_id=name, posture="sit", support_id="bench") for name in ("ana", "ben", "cal", "dee")]
-    at = solved(brief(people=sitters, dressed=(*chairs, bench)))
+    at = solved(view_of(people=sitters, dressed=(*chairs, bench)))
     assert [at[name].anchor_asset_id for name in ("ana", "ben", "cal", "dee")] == ["bench"] * 3 + ["chair_1"]
 
 
 def test_who_does_not_play_the_piano_stands_at_its_end_and_not_behind_its_stool() -> None:
-    at = solved(brief(["piano"], [("ana", "at", "piano")], ["ana"]))
+    at = solved(view_of(["piano"], [("ana", "at", "piano")], ["ana"]))
     x, y = (a - b for a, b in zip(at["ana"].location[:2], at["piano"].location[:2], strict=True))
     ahead = forward(at["piano"])
     across = abs(x * ahead[1] - y * ahead[0])
@@ -348,7 +348,7 @@ def test_who_sits_opposite_somebody_takes_the_seat_they_look_at() -> None:
         LayoutObject(node_id="bench_2", asset_id="bench", location=(0.9, 0, 0), rotation=(0, 0, -90), fixed=True),
     )
     people = [BodyState(asset_id="ben", posture="sit"), BodyState(asset_id="ana", posture="sit")]
-    at = solved(brief(relations=[("ben", "facing", "ana")], people=people, dressed=facing_each_other))
+    at = solved(view_of(relations=[("ben", "facing", "ana")], people=people, dressed=facing_each_other))
     assert {at["ana"].anchor_asset_id, at["ben"].anchor_asset_id} == {"bench_1", "bench_2"}
 
 
@@ -417,15 +417,15 @@ def test_who_comes_in_later_has_no_place_yet_and_who_is_found_there_has() -> Non
         scenes=(SceneContext(scene_id=1, setup=SceneSetup(scene_type="indoor", asset_ids=("ana", "ben", "cal"))),),
         shots=(shot(1, ("ana",)), shot(2, ("ana", "ben"), waits), shot(3, ("ana", "ben", "cal"), walk)),
     )
-    brief = spatial_planner_view(graph, 1, plan())
-    assert [state.asset_id for state in brief.found] == ["ben"]
-    assert brief.stations == {"ben": "door"}
+    view = spatial_planner_view(graph, 1, plan())
+    assert [state.asset_id for state in view.found] == ["ben"]
+    assert view.stations == {"ben": "door"}
 
 
 def test_nobody_stands_between_a_thing_and_the_wall_it_stands_against() -> None:
     room = plan()
     back = LayoutObject(node_id="bar", asset_id="bar", location=(0, room.size.y - 0.3, 0), fixed=True)
-    view = brief(relations=[("ana", "behind", "bar")], people=["ana", "ben"], dressed=(back,))
+    view = view_of(relations=[("ana", "behind", "bar")], people=["ana", "ben"], dressed=(back,))
     at = solved(view)
     assert at["ana"].location[1] < room.size.y - 0.6 or abs(at["ana"].location[0]) > 1.2, "before it or at its end"
     assert math.dist(at["ana"].location[:2], back.location[:2]) < 2.2
@@ -439,7 +439,7 @@ def test_nothing_lies_where_somebody_lies_on_the_bed() -> None:
         ),
     )  # fmt: skip
     sleeper = BodyState(asset_id="ana", posture="lie", support_id="bed")
-    view = brief(["bed", "cat"], [("cat", "on", "bed")], [sleeper])
+    view = view_of(["bed", "cat"], [("cat", "on", "bed")], [sleeper])
     for states in (view.states, ()):
         at = solved(SpatialPlannerView(**{**view.__dict__, "measures": MEASURES | {"bed": bed}, "states": states}))
         x, y = (a - b for a, b in zip(at["cat"].location[:2], at["bed"].location[:2], strict=True))
@@ -452,7 +452,7 @@ def test_nothing_lies_where_somebody_lies_on_the_bed() -> None:
 def test_a_place_before_furniture_has_a_backdrop_and_one_before_a_bare_wall_has_none() -> None:
     shelf = LayoutObject(node_id="wardrobe", asset_id="wardrobe", location=(1.6, 2.0, 0), fixed=True)
     bare = plan().model_copy(update={"walls": tuple(w.model_copy(update={"openings": ()}) for w in plan().walls)})
-    view = brief(people=["ana", "ben"], dressed=(shelf,))
+    view = view_of(people=["ana", "ben"], dressed=(shelf,))
     stage = Stage(SpatialPlannerView(**{**view.__dict__, "plan": bare}))
     assert stage.backdrop(1.6, 0.0) > 0.3
     assert stage.backdrop(-1.6, 0.0) < 0.15
