@@ -1,4 +1,4 @@
-"""The check of a finished project: layout, framing, continuity, collisions, people in frame. Numbers, not opinions."""
+"""The check of a finished project: measures layout, framing, continuity, collisions and people in frame."""
 
 from __future__ import annotations
 
@@ -22,17 +22,18 @@ from storyblender.pipeline.sighting import ShotSight, Sighting
 from storyblender.ports import Engine
 
 HIDDEN = 0.30
+"""Share of a person behind other things from which they count as hidden."""
 SEEN = 0.0004
-"""Share of the frame from which a person counts as seen: a figure in the distance."""
+"""Share of the frame from which a person counts as visible; that of a figure in the distance."""
 WIDE = ("EWS", "WS", "FS")
-"""Sizes in which people who are on stage may be seen without being what the shot is about."""
+"""Sizes in which people on stage may be visible without being subjects of the shot."""
 REACH = STAGING["unreachable"][0]
-"""Metres that a hand may stay from its target; the page tells a person the same ones."""
+"""Metres that a hand may stay from its target; the checklist uses the same limit."""
 OCCM_EPSILON = 1e-6
 CUTS = ("jump", "eyeline")
-"""Words of the camera's critic for cuts: the 30-degree rule, and two who look past each other."""
+"""Flaw kinds of the camera critic about cuts: the 30-degree rule and eyelines that do not meet."""
 MEASURED = ("inside", "below_floor", "hidden", "line")
-"""Words of that critic for what is measured here anew."""
+"""Flaw kinds of the camera critic that have rows of their own here, measured again."""
 
 
 class CheckRow(Frozen):
@@ -48,23 +49,25 @@ class Inspection(Frozen):
 
     rows: tuple[CheckRow, ...]
     findings: tuple[str, ...] = ()
-    """What to look at, one sentence each."""
+    """One sentence for each thing to look at."""
 
     def with_story(self, changed: Sequence[str]) -> Inspection:
         """Return the report with a line about the Blender files.
 
         Args:
-            changed: Names of those that a person changed since they were compiled.
+            changed: Names of the files that a person changed after they were compiled.
         """
         row = CheckRow(
             name="Blender file", value=f"{len(changed)} changed by hand" if changed else "as compiled", ok=True
         )
-        told = [f"{name}: was changed by hand; before it is compiled again, a dated copy is kept" for name in changed]
-        return Inspection(rows=(*self.rows, row), findings=(*self.findings, *told))
+        sentences = [
+            f"{name}: was changed by hand; before it is compiled again, a dated copy is kept" for name in changed
+        ]
+        return Inspection(rows=(*self.rows, row), findings=(*self.findings, *sentences))
 
     @property
     def clean(self) -> bool:
-        """Whether every line is as it should be."""
+        """Whether every row of the report is ok."""
         return all(row.ok for row in self.rows)
 
 
@@ -123,15 +126,15 @@ def _layout_row(graph: ContinuityMemoryGraph, findings: list[str]) -> CheckRow:
         faults = layout_violations(scene.layout, measures_of(graph.assets), plan_of(scene.environment))
         kinds.update(fault.kind for fault in faults)
         findings += [f"scene {scene.scene_id}: {fault.message}" for fault in faults]
-    told = f" ({', '.join(f'{kind} {count}' for kind, count in sorted(kinds.items()))})" if kinds else ""
-    return CheckRow(name="layout violations", value=f"{kinds.total()}{told}", ok=not kinds)
+    counted = f" ({', '.join(f'{kind} {count}' for kind, count in sorted(kinds.items()))})" if kinds else ""
+    return CheckRow(name="layout violations", value=f"{kinds.total()}{counted}", ok=not kinds)
 
 
 def _presence_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], findings: list[str]) -> CheckRow:
     """OCCM (paper, appendix): exp(-|D - E| / (eps + E)), D counted in the ID mask, E as planned.
 
-    A tight shot shows exactly whom it is meant to show; whom its camera leaves out as too far away may be seen behind
-    them. A wide one shows at least those, and anybody else on stage.
+    A tight shot shows exactly its planned people; people whom its camera leaves out as too far away may be visible
+    behind them. A wide shot shows at least its planned people, and others on stage may be visible.
     """
     scores = []
     for shot in graph.shots:
@@ -146,14 +149,14 @@ def _presence_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], fi
         off = abs(len(seen) - expected)
         scores.append(math.exp(-off / (OCCM_EPSILON + expected)) if off else 1.0)
         if off:
-            shown, meant = (", ".join(sorted(people)) or "nobody" for people in (seen, shot.shown))
-            findings.append(f"{name}: shows {shown}; meant to show {meant}")
+            shown, planned = (", ".join(sorted(people)) or "nobody" for people in (seen, shot.shown))
+            findings.append(f"{name}: shows {shown}; should show {planned}")
     mean = 100 * sum(scores) / max(1, len(scores))
     return CheckRow(name="on-stage count matching", value=f"{mean:.1f}", ok=mean >= 95)
 
 
 def _hidden_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], findings: list[str]) -> CheckRow:
-    """People the camera is on, behind something; of an insert of a hand, only the hand is asked for."""
+    """Count subjects of shots that are hidden behind something; inserts of a hand or a detail are left out."""
     hidden = 0
     for shot in graph.shots:
         if shot.camera_instruction.detail is not None:
@@ -176,7 +179,7 @@ def _inside_row(sights: dict[str, ShotSight], findings: list[str]) -> CheckRow:
 
 
 def _picture_row(graph: ContinuityMemoryGraph, findings: list[str]) -> CheckRow:
-    """What the camera could not frame as a director would want it."""
+    """Report framing flaws that the Camera Operator could not mend."""
     return _flaw_row("framing", graph, findings, lambda kind: kind not in CUTS + MEASURED)
 
 
@@ -198,7 +201,7 @@ def _flaw_row(
 
 
 def _line_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], findings: list[str]) -> CheckRow:
-    """Cuts that change sides of a pair's line, unless the script asked for that camera."""
+    """Report cuts that cross the 180-degree line of a pair, unless the script wrote that camera."""
     crossings = 0
     for scene in graph.scenes:
         sides: dict[frozenset[str], int] = {}
@@ -234,12 +237,12 @@ def _collision_row(collisions: list[Collision], findings: list[str]) -> CheckRow
 
 
 def _reach_row(packs: Sequence[PackRef], findings: list[str]) -> CheckRow:
-    """Hands that end further than ``REACH`` from what they were sent to, and people who cannot get near it."""
+    """Report hands that end further than ``REACH`` from their target."""
     misses = [problem for pack in packs for problem in pack.problems if _misses(problem)]
     findings += [f"{miss.shot}: {miss.message}" for miss in misses]
     worst = max((miss.weight for miss in misses), default=0.0)
-    told = f" (up to {worst:.2f} m)" if misses else ""
-    return CheckRow(name="hands off their target", value=f"{len(misses)}{told}", ok=not misses)
+    farthest = f" (up to {worst:.2f} m)" if misses else ""
+    return CheckRow(name="hands off their target", value=f"{len(misses)}{farthest}", ok=not misses)
 
 
 def _misses(problem: Flaw) -> bool:
@@ -247,19 +250,23 @@ def _misses(problem: Flaw) -> bool:
 
 
 def _staging_row(graph: ContinuityMemoryGraph, packs: Sequence[PackRef], findings: list[str]) -> CheckRow:
-    """What was not staged as it was read, and what the engine could not stage as asked."""
-    told = [f"{problem.shot}: {problem.message}" for pack in packs for problem in pack.problems if not _misses(problem)]
-    told += [f"{shot_name(shot.scene_id, shot.shot_id)}: {flaw.message}" for shot in graph.shots for flaw in shot.flaws]
-    findings += told
-    return CheckRow(name="staging problems", value=str(len(told)), ok=True)
+    """Report flaws of the staging: what the engine could not do, and what differs from the reading."""
+    flaws = [
+        f"{problem.shot}: {problem.message}" for pack in packs for problem in pack.problems if not _misses(problem)
+    ]
+    flaws += [
+        f"{shot_name(shot.scene_id, shot.shot_id)}: {flaw.message}" for shot in graph.shots for flaw in shot.flaws
+    ]
+    findings += flaws
+    return CheckRow(name="staging problems", value=str(len(flaws)), ok=True)
 
 
 def _review_row(reviews: Mapping[str, FrameReview], findings: list[str]) -> CheckRow:
     """Report the frames that do not show what their script lines say."""
     poor = [review for review in reviews.values() if review.verdict != "pass"]
     for review in poor:
-        told = "; ".join(fault.message for fault in review.faults)
-        findings.append(f"{review.shot}: scores {review.score:.1f} of 10: {told}")
+        reasons = "; ".join(fault.message for fault in review.faults)
+        findings.append(f"{review.shot}: scores {review.score:.1f} of 10: {reasons}")
     value = f"{len(reviews) - len(poor)} of {len(reviews)}"
     return CheckRow(name="frames that tell their lines", value=value, ok=not poor)
 

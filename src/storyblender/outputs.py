@@ -1,10 +1,9 @@
-"""What the program wrote into a project, and whether it is still as it was written.
+"""The record of files that the program wrote into a project, and whether they are still unchanged.
 
 ``outputs.jsonl`` has a line for every file: its name, the digest of its content, and how the disk described it (size,
-times, inode). A file whose description is the same needs no reading; any other is read and its digest compared. So a
-file that is gone, cut short or changed is noticed when it is wanted, and a file that a person made or changed is
-never deleted. A file is on disk before its line is written; a line that is lost or torn only means that a file
-counts as unknown.
+times, inode). A file whose description is the same need not be read; any other is read and its digest compared. So
+a missing, truncated or changed file is noticed when it is needed, and a file that a person made or changed is never
+deleted. A file is on disk before its line is written; if a line is lost or torn, the file counts as unknown.
 """
 
 from __future__ import annotations
@@ -30,17 +29,17 @@ RECORD = "outputs.jsonl"
 _LONGEST, _DEEPEST = 255, 16
 """Bytes of a part of a name, and its parts, at most."""
 _SPARE = 1000
-"""Lines of the record that say nothing any more, from which on it is written anew."""
+"""Number of obsolete lines from which the record is rewritten."""
 
 
 @dataclass(frozen=True)
 class _Entry:
-    """What is known of a file.
+    """The record of one file.
 
     Attributes:
         digest: Of its content.
-        description: How the disk describes it; empty until it has taken its place.
-        former: Digest of what the program wrote before under the name: there still if the run was killed.
+        description: Size, times and inode; empty until the file is in place.
+        former: Digest of the version before; that is still in place if the run was killed.
     """
 
     digest: str
@@ -48,7 +47,7 @@ class _Entry:
     former: str
 
     def line(self, name: str) -> str:
-        """Return it as a line of the record."""
+        """Return the entry as a line of ``outputs.jsonl``."""
         return json.dumps({"name": name, **asdict(self)}, ensure_ascii=False) + "\n"
 
 
@@ -63,7 +62,7 @@ class Outputs:
         self._files = files
         self._lock = threading.Lock()
         self.recorded = files.path(RECORD).exists()
-        """Whether there was a record; an earlier version kept none."""
+        """Whether the project has a record; projects of early versions have none."""
         self._known = self._read()
 
     def write(self, name: str, content: str | bytes) -> Path:
@@ -90,11 +89,11 @@ class Outputs:
         self._put(name, digest_of(path), _description(path))
 
     def known(self, name: str) -> bool:
-        """Return whether the program wrote a file of this name, whatever became of it."""
+        """Return whether the program ever wrote a file of this name."""
         return name in self._known
 
     def whole(self, name: str) -> bool:
-        """Return whether a file, or a folder of files, is there just as the program wrote it."""
+        """Return whether a file, or a folder of files, exists unchanged since the program wrote it."""
         if name not in self._known:
             return False
         path, entry = self._files.path(name), self._known[name]
@@ -108,18 +107,18 @@ class Outputs:
             return False
 
     def changed(self, name: str) -> bool:
-        """Return whether there is something in a file that the program did not write."""
+        """Return whether a file exists whose content the program did not write."""
         path = self._files.path(name)
         if not path.is_file() or not path.stat().st_size or self.whole(name):
             return False
         return name not in self._known or self._known[name].former != digest_of(path)
 
     def read(self, name: str, parse: Callable[[bytes], Content]) -> Content | None:
-        """Return what is in a file, or None where it is not as it was written or not what ``parse`` can read.
+        """Return the parsed content of a file, or None if the file was changed or cannot be parsed.
 
         Args:
             name: The file.
-            parse: Raises ValueError at what it cannot read.
+            parse: Turns bytes into content; raises ValueError if it cannot.
         """
         try:
             return parse(self._files.path(name).read_bytes()) if self.whole(name) else None
@@ -137,7 +136,7 @@ class Outputs:
         self._forget(name)
 
     def keep_only(self, prefix: str, names: Collection[str]) -> None:
-        """Delete files that the program wrote, but for some; whatever a person made or changed stays.
+        """Delete files under a prefix that the program wrote, except some; what a person made or changed stays.
 
         Args:
             prefix: How the names of these files begin, for example ``frames/``.
@@ -148,14 +147,14 @@ class Outputs:
                 self.delete(name)
 
     def copy_aside(self, name: str, now: datetime) -> Path | None:
-        """Copy a file that is not as the program wrote it, before it is overwritten.
+        """Copy a file with changes by a person, before it is overwritten.
 
         Args:
             name: The file.
             now: Local time, for the name of the copy: ``story 2026-11-22 14.05.blend``.
 
         Returns:
-            The copy; None where there is nothing to lose.
+            The copy; None if there are no such changes.
         """
         if not self.changed(name):
             return None
@@ -170,7 +169,7 @@ class Outputs:
         return copy
 
     def _put(self, name: str, digest: str, description: str = "") -> None:
-        """Note a file; without a description before it takes its place, so that a run killed there knows both."""
+        """Record a file; without a description until it is in place, so that a killed run knows both versions."""
         with self._lock:
             before = self._known.get(name, _Entry("", "", ""))
             former = before.former if before.digest == digest else before.digest
@@ -188,14 +187,14 @@ class Outputs:
         lines = text.splitlines()
         known: dict[str, _Entry] = {}
         for line in lines:
-            _take(line, known)
+            _add_line(line, known)
         if len(lines) > 2 * len(known) + _SPARE or (text and not text.endswith("\n")):
             self._files.write(RECORD, "".join(entry.line(name) for name, entry in known.items()))
         return known
 
 
-def _take(line: str, known: dict[str, _Entry]) -> None:
-    """Take over what a line of the record says; one that is torn or of something else says nothing."""
+def _add_line(line: str, known: dict[str, _Entry]) -> None:
+    """Apply a line of the record to the known entries; a torn or foreign line is ignored."""
     try:
         entry = json.loads(line)
     except (ValueError, RecursionError):
@@ -208,7 +207,7 @@ def _take(line: str, known: dict[str, _Entry]) -> None:
 
 
 def _is_inside(name: str) -> bool:
-    """Return whether a name may be one of ours: of a file in the folder that a disk can have."""
+    """Return whether a name is that of a possible file inside the folder."""
     parts = PurePosixPath(name).parts
     try:
         long = any(len(part.encode()) > _LONGEST for part in parts) or len(parts) > _DEEPEST
@@ -218,10 +217,10 @@ def _is_inside(name: str) -> bool:
 
 
 def _files_of(path: Path) -> list[tuple[Path, os.stat_result]]:
-    """Return a file, or every file in a folder in order, each with what the disk says of it.
+    """Return a file, or every file in a folder in order, each with its stat result.
 
     Raises:
-        OSError: It is gone, or something else than files.
+        OSError: It is missing, or holds something other than regular files.
     """
     paths = [path]
     if stat.S_ISDIR(path.lstat().st_mode):
@@ -233,10 +232,10 @@ def _files_of(path: Path) -> list[tuple[Path, os.stat_result]]:
 
 
 def _description(path: Path) -> str:
-    """Return how the disk describes a file, or all in a folder: who writes to a file changes that."""
+    """Return size, times and inode of a file, or a digest of those of a folder; any write changes them."""
     files = _files_of(path)
-    told = [f"{seen.st_size} {seen.st_mtime_ns} {seen.st_ctime_ns} {seen.st_ino}" for _, seen in files]
-    return _one(path, files, told)
+    stats = [f"{seen.st_size} {seen.st_mtime_ns} {seen.st_ctime_ns} {seen.st_ino}" for _, seen in files]
+    return _joined(path, files, stats)
 
 
 def digest_of(path: Path) -> str:
@@ -246,12 +245,12 @@ def digest_of(path: Path) -> str:
     for file, _ in files:
         with file.open("rb") as content:
             digests.append(hashlib.file_digest(content, "sha256").hexdigest())
-    return _one(path, files, digests)
+    return _joined(path, files, digests)
 
 
-def _one(path: Path, files: list[tuple[Path, os.stat_result]], told: list[str]) -> str:
-    """Return what is told of a file; for a folder, a digest of what is told of all in it."""
+def _joined(path: Path, files: list[tuple[Path, os.stat_result]], texts: list[str]) -> str:
+    """Return the text of a single file, or for a folder one digest of the names and texts of all its files."""
     if [file for file, _ in files] == [path]:
-        return told[0]
+        return texts[0]
     names = [file.relative_to(path).as_posix() for file, _ in files]
-    return hashlib.sha256(json.dumps([names, told]).encode()).hexdigest()
+    return hashlib.sha256(json.dumps([names, texts]).encode()).hexdigest()

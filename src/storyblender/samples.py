@@ -87,13 +87,13 @@ def _set_story(key: str) -> ContinuityMemoryGraph:
 
 
 def _look_story() -> ContinuityMemoryGraph:
-    """Return somebody in a café: skin, cloth, wood, lamps and what is behind them."""
+    """Return a story of one person in a café: skin, cloth, wood, lamps and a background."""
     instruction = CameraInstruction(focus_on_ids=(_ACTOR.asset_id,), kind="single", size="MS")
     return _story("cafe", _shot(instruction, _ACTOR), _ACTOR)
 
 
 def _motion_story(key: str) -> ContinuityMemoryGraph:
-    """Return somebody who does it, with whom and with what it takes."""
+    """Return a story of one person who performs a motion, with the partner and the things that it needs."""
     motion = MOTIONS[key]
     partner = (_CHILD if key == "lift" else _PARTNER,) if motion.reach == "person" else ()
     names = [found[key] for found in (_THINGS, _HELD) if key in found]

@@ -163,8 +163,8 @@ class Terminal:
         for unit, group in groupby(reasons, key=lambda reason: reason.unit):
             self._results.print(f"[bold]unit {unit}[/]")
             for each in group:
-                told = f"{each.rule:32}  {each.kind:8}  {each.what}  “{each.words}”"
-                self._results.print(f"  {_plain(told)}", soft_wrap=True)
+                row = f"{each.rule:32}  {each.kind:8}  {each.what}  “{each.words}”"
+                self._results.print(f"  {_plain(row)}", soft_wrap=True)
 
     def check(self, report: Inspection) -> None:
         """Print the result of a check."""
@@ -186,9 +186,9 @@ class Terminal:
         colors = {"pass": "green", "fix": "yellow", "reject": "red"}
         table = Table("frame", "score", "", "what is wrong", box=None, title=_plain(str(folder)), title_justify="left")
         for review in reviews:
-            told = "; ".join(fault.message for fault in review.faults)
+            faults = "; ".join(fault.message for fault in review.faults)
             verdict = f"[{colors[review.verdict]}]{review.verdict}[/]"
-            table.add_row(review.shot, f"{review.score:.1f}", verdict, _plain(told))
+            table.add_row(review.shot, f"{review.score:.1f}", verdict, _plain(faults))
         self._results.print(table)
         passed = sum(review.verdict == "pass" for review in reviews)
         self._results.print(f"{passed} of {len(reviews)} frames pass")
