@@ -116,6 +116,10 @@ def test_a_later_decision_stands_on_an_earlier_one() -> None:
     assert first.then(CameraDecision(angle="low angle")) == first.model_copy(update={"angle": "low angle"})
     assert first.then(CameraDecision(size="WS")) == CameraDecision(size="WS", movement="pan", direction="left")
     assert first.then(CameraDecision(movement="push in")) == CameraDecision(size="CU", lens=85, movement="push in")
+    racked = CameraDecision(f_number=2, focus="ana", focus_to="ben")
+    assert racked.then(CameraDecision(size="WS")) == racked.model_copy(update={"size": "WS"})
+    assert racked.then(CameraDecision(focus="ben")) == CameraDecision(f_number=2, focus="ben")
+    assert racked.words == "f number 2, focus ana, focus to ben"
 
 
 def test_shots_are_named_in_any_case_and_a_slip_is_told_apart() -> None:

@@ -143,6 +143,11 @@ def _shot_violations(shot: ShotContext, scenes: dict[int, SceneContext], assets:
     }
     for asset_id in sorted(people - assets):
         yield f"{name} uses {asset_id!r}, which is not on the asset sheet"
+    layout = scenes[shot.scene_id].layout if shot.scene_id in scenes else None
+    known = assets | {item.node_id for item in (layout.objects if layout else ())}
+    for focus in (shot.camera_instruction.focus, shot.camera_instruction.focus_to):
+        if focus is not None and focus not in known:
+            yield f"{name} is focused on {focus!r}, which does not exist"
     if shot.camera is not None and not shot.camera.poses:
         yield f"{name} has a camera without a pose"
     for cue in shot.cues:

@@ -6,7 +6,7 @@ A render job is a pure function of (pack, shot, lighting, settings), so it can r
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Any, Literal
 
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen, Vec3, content_hash, scene_name
@@ -149,6 +149,14 @@ class PackRef(Frozen):
         return dict(self.starts)[shot_id]
 
 
+def _drawn(shot: ShotContext, *fields: str) -> dict[str, Any]:
+    """Return what a drawing depends on of a shot; what is new since older projects counts only where it is used."""
+    values = shot.model_dump(mode="json", include=set(fields))
+    if values["camera"] and not values["camera"]["focus"]:
+        del values["camera"]["focus"]
+    return values | ({"soft_focus": True} if shot.camera_instruction.soft_focus else {})
+
+
 class FrameJob(Frozen):
     """Render the board frame of one shot."""
 
@@ -164,7 +172,7 @@ class FrameJob(Frozen):
     @property
     def digest(self) -> str:
         """Equal digests, equal pixels."""
-        shot = self.shot.model_dump(mode="json", include={"camera", "in_frame"})
+        shot = _drawn(self.shot, "camera", "in_frame")
         lighting = self.lighting.model_dump(mode="json")
         start = self.pack.start_of(self.shot.shot_id)
         through = self.shot.camera_instruction.through
@@ -198,7 +206,7 @@ class MotionJob(Frozen):
     @property
     def digest(self) -> str:
         """Equal digests, equal frames."""
-        shot = self.shot.model_dump(mode="json", include={"camera", "lights", "duration"})
+        shot = _drawn(self.shot, "camera", "lights", "duration")
         lighting = self.lighting.model_dump(mode="json")
         start = self.pack.start_of(self.shot.shot_id)
         through = self.shot.camera_instruction.through

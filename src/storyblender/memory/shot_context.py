@@ -28,6 +28,9 @@ from storyblender.memory.vocabulary import (
     TetherKind,
 )
 
+FNumber = Annotated[float, Field(ge=0.5, le=64)]
+"""Focal length / diameter of the aperture."""
+
 
 class AssetModification(Frozen):
     """A change of an asset's state within a shot (the paper's; a part such as a door may be named)."""
@@ -102,6 +105,14 @@ class CameraInstruction(Frozen):
     """POV: through whose eyes."""
     lens: float | None = Field(default=None, gt=0, le=10_000)
     """mm; None takes the lens kit's default for the size."""
+    f_number: FNumber | None = None
+    """None is the crew's choice: tight shots part a face from its background, in wider ones everything is sharp."""
+    focus: Identifier | None = None
+    """asset_id or node_id the lens is focused on; None takes the first subject."""
+    focus_to: Identifier | None = None
+    """Rack focus: what the lens is focused on when the shot ends."""
+    soft_focus: bool = False
+    """Seen through a diffusion filter: sharp, with a glow around what is bright."""
     axis: tuple[Identifier, Identifier] | None = None
     """The pair that defines the 180-degree line."""
     description: str = ""
@@ -123,18 +134,27 @@ class CameraDecision(Frozen):
     """Where a move goes; it is said with the move, as in ``pan left``."""
     lens: float | None = Field(default=None, ge=4, le=1200)
     """mm."""
+    f_number: FNumber | None = None
+    """A number blurs what is out of focus, in a shot of any size; 32 keeps nearly everything sharp."""
+    focus: Identifier | None = None
+    """asset_id or node_id the lens is focused on."""
+    focus_to: Identifier | None = None
+    """Rack focus: what it is focused on when the shot ends."""
 
     @property
     def words(self) -> str:
         """The decision as a person reads it, e.g. ``size CU, lens 50``."""
         said = self.model_dump(exclude_none=True).items()
-        told = ((key, ", ".join(value) if isinstance(value, tuple) else value) for key, value in said)
+        told = ((key.replace("_", " "), ", ".join(value) if isinstance(value, tuple) else value) for key, value in said)
         return ", ".join(f"{key} {value:g}" if isinstance(value, float) else f"{key} {value}" for key, value in told)
 
     def then(self, later: CameraDecision) -> Self:
-        """Return this decision with a later one on top: a new size drops the old lens, a new move its direction."""
+        """Return this decision with a later one on top: a new size drops the old lens, a new move its direction, a new
+        focus the old rack focus.
+        """
         dropped = {"lens"} if later.size else set()
         dropped |= {"direction"} if later.movement else set()
+        dropped |= {"focus_to"} if later.focus else set()
         kept = self.model_dump(exclude_none=True, exclude=dropped)
         return self.model_validate({**kept, **later.model_dump(exclude_none=True)})
 
@@ -145,6 +165,8 @@ class CameraDecision(Frozen):
             changes = {"lens": None, **changes, "distance": SIZES[self.size].distance}
         if self.movement is not None:
             changes = {"direction": None, **changes}
+        if self.focus is not None:
+            changes = {"focus_to": None, **changes}
         return CameraInstruction.model_validate({**instruction.model_dump(), **changes})
 
 
@@ -277,6 +299,16 @@ class Flaw(Frozen):
         return {"message": value} if isinstance(value, str) else value
 
 
+class FocusKey(Frozen):
+    """Where the lens is focused at one frame; the depth of field is flat, at the depth of the point."""
+
+    frame: Frames = 0
+    point: Vec3
+    """World, metres."""
+    node_id: str = ""
+    """Whom or what it is focused on."""
+
+
 class CameraState(Frozen):
     """The camera of a shot: one pose if static, two or more if it moves; eased between."""
 
@@ -284,6 +316,8 @@ class CameraState(Frozen):
     sensor_width: float = Field(default=36.0, ge=1, le=100)
     """mm."""
     f_number: float = Field(default=2.8, gt=0, le=1000)
+    focus: tuple[FocusKey, ...] = ()
+    """Where the lens is focused, in order of frames, eased between; empty where everything is sharp."""
     hidden_node_ids: tuple[Identifier, ...] = ()
     """Wild walls: set pieces taken away for this shot."""
     leaves_out: tuple[Identifier, ...] = ()

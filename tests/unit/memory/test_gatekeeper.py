@@ -39,6 +39,10 @@ def test_a_whole_story_enters() -> None:
         (SHOT.model_copy(update={"scene_id": 9}), "does not exist"),
         (SHOT.model_copy(update={"states": (BodyState(asset_id="ghost"),)}), "'ghost'"),
         (SHOT.model_copy(update={"cues": (Cue(asset_id="ghost", clip="walk", start=0),)}), "a cue for 'ghost'"),
+        (
+            SHOT.model_copy(update={"camera_instruction": CameraInstruction(focus="rick", focus_to="ghost")}),
+            "focused on 'ghost'",
+        ),
         (SCENE.model_copy(update={"setup": SceneSetup(asset_ids=("ghost",))}), "not on the asset sheet"),
         (SCENE.model_copy(update={"setup": SceneSetup(reference_scene_id=1)}), "not an earlier one"),
         (layout(LayoutObject(node_id="a", asset_id="ghost", location=(0, 0, 0))), "not on the asset sheet"),
