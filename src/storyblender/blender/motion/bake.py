@@ -1,4 +1,4 @@
-"""From solved tracks to Blender: one slotted Action per shot, reduced keys, NLA strips named like the shot."""
+"""Bakes solved tracks into Blender: one slotted Action per shot, reduced keys, NLA strips named like the shot."""
 
 from __future__ import annotations
 
@@ -28,10 +28,9 @@ def bake(
     name: str,
     frame_start: int,
 ) -> bpy.types.Action:
-    """Write a performance as one Action with a slot per person, face, cloth and prop, and string it into the NLA.
+    """Write a performance as one Action with a slot per person, face, cloth and prop, and add its strips to the NLA.
 
-    Every strip is named ``name``, begins at ``frame_start`` and says nothing outside the shot, so that the shots of
-    one scene's timeline do not leak into each other.
+    Every strip is named ``name``, begins at ``frame_start`` and has no effect outside the shot.
 
     Args:
         performance: Solved tracks.
@@ -46,7 +45,7 @@ def bake(
     remove(name)
     action = bpy.data.actions.new(name)
     keys = action.layers.new("motion").strips.new(type="KEYFRAME")
-    writer = _Writer(action, keys, performance, frame_start)
+    writer = _ActionWriter(action, keys, performance, frame_start)
     for asset_id, track in performance.people.items():
         armature = armatures.get(asset_id)
         if armature is not None:
@@ -59,7 +58,7 @@ def bake(
 
 
 def remove(name: str) -> None:
-    """Take a shot's Action and all its strips away."""
+    """Remove a shot's Action and all its strips."""
     action = bpy.data.actions.get(name)
     owners = [*bpy.data.objects, *bpy.data.shape_keys]
     for owner in owners:
@@ -72,9 +71,12 @@ def remove(name: str) -> None:
 
 
 def reduce_keys(frames: Floats, values: Floats, tolerance: float) -> NDArray[np.int_]:
-    """Return which samples to keep so that straight lines between them stay within ``tolerance`` of all channels.
+    """Return the indices of the samples to keep for linear interpolation within a tolerance (Ramer-Douglas-Peucker).
 
-    Ramer-Douglas-Peucker on all columns of ``values`` (N, C) together.
+    Args:
+        frames: (N,) frame numbers.
+        values: (N, C) channels, reduced together.
+        tolerance: Largest allowed error of any channel, in its unit.
     """
     keep = np.zeros(len(frames), bool)
     keep[[0, -1]] = True
@@ -94,14 +96,16 @@ def reduce_keys(frames: Floats, values: Floats, tolerance: float) -> NDArray[np.
     return np.flatnonzero(keep)
 
 
-class _Writer:
+class _ActionWriter:
+    """Writes tracks into the slots of one Action and strings them into the NLA of their objects."""
+
     def __init__(self, action: bpy.types.Action, keys: object, performance: Performance, frame_start: int) -> None:
         self.action, self.keys, self.frame_start = action, keys, frame_start
         self.frames = performance.frames.astype(float)
         self.length = float(performance.frames[-1]) + 1
 
     def person(self, asset_id: str, armature: bpy.types.Object, track: PersonTrack) -> None:
-        """Object root and pose bones in one slot; face and cloth shape keys of all meshes in one slot each."""
+        """Write root and pose bones into one slot, shape keys of face and clothes into slots of their own."""
         armature.rotation_mode = "XYZ"
         bag = self._bag("OBJECT", asset_id, [armature])
         yaw = np.zeros((len(track.root), 3))
@@ -119,7 +123,7 @@ class _Writer:
         self._shapes(asset_id, armature, track)
 
     def prop(self, asset_id: str, prop: bpy.types.Object, matrices: Floats) -> None:
-        """World location and rotation of a prop; its scale is its own."""
+        """Write world location and rotation of a prop; its scale stays."""
         prop.rotation_mode = "QUATERNION"
         bag = self._bag("OBJECT", asset_id, [prop])
         turns = np.array([Matrix(matrix.tolist()).to_quaternion() for matrix in matrices])
@@ -130,7 +134,7 @@ class _Writer:
         self._curves(bag, "rotation_quaternion", turns, TOLERANCE / 2, "Root")
 
     def _shapes(self, asset_id: str, armature: bpy.types.Object, track: PersonTrack) -> None:
-        """Meshes that share a set of driven keys share one slot."""
+        """Write shape keys; meshes that are driven by the same keys share a slot."""
         values = {key: track.face[:, [index]] for index, key in enumerate(track.face_keys)}
         values[SIT_KEY] = track.seated[:, None]
         groups: dict[tuple[str, ...], list[bpy.types.Key]] = {}
@@ -146,7 +150,7 @@ class _Writer:
                 self._curves(bag, f'key_blocks["{key}"].value', values[key], FACE_TOLERANCE, "")
 
     def _bag(self, id_type: str, label: str, owners: list) -> object:
-        """Make a slot, bind it to its owners' NLA, and return where its curves go."""
+        """Create a slot, add a strip of it to each owner's NLA, and return the slot's channel bag."""
         slot = self.action.slots.new(id_type, label)
         for owner in owners:
             data = owner.animation_data_create()
@@ -162,6 +166,7 @@ class _Writer:
         return self.keys.channelbag(slot, ensure=True)
 
     def _curves(self, bag: object, path: str, values: Floats, tolerance: float, group: str) -> None:
+        """Write ``values`` (N, C) as linear keys of one property, reduced to ``tolerance``."""
         if np.abs(values - values[0]).max() < tolerance / 2:
             kept = np.array([0])
         else:

@@ -1,7 +1,7 @@
-"""Channels: values over time made of timed target functions. The whole transition system of the solver.
+"""Channels: values over time, made of timed targets.
 
-A key is a function of time, so blending from "hand at my side" to "hand on a moving cup" is right at every frame.
-Nothing ends by itself: a channel keeps its newest key, so sitting and holding last until something else is set.
+A target may be a function of time, so a blend from "hand at my side" to "hand on a moving cup" is right at every frame.
+A channel keeps its newest key: sitting and holding last until another key is set.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def ease_out(w: float) -> float:
 
 
 def clamp(x: float, low: float = 0.0, high: float = 1.0) -> float:
-    """Return ``x`` held between ``low`` and ``high``."""
+    """Return ``x`` limited to ``low``..``high``."""
     return low if x < low else high if x > high else x
 
 
@@ -63,7 +63,7 @@ class Key:
 
 
 def linear(a: Floats, b: Floats, w: float) -> Floats:
-    """Return the linear blend of two values, number by number; ``w`` is the share of ``b``, 0..1."""
+    """Return the linear blend of two arrays; ``w`` is the share of ``b``, 0..1."""
     return a * (1 - w) + b * w
 
 
@@ -81,17 +81,25 @@ class Channel:
     def set(
         self, start: float, duration: float, target: Target, ease: Easing = smooth, bump: ArrayLike | None = None
     ) -> float:
-        """Add a key that starts at ``start`` and return the time it is reached; all times in seconds."""
+        """Add a key and return the second at which its target is reached.
+
+        Args:
+            start: Second at which the blend begins.
+            duration: Seconds of the blend.
+            target: Values, or a function from seconds to values.
+            ease: Easing of the blend.
+            bump: Added to the first three values along a half sine; None for a straight blend.
+        """
         key = Key(start, duration, target, ease, None if bump is None else np.asarray(bump, float))
         insort(self.keys, key, key=lambda each: each.start)
         return start + duration
 
-    def cut(self, start: float) -> None:
-        """Remove the keys from ``start`` seconds on."""
+    def remove_from(self, start: float) -> None:
+        """Remove the keys that start at ``start`` seconds or later."""
         self.keys = [key for key in self.keys if key.start < start - 1e-6] or self.keys[:1]
 
-    def as_planned(self) -> Channel:
-        """Return a copy with the keys set so far; later keys do not change it."""
+    def snapshot(self) -> Channel:
+        """Return a copy with the present keys."""
         copy = Channel(0.0, self.mix)
         copy.keys = list(self.keys)
         return copy

@@ -1,4 +1,4 @@
-"""Footstep plans: where and when each foot swings so that nobody slides and everybody arrives on the mark."""
+"""Footstep plans: when and where each foot swings, so that feet do not slide and the person arrives on the mark."""
 
 from __future__ import annotations
 
@@ -22,21 +22,21 @@ TURN_FIRST = math.radians(TURN_IN_STRIDE)
 
 
 @dataclass(frozen=True)
-class Style:
-    """A way to travel.
+class TravelStyle:
+    """A way to travel on foot.
 
     Attributes:
-        speed: Metres per second at k = 1; grows with the square root of k.
+        speed: Metres per second at scale 1; grows with the square root of the scale.
         step: Seconds of one step at that speed.
-        stance: Share of the stride a foot is down.
-        running: Flight and bent elbows.
-        toe_off: Degrees of pitch when the foot leaves.
-        strike: Degrees when it lands.
-        width: Times the standing distance of the feet.
-        settle: How far plants lie behind the middle of the stance, in strides.
+        stance: Share of the stride during which a foot is down.
+        running: Whether there is a flight phase, with bent elbows.
+        toe_off: Degrees of pitch when the foot leaves the floor.
+        strike: Degrees of pitch when it lands.
+        width: Factor on the standing distance of the feet.
+        settle: Strides by which the plants lie behind the middle of the stance.
         rise: Steps to reach full speed.
         brake: Steps to stop.
-        stoop: Degrees of bent trunk.
+        stoop: Degrees by which the trunk is bent forward.
     """
 
     speed: float
@@ -51,21 +51,30 @@ class Style:
     brake: float = 1.3
     stoop: float = 0.0
 
-    def slowed(self, speed: float, k: float) -> Style:
-        """Return the same style at another speed in metres per second: slower steps are longer in time."""
+    def slowed(self, speed: float, k: float) -> TravelStyle:
+        """Return the same style at another speed; slower steps take longer.
+
+        Args:
+            speed: Metres per second.
+            k: Scale of the person.
+        """
         ratio = clamp(speed / (self.speed * math.sqrt(k)), 0.35, 1.6)
         step = self.step if self.running else self.step * ratio**-0.45
-        return Style(**{**vars(self), "speed": self.speed * ratio, "step": step})
+        return TravelStyle(**{**vars(self), "speed": self.speed * ratio, "step": step})
 
 
-WALK = Style(1.25, 0.54)
-RUN = Style(3.1, 0.345, 0.36, True, -62, 6, 0.62, 0.055, 1.6, 2.2)
-SNEAK = Style(0.7, 0.70, 0.62, toe_off=-30, strike=2, stoop=20)
-STAGGER = Style(0.75, 0.62, 0.60, toe_off=-30, strike=8, width=1.5, stoop=12)
+WALK = TravelStyle(1.25, 0.54)
+RUN = TravelStyle(3.1, 0.345, 0.36, True, -62, 6, 0.62, 0.055, 1.6, 2.2)
+SNEAK = TravelStyle(0.7, 0.70, 0.62, toe_off=-30, strike=2, stoop=20)
+STAGGER = TravelStyle(0.75, 0.62, 0.60, toe_off=-30, strike=8, width=1.5, stoop=12)
 
 
-class Way:
-    """A polyline measured along its length."""
+class WalkPath:
+    """A polyline on the floor, measured along its length.
+
+    Args:
+        points: (x, y) corners, metres.
+    """
 
     def __init__(self, points: list[Vec2]) -> None:
         self.points = np.array(points, float)
@@ -77,13 +86,13 @@ class Way:
         self._marks, self._yaws = marks, yaws
 
     def place(self, distance: float) -> Vector:
-        """Return the point at a distance from the start."""
+        """Return the point (x, y) at ``distance`` metres from the start."""
         d = clamp(distance, 0, self.length)
         x, y = (float(np.interp(d, self.at_point, self.points[:, axis])) for axis in (0, 1))
         return Vector((x, y))
 
     def heading(self, distance: float) -> float:
-        """Return the smoothed yaw of travel, continuous along the way."""
+        """Return the smoothed yaw of travel at ``distance`` metres, radians, continuous along the path."""
         return float(np.interp(distance, self._marks, self._yaws))
 
     def _heading(self, distance: float) -> float:
@@ -93,34 +102,42 @@ class Way:
 
 @dataclass(frozen=True)
 class Swing:
-    """One foot in the air: from one plant to the next."""
+    """One foot in the air, from one plant to the next.
+
+    Attributes:
+        start: Second at which it leaves the floor.
+        end: Second at which it lands.
+        lifted: (9,) foot target at the start.
+        planted: (9,) foot target at the end.
+        size: Share of a full stride.
+        last: Whether the foot stays there.
+    """
 
     start: float
     end: float
     lifted: Floats
     planted: Floats
     size: float
-    """Share of a full stride."""
     last: bool
 
 
-class Footsteps:
-    """The plan of one walk: the root's travel and both feet's swings.
+class FootstepPlan:
+    """The plan of one walk: travel of the root and swings of both feet.
 
-    The foot lands where the body will be in the middle of the following stance; the start and stop steps fall out of
-    that. Steps are added until no landing is too far from the other foot.
+    A foot lands where the body will be in the middle of the following stance; first and last steps follow from that.
+    Steps are added until no landing is too far from the other foot.
 
     Args:
-        who: Standing where everything planned so far leaves them.
+        who: The walker, at the end of everything planned so far.
         start: Seconds.
-        way: Where to go.
-        style: How.
-        end_yaw: Facing at the end; None keeps the heading.
+        way: Path of the root.
+        style: Speed and gait.
+        end_yaw: Facing at the end in radians; None keeps the heading.
     """
 
-    def __init__(self, who: Performer, start: float, way: Way, style: Style, end_yaw: float | None) -> None:
+    def __init__(self, who: Performer, start: float, way: WalkPath, style: TravelStyle, end_yaw: float | None) -> None:
         self.who, self.start, self.way, self.style = who, start, way, style
-        root_k = math.sqrt(who.m.k)
+        root_k = math.sqrt(who.scale)
         self.step = style.step * root_k
         self.swing = 2 * self.step * (1 - style.stance)
         self.accelerate, self.brake = style.rise * self.step, style.brake * self.step
@@ -134,7 +151,7 @@ class Footsteps:
         count = max(2, round((way.length / steady + (self.accelerate + self.brake) / 2 - self.swing) / self.step) + 1)
         for _ in range(6):
             self._lay_out(count)
-            if style.running or self.widest <= 0.78 * who.m.leg + 0.02:
+            if style.running or self.widest <= 0.78 * who.measures.leg + 0.02:
                 break
             count += 1
         self.strength = clamp(self.pace / steady, 0.35, 1.1)
@@ -146,11 +163,11 @@ class Footsteps:
 
     @property
     def final_yaw(self) -> float:
-        """Facing on arrival."""
+        """Facing on arrival, radians."""
         return self._yaw(self.way.length) + self.last_turn
 
     def travelled(self, t: float) -> float:
-        """Return metres gone at second ``t``: a trapezoid of speed."""
+        """Return the metres travelled at ``t`` seconds: a trapezoid of speed."""
         u = clamp(t - self.start, 0, self.duration)
         ramps = self.accelerate + self.brake
         if self.duration <= ramps:
@@ -163,7 +180,7 @@ class Footsteps:
         return self.way.length - self.pace * left * left / (2 * self.brake)
 
     def root(self, t: float) -> tuple[float, float, float]:
-        """Return x, y, yaw at second ``t``."""
+        """Return x, y and yaw of the root at ``t`` seconds."""
         gone, u = self.travelled(t), t - self.start
         place, yaw = self.way.place(gone), self._yaw(gone)
         yaw -= self.first_turn * (1 - smooth(clamp(u / (2 * self.step))))
@@ -172,7 +189,7 @@ class Footsteps:
         return place.x, place.y, yaw
 
     def foot(self, side: str) -> Callable[[float], Floats]:
-        """Return the foot target over time."""
+        """Return the foot target of a side as a function of seconds."""
         swings = self.swings[side]
 
         def target(t: float) -> Floats:
@@ -188,9 +205,11 @@ class Footsteps:
         return target
 
     def _yaw(self, distance: float) -> float:
+        """Return the body's yaw after ``distance`` metres."""
         return self.way.heading(distance) + self.base_yaw
 
     def _lay_out(self, count: int) -> None:
+        """Plan ``count`` steps: duration, speed, and the swings of both feet."""
         who, way, style = self.who, self.way, self.style
         self.duration = (count - 1) * self.step + self.swing
         ramps = (self.accelerate + self.brake) / 2
@@ -220,7 +239,7 @@ class Footsteps:
             now[side] = plant
 
     def _stance(self, side: str, swing: Swing, previous: Swing | None, t: float) -> Floats:
-        """The foot is down before ``swing``: it rolls from the heel, then the heel rises about the toe joint."""
+        """Return the target of a foot that is down before ``swing``: it rolls from the heel to the toe joint."""
         since = previous.end if previous else swing.start - 0.6 * self.step
         u = clamp((t - since) / max(1e-6, swing.start - since))
         strike = self.style.strike * previous.size if previous else 0.0
@@ -230,23 +249,24 @@ class Footsteps:
         elif u > 0.45:
             pitch = self.style.toe_off * swing.size * ((u - 0.45) / 0.55) ** 1.3
         pose = swing.lifted.copy()
-        pose[:3] = self.who.rolled(side, swing.lifted, swing.lifted[3], pitch)
+        pose[:3] = self.who.rolled_ankle(side, swing.lifted, swing.lifted[3], pitch)
         pose[4], pose[5] = pitch, -min(0.0, pitch)
         return pose
 
     def _flight(self, side: str, swing: Swing, t: float) -> Floats:
+        """Return the target of a foot in the air at ``t`` seconds."""
         who, style = self.who, self.style
         u = (t - swing.start) / (swing.end - swing.start)
         leaving, landing = style.toe_off * swing.size, 0.0 if swing.last else style.strike * swing.size
         along = smoothstep(u) * (0.6 if style.running else 1.0) + (0.4 * u if style.running else 0.0)
         pitch = leaving * (1 - u) ** (1.6 if style.running else 2.5) + landing * u * u
-        lift_off = who.rolled(side, swing.lifted, swing.lifted[3], leaving)
-        touch_down = who.rolled(side, swing.planted, swing.planted[3], landing)
+        lift_off = who.rolled_ankle(side, swing.lifted, swing.lifted[3], leaving)
+        touch_down = who.rolled_ankle(side, swing.planted, swing.planted[3], landing)
         ankle = lift_off.lerp(touch_down, along)
-        ankle.z += (0.05 * swing.size + 0.015) * who.m.k * math.sin(math.pi * u)
+        ankle.z += (0.05 * swing.size + 0.015) * who.scale * math.sin(math.pi * u)
         if style.running:
             heel = math.sin(math.pi * min(1.0, 1.02 * u)) ** 1.3 * (1 - 0.55 * u)
-            ankle.z += 0.42 * who.m.leg * swing.size * heel
+            ankle.z += 0.42 * who.measures.leg * swing.size * heel
             pitch = leaving * (1 - u) - 38 * swing.size * math.sin(math.pi * u) * (1 - u) + landing * u * u
         pose = swing.lifted * (1 - along) + swing.planted * along
         pose[:3], pose[4], pose[5] = ankle, pitch, -min(0.0, pitch) * (1 - u) * 0.8
@@ -254,7 +274,7 @@ class Footsteps:
         return pose
 
     def perform(self) -> float:
-        """Write the plan to the person's channels and return the second of arrival."""
+        """Set the plan on the person's channels and return the second of arrival."""
         who = self.who
         who.root.set(self.start, 0, self.root)
         for side in SIDES:

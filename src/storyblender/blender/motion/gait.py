@@ -1,4 +1,4 @@
-"""The rhythm of travelling: when steps fall, and how strongly pelvis, trunk and arms swing with them."""
+"""The rhythm of a walk or run: stride phase, and how strongly pelvis, trunk and arms swing."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from storyblender.blender.motion.channel import clamp, smooth
 
 @dataclass(frozen=True)
 class Gait:
-    """The rhythm of a walk or run, for pelvis, trunk and arms.
+    """The rhythm of one walk or run.
 
     Attributes:
         start: Seconds.
         end: Seconds.
         step: Seconds of one step.
-        amplitude: Strength of the swing, about 1.
+        amplitude: Strength of the swing of pelvis, trunk and arms; about 1.
         running: True for a run.
         offset: Stride phase at ``start``; 0 is the landing of the left foot.
-        stoop: Degrees of bent trunk (sneaking).
+        stoop: Degrees by which the trunk is bent forward (sneaking).
     """
 
     start: float
@@ -30,10 +30,10 @@ class Gait:
     stoop: float = 0.0
 
     def phase(self, t: float) -> float:
-        """Return the stride phase 0..1."""
+        """Return the stride phase at ``t`` seconds, 0..1; one stride is two steps."""
         return ((t - self.start) / (2 * self.step) + self.offset) % 1
 
     def strength(self, t: float) -> float:
-        """Return 0..amplitude: swings grow with the first step and die with the last."""
+        """Return the strength of the swing at ``t`` seconds, 0..amplitude: it grows, then fades."""
         grow = clamp((t - self.start) / self.step) * clamp((self.end - t) / (1.2 * self.step))
         return smooth(grow) * self.amplitude

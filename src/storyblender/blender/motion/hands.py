@@ -1,7 +1,8 @@
-"""Hand targets: where a palm is, where fingers point, where the palm looks, where the elbow goes, how fingers curl.
+"""Targets of hands: palm, finger direction, palm normal, elbow direction and curl of the fingers.
 
-A target is 15 numbers in world frame. The palm's centre is aimed at, not the wrist, so grips, table tops and shoulders
-need no arithmetic in the clips.
+A hand target is 15 numbers in the world frame (``hand``). It aims the centre of the palm, not the wrist, so that clips
+can name grips, table tops and shoulders directly. Functions that return a ``TargetOf`` give a target for every second
+of the shot, computed from the pose of the body at that moment.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import frame, sign
 
 Triple = tuple[float, float, float]
+"""Three numbers of a hand: (outwards, forwards, up), or degrees of index finger, other fingers and thumb."""
 
 RELAXED: Triple = (16, 22, 0)
 FLAT: Triple = (6, 8, 0)
@@ -25,20 +27,26 @@ ELBOW: Triple = (0.5, -0.5, -0.85)
 
 
 def hand(palm: Vector, fingers: Vector, normal: Vector, pole: Vector, curl: Triple = RELAXED) -> Floats:
-    """Pack a hand target.
+    """Return a hand target: (15,) world-frame values.
 
     Args:
-        palm: Palm centre.
+        palm: Palm centre, metres.
         fingers: Direction of the fingers.
-        normal: Where the palm looks.
-        pole: Where the elbow points.
-        curl: Degrees of index, other fingers and thumb.
+        normal: Direction out of the palm.
+        pole: Direction the elbow points in.
+        curl: Degrees of index finger, other fingers and thumb; 0 is stretched.
     """
     return np.array([*palm, *fingers, *normal, *pole, *curl], float)
 
 
 def blend_hands(a: Floats, b: Floats, w: float) -> Floats:
-    """Mix two hand targets: the palm moves straight, the hand turns the short way, the elbow swings around."""
+    """Return the blend of two hand targets: palm in a straight line, hand and elbow along the shorter rotation.
+
+    Args:
+        a: (15,) target at ``w`` = 0.
+        b: (15,) target at ``w`` = 1.
+        w: Share of ``b``, 0..1.
+    """
     mixed = a * (1 - w) + b * w
     if w <= 0 or w >= 1:
         return mixed
@@ -52,20 +60,20 @@ def blend_hands(a: Floats, b: Floats, w: float) -> Floats:
 
 
 def hanging(who: Performer, side: str) -> TargetOf:
-    """Arms at the sides, swinging with the gait; upright in the world, they follow only the chest's yaw."""
+    """Return the target of an arm at the body's side: it swings with the gait and follows only the chest's yaw."""
 
     def target(t: float) -> Floats:
         swing, phase, gait = who.gait_at(t)
-        s, m = sign(side), who.m
-        beat = -s * math.cos(2 * math.pi * phase)
+        s, m = sign(side), who.measures
+        rhythm = -s * math.cos(2 * math.pi * phase)
         if gait is not None and gait.running:
-            upper = math.radians(-8 + 38 * beat * swing)
+            upper = math.radians(-8 + 38 * rhythm * swing)
             lower = upper + math.radians(92)
             arm = Vector((s * 0.22, -math.sin(upper), -math.cos(upper))).normalized()
-            forearm = Vector((-s * 0.30 * (0.5 + 0.5 * beat), -math.sin(lower), -math.cos(lower))).normalized()
+            forearm = Vector((-s * 0.30 * (0.5 + 0.5 * rhythm), -math.sin(lower), -math.cos(lower))).normalized()
             pole, curl = Vector((s * 0.3, 1, -0.3)), (55, 65, 10)
         else:
-            upper = math.radians(1 + 22 * beat * swing)
+            upper = math.radians(1 + 22 * rhythm * swing)
             lower = upper + math.radians(13 + swing * (6 + 10 * (0.5 + 0.5 * math.sin(upper * 3))))
             arm = Vector((s * 0.17, -math.sin(upper), -math.cos(upper))).normalized()
             forearm = Vector((s * 0.04, -math.sin(lower), -math.cos(lower))).normalized()
@@ -81,13 +89,13 @@ def hanging(who: Performer, side: str) -> TargetOf:
 
 
 def chest_yaw(who: Performer) -> float:
-    """Return the chest's yaw in the person's own frame, radians."""
+    """Return the yaw of a posed person's chest relative to their root, radians."""
     forward = who.bones.orient["upper_chest"] @ Vector((0, -1, 0))
     return math.atan2(forward.x, -forward.y)
 
 
 def shoulder_rest(who: Performer, side: str) -> Vector:
-    """Return the shoulder joint as carried by the chest, before the clavicle moves (armature space)."""
+    """Return the shoulder joint of the posed body before the clavicle moves, metres in armature space."""
     bones = who.bones
     return bones.point("upper_chest", bones.head[f"upper_arm.{side}"] - bones.head["upper_chest"])
 
@@ -101,41 +109,29 @@ def by_chest(
     *,
     pole: Triple = ELBOW,
     curl: Triple = (18, 25, 0),
+    upright: bool = False,
 ) -> TargetOf:
-    """A place in the chest's frame: outwards, forwards, up from the shoulder, in arm lengths; directions likewise."""
+    """Return the target of a hand at a place relative to the shoulder, moving with the chest.
 
-    def flip(v: Triple) -> Vector:
-        return Vector((sign(side) * v[0], -v[1], v[2]))
+    Vectors are (outwards, forwards, up) for either side.
+
+    Args:
+        who: The person.
+        side: ``L`` or ``R``.
+        at: Palm centre from the shoulder joint, in arm lengths.
+        fingers: Direction of the fingers.
+        normal: Direction out of the palm.
+        pole: Direction the elbow points in.
+        curl: Degrees of index finger, other fingers and thumb.
+        upright: Follow only the chest's position and yaw, not its lean.
+    """
+    place, *directions = (_mirrored(side, each) for each in (at, fingers, normal, pole))
 
     def target(t: float) -> Floats:
-        orient = who.bones.orient["upper_chest"]
-        place = shoulder_rest(who, side) + orient @ (flip(at) * who.m.arm)
-        along, out, elbow = [who.facing @ (orient @ flip(v)) for v in (fingers, normal, pole)]
-        return hand(who.to_world(place), along, out, elbow, curl)
-
-    return target
-
-
-def upright(
-    who: Performer,
-    side: str,
-    at: Triple,
-    fingers: Triple,
-    normal: Triple,
-    *,
-    pole: Triple = ELBOW,
-    curl: Triple = (18, 25, 0),
-) -> TargetOf:
-    """Like ``by_chest``, but upright: it follows the chest's place and yaw only."""
-
-    def flip(v: Triple) -> Vector:
-        return Vector((sign(side) * v[0], -v[1], v[2]))
-
-    def target(t: float) -> Floats:
-        turn = Matrix.Rotation(chest_yaw(who), 3, "Z")
-        place = shoulder_rest(who, side) + turn @ (flip(at) * who.m.arm)
-        along, out, elbow = [who.facing @ (turn @ flip(v)) for v in (fingers, normal, pole)]
-        return hand(who.to_world(place), along, out, elbow, curl)
+        orient = Matrix.Rotation(chest_yaw(who), 3, "Z") if upright else who.bones.orient["upper_chest"]
+        palm = shoulder_rest(who, side) + orient @ (place * who.measures.arm)
+        along, out, elbow = [who.facing @ (orient @ each) for each in directions]
+        return hand(who.to_world(palm), along, out, elbow, curl)
 
     return target
 
@@ -143,35 +139,44 @@ def upright(
 def by_head(
     who: Performer, side: str, at: Triple, fingers: Triple, normal: Triple, *, pole: Triple, curl: Triple
 ) -> TargetOf:
-    """A place rigid to the head: outwards, forwards, up from the eyes, metres times k; elbow in the person's frame."""
+    """Return the target of a hand at a place relative to the eyes, moving with the head.
 
-    def flip(v: Triple) -> Vector:
-        return Vector((sign(side) * v[0], -v[1], v[2]))
+    Vectors are (outwards, forwards, up) for either side.
+
+    Args:
+        who: The person.
+        side: ``L`` or ``R``.
+        at: Palm centre from the middle of the eyes, metres times the person's scale.
+        fingers: Direction of the fingers.
+        normal: Direction out of the palm.
+        pole: Direction the elbow points in, in the person's frame.
+        curl: Degrees of index finger, other fingers and thumb.
+    """
+    place, along, out, elbow = (_mirrored(side, each) for each in (at, fingers, normal, pole))
 
     def target(t: float) -> Floats:
         bones = who.bones
         eyes = (bones.head["eye.L"] + bones.head["eye.R"]) / 2 - bones.head["head"]
-        orient = bones.orient["head"]
-        place = bones.point("head", eyes + flip(at) * who.m.k)
-        return hand(
-            who.to_world(place),
-            who.facing @ (orient @ flip(fingers)),
-            who.facing @ (orient @ flip(normal)),
-            who.facing @ flip(pole),
-            curl,
-        )
+        orient, palm = bones.orient["head"], bones.point("head", eyes + place * who.scale)
+        directions = who.facing @ (orient @ along), who.facing @ (orient @ out), who.facing @ elbow
+        return hand(who.to_world(palm), *directions, curl)
 
     return target
 
 
+def _mirrored(side: str, vector: Triple) -> Vector:
+    """Convert (outwards, forwards, up) of a hand to body axes: X to the person's left, Y back, Z up."""
+    return Vector((sign(side) * vector[0], -vector[1], vector[2]))
+
+
 def on_thigh(who: Performer, side: str) -> TargetOf:
-    """Palm on one's own lap."""
+    """Return the target of a palm on the person's own thigh, near the knee."""
 
     def target(t: float) -> Floats:
-        s, k = sign(side), who.m.k
+        s, k = sign(side), who.scale
         knee, hip = who.bones.joint[f"shin.{side}"], who.bones.joint[f"thigh.{side}"]
         along = (knee - hip).normalized()
-        palm = hip.lerp(knee, 0.70) + Vector((-s * 0.012 * k, 0, who.m.lap + 0.030 * k))
+        palm = hip.lerp(knee, 0.70) + Vector((-s * 0.012 * k, 0, who.measures.lap + 0.030 * k))
         fingers = (along + Vector((-s * 0.35, 0, -0.12))).normalized()
         turn = who.facing
         return hand(
@@ -183,10 +188,10 @@ def on_thigh(who: Performer, side: str) -> TargetOf:
 
 
 def on_knee(who: Performer, side: str) -> TargetOf:
-    """Palm on one's own raised knee."""
+    """Return the target of a palm on the person's own raised knee."""
 
     def target(t: float) -> Floats:
-        s, k, turn = sign(side), who.m.k, who.facing
+        s, k, turn = sign(side), who.scale, who.facing
         palm = who.bones.joint[f"shin.{side}"] + Vector((0, 0.045, 0.085)) * k
         return hand(
             who.to_world(palm), turn @ Vector((-s * 0.3, -1, -0.25)), turn @ Vector((0, -0.2, -1)),
@@ -197,10 +202,10 @@ def on_knee(who: Performer, side: str) -> TargetOf:
 
 
 def beside_body(who: Performer, side: str, height: float) -> TargetOf:
-    """Palm on the bed or the floor at ``height`` beside a lying body's hip."""
+    """Return the target of a palm beside a lying person's hip, on a surface at ``height`` metres (world)."""
 
     def target(t: float) -> Floats:
-        s, k = sign(side), who.m.k
+        s, k = sign(side), who.scale
         hips = who.point("hips")
         foot = who.facing @ Vector((0, -1, 0))
         aside = who.facing @ Vector((s, 0, 0))
@@ -211,14 +216,20 @@ def beside_body(who: Performer, side: str, height: float) -> TargetOf:
     return target
 
 
-def fixed(palm: Vector, fingers: Vector, normal: Vector, pole: Vector, curl: Triple = FLAT) -> TargetOf:
-    """A place in the world."""
+def fixed_hand(palm: Vector, fingers: Vector, normal: Vector, pole: Vector, curl: Triple = FLAT) -> TargetOf:
+    """Return a hand target that stays at one place in the world; arguments as in ``hand``."""
     values = hand(palm, fingers, normal, pole, curl)
     return lambda t: values
 
 
-def offset(target: TargetOf, by: Vector, opening: float = 1.0) -> TargetOf:
-    """Move a target by a world vector and open its fingers: 1 leaves the curl, 0 stretches it."""
+def offset_hand(target: TargetOf, by: Vector, opening: float = 1.0) -> TargetOf:
+    """Return a hand target moved by a vector.
+
+    Args:
+        target: The target to move.
+        by: World vector, metres.
+        opening: Factor for the curl of the fingers: 1 keeps it, 0 stretches them.
+    """
 
     def moved(t: float) -> Floats:
         values = np.array(target(t), float)

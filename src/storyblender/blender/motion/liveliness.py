@@ -1,4 +1,4 @@
-"""Idle life between cues: times of blinks, glances and weight shifts, and gaze angles."""
+"""Idle life between cues: random times of blinks, glances and weight shifts, and the angles of a gaze."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ HORIZON = 180.0
 
 
 def angles_of(vector: Vector) -> tuple[float, float]:
-    """Return yaw and pitch in degrees of a direction, relative to a person who faces -Y.
+    """Return yaw and pitch of a direction in degrees, relative to a person who faces -Y.
 
-    The yaw fades out towards the zenith, where it would spin.
+    Near the vertical, where yaw is undefined, it fades to 0.
     """
     level = math.hypot(vector.x, vector.y)
     steady = clamp(2.5 * level / max(1e-6, vector.length))

@@ -1,4 +1,4 @@
-"""What the solver measures of every body: limbs, extents, and the contact heights of sitting (notes: motion, 3)."""
+"""Measures of a person for the motion solver: limbs, extents, contact heights of sitting (notes: motion, 3)."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Floats = NDArray[np.float64]
 CLOTH = 0.008
 """Metres of cloth between a sitter and the seat: trousers."""
 JACKET = 0.034
-"""Metres of cloth between a back and the chair, times k; less lets a jacket sink into the chair."""
+"""Metres of cloth between a back and the chair, times the scale; less lets a jacket sink into the chair."""
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class Measures:
     """Lengths in metres of one person, standing at the origin facing -Y.
 
     Attributes:
-        k: Stature over 1.7 m: scales everything authored for an average adult.
+        scale: Stature over 1.7 m; multiplies every length authored for an average adult (local variable ``k``).
         thigh: Hip joint to knee.
         shin: Knee to ankle.
         ankle: Height of the ankle joint.
@@ -49,7 +49,7 @@ class Measures:
         lap: Top of a seated thigh above its axis.
     """
 
-    k: float
+    scale: float
     thigh: float
     shin: float
     ankle: float
@@ -85,7 +85,7 @@ class Measures:
     @property
     def stance(self) -> float:
         """Half the distance of the feet while standing."""
-        return 0.088 * self.k
+        return 0.088 * self.scale
 
     @property
     def front(self) -> float:
@@ -94,7 +94,7 @@ class Measures:
 
 
 def measure(body: Body) -> Measures:
-    """Measure a body."""
+    """Return the measures of a body."""
     bones = Skeleton(body)
     head, k = bones.head, body.stature / 1.7
     skin = body.vertices
@@ -111,7 +111,7 @@ def measure(body: Body) -> Measures:
     waist = skin[(np.abs(skin[:, 2] - hip.z - 0.05) < 0.10) & (np.abs(skin[:, 0]) < 0.3 * k)]
     drop, back, lap = _sit_down(body, bones)
     return Measures(
-        k=k,
+        scale=k,
         thigh=(head["shin.L"] - hip).length,
         shin=(head["foot.L"] - head["shin.L"]).length,
         ankle=head["foot.L"].z,
@@ -137,7 +137,13 @@ def measure(body: Body) -> Measures:
 
 
 def skin_of(body: Body, bones: Skeleton, rows: NDArray[np.intp] | slice = slice(None)) -> Floats:
-    """Return the body's skin (V, 3) in the skeleton's pose, armature space, by linear blend skinning."""
+    """Return the skin in the skeleton's pose, (V, 3) metres in armature space, by linear blend skinning.
+
+    Args:
+        body: Rest skin and weights.
+        bones: The posed skeleton.
+        rows: Vertices to return; all by default.
+    """
     move = np.zeros((len(bones.names), 3, 4))
     for index, name in enumerate(bones.names):
         orient = bones.orient[name]
@@ -148,13 +154,14 @@ def skin_of(body: Body, bones: Skeleton, rows: NDArray[np.intp] | slice = slice(
 
 
 def _toe_out(bones: Skeleton, side: str) -> float:
+    """Return the yaw of a resting foot, radians."""
     along = bones.head[f"toe.{side}"] - bones.head[f"foot.{side}"]
     return math.atan2(along.x, -along.y)
 
 
 def _sit_down(body: Body, bones: Skeleton) -> tuple[float, float, float]:
-    """Pose the legs as on a chair and read seat_drop, seat_back and lap from the skin."""
-    hip, k = bones.head["thigh.L"], bones.k
+    """Return ``seat_drop``, ``seat_back`` and ``lap``, read from the skin with the legs posed as on a chair."""
+    hip, k = bones.head["thigh.L"], bones.scale
     thigh = (bones.head["shin.L"] - hip).length
     shin = (bones.head["foot.L"] - bones.head["shin.L"]).length
     middle = (bones.head["thigh.L"] + bones.head["thigh.R"]) / 2

@@ -1,4 +1,4 @@
-"""Things that are carried in no hand: on the head, over the eyes, in the mouth, under an arm, on the lap."""
+"""Props worn on the body: on the head, over the eyes, in the mouth, around the neck, under an arm, on the lap."""
 
 from __future__ import annotations
 
@@ -9,18 +9,25 @@ from mathutils import Matrix, Vector
 from storyblender.blender.motion.channel import Floats, TargetOf
 from storyblender.blender.motion.hands import hand, shoulder_rest
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.puppets import MatrixOf, PropPuppet
 from storyblender.blender.motion.skeleton import sign
+from storyblender.blender.motion.staged_props import MatrixOf, StagedProp
 from storyblender.memory.vocabulary import BodyPlace
 
 LYING = Matrix.Rotation(math.radians(90), 3, "X")
-"""Turns a flat thing's upper side to the front."""
+"""Turns the upper side of a flat prop to the front."""
 OVER = Matrix.Rotation(math.radians(-62), 3, "X")
-"""Leans a long thing back over the shoulder."""
+"""Leans a long prop back over the shoulder."""
 
 
-def put_on(who: Performer, prop: PropPuppet, place: BodyPlace, t: float) -> None:
-    """Let a prop follow a place on a body from ``t`` on; an arm holds it where it would fall."""
+def attach_to_body(who: Performer, prop: StagedProp, place: BodyPlace, t: float) -> None:
+    """Let a prop follow a place on a body; an arm presses it to the side if it would fall.
+
+    Args:
+        who: The person.
+        prop: The prop.
+        place: Where on the body.
+        t: Second from which it follows.
+    """
     prop.follow(t, _follower(who, prop.size, place), 0.0)
     if place == "under_arm":
         who.home["L"] = _clamped(who, "L")
@@ -28,6 +35,7 @@ def put_on(who: Performer, prop: PropPuppet, place: BodyPlace, t: float) -> None
 
 
 def _follower(who: Performer, size: Vector, place: BodyPlace) -> MatrixOf:
+    """Return the function from seconds to the matrix of a prop of this size at a place on a body."""
     match place:
         case "head" | "face" | "ears" | "mouth":
             return lambda t: _by_head(who, size, place)
@@ -38,14 +46,15 @@ def _follower(who: Performer, size: Vector, place: BodyPlace) -> MatrixOf:
 
 
 def _about(centre: Vector, turn: Matrix, size: Vector) -> Matrix:
-    """Return the matrix of a thing whose middle is at a world point."""
+    """Return the world matrix of a prop whose middle is at ``centre``."""
     matrix = turn.to_4x4()
     matrix.translation = centre - turn @ Vector((0, 0, size.z / 2))
     return matrix
 
 
 def _by_head(who: Performer, size: Vector, place: BodyPlace) -> Matrix:
-    bones, k = who.bones, who.m.k
+    """Return the matrix of a prop on the head, the ears, the eyes or in the mouth."""
+    bones, k = who.bones, who.scale
     eyes = (bones.head["eye.L"] + bones.head["eye.R"]) / 2 - bones.head["head"]
     turn = who.facing @ bones.orient["head"]
     middle = {
@@ -61,7 +70,8 @@ def _by_head(who: Performer, size: Vector, place: BodyPlace) -> Matrix:
 
 
 def _by_trunk(who: Performer, size: Vector, place: BodyPlace) -> Matrix:
-    m, k, bones = who.m, who.m.k, who.bones
+    """Return the matrix of a prop at neck, chest, back, hip, under the arm or on the shoulder."""
+    m, k, bones = who.measures, who.scale, who.bones
     low = place == "hip"
     turn = who.facing @ bones.orient["hips" if low else "upper_chest"]
     upright = turn @ (LYING if size.z < 0.25 * max(size.x, size.y) else Matrix.Identity(3))
@@ -92,7 +102,7 @@ def _by_trunk(who: Performer, size: Vector, place: BodyPlace) -> Matrix:
 
 
 def _edgewise(size: Vector, upright: bool = True) -> Matrix:
-    """Return the turn that lays a thing's thinnest side along X and its longest upwards, or along Y."""
+    """Return the rotation that puts a prop's thinnest side along X and its longest upwards, or along Y."""
     axes = sorted(range(3), key=lambda axis: size[axis])
     wanted = (0, 1, 2) if upright else (0, 2, 1)
     turn = Matrix(((0, 0, 0), (0, 0, 0), (0, 0, 0)))
@@ -104,19 +114,19 @@ def _edgewise(size: Vector, upright: bool = True) -> Matrix:
 
 
 def _on_lap(who: Performer, size: Vector) -> Matrix:
-    """Return the matrix of a thing that stands on a sitter's thighs, its front towards the sitter."""
+    """Return the matrix of a prop on a sitter's thighs, its front towards the sitter."""
     joints = [who.bones.joint[f"{bone}.{side}"] for bone in ("thigh", "shin") for side in "LR"]
     middle = sum(joints, Vector()) / 4
-    base = who.to_world(middle) + Vector((0, 0, who.m.lap + 0.015))
+    base = who.to_world(middle) + Vector((0, 0, who.measures.lap + 0.015))
     turn = who.facing @ Matrix.Rotation(math.pi, 3, "Z")
     return _about(base + Vector((0, 0, size.z / 2)), turn, size)
 
 
 def _clamped(who: Performer, side: str) -> TargetOf:
-    """An arm that presses something to the side: elbow back, hand before the belly."""
+    """Return the target of a hand whose arm presses something to the side: elbow back, hand before the belly."""
 
     def target(t: float) -> Floats:
-        s, m = sign(side), who.m
+        s, m = sign(side), who.measures
         turn = who.facing @ who.bones.orient["upper_chest"]
         palm = who.to_world(shoulder_rest(who, side)) + turn @ Vector(
             (s * 0.02, -0.62 * m.forearm - 0.05, -0.86 * m.upper_arm)

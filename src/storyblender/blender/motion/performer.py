@@ -1,8 +1,8 @@
 """One person on the stage: channels of targets, and the solve of a pose from them at a moment.
 
-World frame metres; the person faces -Y at yaw 0, +X is the person's left. Angles in channels are degrees except yaws,
-which are radians. The root (x, y, yaw) carries the place on the floor; everything else is in the root's frame, but feet
-and hands, which are world targets (notes: motion, sections 1 and 2).
+World frame in metres; at yaw 0 a person faces -Y, and +X is to their left. Angles are degrees, yaws radians. The root
+(x, y, yaw) places the person on the floor; hips, spine and head are in the root's frame, feet and hands are targets in
+the world (notes: motion, sections 1 and 2).
 """
 
 from __future__ import annotations
@@ -23,29 +23,31 @@ from storyblender.catalog.expressions import FACE, values_of
 
 MOUTH, BLINK = FACE.index("mouth_open"), FACE.index("blink")
 NEAREST = 0.42
-"""Arm lengths between shoulder and wrist below which a hand goes around the shoulder."""
+"""Arm lengths between shoulder and wrist; nearer hands make a detour around the shoulder."""
 SHIFTING = 1.1
-"""Seconds in which the weight goes from one leg to the other."""
+"""Seconds of a weight shift from one leg to the other."""
 SHORT_REACH = 0.004
-"""Metres, times k, that a hand may miss before the trunk leans after it."""
+"""Metres, times the scale, that a hand may miss before the trunk leans after it."""
 
 
 class Performer:
     """A person who can be posed at any moment of the shot.
 
-    Attributes planned ahead by the clips (they describe the end of everything planned so far): ``position``, ``yaw``,
-    ``posture``, ``support``, ``held`` (side -> asset id), ``home`` (side -> where the free hand rests), ``free`` (part
-    -> second from which it may be used).
+    Clips plan ahead: ``position``, ``yaw``, ``posture``, ``support``, ``held`` (side -> asset id), ``home`` (side ->
+    target of the free hand) and ``free`` (part of the body -> second from which it may be used) describe the end of
+    everything planned so far. ``pose_...`` methods solve the body at one moment; ``point`` and others read that pose.
 
     Args:
-        asset_id: Who it is.
-        body: Measured person.
+        asset_id: Asset of the person.
+        body: Measured skeleton and skin.
         seed: For sways, blinks and glances.
     """
 
     def __init__(self, asset_id: str, body: Body, seed: int) -> None:
         self.asset_id, self.body = asset_id, body
-        self.m = measure(body)
+        self.measures = measure(body)
+        self.scale = self.measures.scale
+        """Stature over 1.7 m."""
         self.bones = Skeleton(body)
         self.rng = np.random.default_rng(seed)
         self.breathing = self.rng.uniform(0, 2 * math.pi)
@@ -57,13 +59,13 @@ class Performer:
         self.engaged: set[str] = set()
         """Hands that a lasting motion keeps busy."""
         self.hips = Channel((0, 0, self.standing_height, 0, 0, 0))
-        """dx, dy and height of the mid hip joint in the root's frame; rotation x, y, z."""
+        """x, y and height of the middle of the hip joints in the root's frame, metres; rotation x, y, z, degrees."""
         self.pinned = Channel(0.0)
-        """1 while a seat, the floor or a bed carries the pelvis."""
+        """1 while a seat, the floor or a bed carries the pelvis, 0 while the legs do."""
         self.spine = Channel((0, 0, 0))
-        """Bend, side, twist of the posture, shared by three bones."""
+        """Bend, side bend and twist of the posture in degrees, shared by three bones."""
         self.accent = Channel((0, 0, 0))
-        """The same, from gestures."""
+        """The same, added by gestures."""
         self.nod = Channel((0, 0, 0))
         """Pitch, roll, yaw of the head on top of the gaze."""
         self.gaze = Channel(self.ahead)
@@ -74,7 +76,7 @@ class Performer:
         self.life = Channel(1.0)
         """Amount of idle sway."""
         self.lean_after = Channel(1.0)
-        """1: the trunk leans towards hands that cannot reach; 0 for hands that move with the chest."""
+        """1: the trunk leans after hands that cannot reach; 0 for hands that move with the chest."""
         self.seated = Channel(0.0)
         """Weight of the ``sit`` shape key of clothes."""
         self.home: dict[str, TargetOf] = {}
@@ -89,17 +91,17 @@ class Performer:
         way = self.rng.choice((-1.0, 1.0))
         starts = moments_of(self.rng, -self.rng.uniform(2, 6), 4.0, 9.0)
         self.shifts = [(t, way * (-1) ** n * self.rng.uniform(0.5, 1.3)) for n, t in enumerate(starts)]
-        """When the weight goes over to the other leg, and how far."""
+        """Second and amount of each weight shift."""
         self.position, self.yaw = Vector((0, 0)), 0.0
         self.posture, self.support = "stand", ""
         self.bedside: object | None = None
-        """The seat from which they lay down, and where they get up again."""
+        """The seat from which they lay down and to which they get up."""
         self.held: dict[str, str] = {}
         self.table: dict[str, Vector] = {}
-        """Where on the table they sit at each hand can lie; empty where there is none."""
+        """Where each hand can lie on the table they sit at; empty without a table."""
         self.free: dict[str, float] = dict.fromkeys(("body", "head", "L", "R"), 0.0)
         self.place = Vector((0, 0, 0))
-        self.facing, self.facing_back = IDENTITY, IDENTITY
+        self.facing, self.facing_inverse = IDENTITY, IDENTITY
         self.heading = 0.0
         self.missed = {side: 0.0 for side in SIDES}
 
@@ -107,11 +109,18 @@ class Performer:
 
     @property
     def standing_height(self) -> float:
-        """Height of the hip joints while standing at ease."""
-        return self.m.hip_height - 0.006 * self.m.k
+        """Height of the hip joints while standing at ease, metres."""
+        return self.measures.hip_height - 0.006 * self.scale
 
-    def put(self, x: float, y: float, yaw: float, level: float = 0.0) -> None:
-        """Place the person at a position and ground height for the whole time before the first cue."""
+    def place_at_start(self, x: float, y: float, yaw: float, level: float = 0.0) -> None:
+        """Place the person for the whole time before the first cue.
+
+        Args:
+            x: Metres.
+            y: Metres.
+            yaw: Radians.
+            level: Height of the ground, metres.
+        """
         self.level, self.ground = Channel(level), level
         self.position, self.yaw = Vector((x, y)), yaw
         self.root = Channel((x, y, yaw))
@@ -123,63 +132,70 @@ class Performer:
         return Vector((math.sin(self.yaw), -math.cos(self.yaw)))
 
     def facing_at(self, t: float) -> Matrix:
-        """Return the 3x3 rotation of the root at a moment."""
+        """Return the 3x3 rotation of the root at ``t`` seconds."""
         return Matrix.Rotation(float(self.root(t)[2]), 3, "Z")
 
-    def to_ground(self, height: float) -> Vector:
-        """Return the point above the planned place at a share of the shoulders' height."""
-        return Vector((*self.position, self.ground + height * self.m.shoulder_height))
+    def point_above_place(self, height: float) -> Vector:
+        """Return the world point above the planned position at a share of the shoulders' height."""
+        return Vector((*self.position, self.ground + height * self.measures.shoulder_height))
 
     def ahead(self, t: float) -> tuple[float, float, float]:
-        """A far point straight ahead, a little below the eyes."""
+        """Return a world point 8 m straight ahead at ``t`` seconds, a little below the eyes."""
         x, y, yaw = self.root(t)
         level = float(self.level(t))
-        return x + 8 * math.sin(yaw), y - 8 * math.cos(yaw), level + self.m.eye_height * 0.93
+        return x + 8 * math.sin(yaw), y - 8 * math.cos(yaw), level + self.measures.eye_height * 0.93
 
     def plant(
         self, side: str, x: float, y: float, yaw: float, *, width: float = 1.0, splay: float = 7.0, back: float = 0.0
     ) -> Floats:
-        """Return the foot target of standing at a place: ankle, yaw, pitch, toe, knee direction.
+        """Return the target of a foot that stands: (9,) ankle x, y, z, yaw, pitch, toe pitch, knee direction.
 
         Args:
-            side: L or R.
-            x: Metres.
-            y: Metres.
-            yaw: Radians, of the person.
-            width: Times the normal half distance of the feet.
-            splay: Degrees the toes point out.
+            side: ``L`` or ``R``.
+            x: Of the person, metres.
+            y: Of the person, metres.
+            yaw: Of the person, radians.
+            width: Factor on the normal distance of the feet.
+            splay: Degrees the toes point outwards.
             back: Metres the foot is behind its normal place.
         """
         cos, sin = math.cos(yaw), math.sin(yaw)
-        aside, behind = sign(side) * self.m.stance * width, self.m.foot_y + back
+        aside, behind = sign(side) * self.measures.stance * width, self.measures.foot_y + back
         turned = yaw + sign(side) * math.radians(splay)
-        ankle = (x + cos * aside - sin * behind, y + sin * aside + cos * behind, self.m.ankle)
+        ankle = (x + cos * aside - sin * behind, y + sin * aside + cos * behind, self.measures.ankle)
         return np.array([*ankle, turned, 0, 0, math.sin(turned), -math.cos(turned), 0])
 
     def plant_at(
         self, side: str, place: Vector, yaw: float, *, width: float = 1.0, splay: float = 7.0, back: float = 0.0
     ) -> Floats:
-        """Return the foot target of standing at a place on the floor; see ``plant``."""
+        """Return the target of a foot that stands, for a person at ``place`` (x, y); see ``plant``."""
         return self.plant(side, place.x, place.y, yaw, width=width, splay=splay, back=back)
 
-    def rolled(self, side: str, ankle: Floats, yaw: float, pitch: float) -> Vector:
-        """Return where the ankle goes when a planted foot pitches about its heel (> 0) or its toe joint (< 0)."""
-        flat = about("Z", math.degrees(yaw - self.m.toe_out[side]))
+    def rolled_ankle(self, side: str, ankle: Floats, yaw: float, pitch: float) -> Vector:
+        """Return the ankle of a planted foot that rolls on its heel or its toe joint.
+
+        Args:
+            side: ``L`` or ``R``.
+            ankle: Foot target while flat; its first three values are the ankle, metres.
+            yaw: Of the foot, radians.
+            pitch: Degrees: above 0 about the heel, below 0 about the toe joint.
+        """
+        flat = about("Z", math.degrees(yaw - self.measures.toe_out[side]))
         tilted = flat @ self.bones.pitch(side, pitch)
         along = self.bones.head[f"toe.{side}"] - self.bones.head[f"foot.{side}"]
         if pitch < 0:
             pivot = along
         else:
-            back = Vector((along.x, along.y, 0)).normalized() * (-0.052 * self.m.k)
-            pivot = back + Vector((0, 0, -self.m.ankle))
+            back = Vector((along.x, along.y, 0)).normalized() * (-0.052 * self.scale)
+            pivot = back + Vector((0, 0, -self.measures.ankle))
         return Vector(ankle[:3]) + flat @ pivot - tilted @ pivot
 
     def is_free(self, side: str) -> bool:
-        """Return whether a hand is empty and not busy with a lasting motion."""
+        """Return whether a hand holds nothing and no lasting motion keeps it busy."""
         return side not in self.held and side not in self.engaged
 
     def look_freely(self, t: float) -> None:
-        """Look straight ahead from ``t`` on, head level."""
+        """Look straight ahead from ``t`` seconds on, head level."""
         self.eyes.set(t, 0.1, self.ahead)
         self.gaze.set(t, 0.5, self.ahead)
         self.nod.set(t, 0.5, (0, 0, 0))
@@ -187,47 +203,57 @@ class Performer:
     # --- posing ---------------------------------------------------------------------------------------------------
 
     def to_body(self, point: Vector) -> Vector:
-        """World to armature space at the moment being posed."""
-        return self.facing_back @ (point - self.place)
+        """Convert a world point to armature space, in the current pose."""
+        return self.facing_inverse @ (point - self.place)
 
     def to_world(self, point: Vector) -> Vector:
-        """Armature space to world at the moment being posed."""
+        """Convert a point in armature space to the world, in the current pose."""
         return self.facing @ point + self.place
 
     def point(self, bone: str, offset: tuple[float, float, float] | Vector = (0, 0, 0)) -> Vector:
-        """Return the world point rigid to a bone at the moment being posed; offset in rest axes."""
+        """Return the world point fixed to a bone, in the current pose.
+
+        Args:
+            bone: Name of the bone.
+            offset: Metres from the bone's joint, along the axes of the rest pose.
+        """
         return self.to_world(self.bones.point(bone, Vector(offset)))
 
     def direction(self, bone: str, vector: Vector) -> Vector:
-        """Return a rest direction as carried along by a bone, world frame."""
+        """Return the world direction of a rest-pose direction ``vector`` that turns with a bone."""
         return self.facing @ (self.bones.orient[bone] @ vector)
 
     def palm_offset(self, fingers: Vector, palm: Vector) -> Vector:
-        """Return the vector from wrist to palm centre for a hand's directions."""
+        """Return the vector from wrist to palm centre of a hand with these finger and palm directions."""
         along = fingers.normalized()
         out = (palm - along * palm.dot(along)).normalized()
-        return along * (0.72 * self.m.hand) + out * (0.022 * self.m.k)
+        return along * (0.72 * self.measures.hand) + out * (0.022 * self.scale)
 
     def gait_at(self, t: float) -> tuple[float, float, Gait | None]:
-        """Return strength, stride phase and gait at a moment; zeros while not travelling."""
+        """Return swing strength, stride phase 0..1 and gait at ``t`` seconds; 0, 0, None while not travelling."""
         for gait in self.gaits:
             if gait.start <= t <= gait.end:
                 return gait.strength(t), gait.phase(t), gait
         return 0.0, 0.0, None
 
     def pose_trunk(self, t: float, drop: float = 0.0) -> None:
-        """Place root, pelvis and spine; ``drop`` lowers the pelvis."""
+        """Pose root, pelvis and spine.
+
+        Args:
+            t: Seconds.
+            drop: Metres by which the pelvis is lowered, so that the legs reach the feet.
+        """
         swing, phase, gait, sway = self._pose_pelvis(t, drop)
         self._pose_spine(t, swing, phase, gait, sway)
         self.bones.update_all()
 
     def _pose_pelvis(self, t: float, drop: float = 0.0) -> tuple[float, float, Gait | None, float]:
-        """Place root and pelvis, everything else at rest; return strength, phase and gait of the walk, and the sway."""
+        """Pose root and pelvis, everything else at rest; return swing strength, stride phase, gait and sway."""
         x, y, yaw = (float(value) for value in self.root(t))
         self.place, self.heading = Vector((x, y, float(self.level(t)))), yaw
         self.facing = Matrix.Rotation(yaw, 3, "Z")
-        self.facing_back = self.facing.transposed()
-        bones, k = self.bones, self.m.k
+        self.facing_inverse = self.facing.transposed()
+        bones, k = self.bones, self.scale
         bones.turn = dict.fromkeys(bones.names, IDENTITY)
         dx, dy, height, rx, ry, rz = self.hips(t)
         swing, phase, gait = self.gait_at(t)
@@ -244,20 +270,21 @@ class Performer:
         return swing, phase, gait, sway
 
     def _weight(self, t: float) -> float:
-        """How much the weight is on the left leg (> 0) or the right: people stand on one, then on the other."""
+        """Return how much of the weight is on the left leg (> 0) or the right (< 0), about -1.3..1.3."""
         newest = bisect_right(self.shifts, t, key=lambda each: each[0]) - 1
         start, there = self.shifts[max(newest, 0)]
         before = self.shifts[newest - 1][1] if newest > 0 else there
         return before + (there - before) * smooth(clamp((t - start) / SHIFTING))
 
     def _pelvis_swing(self, swing: float, phase: float, gait: Gait, dx: float, height: float) -> tuple[float, float]:
-        turn, k = 2 * math.pi * phase, self.m.k
+        """Turn the pelvis with the gait; return the changed sideways offset and height of the hips."""
+        turn, k = 2 * math.pi * phase, self.scale
         if gait.running:
             self.bones.rotate("hips", x=5 * swing, z=-9 * swing * math.cos(turn))
             self.bones.rotate("hips", y=2 * swing * math.sin(turn))
             return (
                 dx + 0.006 * k * math.sin(turn) * swing,
-                height + swing * self.m.leg * (-0.036 + 0.030 * math.cos(2 * turn)),
+                height + swing * self.measures.leg * (-0.036 + 0.030 * math.cos(2 * turn)),
             )
         self.bones.rotate("hips", x=2 * swing, y=2.5 * swing * math.sin(turn), z=-5 * swing * math.cos(turn))
         low = 0.0025 * gait.stoop
@@ -267,6 +294,7 @@ class Performer:
         )
 
     def _pose_spine(self, t: float, swing: float, phase: float, gait: Gait | None, sway: float) -> None:
+        """Turn the three spine bones: posture, accents, breath, gait and sway."""
         bend, side, twist = self.spine(t) + self.accent(t)
         breath = 0.5 * math.sin(2 * math.pi * 0.27 * t + self.breathing) * float(self.life(t))
         if gait is not None:
@@ -276,50 +304,56 @@ class Performer:
             self.bones.rotate(bone, x=(bend + breath) * share, y=(side + 1.6 * sway) * share, z=twist * share)
 
     def needed_drop(self, t: float) -> float:
-        """Return by how much the pelvis must sink so that both legs reach their feet, trunk posed at ``t``."""
+        """Return the metres by which the pelvis must sink at ``t`` seconds for both legs to reach their feet."""
         self._pose_pelvis(t)
         self.bones.update("hips", "thigh.L", "thigh.R")
         need = 0.0
         for side in SIDES:
             ankle, hip = self._on_level(self.feet[side](t)), self.bones.joint[f"thigh.{side}"]
             across = (hip.x - ankle.x) ** 2 + (hip.y - ankle.y) ** 2
-            need = max(need, hip.z - ankle.z - math.sqrt(max(1e-6, (0.994 * self.m.leg) ** 2 - across)))
+            need = max(need, hip.z - ankle.z - math.sqrt(max(1e-6, (0.994 * self.measures.leg) ** 2 - across)))
         return need * (1 - float(self.pinned(t)))
 
     def _on_level(self, foot: Floats) -> Vector:
-        """Return the ankle position of a foot target in armature space, at the current time."""
+        """Return the ankle of a foot target in armature space, in the current pose."""
         return self.to_body(Vector((foot[0], foot[1], foot[2] + self.place.z)))
 
     def pose_legs(self, t: float) -> None:
-        """Solve both legs to their feet."""
+        """Solve both legs to their foot targets at ``t`` seconds; the trunk must be posed."""
         bones = self.bones
         for side in SIDES:
             foot = self.feet[side](t)
-            pole = self.facing_back @ Vector(foot[6:9])
+            pole = self.facing_inverse @ Vector(foot[6:9])
             ankle = self._on_level(foot)
             bones.reach(f"thigh.{side}", f"shin.{side}", f"foot.{side}", ankle, pole)
-            flat = about("Z", math.degrees(foot[3] - self.heading - self.m.toe_out[side]))
+            flat = about("Z", math.degrees(foot[3] - self.heading - self.measures.toe_out[side]))
             bones.set_orient(f"foot.{side}", flat @ bones.pitch(side, foot[4]))
             bones.turn[f"toe.{side}"] = bones.pitch(side, foot[5])
             bones.update(f"toe.{side}")
 
     def pose_arms(self, t: float, sides: str = "LR") -> None:
-        """Solve arms to their palms, leaning the trunk once where a hand cannot reach."""
+        """Solve arms to their hand targets; the trunk leans once after a hand that cannot reach.
+
+        Args:
+            t: Seconds.
+            sides: Which arms: ``L``, ``R`` or ``LR``.
+        """
         for attempt in (0, 1):
             worst, missing = 0.0, Vector((0, 0, 0))
             for side in sides:
                 short, gap = self._pose_arm(side, self.hands[side](t))
                 self.missed[side] = max(0.0, short)
                 worst = max(worst, short)
-                if short > SHORT_REACH * self.m.k:
+                if short > SHORT_REACH * self.scale:
                     missing = missing + gap
-            if attempt or worst < SHORT_REACH * self.m.k or float(self.lean_after(t)) < 0.5:
+            if attempt or worst < SHORT_REACH * self.scale or float(self.lean_after(t)) < 0.5:
                 return
             self._lean(worst, missing)
 
     def _pose_arm(self, side: str, hand: Floats) -> tuple[float, Vector]:
-        bones, m = self.bones, self.m
-        fingers, palm, pole = (self.facing_back @ Vector(hand[i : i + 3]) for i in (3, 6, 9))
+        """Solve one arm to a hand target; return how many metres it falls short, and shoulder to wrist."""
+        bones, m = self.bones, self.measures
+        fingers, palm, pole = (self.facing_inverse @ Vector(hand[i : i + 3]) for i in (3, 6, 9))
         wrist = self.to_body(Vector(hand[:3])) - self.palm_offset(fingers, palm)
         shoulder = f"shoulder.{side}"
         bones.turn[shoulder] = IDENTITY
@@ -340,7 +374,7 @@ class Performer:
         return short, wrist - bones.joint[f"upper_arm.{side}"]
 
     def _lean(self, short: float, missing: Vector) -> None:
-        """Lean the three spine bones about the horizontal axis towards what the hand misses, at most 26 degrees."""
+        """Lean the spine by at most 26 degrees towards what a hand misses by ``short`` metres."""
         flat = Vector((missing.x, missing.y, 0))
         if flat.length < 0.02:
             return
@@ -352,7 +386,7 @@ class Performer:
         self.bones.update_upper()
 
     def pose_head(self, t: float) -> None:
-        """Turn head and eyes to what is looked at: the head takes most of the yaw, the eyes the rest."""
+        """Turn head and eyes to the points looked at: the head takes most of the yaw, the eyes the rest."""
         bones = self.bones
         bones.update("neck", "head")
         chest_back = bones.orient["upper_chest"].transposed()
@@ -377,7 +411,7 @@ class Performer:
         bones.update("jaw", "eye.L", "eye.R")
 
     def face_at(self, t: float) -> Floats:
-        """Return the ``FACE`` values at a time in seconds, with blinks and the mouth movement of speech."""
+        """Return the ``FACE`` values at ``t`` seconds, with blinks and the mouth movement of speech."""
         values = np.array(self.face(t), float)
         for start in self.blinks:
             if start <= t < start + 0.17:
@@ -389,7 +423,7 @@ class Performer:
         return np.clip(values, 0, 1)
 
     def hand_matrix(self, side: str) -> tuple[Matrix, Vector]:
-        """Return the frame (fingers, palm, across) and the palm centre of the posed hand, world."""
+        """Return the axes (fingers, palm, across) and the palm centre of the posed hand, world."""
         rest_fingers, rest_palm = self.bones.hand_axes(side)
         fingers = self.direction(f"hand.{side}", rest_fingers)
         axes = frame(fingers, self.direction(f"hand.{side}", rest_palm))

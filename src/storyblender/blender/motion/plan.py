@@ -1,4 +1,4 @@
-"""What the solver gets and what it gives: one shot as values, without Blender objects."""
+"""Input and output of the motion solver: one shot as values, without Blender objects."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ class StagePerson:
 
 @dataclass(frozen=True)
 class StageProp:
-    """A movable thing.
+    """A movable prop.
 
     Attributes:
-        world: (4, 4) matrix while nobody has touched it; the asset's frame is bottom centre, front -Y.
+        world: (4, 4) matrix while it is untouched; the asset's frame is bottom centre, front -Y.
         dimensions: Width, depth, height in metres.
-        anchors: In the asset's frame; the grips matter.
+        anchors: In the asset's frame; the solver uses the grips.
         state: From the shot context, if it is held or away from its place.
         node_id: The layout object it is, if any.
     """
@@ -51,7 +51,7 @@ class StageProp:
 
 @dataclass(frozen=True)
 class StageFurniture:
-    """A thing that stays where it is, with places to sit, lie, lean and put things on.
+    """A fixed prop or piece of the set, with anchors to sit, lie, lean and put props on.
 
     Attributes:
         world: (4, 4) matrix of the asset's frame.
@@ -71,11 +71,11 @@ class Obstacle:
     """An oriented box that people walk around.
 
     Attributes:
-        node_id: What it belongs to.
+        node_id: The furniture, wall or piece it belongs to.
         centre: World, metres.
-        size: Along its own axes before turning.
+        size: Metres along its own axes, before turning.
         yaw: Radians.
-        soft: Metres that a body may sink in: cushions.
+        soft: Metres that a body may sink in, for cushions.
     """
 
     node_id: str
@@ -90,13 +90,13 @@ class StagePlan:
     """One shot, ready to be performed.
 
     Attributes:
-        people: By asset id; only those who are on stage.
+        people: By asset id; only those on stage.
         cues: Frames count from the shot's start.
         props: By asset id.
         furniture: By node id.
         obstacles: Furniture and walls as boxes.
         frames: Length of the shot.
-        bounds: The playing area: x min, y min, x max, y max.
+        bounds: The playing area in metres: x min, y min, x max, y max.
         seed: For sways, blinks and gestures.
     """
 
@@ -112,14 +112,14 @@ class StagePlan:
 
 @dataclass(frozen=True)
 class PersonTrack:
-    """One person's sampled performance; N samples, B bones.
+    """One person's sampled performance; N samples, B bones, K shape keys.
 
     Attributes:
         bone_names: As in the body.
-        root: (N, 4) x, y, z and yaw in radians of the armature object, unwrapped.
+        root: (N, 4) x, y, z in metres and yaw in radians of the armature object, unwrapped.
         hips: (N, 3) location of the hips pose bone, in its own rest axes.
         rotations: (N, B, 4) pose bone quaternions w, x, y, z; neighbours in time on one hemisphere.
-        face_keys: Names of shape keys.
+        face_keys: Names of the shape keys.
         face: (N, K) their values.
         seated: (N,) weight of the clothes' ``sit`` shape key.
     """
@@ -135,13 +135,13 @@ class PersonTrack:
 
 @dataclass(frozen=True)
 class Problem:
-    """Something that could not be staged as asked.
+    """Something that could not be staged as planned.
 
     Attributes:
         kind: ``no_path``, ``unreachable``, ``no_support``, ``missing``, ``late`` or ``crossing``.
-        asset_id: Whose problem it is.
+        asset_id: The person concerned.
         frame: From the shot's start.
-        message: One sentence.
+        message: One sentence for the director.
         amount: Metres or seconds, where there is a number.
     """
 
@@ -178,7 +178,13 @@ class Performance:
 
 
 def box_of(node_id: str, furniture: StageFurniture, soft: float = 0.0) -> Obstacle:
-    """Return the bounding box of a piece of furniture that stands upright."""
+    """Return the bounding box of an upright piece of furniture as an obstacle.
+
+    Args:
+        node_id: Its node.
+        furniture: Its place and size.
+        soft: Metres that a body may sink in.
+    """
     width, depth, height = furniture.dimensions
     x, y, z = (float(value) for value in furniture.world[:3, 3])
     yaw = math.atan2(furniture.world[1, 0], furniture.world[0, 0])

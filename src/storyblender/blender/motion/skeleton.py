@@ -1,7 +1,7 @@
 """Forward and inverse kinematics of one person in armature space, without Blender's depsgraph.
 
-``turn[bone]`` is a rotation about the armature's axes, seen in the parent's frame; ``orient[bone]`` is the sum of all
-turns up to the bone; with the rest matrix R the pose bone's rotation is R^T turn R (notes: humans, section 3).
+``turn[bone]`` is a rotation about the armature's axes in the parent's frame; ``orient[bone]`` accumulates all turns up
+to the bone. With the rest matrix R, the pose bone's rotation is R^T turn R (notes: humans, section 3).
 """
 
 from __future__ import annotations
@@ -29,12 +29,12 @@ def about(axis: str | Vector, degrees: float) -> Matrix:
 
 
 def swing(a: Vector, b: Vector) -> Matrix:
-    """Return the shortest rotation that carries direction ``a`` onto ``b``."""
+    """Return the shortest 3x3 rotation from direction ``a`` to direction ``b``."""
     return a.rotation_difference(b).to_matrix()
 
 
 def frame(direction: Vector, normal: Vector) -> Matrix:
-    """Return the orthonormal frame with columns direction, normal made square to it, and their cross product."""
+    """Return the orthonormal 3x3 frame of ``direction``, ``normal`` made square to it, and their cross product."""
     along = direction.normalized()
     square = (normal - along * normal.dot(along)).normalized()
     return Matrix((along, square, along.cross(square))).transposed()
@@ -51,7 +51,7 @@ def other(side: str) -> str:
 
 
 class Skeleton:
-    """The pose of one person.
+    """The pose of one person: ``turn``, ``orient`` and ``joint`` (armature space, metres) by bone name.
 
     Args:
         body: Rest joints and hierarchy.
@@ -65,7 +65,7 @@ class Skeleton:
         self.rest = {n: Matrix(m).to_3x3() for n, m in zip(names, body.rest.tolist(), strict=True)}
         self.parent = {n: names[p] if p >= 0 else None for n, p in zip(names, body.parents, strict=True)}
         self.from_parent = {n: self.head[n] - self.head[p] for n, p in self.parent.items() if p is not None}
-        self.k = body.stature / 1.7
+        self.scale = body.stature / 1.7
         self.order = _parents_first(self.parent)
         self._resting_hands = {side: self._hand_at_rest(side) for side in SIDES}
         self._feet_across = {side: self._foot_across(side) for side in SIDES}
@@ -104,35 +104,45 @@ class Skeleton:
         self.update("upper_arm.L", "upper_arm.R", "eye.L", "eye.R")
 
     def rotate(self, bone: str, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> None:
-        """Turn a bone further, degrees about the armature's axes, X first."""
+        """Turn a bone further, X first, then Y, then Z.
+
+        Args:
+            bone: Name.
+            x: Degrees about the armature's X axis.
+            y: Degrees about Y.
+            z: Degrees about Z.
+        """
         self.turn[bone] = about("Z", z) @ about("Y", y) @ about("X", x) @ self.turn[bone]
 
     def set_orient(self, bone: str, orient: Matrix) -> None:
-        """Give a bone an orientation in armature space."""
+        """Set the orientation of a bone, a 3x3 rotation in armature space."""
         parent = self.parent[bone]
         self.turn[bone] = self.orient[parent].transposed() @ orient if parent else orient
         self.update(bone)
 
     def point(self, bone: str, offset: Vector) -> Vector:
-        """Return the point at ``offset`` from the bone's joint (rest axes), carried along by the bone."""
+        """Return the point (armature space) at ``offset`` from a bone's joint in rest axes, moving with the bone."""
         return self.joint[bone] + self.orient[bone] @ offset
 
     def reach(self, upper: str, lower: str, end: str, target: Vector, pole: Vector) -> float:
-        """Bend a two-bone limb so that ``end`` comes to ``target``; return by how many metres it falls short.
+        """Bend a two-bone limb so that its end reaches a target; return the metres by which it falls short.
 
         Args:
             upper: Thigh or upper arm.
             lower: Shin or forearm.
             end: Foot or hand.
-            target: Armature space.
-            pole: Direction the knee or elbow points to.
+            target: Armature space, metres.
+            pole: Direction the knee or elbow points in.
+
+        Returns:
+            Metres from full stretch to the target; below 0 where it is reached.
         """
         self.update(upper)
         start = self.joint[upper]
         rest_upper, rest_lower = self.head[lower] - self.head[upper], self.head[end] - self.head[lower]
         a, b = rest_upper.length, rest_lower.length
         distance = (target - start).length
-        held = clamp(distance, abs(a - b) + 0.02 * self.k, (a + b) * STRAIGHTEST)
+        held = clamp(distance, abs(a - b) + 0.02 * self.scale, (a + b) * STRAIGHTEST)
         along = (target - start).normalized() if distance > 1e-6 else Vector((0, 0, -1))
         aside = (pole - along * pole.dot(along)).normalized()
         cosine = clamp((a * a + held * held - b * b) / (2 * a * held), -1, 1)
@@ -155,7 +165,7 @@ class Skeleton:
         return distance - (a + b) * STRAIGHTEST
 
     def _untwisted(self, bone: str, rest: Vector, direction: Vector, exact: Matrix) -> Matrix:
-        """Blend the exact hinge with the mere swing from the parent."""
+        """Return a blend of the exact hinge orientation and the plain swing from the parent, by ``TWIST``."""
         parent = self.orient[self.parent[bone] or "hips"]
         plain, full = (swing(parent @ rest, direction) @ parent).to_quaternion(), exact.to_quaternion()
         if plain.dot(full) < 0:
@@ -168,18 +178,26 @@ class Skeleton:
         return self._resting_hands[side]
 
     def _hand_at_rest(self, side: str) -> tuple[Vector, Vector]:
+        """Return finger direction and palm normal of the rest pose."""
         bone = f"hand.{side}"
         fingers = (self.tail[bone] - self.head[bone]).normalized()
         across = self.head[f"fingers1.{side}"] - self.head[f"index1.{side}"]
         return fingers, fingers.cross(across) if side == "R" else across.cross(fingers)
 
     def set_hand(self, side: str, fingers: Vector, palm: Vector) -> None:
-        """Turn the hand so that the fingers point along ``fingers`` and the palm looks along ``palm``."""
+        """Turn a hand so that its fingers point along ``fingers`` and its palm faces ``palm`` (armature space)."""
         rest_fingers, rest_palm = self.hand_axes(side)
         self.set_orient(f"hand.{side}", frame(fingers, palm) @ frame(rest_fingers, rest_palm).transposed())
 
     def curl(self, side: str, index: float, fingers: float, thumb: float) -> None:
-        """Close the fingers by degrees."""
+        """Close the fingers of a hand.
+
+        Args:
+            side: ``L`` or ``R``.
+            index: Degrees of each joint of the index finger.
+            fingers: Degrees of each joint of the other fingers.
+            thumb: Degrees of the thumb.
+        """
         across = (self.head[f"fingers1.{side}"] - self.head[f"index1.{side}"]).normalized() * sign(side)
         for bone, degrees in (("index", index), ("fingers", fingers)):
             self.turn[f"{bone}1.{side}"] = about(across, degrees)
@@ -189,15 +207,18 @@ class Skeleton:
         self.update(*(f"{bone}.{side}" for bone in ("thumb", "index1", "index2", "fingers1", "fingers2")))
 
     def pitch(self, side: str, degrees: float) -> Matrix:
-        """Return the rotation of a foot about its own lateral axis, toes up."""
+        """Return the 3x3 rotation of a foot about its lateral axis by ``degrees``, toes up."""
         return about(self._feet_across[side], -degrees)
 
     def _foot_across(self, side: str) -> Vector:
+        """Return the lateral axis of the resting foot."""
         along = self.head[f"toe.{side}"] - self.head[f"foot.{side}"]
         return Vector((-along.y, along.x, 0)).normalized()
 
 
 def _parents_first(parent: dict[str, str | None]) -> tuple[str, ...]:
+    """Return the bones ordered so that parents come before children."""
+
     def depth(bone: str) -> int:
         above = parent[bone]
         return 0 if above is None else 1 + depth(above)

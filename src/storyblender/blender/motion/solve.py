@@ -1,4 +1,4 @@
-"""A shot is a pure function: marks, cues and things in, sampled poses out."""
+"""The motion solver: marks, cues and props of one shot in, sampled poses out. A pure function."""
 
 from __future__ import annotations
 
@@ -8,19 +8,19 @@ from dataclasses import replace
 import numpy as np
 from mathutils import Vector
 
+from storyblender.blender.motion.animal_moves import move_animal
 from storyblender.blender.motion.clips import CLIPS, play
 from storyblender.blender.motion.clips.floor import crouch, kneel, lie_down, sleep
 from storyblender.blender.motion.clips.handling import take_in_hand
 from storyblender.blender.motion.clips.postures import float_, hang, on_all_fours, ride, upside_down
 from storyblender.blender.motion.clips.registry import Play
-from storyblender.blender.motion.clips.seat import refill_hands, sit, stand_up
+from storyblender.blender.motion.clips.seat import return_hands, sit, stand_up
 from storyblender.blender.motion.clips.support import lean
-from storyblender.blender.motion.going import send
-from storyblender.blender.motion.on_body import put_on
+from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
+from storyblender.blender.motion.on_body import attach_to_body
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import Floats, Performance, PersonTrack, Problem, StagePlan
 from storyblender.blender.motion.skeleton import IDENTITY, SIDES, Skeleton
-from storyblender.blender.motion.stage import Beat, Stage
 from storyblender.catalog.expressions import FACE
 from storyblender.catalog.motions import AIMED, MOTIONS
 from storyblender.memory.base import content_hash
@@ -28,28 +28,28 @@ from storyblender.memory.shot_context import Cue, Mark
 from storyblender.memory.vocabulary import Posture
 
 LONG_BEFORE = -30.0
-"""Seconds: what is already so when the shot begins was done back then."""
+"""Second at which everything that precedes the shot was done."""
 SETTLED = 2.0
 """Seconds before the shot at which a lasting motion starts."""
 LEVEL = 0.02
 """Metres of height difference that are ignored."""
 MISSED = 0.06
-"""Metres a hand may miss what it reaches for before it is reported."""
+"""Metres by which a hand may miss its target before it is reported."""
 ASTRAY = 0.30
-"""Metres the end of a performance may lie off its end mark."""
-POSTURES: dict[Posture, Posture] = {"asleep": "lie"}
-TAKEN: dict[Posture, Play] = {
+"""Metres a person may end off the end mark before it is reported."""
+END_POSTURES: dict[Posture, Posture] = {"asleep": "lie"}
+POSTURE_CLIPS: dict[Posture, Play] = {
     "kneel": kneel, "crouch": crouch, "lean": lean, "hang": hang, "upside_down": upside_down, "float": float_,
     "ride": ride, "crawl": on_all_fours,
 }  # fmt: skip
-"""Posture to the clip that leads to it."""
+"""Posture -> clip that leads to it."""
 
 
 def solve_shot(plan: StagePlan, fps: int, step: int = 1) -> Performance:
     """Perform one shot.
 
-    Everybody starts as the start marks say (already sitting, already holding), plays the cues in order of their
-    start frames, and is posed on every ``step``-th frame. Same plan, same performance.
+    Everybody starts as the start marks say (already sitting, already holding), plays the cues in order of their start
+    frames, and is posed on every ``step``-th frame. Equal plans give equal performances.
 
     Args:
         plan: The shot.
@@ -59,9 +59,9 @@ def solve_shot(plan: StagePlan, fps: int, step: int = 1) -> Performance:
     Returns:
         Tracks of people and props, and what could not be staged.
     """
-    stage = Stage(plan, fps, lambda name: int(content_hash(name, plan.seed), 16) % 2**32)
+    stage = MotionStage(plan, fps, lambda name: int(content_hash(name, plan.seed), 16) % 2**32)
     for name, who in stage.people.items():
-        take_place(stage, who, plan.people[name].blocking.start)
+        take_start_mark(stage, who, plan.people[name].blocking.start)
     ends = dict.fromkeys(stage.people, 0.0)
     for index, cue in sorted(enumerate(plan.cues), key=lambda pair: (pair[1].start, pair[0])):
         end = _perform(stage, cue, index)
@@ -72,11 +72,17 @@ def solve_shot(plan: StagePlan, fps: int, step: int = 1) -> Performance:
     return _record(stage, frames, ends)
 
 
-def take_place(stage: Stage, who: Performer, mark: Mark) -> None:
-    """Be where a mark says, as it says, from long before the shot."""
+def take_start_mark(stage: MotionStage, who: Performer, mark: Mark) -> None:
+    """Put a person into place, posture and held props of a mark, from long before the shot.
+
+    Args:
+        stage: The stage.
+        who: The person.
+        mark: Their mark at the start of the shot.
+    """
     x, y, z = mark.location
-    who.put(x, y, math.radians(mark.yaw), z)
-    beat = Beat(LONG_BEFORE, mark=mark)
+    who.place_at_start(x, y, math.radians(mark.yaw), z)
+    staged = StagedCue(LONG_BEFORE, mark=mark)
     held = {prop: side for side, prop in mark.held}
     for name in held.keys() & stage.props.keys():
         stage.props[name].both = sum(prop == name for _, prop in mark.held) > 1
@@ -85,49 +91,50 @@ def take_place(stage: Stage, who: Performer, mark: Mark) -> None:
             held.setdefault(name, prop.state.hand)
     for name, prop in stage.plan.props.items():
         if prop.state is not None and prop.state.held_by == who.asset_id and prop.state.place is not None:
-            put_on(who, stage.props[name], prop.state.place, LONG_BEFORE)
+            attach_to_body(who, stage.props[name], prop.state.place, LONG_BEFORE)
     for name, side in held.items():
         if name in stage.props:
             take_in_hand(stage, who, side, stage.props[name], LONG_BEFORE - 1, 0.0)
     posture = mark.posture
     if posture == "sit":
-        sit(stage, who, beat)
+        sit(stage, who, staged)
     elif posture == "lie":
-        lie_down(stage, who, beat)
+        lie_down(stage, who, staged)
     elif posture == "asleep":
-        _fall_asleep(stage, who, beat)
-    elif posture in TAKEN:
-        TAKEN[posture](stage, who, beat)
+        _fall_asleep(stage, who, staged)
+    elif posture in POSTURE_CLIPS:
+        POSTURE_CLIPS[posture](stage, who, staged)
     if posture == "stand" or who.posture == "stand":
-        refill_hands(stage, who, LONG_BEFORE, 0.1)
+        return_hands(stage, who, LONG_BEFORE, 0.1)
     who.free = dict.fromkeys(who.free, 0.0)
 
 
-def _fall_asleep(stage: Stage, who: Performer, beat: Beat) -> None:
-    """Asleep in a bed if the support is one, else in its seat."""
-    mark = beat.mark
-    furniture = stage.furniture(mark.support_id) if mark else None
-    if furniture is None or stage.anchor(furniture, ("bed",), mark) is not None:
-        lie_down(stage, who, beat)
+def _fall_asleep(stage: MotionStage, who: Performer, staged: StagedCue) -> None:
+    """Sleep in a bed if the mark's support is one, else on its seat."""
+    mark = staged.mark
+    furniture = stage.find_furniture(mark.support_id) if mark else None
+    if furniture is None or stage.find_anchor(furniture, ("bed",), mark) is not None:
+        lie_down(stage, who, staged)
     else:
-        sit(stage, who, beat)
-    sleep(stage, who, Beat(LONG_BEFORE + 20))
+        sit(stage, who, staged)
+    sleep(stage, who, StagedCue(LONG_BEFORE + 20))
 
 
-def _perform(stage: Stage, cue: Cue, index: int) -> float | None:
+def _perform(stage: MotionStage, cue: Cue, index: int) -> float | None:
+    """Play one cue; return the second at which it ends, or None if nobody performs it."""
     who = stage.people.get(cue.asset_id)
     if who is None and cue.mark is not None and cue.asset_id in stage.props:
-        send(stage.props[cue.asset_id], cue.start / stage.fps, (cue.duration or stage.fps) / stage.fps, cue.mark)
+        move_animal(stage.props[cue.asset_id], cue.start / stage.fps, (cue.duration or stage.fps) / stage.fps, cue.mark)
         return None
     if who is None or cue.clip not in CLIPS:
         return None
-    target, prop = stage.subject(cue.target_id), stage.props.get(cue.prop_id or "")
+    target, prop = stage.find_subject(cue.target_id), stage.props.get(cue.prop_id or "")
     start = cue.start / stage.fps
     for wanted, found in ((cue.target_id, target), (cue.prop_id, prop)):
         if wanted and found is None:
             message = f"{cue.asset_id} cannot {cue.clip}: {wanted} is not on stage"
             stage.problems.append(Problem("missing", cue.asset_id, cue.start, message))
-    beat = Beat(
+    staged = StagedCue(
         start=start,
         duration=None if cue.duration is None else cue.duration / stage.fps,
         target=target,
@@ -140,38 +147,38 @@ def _perform(stage: Stage, cue: Cue, index: int) -> float | None:
         seed=int(content_hash(cue, stage.plan.seed, index), 16) % 2**32,
     )
     if cue.lasting or (cue.clip == "face" and cue.start == 0):
-        return _go_on(stage, who, cue, beat)
+        return _play_lasting(stage, who, cue, staged)
     allowed = MOTIONS[cue.clip].before
     if allowed and who.posture not in allowed and "stand" in allowed:
         ready = stand_up(stage, who, max(start, who.free["body"]))
         who.free["body"] = max(who.free["body"], ready)
-    end = play(stage, who, cue.clip, beat)
-    if cue.mark is not None and cue.mark.asset_id == who.asset_id and cue.clip not in {*TAKEN, *AIMED}:
-        _change_level(who, beat.start, end, cue.mark.location[2])
+    end = play(stage, who, cue.clip, staged)
+    if cue.mark is not None and cue.mark.asset_id == who.asset_id and cue.clip not in {*POSTURE_CLIPS, *AIMED}:
+        _change_level(who, staged.start, end, cue.mark.location[2])
     return end
 
 
 def _change_level(who: Performer, start: float, end: float, level: float) -> None:
-    """Bring a person to the height of a mark while moving there."""
+    """Bring a person to the ground height ``level`` (metres) between ``start`` and ``end`` seconds."""
     if abs(level - who.ground) > LEVEL:
         who.level.set(start, max(0.3, end - start), level)
         who.ground = level
 
 
-def _go_on(stage: Stage, who: Performer, cue: Cue, beat: Beat) -> float:
-    """Play a lasting motion.
+def _play_lasting(stage: MotionStage, who: Performer, cue: Cue, staged: StagedCue) -> float:
+    """Play a lasting motion and return its start in seconds.
 
-    A motion from the first frame on starts before the shot. It blocks no part of the body for other cues; hands
-    that another cue uses return to it.
+    From the first frame on it starts before the shot. It blocks no part of the body for other cues; hands that another
+    cue uses return to it.
     """
     clip = CLIPS[cue.clip]
-    start = -SETTLED if cue.start == 0 else max([beat.start, *(who.free[part] for part in clip.parts(beat.side))])
-    clip.play(stage, who, replace(beat, start=start, duration=stage.plan.frames / stage.fps - start + 1.0))
+    start = -SETTLED if cue.start == 0 else max([staged.start, *(who.free[part] for part in clip.parts(staged.side))])
+    clip.play(stage, who, replace(staged, start=start, duration=stage.plan.frames / stage.fps - start + 1.0))
     for side in SIDES:
-        if side in clip.parts(beat.side):
-            who.home[side] = who.hands[side].as_planned()
+        if side in clip.parts(staged.side):
+            who.home[side] = who.hands[side].snapshot()
             who.engaged.add(side)
-    return beat.start
+    return staged.start
 
 
 def _hand_for(who: Performer, cue: Cue) -> str:
@@ -182,11 +189,11 @@ def _hand_for(who: Performer, cue: Cue) -> str:
     return "L" if "R" in who.held and "L" not in who.held else "R"
 
 
-def _check_ends(stage: Stage) -> None:
-    """Report who does not end on the end mark."""
+def _check_ends(stage: MotionStage) -> None:
+    """Report everybody who does not end on the end mark."""
     for name, who in stage.people.items():
         end = stage.plan.people[name].blocking.end
-        wanted = POSTURES.get(end.posture, end.posture)
+        wanted = END_POSTURES.get(end.posture, end.posture)
         if wanted != who.posture and not (end.posture == "asleep" and who.posture == "sit"):
             message = f"{name} ends with {who.posture} instead of {end.posture}"
             stage.problems.append(Problem("late", name, stage.plan.frames, message))
@@ -197,11 +204,12 @@ def _check_ends(stage: Stage) -> None:
                 stage.problems.append(Problem("late", name, stage.plan.frames, message, off))
 
 
-def _record(stage: Stage, frames: np.ndarray, ends: dict[str, float]) -> Performance:
+def _record(stage: MotionStage, frames: np.ndarray, ends: dict[str, float]) -> Performance:
+    """Pose the stage at every frame and return the sampled performance."""
     times = frames / stage.fps
     drops = stage.plan_drops(times)
     count = len(frames)
-    rows = {name: _Rows(who, count) for name, who in stage.people.items()}
+    rows = {name: _TrackSamples(who, count) for name, who in stage.people.items()}
     matrices = {name: np.zeros((count, 4, 4)) for name in stage.props}
     contacts = sorted(stage.contacts, key=lambda contact: contact[0])
     for index, t in enumerate(times):
@@ -211,23 +219,23 @@ def _record(stage: Stage, frames: np.ndarray, ends: dict[str, float]) -> Perform
         for name, prop in stage.props.items():
             matrices[name][index] = np.array(prop.matrix)
         while contacts and contacts[0][0] <= t:
-            _, who, side, beat = contacts.pop(0)
+            _, who, side, staged = contacts.pop(0)
             missed = who.missed[side]
             if missed > MISSED:
-                told = f"{who.asset_id}'s hand misses{_target_of(beat)} by {missed:.2f} m"
-                stage.report("unreachable", who, beat, told, missed)
+                told = f"{who.asset_id}'s hand misses{_target_of(staged)} by {missed:.2f} m"
+                stage.report("unreachable", who, staged, told, missed)
     tracks = {name: rows[name].track(who) for name, who in stage.people.items()}
     return Performance(stage.fps, frames, tracks, matrices, tuple(stage.problems), ends, stage.grasps, stage.played)
 
 
-def _target_of(beat: Beat) -> str:
-    """Return what a hand was sent to, with a space before it; nothing where the cue names none."""
-    target = beat.prop or beat.target
+def _target_of(staged: StagedCue) -> str:
+    """Return the asset id of what a hand reaches for, with a space before it; empty if the cue names none."""
+    target = staged.prop or staged.target
     return f" {target.asset_id}" if target is not None and target.asset_id else ""
 
 
-class _Rows:
-    """The samples of one person as they are collected."""
+class _TrackSamples:
+    """Collects the samples of one person."""
 
     def __init__(self, who: Performer, count: int) -> None:
         bones = len(who.bones.names)
@@ -240,6 +248,7 @@ class _Rows:
         }
 
     def write(self, index: int, t: float, who: Performer) -> None:
+        """Store the current pose of ``who`` as sample ``index``, at ``t`` seconds."""
         bones = who.bones
         self.root[index] = (*who.place, who.heading)
         self.hips[index] = self.back["hips"] @ bones.offset
@@ -248,13 +257,14 @@ class _Rows:
         self.seated[index] = float(who.seated(t))
 
     def _local(self, name: str, bones: Skeleton) -> tuple[float, ...]:
-        """The bone's quaternion about its own rest axes."""
+        """Return a bone's quaternion about its own rest axes."""
         turn = bones.turn[name]
         if turn is IDENTITY:
             return self.unmoved[name]
         return (self.back[name] @ turn @ bones.rest[name]).to_quaternion()[:]
 
     def track(self, who: Performer) -> PersonTrack:
+        """Return the collected samples as a track."""
         root = self.root.copy()
         root[:, 3] = np.unwrap(root[:, 3])
         known = [key for key in FACE if key in who.body.shape_keys]
@@ -265,7 +275,7 @@ class _Rows:
 
 
 def _one_hemisphere(rotations: Floats) -> Floats:
-    """Flip quaternions so that neighbours in time are near each other and interpolate the short way."""
+    """Flip quaternions (N, B, 4) so that neighbours in time interpolate the short way."""
     flips = np.sign(np.einsum("nbq,nbq->nb", rotations[1:], rotations[:-1]))
     flips[flips == 0] = 1
     signs = np.concatenate([np.ones((1, rotations.shape[1])), np.cumprod(flips, axis=0)])

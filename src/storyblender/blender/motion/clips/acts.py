@@ -8,18 +8,25 @@ from dataclasses import replace
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Floats, Target, TargetOf
-from storyblender.blender.motion.clips.gaze import aside, look_at, look_at_subject, mood
-from storyblender.blender.motion.clips.handling import approach, come_up, pick_up, prop_of, reach_down, take_in_hand
+from storyblender.blender.motion.clips.gaze import look_at, look_at_subject, point_aside, show_mood
+from storyblender.blender.motion.clips.handling import (
+    approach,
+    bend_to_reach,
+    pick_up,
+    prop_of,
+    straighten_up,
+    take_in_hand,
+)
 from storyblender.blender.motion.clips.locomotion import step_to
-from storyblender.blender.motion.clips.pairs import keep, meet
+from storyblender.blender.motion.clips.pairs import meet, reserve_hands
 from storyblender.blender.motion.clips.registry import CLIPS, Clip, Play
 from storyblender.blender.motion.clips.using import table_height
-from storyblender.blender.motion.clips.work import WORKING, handle_of
+from storyblender.blender.motion.clips.work import WORKING, working_point
 from storyblender.blender.motion.hands import chest_yaw, hand, shoulder_rest
+from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.puppets import Grip, PropPuppet, carried
 from storyblender.blender.motion.skeleton import SIDES, UP, other, sign
-from storyblender.blender.motion.stage import Beat, Stage
+from storyblender.blender.motion.staged_props import Grip, StagedProp, carrying_hand
 from storyblender.catalog.acts import ACTS
 from storyblender.catalog.acts.entry import HOME_SECONDS, Act, FootPose, Gaze, HandPose, Key, Triple
 
@@ -42,8 +49,8 @@ def _uses(act: Act) -> tuple[str, ...]:
 
 
 def _play_of(act: Act) -> Play:
-    def play(stage: Stage, who: Performer, beat: Beat) -> float:
-        return _Playing(stage, who, beat, act).run()
+    def play(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
+        return _Playing(stage, who, cue, act).run()
 
     return play
 
@@ -54,47 +61,49 @@ class _Playing:
     Args:
         stage: The stage.
         who: The actor.
-        beat: Time, prop and target.
+        cue: Time, prop and target.
         act: The act to perform.
     """
 
-    def __init__(self, stage: Stage, who: Performer, beat: Beat, act: Act) -> None:
-        self.stage, self.who, self.beat, self.act = stage, who, beat, act
-        self.partner = beat.target if isinstance(beat.target, Performer) and beat.target is not who else None
+    def __init__(self, stage: MotionStage, who: Performer, cue: StagedCue, act: Act) -> None:
+        self.stage, self.who, self.cue, self.act = stage, who, cue, act
+        self.partner = cue.target if isinstance(cue.target, Performer) and cue.target is not who else None
         self.lead = self._acting_hand()
         self.spot = Vector((0, 0, 0))
 
     def run(self) -> float:
         """Set all keys and return the end in seconds."""
         who, act = self.who, self.act
-        t = self._tool_in_hand(self.beat.start)
+        t = self._tool_in_hand(self.cue.start)
         if self.partner is not None and act.reach == "person":
-            t = meet(self.stage, who, self.partner, replace(self.beat, start=t), act.distance * who.m.k)
+            t = meet(self.stage, who, self.partner, replace(self.cue, start=t), act.distance * who.scale)
         poses = [pose for key in act.keys for pose in (key.lead, key.far) if pose is not None]
         bent = 0.0
         if any(pose.frame == "work" for pose in poses):
-            t = approach(self.stage, who, self.beat, handle_of(self.stage, who, self.beat)[0], WORKING * who.m.arm)
-            self.spot = self._worked_on(handle_of(self.stage, who, self.beat)[0])
-            bent = reach_down(who, t, 0.6, self.spot + UP * (OVER_WORK * who.m.k))
+            t = approach(
+                self.stage, who, self.cue, working_point(self.stage, who, self.cue)[0], WORKING * who.measures.arm
+            )
+            self.spot = self._worked_on(working_point(self.stage, who, self.cue)[0])
+            bent = bend_to_reach(who, t, 0.6, self.spot + UP * (OVER_WORK * who.scale))
         if poses:
             who.lean_after.set(t, 0, 0.0 if all(pose.frame in ("chest", "head") for pose in poses) else 1.0)
-        end = t + max(act.once, (self.beat.duration or 0.0) - (0.0 if act.stays else HOME_SECONDS))
+        end = t + max(act.once, (self.cue.duration or 0.0) - (0.0 if act.stays else HOME_SECONDS))
         self._steady_tool(t, end)
         if self.partner is not None and act.partner:
-            _Playing(self.stage, self.partner, replace(self.beat, start=t, target=who, prop=None), act).react(t)
+            _Playing(self.stage, self.partner, replace(self.cue, start=t, target=who, prop=None), act).react(t)
         now = self._keys(t, end)
         if act.stays or now > self.stage.plan.frames / self.stage.fps - 0.3:
             return now
         self._home(now)
         if bent:
-            come_up(who, now, HOME_SECONDS)
+            straighten_up(who, now, HOME_SECONDS)
         return now + HOME_SECONDS
 
     def _worked_on(self, place: Vector) -> Vector:
         """Return where the hands work: at ``place``, or on the table top if a seated actor cannot reach it."""
-        who, k = self.who, self.who.m.k
-        subject = self.beat.target or self.beat.prop
-        in_hand = isinstance(subject, PropPuppet) and subject.holder is who
+        who, k = self.who, self.who.scale
+        subject = self.cue.target or self.cue.prop
+        in_hand = isinstance(subject, StagedProp) and subject.holder is who
         far = (place.xy - who.position).length > WITHIN * k
         if who.posture != "sit" or not (in_hand or subject is None or far):
             return place
@@ -103,7 +112,7 @@ class _Playing:
 
     def react(self, t: float) -> None:
         """Play the partner's reaction to the act."""
-        keep(self.who, SIDES, t, t + sum(key.seconds + key.stay for key in self.act.partner))
+        reserve_hands(self.who, SIDES, t, t + sum(key.seconds + key.stay for key in self.act.partner))
         for key in self.act.partner:
             self._key(key, t)
             t += key.seconds + key.stay
@@ -127,21 +136,21 @@ class _Playing:
             if pose is not None and self._may_move(side):
                 who.hands[side].set(t, key.seconds, self._target(side, pose))
                 if pose.frame == "their_hand":
-                    self.stage.late.append((who, side, t, t + key.seconds + key.stay + HOME_SECONDS))
+                    self.stage.following_hands.append((who, side, t, t + key.seconds + key.stay + HOME_SECONDS))
         if key.spine is not None:
             who.accent.set(t, key.seconds, (key.spine[0], -s * key.spine[1], s * key.spine[2]))
         if key.nod is not None:
             who.nod.set(t, key.seconds, (key.nod[0], -s * key.nod[1], s * key.nod[2]))
         if key.hips is not None and who.posture == "stand":
             side, ahead, up, pitch = key.hips
-            k = who.m.k
+            k = who.scale
             who.hips.set(t, key.seconds, (s * side * k, -ahead * k, who.standing_height + up * k, pitch, 0, 0))
         if who.posture == "stand":
             for foot, pose in ((self.lead, key.lead_foot), (other(self.lead), key.far_foot)):
                 if pose is not None:
-                    step_to(who, foot, t, key.seconds, self._planted(foot, pose), STEP_LIFT * who.m.k)
+                    step_to(who, foot, t, key.seconds, self._planted(foot, pose), STEP_LIFT * who.scale)
         if key.face is not None:
-            mood(who, t, key.face, key.seconds)
+            show_mood(who, t, key.face, key.seconds)
         if key.gaze is not None:
             self._look(key.gaze, t, key.seconds)
 
@@ -154,7 +163,7 @@ class _Playing:
         ):
             held = self.stage.props.get(who.held.get(side, ""))
             if moved and self._may_move(side):
-                who.hands[side].set(t, HOME_SECONDS, carried(who, side, held) if held else who.home[side])
+                who.hands[side].set(t, HOME_SECONDS, carrying_hand(who, side, held) if held else who.home[side])
         if any(key.spine for key in keys):
             who.accent.set(t, HOME_SECONDS, (0, 0, 0))
         if any(key.nod for key in keys):
@@ -167,7 +176,7 @@ class _Playing:
                 if moved:
                     step_to(who, foot, t, 0.4, who.plant_at(foot, who.position, who.yaw))
         if any(key.face for key in keys):
-            mood(who, t, "neutral", HOME_SECONDS)
+            show_mood(who, t, "neutral", HOME_SECONDS)
         if any(key.gaze for key in keys):
             look_at(who, t, who.ahead)
         who.lean_after.set(t + HOME_SECONDS, 0, 1.0)
@@ -175,8 +184,8 @@ class _Playing:
     # --- hands ----------------------------------------------------------------------------------------------------
 
     def _acting_hand(self) -> str:
-        """Return the acting hand: the beat's, or the other one if that hand holds an unrelated prop."""
-        side, prop = self.beat.side, prop_of(self.beat)
+        """Return the acting hand: the cue's, or the other one if that hand holds an unrelated prop."""
+        side, prop = self.cue.side, prop_of(self.cue)
         held = self.who.held.get(side)
         wanted = prop is not None and held == prop.asset_id
         with_tool = any(key.lead is not None and key.lead.tool is not None for key in self.act.keys)
@@ -187,16 +196,16 @@ class _Playing:
     def _may_move(self, side: str) -> bool:
         """Return whether a hand is free to move: it is empty, or holds the prop of the act."""
         held = self.who.held.get(side)
-        prop = prop_of(self.beat)
+        prop = prop_of(self.cue)
         return held is None or side == self.lead or (prop is not None and held == prop.asset_id)
 
     def _tool_in_hand(self, t: float) -> float:
         """Take the tool of the act in hand; return the second at which it is held."""
-        prop = prop_of(self.beat)
-        if prop is None or prop.holder is self.who or not self.act.hands or prop is self.beat.target:
+        prop = prop_of(self.cue)
+        if prop is None or prop.holder is self.who or not self.act.hands or prop is self.cue.target:
             return t
         if (prop.matrix.translation.xy - self.who.position).length < AT_HAND:
-            t = pick_up(self.stage, self.who, replace(self.beat, side=self.lead))
+            t = pick_up(self.stage, self.who, replace(self.cue, side=self.lead))
         else:
             take_in_hand(self.stage, self.who, self.lead, prop, t)
         return t
@@ -212,7 +221,7 @@ class _Playing:
             return grip.hand(prop.matrix, self.who.facing @ Vector((sign(far) * 0.8, 0.3, -0.6)))
 
         self.who.hands[far].set(t, 0.6, target)
-        self.stage.late.append((self.who, far, t, end + HOME_SECONDS))
+        self.stage.following_hands.append((self.who, far, t, end + HOME_SECONDS))
 
     def _target(self, side: str, pose: HandPose) -> TargetOf:
         who = self.who
@@ -233,14 +242,14 @@ class _Playing:
 
     def _frame(self, side: str, pose: HandPose) -> tuple[Vector, Matrix, float]:
         """Return the origin, the axes and the unit length in metres of a hand pose, at the current time."""
-        who, k = self.who, self.who.m.k
+        who, k = self.who, self.who.scale
         match pose.frame:
             case "chest":
                 turn = who.facing @ who.bones.orient["upper_chest"]
-                return who.to_world(shoulder_rest(who, side)), turn, who.m.arm
+                return who.to_world(shoulder_rest(who, side)), turn, who.measures.arm
             case "upright":
                 turn = who.facing @ Matrix.Rotation(chest_yaw(who), 3, "Z")
-                return who.to_world(shoulder_rest(who, side)), turn, who.m.arm
+                return who.to_world(shoulder_rest(who, side)), turn, who.measures.arm
             case "head":
                 eyes = (who.bones.head["eye.L"] + who.bones.head["eye.R"]) / 2 - who.bones.head["head"]
                 return who.point("head", eyes), who.facing @ who.bones.orient["head"], k
@@ -257,7 +266,7 @@ class _Playing:
         if them is None:
             ahead = 0.45 if part == "their_hand" else 0.6
             height = {"their_head": 0.95, "their_hand": 0.5}.get(part, 0.82)
-            return self.who.to_world(Vector((0, -ahead * self.who.m.k, height * self.who.m.eye_height)))
+            return self.who.to_world(Vector((0, -ahead * self.who.scale, height * self.who.measures.eye_height)))
         if part == "their_head":
             return (them.point("eye.L") + them.point("eye.R")) / 2
         if part == "their_hand":
@@ -267,12 +276,12 @@ class _Playing:
             near = self.who.to_world(shoulder_rest(self.who, side))
             places = (them.point("upper_arm.L"), them.point("upper_arm.R"))
             return min(places, key=lambda place: (place - near).length)
-        return them.point("upper_chest", (0, -them.m.chest_front, 0))
+        return them.point("upper_chest", (0, -them.measures.chest_front, 0))
 
     # --- feet and eyes --------------------------------------------------------------------------------------------
 
     def _planted(self, side: str, pose: FootPose) -> Floats:
-        who, k = self.who, self.who.m.k
+        who, k = self.who, self.who.scale
         left = Vector((math.cos(who.yaw), math.sin(who.yaw)))
         spot = who.position + who.forward * (pose.ahead * k) + left * (sign(side) * pose.aside * k)
         foot = who.plant_at(side, spot, who.yaw)
@@ -283,27 +292,27 @@ class _Playing:
     def _look(self, gaze: Gaze, t: float, seconds: float) -> None:
         who = self.who
         if gaze == "target":
-            look_at_subject(self.stage, who, t, self.beat)
+            look_at_subject(self.stage, who, t, self.cue)
         else:
             look_at(who, t, self._point(gaze), min(0.5, seconds))
 
     def _point(self, gaze: Gaze) -> Target:
-        who, k, s = self.who, self.who.m.k, sign(self.lead)
+        who, k, s = self.who, self.who.scale, sign(self.lead)
         match gaze:
             case "hands":
                 return lambda _: tuple(who.point(f"hand.{self.lead}"))
             case "down":
                 return lambda _: tuple(who.to_world(Vector((0, -0.9 * k, 0.1))))
             case "up":
-                return lambda _: tuple(who.to_world(Vector((0, -1.6 * k, who.m.eye_height + 1.5 * k))))
+                return lambda _: tuple(who.to_world(Vector((0, -1.6 * k, who.measures.eye_height + 1.5 * k))))
             case "left":
-                return aside(who, 62)
+                return point_aside(who, 62)
             case "right":
-                return aside(who, -62)
+                return point_aside(who, -62)
             case "away":
-                return aside(who, -48.0 * s, 0.86)
+                return point_aside(who, -48.0 * s, 0.86)
             case "back":
-                return aside(who, -118.0 * s)
+                return point_aside(who, -118.0 * s)
             case _:
                 return who.ahead
 
@@ -318,7 +327,7 @@ def _wielding(grip: Grip, place: Vector, axes: list[Vector], elbow: Vector) -> F
     return grip.hand(matrix, elbow)
 
 
-def _grip_along(prop: PropPuppet, side: str, metres: float) -> Grip:
+def _grip_along(prop: StagedProp, side: str, metres: float) -> Grip:
     """Return the grip of a hand moved ``metres`` along a tool, towards its top, or its front if it lies flat."""
     grip = prop.grip(side)
     axis = Vector((0, 0, 1)) if prop.size.z >= prop.size.y else Vector((0, -1, 0))

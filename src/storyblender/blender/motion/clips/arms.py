@@ -7,32 +7,32 @@ import math
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Floats
-from storyblender.blender.motion.clips.gaze import look_at_subject, mood
+from storyblender.blender.motion.clips.gaze import look_at_subject, show_mood
 from storyblender.blender.motion.clips.handling import prop_of, take_in_hand
-from storyblender.blender.motion.clips.locomotion import face, step_to
+from storyblender.blender.motion.clips.locomotion import step_to, turn_to
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.hands import hand
+from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import UP, other, sign
-from storyblender.blender.motion.stage import Beat, Stage
 
 LONG_GUN = 0.6
 """Metres; longer guns are shouldered."""
 
 
 @clip("aim", "body", "hands", "head")
-def aim(stage: Stage, who: Performer, beat: Beat) -> float:
+def aim(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Level a gun at the target with both hands, in a wide stance."""
-    t, k, side = beat.start, who.m.k, beat.side
+    t, k, side = cue.start, who.scale, cue.side
     far = other(side)
-    prop = prop_of(beat) or stage.props.get(who.held.get(side, ""))
+    prop = prop_of(cue) or stage.props.get(who.held.get(side, ""))
     if prop is not None and prop.holder is not who:
         take_in_hand(stage, who, side, prop, t)
-    if beat.target is not None and who.posture == "stand":
-        toward = stage.ground_of(beat.target) - who.position
-        t = face(who, t, math.atan2(toward.x, -toward.y) - sign(side) * 0.12)
-    look_at_subject(stage, who, t, beat)
-    goal = stage.point_of(beat.target) if beat.target is not None else who.ahead
+    if cue.target is not None and who.posture == "stand":
+        toward = stage.floor_position(cue.target) - who.position
+        t = turn_to(who, t, math.atan2(toward.x, -toward.y) - sign(side) * 0.12)
+    look_at_subject(stage, who, t, cue)
+    goal = stage.look_point(cue.target) if cue.target is not None else who.ahead
 
     def muzzle(now: float) -> Matrix:
         root = (who.point("upper_arm.L") + who.point("upper_arm.R")) / 2 + UP * (0.035 * k)
@@ -41,7 +41,7 @@ def aim(stage: Stage, who: Performer, beat: Beat) -> float:
         matrix = Matrix((-across, -along, (-across).cross(-along))).transposed().to_4x4()
         if long:  # the butt at the shoulder
             root = root.lerp(who.point(f"upper_arm.{side}"), 0.7)
-        matrix.translation = root + along * ((0.52 if long else 0.94) * who.m.arm)
+        matrix.translation = root + along * ((0.52 if long else 0.94) * who.measures.arm)
         return matrix
 
     long = prop is not None and prop.size.y > LONG_GUN
@@ -60,7 +60,9 @@ def aim(stage: Stage, who: Performer, beat: Beat) -> float:
     def steadying(now: float) -> Floats:
         matrix = muzzle(now)
         turn, s = matrix.to_3x3(), sign(far)
-        palm = matrix @ (Vector((s * 0.02, -0.62 * who.m.arm, -0.02)) if long else Vector((s * 0.03, 0.02, -0.035)))
+        palm = matrix @ (
+            Vector((s * 0.02, -0.62 * who.measures.arm, -0.02)) if long else Vector((s * 0.03, 0.02, -0.035))
+        )
         fingers, normal = turn @ Vector((-s * 0.5, -1, 0.05)), turn @ Vector((-s, 0.1, 0.35))
         return hand(palm, fingers, normal, who.facing @ Vector((s * 0.7, 0.1, -0.8)), (78, 80, 20))
 
@@ -69,7 +71,7 @@ def aim(stage: Stage, who: Performer, beat: Beat) -> float:
     if far not in who.held:
         who.hands[far].set(t + 0.1, 0.6, steadying)
     who.accent.set(t, 0.5, (5, 0, 0))
-    mood(who, t, "angry" if beat.mood == "neutral" else beat.mood)
+    show_mood(who, t, "angry" if cue.mood == "neutral" else cue.mood)
     if who.posture == "stand":
         wide_stance(who, t, far)
     who.life.set(t, 0.4, 0.3)
@@ -78,7 +80,7 @@ def aim(stage: Stage, who: Performer, beat: Beat) -> float:
 
 def wide_stance(who: Performer, t: float, lead: str) -> None:
     """One foot forward, one back, knees soft."""
-    k = who.m.k
+    k = who.scale
     for side, ahead, splay, delay in ((lead, 0.16, 10, 0.0), (other(lead), -0.14, 24, 0.3)):
         spot = who.position + who.forward * (ahead * k)
         step_to(who, side, t + delay, 0.35, who.plant(side, spot.x, spot.y, who.yaw, width=1.25, splay=splay))
@@ -86,9 +88,9 @@ def wide_stance(who: Performer, t: float, lead: str) -> None:
 
 
 @clip("shoot", "body", "hands", "head")
-def shoot(stage: Stage, who: Performer, beat: Beat) -> float:
+def shoot(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Aim and fire once: the arms kick back."""
-    t = aim(stage, who, beat)
+    t = aim(stage, who, cue)
     who.accent.set(t + 0.15, 0.06, (-6, 0, 0))
     who.accent.set(t + 0.22, 0.35, (5, 0, 0))
     who.blinks.append(t + 0.14)

@@ -7,33 +7,33 @@ from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import LONG_AGO, Floats, TargetOf
 from storyblender.blender.motion.clips.gaze import look_at
-from storyblender.blender.motion.clips.handling import come_up, reach_down, take_in_hand
+from storyblender.blender.motion.clips.handling import bend_to_reach, straighten_up, take_in_hand
 from storyblender.blender.motion.hands import Triple, by_chest, chest_yaw, hand
+from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.puppets import PropPuppet, carried
 from storyblender.blender.motion.skeleton import UP, other, sign
-from storyblender.blender.motion.stage import Beat, Stage
+from storyblender.blender.motion.staged_props import StagedProp, carrying_hand
 
-Way = tuple[Triple, Triple, Triple]
+ChestPose = tuple[Triple, Triple, Triple]
 """Palm from the shoulder in arm lengths, fingers, palm's normal: outwards, forwards, up."""
-_BREAST: tuple[Way, Way, Way] = (
+_BREAST: tuple[ChestPose, ChestPose, ChestPose] = (
     ((-0.22, 0.36, -0.30), (-0.9, 0.2, 0.1), (-0.2, -1, 0)),
     ((-0.42, 0.23, -0.28), (-0.95, -0.15, -0.1), (-0.1, -1, 0)),
     ((-0.05, 0.50, -0.32), (-0.7, 0.7, 0.1), (-0.7, -0.7, 0)),
 )
-_HIP: tuple[Way, Way, Way] = (
+_HIP: tuple[ChestPose, ChestPose, ChestPose] = (
     ((0.20, -0.10, -0.80), (-0.2, -0.3, -0.9), (-1, 0.1, 0)),
     ((0.06, -0.24, -0.86), (-0.5, -0.3, -0.8), (-0.7, 0.7, 0)),
     ((0.24, 0.12, -0.72), (0, 0.4, -0.9), (-1, 0, 0)),
 )
 """Where the hand goes: before the place, into it, out of it."""
 RAISED = 0.26
-"""Metres, times k, of a bag's opening below the breast."""
+"""Metres, times the scale, of a bag's opening below the breast."""
 
 
-def open_held(stage: Stage, who: Performer, beat: Beat, bag: PropPuppet) -> float:
+def open_held_bag(stage: MotionStage, who: Performer, cue: StagedCue, bag: StagedProp) -> float:
     """Hold a bag before one and open it with the other hand."""
-    t, side = beat.start, _holding(who, bag)
+    t, side = cue.start, _holding(who, bag)
     free = other(side)
     _raise(stage, who, side, bag, t)
     if free not in who.held:
@@ -43,33 +43,33 @@ def open_held(stage: Stage, who: Performer, beat: Beat, bag: PropPuppet) -> floa
     return _lower(who, side, bag, t + 1.7)
 
 
-def take_out(stage: Stage, who: Performer, beat: Beat, prop: PropPuppet, bag: PropPuppet) -> float:
+def take_from_bag(stage: MotionStage, who: Performer, cue: StagedCue, prop: StagedProp, bag: StagedProp) -> float:
     """Take a thing out of a bag that the other hand holds, or out of a box that stands there; it has been in there."""
-    t, side, held = beat.start, _holding(who, bag), bag.holder is who
-    free = other(side) if held else beat.side
+    t, side, held = cue.start, _holding(who, bag), bag.holder is who
+    free = other(side) if held else cue.side
     if free in who.held:
-        stage.report("unreachable", who, beat, f"{who.asset_id} has no free hand for {prop.asset_id}")
+        stage.report("unreachable", who, cue, f"{who.asset_id} has no free hand for {prop.asset_id}")
         return t
     prop.follow(0.1 * LONG_AGO, lambda _: bag.matrix @ Matrix.Translation((0, 0, 0.2 * bag.size.z)), 0.0)
-    bent = 0.0 if held else reach_down(who, t, 0.6, bag.matrix @ Vector((0, 0, bag.size.z)))
+    bent = 0.0 if held else bend_to_reach(who, t, 0.6, bag.matrix @ Vector((0, 0, bag.size.z)))
     if held:
         _raise(stage, who, side, bag, t)
     else:
-        look_at(who, t, stage.point_of(bag))
+        look_at(who, t, stage.look_point(bag))
     who.hands[free].set(t + 0.2, 0.5, _at_opening(who, free, bag, 0.08))
     who.hands[free].set(t + 0.7, 0.3, _at_opening(who, free, bag, -0.10))
-    stage.expect(who, free, t + 1.0, beat)
+    stage.expect_contact(who, free, t + 1.0, cue)
     take_in_hand(stage, who, free, prop, t + 1.05, 0.2)
     who.hands[free].set(t + 1.1, 0.35, _at_opening(who, free, bag, 0.14))
-    who.hands[free].set(t + 1.5, 0.6, carried(who, free, prop))
+    who.hands[free].set(t + 1.5, 0.6, carrying_hand(who, free, prop))
     if bent:
-        come_up(who, t + 1.3, 0.7)
+        straighten_up(who, t + 1.3, 0.7)
     return _lower(who, side, bag, t + 1.7) if held else t + 2.2
 
 
-def draw_out(stage: Stage, who: Performer, beat: Beat, prop: PropPuppet) -> float:
+def draw_from_clothes(stage: MotionStage, who: Performer, cue: StagedCue, prop: StagedProp) -> float:
     """Take a thing out of the clothes it has been in: at the breast of a jacket, else behind the hip."""
-    t, side = beat.start, beat.side
+    t, side = cue.start, cue.side
     breast = stage.plan.people[who.asset_id].jacket
     bone, ways = ("upper_chest", _BREAST) if breast else ("hips", _HIP)
 
@@ -86,46 +86,46 @@ def draw_out(stage: Stage, who: Performer, beat: Beat, prop: PropPuppet) -> floa
         look_at(who, t + 0.3, lambda now: tuple(who.point("upper_chest", (0, -0.3, 0))))
     take_in_hand(stage, who, side, prop, t + 1.0, 0.15)
     who.hands[side].set(t + 1.0, 0.45, out)
-    who.hands[side].set(t + 1.45, 0.6, carried(who, side, prop))
+    who.hands[side].set(t + 1.45, 0.6, carrying_hand(who, side, prop))
     look_at(who, t + 1.3, who.ahead)
     return t + 2.1
 
 
-def _on_edge(prop: PropPuppet) -> Matrix:
+def _on_edge(prop: StagedProp) -> Matrix:
     """Return the turn that puts the longest side of a thing upright and the shortest to the front."""
     thin, _, long = sorted(range(3), key=lambda axis: prop.size[axis])
     up, ahead = Vector(np.eye(3)[long]), Vector(np.eye(3)[thin])
     return Matrix((up.cross(ahead), ahead, up)).to_4x4()
 
 
-def _holding(who: Performer, bag: PropPuppet) -> str:
+def _holding(who: Performer, bag: StagedProp) -> str:
     return next((side for side, held in who.held.items() if held == bag.asset_id), "R")
 
 
-def _raise(stage: Stage, who: Performer, side: str, bag: PropPuppet, t: float) -> None:
+def _raise(stage: MotionStage, who: Performer, side: str, bag: StagedProp, t: float) -> None:
     grip = bag.grip(side)
 
     def before_one(now: float) -> Floats:
         turn = who.facing @ Matrix.Rotation(chest_yaw(who), 3, "Z")
         matrix = turn.to_4x4()
-        ahead = who.m.front + 0.5 * bag.size.y + 0.14 * who.m.k
-        opening = who.point("upper_chest") + turn @ Vector((0, -ahead, -RAISED * who.m.k))
+        ahead = who.measures.front + 0.5 * bag.size.y + 0.14 * who.scale
+        opening = who.point("upper_chest") + turn @ Vector((0, -ahead, -RAISED * who.scale))
         matrix.translation = opening - UP * bag.size.z
         return grip.hand(matrix, turn @ Vector((sign(side) * 0.8, 0.5, -0.5)))
 
     who.hands[side].set(t, 0.6, before_one)
-    look_at(who, t, stage.point_of(bag))
+    look_at(who, t, stage.look_point(bag))
 
 
-def _lower(who: Performer, side: str, bag: PropPuppet, t: float) -> float:
-    who.hands[side].set(t, 0.7, carried(who, side, bag))
+def _lower(who: Performer, side: str, bag: StagedProp, t: float) -> float:
+    who.hands[side].set(t, 0.7, carrying_hand(who, side, bag))
     look_at(who, t + 0.2, who.ahead)
     return t + 0.6
 
 
-def _at_opening(who: Performer, side: str, bag: PropPuppet, above: float) -> TargetOf:
+def _at_opening(who: Performer, side: str, bag: StagedProp, above: float) -> TargetOf:
     """Where the hand is at the opening of a bag, ``above`` metres over it, fingers down."""
-    s, k = sign(side), who.m.k
+    s, k = sign(side), who.scale
 
     def target(now: float) -> Floats:
         turn = bag.matrix.to_3x3()

@@ -10,30 +10,30 @@ import numpy as np
 from mathutils import Vector
 
 from storyblender.blender.motion.channel import Floats, clamp, smooth, smoothstep
-from storyblender.blender.motion.clips.locomotion import NEAR, face, goal_of, step_to
+from storyblender.blender.motion.clips.locomotion import NEAR, find_goal, step_to, turn_to
 from storyblender.blender.motion.clips.registry import clip
-from storyblender.blender.motion.clips.seat import refill_hands
-from storyblender.blender.motion.footsteps import TURN_FIRST, Way
+from storyblender.blender.motion.clips.seat import return_hands
+from storyblender.blender.motion.footsteps import TURN_FIRST, WalkPath
 from storyblender.blender.motion.hands import hand
+from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import SIDES, sign
-from storyblender.blender.motion.stage import Beat, Stage
 from storyblender.geometry.boxes import shortest_turn
 
 SPEED = 0.55
-"""Metres per second at k = 1."""
+"""Metres per second at scale 1."""
 CYCLE = 1.1
 """Seconds in which every limb moves once: a hand with the knee across."""
 DOWN, UP = 0.9, 1.0
 """Seconds to get on all fours, and to stand up."""
 KNEES_BACK, HANDS_AHEAD = 0.30, 0.24
-"""Metres, times k, from the middle of the body on the floor."""
+"""Metres, times the scale, from the middle of the body on the floor."""
 FLAT = 78.0
 """Degrees the pelvis is pitched forward."""
 
 
 @dataclass(frozen=True)
-class Creep:
+class CrawlPath:
     """The way of a body on all fours: how far it has come at a second, and where its limbs are down.
 
     Attributes:
@@ -43,7 +43,7 @@ class Creep:
         seconds: It is on the way.
     """
 
-    way: Way
+    way: WalkPath
     base_yaw: float
     start: float
     seconds: float
@@ -75,36 +75,36 @@ class Creep:
 
 
 @clip("crawl", "body", "hands")
-def crawl(stage: Stage, who: Performer, beat: Beat) -> float:
+def crawl(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Get down on hands and knees, crawl to the mark and stand up there."""
-    goal, yaw = goal_of(stage, who, beat)
+    goal, yaw = find_goal(stage, who, cue)
     if math.dist(who.position, goal) < NEAR:
-        return beat.start
-    points = stage.path(who, goal)
+        return cue.start
+    points = stage.path_to(who, goal)
     if points is None:
-        stage.report("no_path", who, beat, f"{who.asset_id} finds no way to ({goal[0]:.2f}, {goal[1]:.2f})")
-        return beat.start
-    way, t = Way(points), beat.start
+        stage.report("no_path", who, cue, f"{who.asset_id} finds no way to ({goal[0]:.2f}, {goal[1]:.2f})")
+        return cue.start
+    way, t = WalkPath(points), cue.start
     if abs(shortest_turn(who.yaw, way.heading(0))) > TURN_FIRST:
-        t = face(who, t, way.heading(0))
+        t = turn_to(who, t, way.heading(0))
     base_yaw = who.yaw + shortest_turn(who.yaw, way.heading(0)) - way.heading(0)
-    creep = Creep(way, base_yaw, t + DOWN, max(CYCLE, way.length / (SPEED * math.sqrt(who.m.k))))
-    end = creep.start + creep.seconds
-    who.root.set(t, 0.5 * DOWN, creep.root)
-    get_down(who, creep, t)
-    x, y, who.yaw = creep.at(way.length)
+    path = CrawlPath(way, base_yaw, t + DOWN, max(CYCLE, way.length / (SPEED * math.sqrt(who.scale))))
+    end = path.start + path.seconds
+    who.root.set(t, 0.5 * DOWN, path.root)
+    get_on_all_fours(who, path, t)
+    x, y, who.yaw = path.at(way.length)
     who.position = Vector((x, y))
     end = _get_up(stage, who, end)
-    return end if yaw is None else face(who, end, yaw)
+    return end if yaw is None else turn_to(who, end, yaw)
 
 
-def get_down(who: Performer, creep: Creep, t: float) -> None:
+def get_on_all_fours(who: Performer, path: CrawlPath, t: float) -> None:
     """Knees, then hands to the floor; from then on they follow the way."""
-    m, k = who.m, who.m.k
+    m, k = who.measures, who.scale
     on_knees = 0.075 * k + 0.97 * m.thigh
 
     def hips(now: float) -> tuple[float, ...]:
-        roll = math.sin(2 * math.pi * (now - creep.start) / CYCLE) * clamp(now - creep.start)
+        roll = math.sin(2 * math.pi * (now - path.start) / CYCLE) * clamp(now - path.start)
         return 0.012 * k * roll, KNEES_BACK * k - m.hip_y, on_knees, FLAT, 3 * roll, 0
 
     who.hips.set(t, 0.55 * DOWN, (0, 0.12 * k, 0.75 * m.hip_height, 45, 0, 0))
@@ -114,15 +114,15 @@ def get_down(who: Performer, creep: Creep, t: float) -> None:
     who.pinned.set(t + 0.3 * DOWN, 0.5 * DOWN, 1.0)
     who.lean_after.set(t, 0, 0.0)
     for side in SIDES:
-        who.feet[side].set(t + (0.1 if side == "L" else 0.3) * DOWN, 0.6 * DOWN, _knee(who, creep, side))
+        who.feet[side].set(t + (0.1 if side == "L" else 0.3) * DOWN, 0.6 * DOWN, _knee(who, path, side))
         if side not in who.held:
-            who.hands[side].set(t + 0.25 * DOWN, 0.75 * DOWN, _palm(who, creep, side))
+            who.hands[side].set(t + 0.25 * DOWN, 0.75 * DOWN, _palm(who, path, side))
 
 
-def _get_up(stage: Stage, who: Performer, t: float) -> float:
+def _get_up(stage: MotionStage, who: Performer, t: float) -> float:
     """Hands off the floor, one foot under the body, then the other; return the end."""
     stand = who.standing_height
-    who.hips.set(t, 0.5 * UP, (0, 0.10 * who.m.k, 0.62 * stand, 40, 0, 0))
+    who.hips.set(t, 0.5 * UP, (0, 0.10 * who.scale, 0.62 * stand, 40, 0, 0))
     who.hips.set(t + 0.4 * UP, 0.6 * UP, (0, 0, stand, 0, 0, 0))
     who.spine.set(t + 0.2 * UP, 0.8 * UP, (0, 0, 0))
     who.nod.set(t, UP, (0, 0, 0))
@@ -130,19 +130,19 @@ def _get_up(stage: Stage, who: Performer, t: float) -> float:
     who.lean_after.set(t + UP, 0, 1.0)
     for index, side in enumerate(SIDES):
         plant = who.plant_at(side, who.position, who.yaw)
-        step_to(who, side, t + 0.3 * index * UP, 0.5 * UP, plant, 0.08 * who.m.k)
-    refill_hands(stage, who, t + 0.1 * UP, 0.7 * UP)
+        step_to(who, side, t + 0.3 * index * UP, 0.5 * UP, plant, 0.08 * who.scale)
+    return_hands(stage, who, t + 0.1 * UP, 0.7 * UP)
     return t + 1.1 * UP
 
 
-def _knee(who: Performer, creep: Creep, side: str) -> Callable[[float], Floats]:
+def _knee(who: Performer, path: CrawlPath, side: str) -> Callable[[float], Floats]:
     """The foot of a knee that is down: the shin behind it, the toes on the floor."""
-    m, k = who.m, who.m.k
+    m, k = who.measures, who.scale
     ankle = 0.125 * k
     shin = math.sqrt(m.shin**2 - (ankle - 0.075 * k) ** 2)
 
     def target(t: float) -> Floats:
-        spot, yaw, lifted = creep.limb(t, 0.0 if side == "L" else 0.5, -KNEES_BACK * k, sign(side) * 0.10 * k)
+        spot, yaw, lifted = path.limb(t, 0.0 if side == "L" else 0.5, -KNEES_BACK * k, sign(side) * 0.10 * k)
         forward = Vector((math.sin(yaw), -math.cos(yaw)))
         foot = spot - forward * shin
         toes = yaw + m.toe_out[side]
@@ -151,12 +151,12 @@ def _knee(who: Performer, creep: Creep, side: str) -> Callable[[float], Floats]:
     return target
 
 
-def _palm(who: Performer, creep: Creep, side: str) -> Callable[[float], Floats]:
+def _palm(who: Performer, path: CrawlPath, side: str) -> Callable[[float], Floats]:
     """A palm on the floor, or on its way to the next place; it moves with the knee across."""
-    k, s = who.m.k, sign(side)
+    k, s = who.scale, sign(side)
 
     def target(t: float) -> Floats:
-        spot, yaw, lifted = creep.limb(t, 0.5 if side == "L" else 0.0, HANDS_AHEAD * k, s * 0.18 * k)
+        spot, yaw, lifted = path.limb(t, 0.5 if side == "L" else 0.0, HANDS_AHEAD * k, s * 0.18 * k)
         forward, left = Vector((math.sin(yaw), -math.cos(yaw), 0)), Vector((math.cos(yaw), math.sin(yaw), 0))
         palm = Vector((*spot, (0.022 + 0.07 * lifted) * k))
         return hand(palm, forward, Vector((0, 0, -1)), left * (0.6 * s) - forward * 0.8, (6, 8, 0))

@@ -9,20 +9,20 @@ import numpy as np
 from mathutils import Vector
 
 from storyblender.blender.motion.channel import Channel, Floats, TargetOf, clamp, smoothstep
-from storyblender.blender.motion.clips.gaze import look_at, mood
+from storyblender.blender.motion.clips.gaze import look_at, show_mood
 from storyblender.blender.motion.clips.locomotion import step_to
-from storyblender.blender.motion.clips.pairs import keep, meet, partner_of
+from storyblender.blender.motion.clips.pairs import meet, partner_of, reserve_hands
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.hands import blend_hands, by_chest, hand
+from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import SIDES, other, sign
-from storyblender.blender.motion.stage import Beat, Stage
 from storyblender.geometry.paths import clearance
 
 PULSE = 0.52
 """Seconds of a step."""
 BETWEEN = 0.16
-"""Metres between the bodies of a couple, times k."""
+"""Metres between the bodies of a couple, times the scale."""
 ROUND = 8.0
 """Seconds of a whole turn of a couple; faster, and they step on each other's feet."""
 ROCKING, SWING = math.radians(18), 4.0
@@ -31,24 +31,26 @@ Place = Callable[[float], tuple[float, float, float]]
 
 
 @clip("dance", "body", "hands", "head")
-def dance(stage: Stage, who: Performer, beat: Beat) -> float:
+def dance(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Dance with the target, if that is somebody who stands, else alone."""
-    partner = partner_of(beat)
+    partner = partner_of(cue)
     if partner is None or partner.posture != "stand":
-        return _alone(who, beat)
-    k = 0.5 * (who.m.k + partner.m.k)
-    t = meet(stage, who, partner, beat, who.m.front + partner.m.front + BETWEEN * k, 0.05)
-    end = t + max(2.0, beat.duration or 4.0)
-    keep(partner, ("L", "R"), t, end + 0.8)
+        return _alone(who, cue)
+    k = 0.5 * (who.scale + partner.scale)
+    t = meet(stage, who, partner, cue, who.measures.front + partner.measures.front + BETWEEN * k, 0.05)
+    end = t + max(2.0, cue.duration or 4.0)
+    reserve_hands(partner, ("L", "R"), t, end + 0.8)
     partner.free["body"] = max(partner.free["body"], end + 0.8)
-    lead, follow = (who, partner) if who.m.shoulder_height >= partner.m.shoulder_height else (partner, who)
+    lead, follow = (
+        (who, partner) if who.measures.shoulder_height >= partner.measures.shoulder_height else (partner, who)
+    )
     turned = _turned(stage, lead, follow, t, end)
     middle = (lead.position + follow.position) / 2
     for one, two, first in ((lead, follow, "L"), (follow, lead, "R")):
         _go_round(one, _around(one, middle, turned), t, end, first)
         one.yaw += turned(end)
-        look_at(one, t, stage.point_of(two))
-        mood(one, t, "tender" if beat.mood == "neutral" else beat.mood)
+        look_at(one, t, stage.look_point(two))
+        show_mood(one, t, "tender" if cue.mood == "neutral" else cue.mood)
     for one, side, target in (
         (lead, "R", _on_back(lead, follow)),
         (follow, "L", _on_shoulder(follow, lead)),
@@ -57,16 +59,16 @@ def dance(stage: Stage, who: Performer, beat: Beat) -> float:
     ):
         one.hands[side].set(t, 0.7, target)
         one.hands[side].set(end, 0.7, one.home[side])
-        stage.late.append((one, side, t, end + 0.3))
+        stage.following_hands.append((one, side, t, end + 0.3))
     return end + 0.7
 
 
-def _turned(stage: Stage, lead: Performer, follow: Performer, t: float, end: float) -> Callable[[float], float]:
+def _turned(stage: MotionStage, lead: Performer, follow: Performer, t: float, end: float) -> Callable[[float], float]:
     """Return how far the couple has turned over time: round and round where there is room, else to and fro."""
     middle, arm = (lead.position + follow.position) / 2, (lead.position - follow.position).length / 2
     circle = [(middle.x + arm * math.sin(a), middle.y + arm * math.cos(a)) for a in np.linspace(0, 2 * math.pi, 12)]
     others = stage.footprints(lead, (follow.asset_id,))
-    room = float(clearance(np.array(circle), others).min()) > 0.9 * max(lead.m.radius, follow.m.radius)
+    room = float(clearance(np.array(circle), others).min()) > 0.9 * max(lead.measures.radius, follow.measures.radius)
     rounds = round((end - t) / ROUND) if room else 0
     if rounds:
         return lambda now: 2 * math.pi * rounds * smoothstep(clamp((now - t) / (end - t)))
@@ -88,7 +90,7 @@ def _around(who: Performer, middle: Vector, turned: Callable[[float], float]) ->
 
 def _go_round(who: Performer, place: Place, t: float, end: float, first: str) -> None:
     """Follow a way in small steps, the trunk rising and falling with them."""
-    pulse, k, stand = PULSE, who.m.k, who.standing_height
+    pulse, k, stand = PULSE, who.scale, who.standing_height
     who.root.set(t, 0, place)
     who.hips.set(
         t, 0.4, lambda now: (0, 0, stand - (0.022 + 0.014 * math.cos(2 * math.pi * (now - t) / pulse)) * k, 0, 0, 0)
@@ -107,8 +109,8 @@ def _go_round(who: Performer, place: Place, t: float, end: float, first: str) ->
 
 def _on_back(who: Performer, partner: Performer) -> TargetOf:
     """The leading right hand, on the partner's shoulder blade."""
-    k = partner.m.k
-    back = partner.m.chest_back + 0.014 * k - partner.bones.head["upper_chest"].y
+    k = partner.scale
+    back = partner.measures.chest_back + 0.014 * k - partner.bones.head["upper_chest"].y
 
     def target(t: float) -> Floats:
         palm = partner.point("upper_chest", (0.07 * k, back, -0.02 * k))
@@ -121,7 +123,7 @@ def _on_back(who: Performer, partner: Performer) -> TargetOf:
 
 def _on_shoulder(who: Performer, partner: Performer) -> TargetOf:
     """The following left hand, on the partner's right shoulder."""
-    k = partner.m.k
+    k = partner.scale
 
     def target(t: float) -> Floats:
         palm = partner.point("upper_arm.R", (-0.01 * k, 0.02 * k, 0.06 * k))
@@ -139,22 +141,22 @@ def _clasped(lead: Performer, follow: Performer, who: Performer) -> TargetOf:
         between = (lead.point("upper_arm.L") + follow.point("upper_arm.R")) / 2
         out = lead.facing @ Vector((1, 0, 0))
         toward = who.facing @ Vector((0, -1, 0))
-        palm = between + out * (0.62 * min(lead.m.arm, follow.m.arm)) - toward * (0.014 * who.m.k)
-        palm.z -= 0.04 * who.m.k
+        palm = between + out * (0.62 * min(lead.measures.arm, follow.measures.arm)) - toward * (0.014 * who.scale)
+        palm.z -= 0.04 * who.scale
         elbow = who.facing @ Vector((sign(side) * 0.4, 0.4, -0.9))
         return hand(palm, out * 0.5 + Vector((0, 0, 0.8)), toward, elbow, (34, 40, 10))
 
     return target
 
 
-def _alone(who: Performer, beat: Beat) -> float:
+def _alone(who: Performer, cue: StagedCue) -> float:
     """Step from side to side in rhythm, arms swinging."""
-    t, k = beat.start, who.m.k
-    end = t + max(2.0, beat.duration or 4.0)
+    t, k = cue.start, who.scale
+    end = t + max(2.0, cue.duration or 4.0)
     x, y = who.position
     right = Vector((math.cos(who.yaw), math.sin(who.yaw)))
     way, pulse = 1, 0.52
-    mood(who, t, "happy")
+    show_mood(who, t, "happy")
     for side in SIDES:
         who.hands[side].set(t, 0.5, _swing(who, side, t, pulse))
     while t < end - 2 * pulse:
@@ -178,7 +180,7 @@ def _swing(who: Performer, side: str, start: float, pulse: float) -> Channel:
     low = by_chest(who, side, (0.10, 0.45, -0.42), (-0.4, 0.8, 0.3), (-0.9, 0, -0.4), curl=(40, 48, 10))
     high = by_chest(who, side, (0.30, 0.50, -0.05), (-0.3, 0.6, 0.7), (-0.9, 0.2, -0.2), curl=(30, 36, 10))
     channel = Channel(low, blend_hands)
-    for beat in range(int(60 / pulse)):
-        up = (beat % 2 == 0) == (side == "L")
-        channel.set(start + beat * pulse, pulse, high if up else low)
+    for index in range(int(60 / pulse)):
+        up = (index % 2 == 0) == (side == "L")
+        channel.set(start + index * pulse, pulse, high if up else low)
     return channel

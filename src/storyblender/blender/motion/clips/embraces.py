@@ -9,21 +9,21 @@ import numpy as np
 from mathutils import Vector
 
 from storyblender.blender.motion.channel import Floats, TargetOf, clamp
-from storyblender.blender.motion.clips.gaze import look_at, mood, show
-from storyblender.blender.motion.clips.locomotion import shuffle
-from storyblender.blender.motion.clips.pairs import keep, meet, partner_of
+from storyblender.blender.motion.clips.gaze import look_at, show_expression, show_mood
+from storyblender.blender.motion.clips.locomotion import shuffle_to
+from storyblender.blender.motion.clips.pairs import meet, partner_of, reserve_hands
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.hands import by_chest, hand
+from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import SIDES, sign
-from storyblender.blender.motion.stage import Beat, Stage
 
 CLOSING = 0.9
 """Seconds in which arms open and close."""
 HOLDING = 1.2
 """Seconds of an embrace whose length nobody has chosen."""
 LIPS = Vector((0, -0.028, -0.065))
-"""From the middle of the eyes, times k."""
+"""From the middle of the eyes, times the scale."""
 APART = 0.004
 """Metres between lips that touch."""
 TILT = 18.0
@@ -31,7 +31,7 @@ TILT = 18.0
 IN_THE_WAY = 0.25
 """Metres; a hand that holds something longer is not laid around anybody."""
 DEEPEST = 0.10
-"""Metres, times k, that the taller one gives way in the knees for a kiss."""
+"""Metres, times the scale, that the taller one gives way in the knees for a kiss."""
 
 
 @dataclass(frozen=True)
@@ -45,22 +45,22 @@ class Embrace:
 
 
 @clip("hug", "body", "hands", "head")
-def hug(stage: Stage, who: Performer, beat: Beat) -> float:
+def hug(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Embrace; step back to the mark afterwards, if there is one."""
-    partner = partner_of(beat)
-    return beat.start if partner is None else embrace(stage, who, partner, beat).end
+    partner = partner_of(cue)
+    return cue.start if partner is None else embrace(stage, who, partner, cue).end
 
 
 @clip("kiss", "body", "hands", "head")
-def kiss(stage: Stage, who: Performer, beat: Beat) -> float:
+def kiss(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Embrace and kiss: heads tilt, and trunks and knees bring the lips together."""
-    partner = partner_of(beat)
+    partner = partner_of(cue)
     if partner is None:
-        return beat.start
-    held = embrace(stage, who, partner, beat)
-    down = 60 * clamp(who.m.eye_height - partner.m.eye_height, -0.2, 0.2)
+        return cue.start
+    held = embrace(stage, who, partner, cue)
+    down = 60 * clamp(who.measures.eye_height - partner.measures.eye_height, -0.2, 0.2)
     for one, pitch in ((who, down), (partner, -down)):
-        one.nod.cut(held.start)
+        one.nod.remove_from(held.start)
         one.nod.set(held.start + 0.3, CLOSING, (pitch, TILT, 0))
         one.nod.set(held.apart - 0.2, 0.6, (0, 0, 0))
     if who.posture == partner.posture == "stand":
@@ -68,29 +68,29 @@ def kiss(stage: Stage, who: Performer, beat: Beat) -> float:
     return held.end
 
 
-def embrace(stage: Stage, who: Performer, partner: Performer, beat: Beat) -> Embrace:
+def embrace(stage: MotionStage, who: Performer, partner: Performer, cue: StagedCue) -> Embrace:
     """Go to each other and embrace: the taller goes over the shoulders and bends, the shorter around the ribs."""
-    distance = who.m.front + partner.m.front + 0.035 * (who.m.k + partner.m.k) / 2
-    t = meet(stage, who, partner, beat, distance, 0.03)
+    distance = who.measures.front + partner.measures.front + 0.035 * (who.scale + partner.scale) / 2
+    t = meet(stage, who, partner, cue, distance, 0.03)
     closed = t + 1.2 * CLOSING
-    apart = max(closed + HOLDING, beat.start + (beat.duration or 0.0))
-    keep(partner, ("L", "R"), t, apart + 1.0)
+    apart = max(closed + HOLDING, cue.start + (cue.duration or 0.0))
+    reserve_hands(partner, ("L", "R"), t, apart + 1.0)
     partner.free["body"] = max(partner.free["body"], apart + 1.0)
-    taller = who if who.m.shoulder_height >= partner.m.shoulder_height else partner
-    difference = abs(who.m.shoulder_height - partner.m.shoulder_height)
+    taller = who if who.measures.shoulder_height >= partner.measures.shoulder_height else partner
+    difference = abs(who.measures.shoulder_height - partner.measures.shoulder_height)
     for one, two in ((who, partner), (partner, who)):
         _close_arms(stage, one, two, one is taller, difference, t, apart)
-        look_at(one, apart + 0.2, stage.point_of(two))
+        look_at(one, apart + 0.2, stage.look_point(two))
     end = apart + 1.0
-    if beat.mark is not None and who.posture == "stand":
-        end = shuffle(who, apart + 0.5, Vector(beat.mark.location).xy)
+    if cue.mark is not None and who.posture == "stand":
+        end = shuffle_to(who, apart + 0.5, Vector(cue.mark.location).xy)
     return Embrace(t, closed, apart, end)
 
 
 def _close_arms(
-    stage: Stage, who: Performer, other: Performer, over: bool, difference: float, t: float, apart: float
+    stage: MotionStage, who: Performer, other: Performer, over: bool, difference: float, t: float, apart: float
 ) -> None:
-    k = who.m.k
+    k = who.scale
     bend = 24 * clamp(difference / 0.5) if over else 0.0
     who.accent.set(t, CLOSING, (3 + bend, -5, 0))
     who.accent.set(apart, 0.7, (0, 0, 0))
@@ -101,9 +101,9 @@ def _close_arms(
         low = height - (0.01 + 0.05 * bend / 24) * k
         who.hips.set(t, CLOSING, (-0.025 * k, 0.03 * k * (1 + bend / 12), low, 0.5 * bend, 0, 0))
         who.hips.set(apart, 0.7, (0, 0, height, 0, 0, 0))
-    mood(who, t, "tender")
-    show(who, t + CLOSING, 0.3, smile=0.5, blink=0.9, brow_up=0.1)
-    mood(who, apart, "tender")
+    show_mood(who, t, "tender")
+    show_expression(who, t + CLOSING, 0.3, smile=0.5, blink=0.9, brow_up=0.1)
+    show_mood(who, apart, "tender")
     who.gaze.set(t, 0.4, who.ahead)
     for side in SIDES:
         held = stage.props.get(who.held.get(side, ""))
@@ -114,7 +114,7 @@ def _close_arms(
         who.hands[side].set(t + 0.5 * CLOSING, 0.7 * CLOSING, closed)
         who.hands[side].set(apart, 0.35, opened)
         who.hands[side].set(apart + 0.3, 0.7, who.home[side])
-        stage.late.append((who, side, t, apart + 0.2))
+        stage.following_hands.append((who, side, t, apart + 0.2))
 
 
 def _open_arms(who: Performer, side: str, over: bool) -> TargetOf:
@@ -126,9 +126,9 @@ def _open_arms(who: Performer, side: str, over: bool) -> TargetOf:
 
 def _around(who: Performer, other: Performer, side: str, over: bool) -> TargetOf:
     """Palm on the other's back: around the ribs a little across the spine, over the shoulders not so far."""
-    s, k = sign(side), other.m.k
+    s, k = sign(side), other.scale
     height = ((0.10 if side == "R" else -0.02) if over else (-0.10 if side == "R" else -0.02)) * k
-    back = other.m.chest_back + 0.014 * k - other.bones.head["upper_chest"].y
+    back = other.measures.chest_back + 0.014 * k - other.bones.head["upper_chest"].y
     offset = Vector(((-0.02 if over else 0.06) * k * s, back, height + 0.05 * k))
 
     def target(t: float) -> Floats:
@@ -143,7 +143,7 @@ def _around(who: Performer, other: Performer, side: str, over: bool) -> TargetOf
 def _lips(who: Performer) -> Vector:
     """Where the lips are at the moment being posed, world."""
     eyes = (who.bones.head["eye.L"] + who.bones.head["eye.R"]) / 2 - who.bones.head["head"]
-    return who.point("head", eyes + LIPS * who.m.k)
+    return who.point("head", eyes + LIPS * who.scale)
 
 
 def _bring_lips_together(who: Performer, partner: Performer, held: Embrace) -> None:
@@ -161,18 +161,18 @@ def _bring_lips_together(who: Performer, partner: Performer, held: Embrace) -> N
             one.pose_head(at)
         gap = _lips(partner) - _lips(who)
         for one, way in ((who, 1.0), (partner, -1.0)):
-            left, ahead, up = (one.facing_back @ gap) * Vector((way, -way, way))
+            left, ahead, up = (one.facing_inverse @ gap) * Vector((way, -way, way))
             bend, aside, low = moves[one.asset_id]
-            bend += math.degrees(0.4 * (ahead - APART) / (one.m.eye_height - one.m.hip_height))
+            bend += math.degrees(0.4 * (ahead - APART) / (one.measures.eye_height - one.measures.hip_height))
             moves[one.asset_id][:] = (
                 clamp(bend, -14, 20),
                 aside + 0.4 * left,
-                clamp(low - 0.8 * up, 0, DEEPEST * one.m.k),
+                clamp(low - 0.8 * up, 0, DEEPEST * one.scale),
             )
 
 
 def _follow(who: Performer, move: Floats, start: float) -> None:
     """Let trunk and hips do from ``start`` on what ``move`` says: degrees bent, metres to the left, metres down."""
-    height = who.standing_height - 0.01 * who.m.k
+    height = who.standing_height - 0.01 * who.scale
     who.accent.set(start, 0.7, lambda now: (move[0], 0, 0))
     who.hips.set(start, 0.7, lambda now: (move[1], 0, height - move[2], 0, 0, 0))

@@ -8,36 +8,36 @@ import numpy as np
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Floats, TargetOf
-from storyblender.blender.motion.clips.gaze import look_at, mood, show
+from storyblender.blender.motion.clips.gaze import look_at, show_expression, show_mood
 from storyblender.blender.motion.clips.locomotion import step_to, travel
 from storyblender.blender.motion.clips.registry import clip
-from storyblender.blender.motion.clips.seat import go_to_seat, refill_hands, seat_meant, settle, stand_up
-from storyblender.blender.motion.hands import beside_body, by_chest, hand, on_knee, upright
+from storyblender.blender.motion.clips.seat import go_to_seat, lower_onto_seat, return_hands, seat_of_cue, stand_up
+from storyblender.blender.motion.hands import beside_body, by_chest, hand, on_knee
+from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.puppets import standing
 from storyblender.blender.motion.skeleton import SIDES, other, sign
-from storyblender.blender.motion.stage import Beat, Stage
+from storyblender.blender.motion.staged_props import upright_matrix
 from storyblender.geometry.boxes import shortest_turn
 
 
-def to_mark(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Go to the beat's mark if it has one; before the shot starts, stand there already."""
-    if beat.mark is None:
-        return beat.start
-    x, y, _ = beat.mark.location
-    yaw = math.radians(beat.mark.yaw)
-    if beat.start < 0:
-        who.put(x, y, yaw, beat.mark.location[2])
-        return beat.start
-    return travel(stage, who, beat, (x, y), yaw)
+def go_to_mark(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
+    """Go to the cue's mark if it has one; before the shot starts, stand there already."""
+    if cue.mark is None:
+        return cue.start
+    x, y, _ = cue.mark.location
+    yaw = math.radians(cue.mark.yaw)
+    if cue.start < 0:
+        who.place_at_start(x, y, yaw, cue.mark.location[2])
+        return cue.start
+    return travel(stage, who, cue, (x, y), yaw)
 
 
 @clip("kneel", "body", "hands")
-def kneel(stage: Stage, who: Performer, beat: Beat) -> float:
+def kneel(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """One knee on the floor, the other foot flat in front."""
-    t = to_mark(stage, who, beat)
-    m, k = who.m, who.m.k
-    knee, front = beat.side, other(beat.side)
+    t = go_to_mark(stage, who, cue)
+    m, k = who.measures, who.scale
+    knee, front = cue.side, other(cue.side)
     whole, radius, ankle = 1.0 * math.sqrt(k), 0.075 * k, 0.125 * k
     forward, right = who.forward, Vector((math.cos(who.yaw), math.sin(who.yaw)))
     spot = who.position + forward * (0.62 * m.shin + 0.06 * k)
@@ -52,80 +52,82 @@ def kneel(stage: Stage, who: Performer, beat: Beat) -> float:
     who.spine.set(t, 0.6 * whole, (16, 0, 0))
     who.spine.set(t + 0.6 * whole, 0.4, (8, 0, 0))
     who.home[front] = on_knee(who, front)
-    refill_hands(stage, who, t + 0.3 * whole, 0.7 * whole)
+    return_hands(stage, who, t + 0.3 * whole, 0.7 * whole)
     who.posture = "kneel"
     return t + whole + 0.1
 
 
 @clip("crouch", "body", "hands")
-def crouch(stage: Stage, who: Performer, beat: Beat) -> float:
+def crouch(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Squat with knees apart, arms on them."""
-    t = to_mark(stage, who, beat)
-    m, k = who.m, who.m.k
+    t = go_to_mark(stage, who, cue)
+    m, k = who.measures, who.scale
     whole = 0.8 * math.sqrt(k)
     for index, side in enumerate(SIDES):
-        behind = 0.16 * k if side == beat.side else -0.04 * k
+        behind = 0.16 * k if side == cue.side else -0.04 * k
         pose = who.plant_at(side, who.position, who.yaw, width=1.35, splay=18, back=behind)
-        if side == beat.side:
-            pose[:3], pose[4], pose[5] = who.rolled(side, pose, pose[3], -38), -38, 38
+        if side == cue.side:
+            pose[:3], pose[4], pose[5] = who.rolled_ankle(side, pose, pose[3], -38), -38, 38
         step_to(who, side, t + 0.15 * index * whole, 0.5 * whole, pose, 0.03 * k)
-        who.home[side] = upright(who, side, (-0.05, 0.75, -0.62), (-0.5, 0.8, -0.3), (-0.3, 0, -1), curl=(22, 30, 0))
+        who.home[side] = by_chest(
+            who, side, (-0.05, 0.75, -0.62), (-0.5, 0.8, -0.3), (-0.3, 0, -1), curl=(22, 30, 0), upright=True
+        )
     who.hips.set(t, whole, (0, 0.10 * k, 0.52 * m.leg + m.ankle, 14, 0, 0))
     who.pinned.set(t + 0.6 * whole, 0.3 * whole, 1.0)
     who.spine.set(t, whole, (22, 0, 0))
     who.lean_after.set(t, 0, 0.0)
-    refill_hands(stage, who, t + 0.2 * whole, 0.8 * whole)
+    return_hands(stage, who, t + 0.2 * whole, 0.8 * whole)
     who.posture = "crouch"
     return t + whole + 0.1
 
 
 @clip("hide", "body", "hands")
-def hide(stage: Stage, who: Performer, beat: Beat) -> float:
+def hide(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Go to cover and crouch there, afraid."""
-    mood(who, beat.start, "afraid")
-    return crouch(stage, who, beat)
+    show_mood(who, cue.start, "afraid")
+    return crouch(stage, who, cue)
 
 
 @clip("lie_down", "body", "hands")
-def lie_down(stage: Stage, who: Performer, beat: Beat) -> float:
+def lie_down(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Lie down on the bed of the mark by way of sitting on its edge, or on the floor."""
-    support = (beat.mark.support_id if beat.mark else None) or getattr(beat.target, "asset_id", None)
-    furniture = stage.furniture(support)
-    bed = stage.anchor(furniture, ("bed",), beat.mark) if furniture is not None else None
+    support = (cue.mark.support_id if cue.mark else None) or getattr(cue.target, "asset_id", None)
+    furniture = stage.find_furniture(support)
+    bed = stage.find_anchor(furniture, ("bed",), cue.mark) if furniture is not None else None
     if furniture is None or bed is None:
-        return _lie_on_floor(stage, who, beat)
+        return _lie_on_floor(stage, who, cue)
     world = Matrix(furniture.world.tolist())
     feet = (world.to_3x3() @ Vector(bed.direction)).xy.normalized()
     middle = world @ Vector(bed.location)
-    seat = seat_meant(stage, who, beat)
-    t = beat.start
+    seat = seat_of_cue(stage, who, cue)
+    t = cue.start
     if seat is not None and who.posture != "sit":
-        reached = go_to_seat(stage, who, beat, seat)
+        reached = go_to_seat(stage, who, cue, seat)
         if reached is None:
             return t
-        t = settle(stage, who, seat, reached)
+        t = lower_onto_seat(stage, who, seat, reached)
     head = middle.xy - feet * (bed.size[1] / 2 - 0.10)
     who.support = support or ""
     who.bedside = seat
     return recline(stage, who, t, head, feet, middle.z)
 
 
-def _lie_on_floor(stage: Stage, who: Performer, beat: Beat) -> float:
+def _lie_on_floor(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Sit down on the ground and lie back, head where the mark's back is."""
-    t = to_mark(stage, who, beat)
+    t = go_to_mark(stage, who, cue)
     if t < 0:
         t = min(t, -8.0)
     toward = who.forward
     if who.posture == "stand":
-        crouch(stage, who, Beat(t, side=beat.side, frame=beat.frame, seed=beat.seed))
+        crouch(stage, who, StagedCue(t, side=cue.side, frame=cue.frame, seed=cue.seed))
         t += 0.8
-    tall = who.m.eye_height - who.m.hip_height + 0.20 * who.m.k
+    tall = who.measures.eye_height - who.measures.hip_height + 0.20 * who.scale
     who.support = ""
     return recline(stage, who, t, who.position - toward * tall, toward, 0.0)
 
 
 def recline(
-    stage: Stage, who: Performer, t: float, head: Vector, feet: Vector, height: float, rise: float = 8
+    stage: MotionStage, who: Performer, t: float, head: Vector, feet: Vector, height: float, rise: float = 8
 ) -> float:
     """Swing the legs up and lower the back; return the end.
 
@@ -138,7 +140,7 @@ def recline(
         height: Of the surface.
         rise: Degrees the back stays raised (pillow).
     """
-    m, k = who.m, who.m.k
+    m, k = who.measures, who.scale
     whole = 2.2
     yaw = math.atan2(feet.x, -feet.y)
     turn = shortest_turn(who.yaw, yaw)
@@ -178,16 +180,16 @@ def recline(
         who.home[side] = beside_body(who, side, height)
         if side not in who.held:
             who.hands[side].set(t + 0.05, 0.5, _propping(who, side, height))
-    refill_hands(stage, who, t + 0.62 * whole, 0.4 * whole)
+    return_hands(stage, who, t + 0.62 * whole, 0.4 * whole)
     who.position, who.yaw, who.posture = hips, who.yaw + turn, "lie"
     return t + whole + 0.1
 
 
 def _propping(who: Performer, side: str, height: float) -> TargetOf:
-    s, k = sign(side), who.m.k
+    s, k = sign(side), who.scale
 
     def target(t: float) -> Floats:
-        spot = who.to_world(Vector((s * 0.26 * k, 0.22 * k + who.m.hip_y, 0)))
+        spot = who.to_world(Vector((s * 0.26 * k, 0.22 * k + who.measures.hip_y, 0)))
         spot.z = height + 0.03
         turn = who.facing
         return hand(
@@ -198,43 +200,43 @@ def _propping(who: Performer, side: str, height: float) -> TargetOf:
 
 
 @clip("sleep", "body", "hands", "head")
-def sleep(stage: Stage, who: Performer, beat: Beat) -> float:
+def sleep(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Close the eyes; the head sinks. Lies down first if there is a bed."""
-    t = beat.start
-    if who.posture in ("stand", "lean") and (beat.mark is not None or beat.target is not None):
-        t = lie_down(stage, who, beat)
+    t = cue.start
+    if who.posture in ("stand", "lean") and (cue.mark is not None or cue.target is not None):
+        t = lie_down(stage, who, cue)
     who.look_freely(t)
-    show(who, t + 0.1, 0.7, blink=1)
+    show_expression(who, t + 0.1, 0.7, blink=1)
     who.nod.set(t + 0.1, 0.9, (26 if who.posture == "sit" else 8, 8, 14))
     who.life.set(t, 0.5, 0.3)
     return t + 1.0
 
 
 @clip("wake", "head")
-def wake(stage: Stage, who: Performer, beat: Beat) -> float:
+def wake(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Open the eyes, raise the head."""
-    t = beat.start
-    mood(who, t, "tired", 0.35)
+    t = cue.start
+    show_mood(who, t, "tired", 0.35)
     who.nod.set(t + 0.1, 0.5, (-6, 0, 0))
-    show(who, t + 0.7, 0.5)
+    show_expression(who, t + 0.7, 0.5)
     who.nod.set(t + 0.7, 0.5, (0, 0, 0))
     return t + 1.2
 
 
 @clip("get_up", "body", "hands")
-def get_up(stage: Stage, who: Performer, beat: Beat) -> float:
+def get_up(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Get up from bed or floor."""
-    return stand_up(stage, who, beat.start)
+    return stand_up(stage, who, cue.start)
 
 
 @clip("fall", "body", "hands", "head")
-def fall(stage: Stage, who: Performer, beat: Beat) -> float:
+def fall(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Collapse: the knees give way, the body goes back, the head last."""
-    t, m, k = beat.start, who.m, who.m.k
+    t, m, k = cue.start, who.measures, who.scale
     if t < 0:
-        return _lie_on_floor(stage, who, beat)
+        return _lie_on_floor(stage, who, cue)
     x, y = who.position
-    mood(who, t, "afraid", 0.2)
+    show_mood(who, t, "afraid", 0.2)
     who.look_freely(t)
     who.accent.set(t, 0.3, (-8, 6, 10))
     who.hips.set(t, 0.4, (0.05 * k, 0.10 * k, 0.62 * m.hip_height, -4, 4, 0))
@@ -250,7 +252,7 @@ def fall(stage: Stage, who: Performer, beat: Beat) -> float:
     who.nod.set(t + 1.0, 0.3, (-4, 6, 24))
     for prop in [stage.props[held] for held in who.held.values() if held in stage.props]:
         landing = who.position + who.forward * 0.5
-        prop.stand(t + 0.7, standing(Vector((*landing, 0)), who.yaw))
+        prop.stand(t + 0.7, upright_matrix(Vector((*landing, 0)), who.yaw))
     who.held = {}
     for side in SIDES:
         pose = who.plant(side, x, y, who.yaw, width=1.5, splay=20, back=-0.16 * k if side == "L" else 0.02 * k)
@@ -267,18 +269,18 @@ def fall(stage: Stage, who: Performer, beat: Beat) -> float:
         who.home[side] = beside_body(who, side, 0.0)
         who.hands[side].set(t + 0.05, 0.45, flung)
         who.hands[side].set(t + 0.7, 0.5, _flung_out(who, side))
-    show(who, t + 1.0, 0.4, mouth_open=0.25, blink=1)
+    show_expression(who, t + 1.0, 0.4, mouth_open=0.25, blink=1)
     who.posture, who.support = "lie", ""
     return t + 1.4
 
 
 def _flung_out(who: Performer, side: str) -> TargetOf:
-    s, k = sign(side), who.m.k
+    s, k = sign(side), who.scale
 
     def target(t: float) -> Floats:
         shoulder = who.point(f"upper_arm.{side}")
         out = who.facing @ Vector((s * 0.9, 0.25 if side == "R" else -0.35, 0))
-        palm = shoulder + out * (0.92 * who.m.arm)
+        palm = shoulder + out * (0.92 * who.measures.arm)
         palm.z = 0.04 * k
         return hand(palm, out, Vector((0, 0, 1 if side == "R" else -1)), who.facing @ Vector((0, 1, 0.3)), (28, 34, 5))
 

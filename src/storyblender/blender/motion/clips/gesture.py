@@ -5,31 +5,31 @@ from __future__ import annotations
 from mathutils import Vector
 
 from storyblender.blender.motion.channel import Floats
-from storyblender.blender.motion.clips.gaze import look_at, look_at_subject, mood, show
-from storyblender.blender.motion.clips.handling import let_go, prop_of
+from storyblender.blender.motion.clips.gaze import look_at, look_at_subject, show_expression, show_mood
+from storyblender.blender.motion.clips.handling import prop_of, release_prop
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.hands import by_chest, by_head, hand
+from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.puppets import PropPuppet
 from storyblender.blender.motion.skeleton import SIDES, UP, other, sign
-from storyblender.blender.motion.stage import Beat, Stage
+from storyblender.blender.motion.staged_props import StagedProp
 
 RING = 0.06
 """Metres: what is smaller is put on a finger."""
 
 
 @clip("point", "hand", "head")
-def point(stage: Stage, who: Performer, beat: Beat) -> float:
+def point(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Stretch the arm and the forefinger towards the target."""
-    t, side = beat.start, beat.side
-    stay = max(0.8, (beat.duration or 2.0) - 1.2)
-    goal = stage.point_of(beat.target) if beat.target is not None else who.ahead
-    look_at_subject(stage, who, t, beat)
+    t, side = cue.start, cue.side
+    stay = max(0.8, (cue.duration or 2.0) - 1.2)
+    goal = stage.look_point(cue.target) if cue.target is not None else who.ahead
+    look_at_subject(stage, who, t, cue)
 
     def target(now: float) -> Floats:
         shoulder = who.point(f"upper_arm.{side}")
         along = (Vector(goal(now)) - shoulder).normalized()
-        palm = shoulder + along * (1.12 * who.m.arm)
+        palm = shoulder + along * (1.12 * who.measures.arm)
         inward = who.facing @ Vector((-sign(side), 0, -0.5))
         return hand(palm, along, inward, who.facing @ Vector((sign(side) * 0.5, 0.2, -0.9)), (2, 84, 28))
 
@@ -43,11 +43,11 @@ def point(stage: Stage, who: Performer, beat: Beat) -> float:
 
 
 @clip("wave", "hand", "head")
-def wave(stage: Stage, who: Performer, beat: Beat) -> float:
+def wave(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Wave beside the head."""
-    t, side = beat.start, beat.side
-    look_at_subject(stage, who, t, beat)
-    mood(who, t, "happy" if beat.mood == "neutral" else beat.mood)
+    t, side = cue.start, cue.side
+    look_at_subject(stage, who, t, cue)
+    show_mood(who, t, "happy" if cue.mood == "neutral" else cue.mood)
     raised = [
         by_chest(
             who, side, (0.45 + out, 0.30, 0.50), (lean, 0.15, 1), (-0.1, 1, 0), pole=(0.8, -0.1, -0.8), curl=(3, 4, 0)
@@ -65,11 +65,11 @@ def wave(stage: Stage, who: Performer, beat: Beat) -> float:
 
 
 @clip("shrug", "hands", "head")
-def shrug(stage: Stage, who: Performer, beat: Beat) -> float:
+def shrug(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Raise shoulders and palms."""
-    t = beat.start
-    if beat.target is not None:
-        look_at_subject(stage, who, t, beat)
+    t = cue.start
+    if cue.target is not None:
+        look_at_subject(stage, who, t, cue)
     for side in SIDES:
         if side not in who.held:
             shown = by_chest(
@@ -84,17 +84,17 @@ def shrug(stage: Stage, who: Performer, beat: Beat) -> float:
             who.hands[side].set(t, 0.4, shown)
             who.hands[side].set(t + 0.95, 0.6, who.home[side])
     who.nod.set(t, 0.35, (-4, 10, 0))
-    show(who, t, 0.3, brow_up=0.9)
+    show_expression(who, t, 0.3, brow_up=0.9)
     who.nod.set(t + 0.95, 0.5, (0, 0, 0))
-    mood(who, t + 1.0, "neutral")
+    show_mood(who, t + 1.0, "neutral")
     return t + 1.55
 
 
 @clip("salute", "hand", "head")
-def salute(stage: Stage, who: Performer, beat: Beat) -> float:
+def salute(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Stand straight, hand to the temple."""
-    t, side = beat.start, beat.side
-    look_at_subject(stage, who, t, beat)
+    t, side = cue.start, cue.side
+    look_at_subject(stage, who, t, cue)
     temple = by_head(
         who,
         side,
@@ -106,18 +106,18 @@ def salute(stage: Stage, who: Performer, beat: Beat) -> float:
     )
     who.hands[side].set(t, 0.4, temple)
     who.accent.set(t, 0.4, (-3, 0, 0))
-    stay = max(0.9, (beat.duration or 1.9) - 1.0)
+    stay = max(0.9, (cue.duration or 1.9) - 1.0)
     who.hands[side].set(t + 0.4 + stay, 0.5, who.home[side])
     who.accent.set(t + 0.4 + stay, 0.5, (0, 0, 0))
     return t + 0.9 + stay
 
 
 @clip("clap", "hands", "head")
-def clap(stage: Stage, who: Performer, beat: Beat) -> float:
+def clap(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Applaud."""
-    t, end = beat.start, beat.start + (beat.duration or 2.2)
-    look_at_subject(stage, who, t, beat)
-    mood(who, t, "happy")
+    t, end = cue.start, cue.start + (cue.duration or 2.2)
+    look_at_subject(stage, who, t, cue)
+    show_mood(who, t, "happy")
     for side in SIDES:
         far = by_chest(who, side, (-0.16, 0.62, -0.30), (-0.3, 0.85, 0.5), (-1, 0.1, 0), curl=(4, 6, 0))
         near = by_chest(who, side, (-0.315, 0.64, -0.28), (-0.3, 0.85, 0.5), (-1, 0.1, 0), curl=(4, 6, 0))
@@ -132,25 +132,25 @@ def clap(stage: Stage, who: Performer, beat: Beat) -> float:
 
 
 @clip("pray", "hands", "head")
-def pray(stage: Stage, who: Performer, beat: Beat) -> float:
+def pray(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Palms together before the chest, head bowed."""
-    t, end = beat.start, beat.start + (beat.duration or 3.0)
+    t, end = cue.start, cue.start + (cue.duration or 3.0)
     for side in SIDES:
         folded = by_chest(who, side, (-0.335, 0.50, -0.15), (-0.05, 0.55, 0.85), (-1, 0, 0), curl=(2, 3, 0))
         who.hands[side].set(t, 0.7, folded)
         who.hands[side].set(end - 0.5, 0.7, who.home[side])
     who.look_freely(t)
     who.nod.set(t + 0.1, 0.7, (24, 0, 0))
-    show(who, t, 0.4, blink=1, brow_up=0.2)
+    show_expression(who, t, 0.4, blink=1, brow_up=0.2)
     who.nod.set(end - 0.5, 0.6, (0, 0, 0))
-    mood(who, end - 0.4, "neutral")
+    show_mood(who, end - 0.4, "neutral")
     return end
 
 
 @clip("bow", "body", "head")
-def bow(stage: Stage, who: Performer, beat: Beat) -> float:
+def bow(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Bow from the hips."""
-    t, k = beat.start, who.m.k
+    t, k = cue.start, who.scale
     who.look_freely(t)
     who.hips.set(t, 0.7, (0, 0.07 * k, who.standing_height - 0.01 * k, 22, 0, 0))
     who.spine.set(t, 0.7, (26, 0, 0))
@@ -162,11 +162,11 @@ def bow(stage: Stage, who: Performer, beat: Beat) -> float:
 
 
 @clip("dress", "hands")
-def dress(stage: Stage, who: Performer, beat: Beat) -> float:
+def dress(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Pull a garment up over the shoulders or off them, and smooth it down; put a ring on a finger."""
-    t, prop = beat.start, prop_of(beat)
+    t, prop = cue.start, prop_of(cue)
     if prop is not None and prop.holder is who and max(prop.size) < RING:
-        return _put_on_finger(stage, who, beat, prop)
+        return _put_on_finger(stage, who, cue, prop)
     for side in SIDES:
         low = by_chest(who, side, (0.05, 0.28, -0.55), (-0.6, 0.6, 0.2), (-0.5, -1, 0), curl=(60, 66, 20))
         high = by_chest(who, side, (0.02, 0.22, 0.05), (-0.3, -0.2, 0.9), (-0.2, -1, -0.3), curl=(60, 66, 20))
@@ -179,9 +179,9 @@ def dress(stage: Stage, who: Performer, beat: Beat) -> float:
     return t + 2.4
 
 
-def _put_on_finger(stage: Stage, who: Performer, beat: Beat, ring: PropPuppet) -> float:
+def _put_on_finger(stage: MotionStage, who: Performer, cue: StagedCue, ring: StagedProp) -> float:
     """Push a ring on a finger of the hand that does not hold it, before the chest; it stays there."""
-    t, side = beat.start, next((s for s, held in who.held.items() if held == ring.asset_id), beat.side)
+    t, side = cue.start, next((s for s, held in who.held.items() if held == ring.asset_id), cue.side)
     far = other(side)
     offered = by_chest(who, far, (-0.16, 0.50, -0.40), (-0.9, 0.35, 0.15), (0, -0.5, -0.8), curl=(4, 8, 0))
     who.hands[far].set(t, 0.6, offered)
@@ -189,8 +189,8 @@ def _put_on_finger(stage: Stage, who: Performer, beat: Beat, ring: PropPuppet) -
         pushing = by_chest(who, side, (inward, 0.52, -0.40), (-0.95, 0.2, 0.05), (-0.1, -0.6, -0.8), curl=(48, 56, 24))
         who.hands[side].set(t + start, 0.6, pushing)
     ring.hold(t + 1.4, who, far, ring.grip(far), 0.2)
-    let_go(stage, ring)
-    look_at(who, t, stage.point_of(ring))
+    release_prop(stage, ring)
+    look_at(who, t, stage.look_point(ring))
     for each in SIDES:
         who.hands[each].set(t + 1.8, 0.6, who.home[each])
     look_at(who, t + 1.9, who.ahead)
@@ -198,9 +198,9 @@ def _put_on_finger(stage: Stage, who: Performer, beat: Beat, ring: PropPuppet) -
 
 
 @clip("kick", "body")
-def kick(stage: Stage, who: Performer, beat: Beat) -> float:
+def kick(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Swing one foot against what is in front."""
-    t, k, foot = beat.start, who.m.k, beat.side
+    t, k, foot = cue.start, who.scale, cue.side
     behind = who.plant_at(foot, (who.position - who.forward * 0.28 * k), who.yaw)
     behind[2], behind[4] = behind[2] + 0.14 * k, -50
     struck = who.plant_at(foot, (who.position + who.forward * 0.52 * k), who.yaw)

@@ -10,13 +10,20 @@ from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Channel, Floats, TargetOf, clamp
 from storyblender.blender.motion.clips.gaze import look_at
-from storyblender.blender.motion.clips.locomotion import face, travel
+from storyblender.blender.motion.clips.locomotion import travel, turn_to
 from storyblender.blender.motion.clips.registry import clip
+from storyblender.blender.motion.motion_stage import PADDING, MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import StageFurniture
-from storyblender.blender.motion.puppets import SETTLE, Grip, PropPuppet, carried, gripping, standing
 from storyblender.blender.motion.skeleton import SIDES, other, sign
-from storyblender.blender.motion.stage import PADDING, Beat, Stage
+from storyblender.blender.motion.staged_props import (
+    SETTLE,
+    Grip,
+    StagedProp,
+    carrying_hand,
+    gripping_hand,
+    upright_matrix,
+)
 from storyblender.geometry.paths import clearance
 
 ARM_AND_LEAN = 1.45
@@ -28,62 +35,64 @@ LEAF, PALM = 0.03, 0.018
 KNEE = 0.35
 """Metres; what lies lower is squatted to deeply."""
 TURN_IN_HAND = 0.6
-"""Seconds in which a thing taken from behind turns to how it is carried, while it is lifted."""
+"""Seconds in which a thing taken from behind turns to how it is carrying_hand, while it is lifted."""
 
 
-def prop_of(beat: Beat) -> PropPuppet | None:
-    """Return the prop a beat handles."""
-    return beat.prop or (beat.target if isinstance(beat.target, PropPuppet) else None)
+def prop_of(cue: StagedCue) -> StagedProp | None:
+    """Return the prop a cue handles."""
+    return cue.prop or (cue.target if isinstance(cue.target, StagedProp) else None)
 
 
-def approach(stage: Stage, who: Performer, beat: Beat, place: Vector, reach: float) -> float:
+def approach(stage: MotionStage, who: Performer, cue: StagedCue, place: Vector, reach: float) -> float:
     """Walk to where a point can be reached and face it; return the end. Seated people stay."""
     toward = place.xy - who.position
     if who.posture in ("sit", "lie", "asleep", "kneel"):
-        return beat.start
+        return cue.start
     if toward.length > reach:
         spot = _standing_spot(stage, who, place, 0.8 * reach)
         if spot is None:
-            stage.report("unreachable", who, beat, f"{who.asset_id} finds no place to stand", toward.length - reach)
-            return beat.start
+            stage.report("unreachable", who, cue, f"{who.asset_id} finds no place to stand", toward.length - reach)
+            return cue.start
         yaw = math.atan2(place.x - spot.x, -(place.y - spot.y))
-        return travel(stage, who, beat, (spot.x, spot.y), yaw)
+        return travel(stage, who, cue, (spot.x, spot.y), yaw)
     aside = abs((math.atan2(toward.x, -toward.y) - who.yaw + math.pi) % (2 * math.pi) - math.pi)
     if toward.length > 0.2 and aside > math.radians(60):
-        return face(who, beat.start, math.atan2(toward.x, -toward.y))
-    return beat.start
+        return turn_to(who, cue.start, math.atan2(toward.x, -toward.y))
+    return cue.start
 
 
-def _standing_spot(stage: Stage, who: Performer, place: Vector, reach: float) -> Vector | None:
+def _standing_spot(stage: MotionStage, who: Performer, place: Vector, reach: float) -> Vector | None:
     """Return the free spot around a point that is nearest to the person."""
     around = [
         place.xy + Vector((math.sin(a), math.cos(a))) * r
         for r in (0.75 * reach, 0.9 * reach, 1.05 * reach, 1.2 * reach)
         for a in np.linspace(0, 2 * math.pi, 16, endpoint=False)
     ]
-    free = clearance(np.array(around), stage.footprints(who)) > who.m.radius + 0.5 * PADDING
+    free = clearance(np.array(around), stage.footprints(who)) > who.measures.radius + 0.5 * PADDING
     spots = [spot for spot, is_free in zip(around, free, strict=True) if is_free]
     spots.sort(key=lambda spot: (spot - who.position).length)
-    return next((s for s in spots if stage.path(who, (s.x, s.y)) is not None), None)
+    return next((s for s in spots if stage.path_to(who, (s.x, s.y)) is not None), None)
 
 
-def take_in_hand(stage: Stage, who: Performer, side: str, prop: PropPuppet, t: float, settle: float = SETTLE) -> None:
+def take_in_hand(
+    stage: MotionStage, who: Performer, side: str, prop: StagedProp, t: float, settle: float = SETTLE
+) -> None:
     """Let a prop follow a hand from ``t`` on; note who holds it and where the hand carries it."""
-    let_go(stage, prop)
+    release_prop(stage, prop)
     prop.hold(t, who, side, prop.grip(side), settle)
     for hand in SIDES if prop.two_handed else (side,):
         who.held[hand] = prop.asset_id
 
 
-def let_go(stage: Stage, prop: PropPuppet) -> None:
+def release_prop(stage: MotionStage, prop: StagedProp) -> None:
     """Nobody holds the prop any more."""
     for person in stage.people.values():
         person.held = {side: held for side, held in person.held.items() if held != prop.asset_id}
 
 
-def reach_down(who: Performer, t: float, duration: float, place: Vector) -> float:
+def bend_to_reach(who: Performer, t: float, duration: float, place: Vector) -> float:
     """Bend hips and spine so that a standing person reaches a low or a far place; return how far (0: not needed)."""
-    m, k = who.m, who.m.k
+    m, k = who.measures, who.scale
     if who.posture != "stand":
         return 0.0
     low = clamp((m.shoulder_height - place.z - 0.80 * m.arm) / (0.55 * k))
@@ -111,18 +120,18 @@ def _squat(who: Performer, height: float, low: float) -> tuple[float, float]:
     Tables are bent over, the floor is squatted to.
     """
     floor = clamp(1 - height / KNEE)
-    return (0.42 + 0.26 * floor) * who.m.hip_height * low * low, 47 + 28 * floor
+    return (0.42 + 0.26 * floor) * who.measures.hip_height * low * low, 47 + 28 * floor
 
 
 def _shoulders(who: Performer, sink: float, bend: float) -> tuple[float, float]:
     """Return how far ahead of the feet and how high the shoulders are when one bends by some degrees."""
-    trunk, angle = who.m.shoulder_height - who.m.hip_height, math.radians(bend)
-    return trunk * math.sin(angle) - 0.10 * who.m.k, who.m.hip_height - sink + trunk * math.cos(angle)
+    trunk, angle = who.measures.shoulder_height - who.measures.hip_height, math.radians(bend)
+    return trunk * math.sin(angle) - 0.10 * who.scale, who.measures.hip_height - sink + trunk * math.cos(angle)
 
 
-def near_grip(who: Performer, prop: PropPuppet, side: str) -> Grip:
+def near_grip(who: Performer, prop: StagedProp, side: str) -> Grip:
     """Return the grip by which a hand takes a thing that lies there: from the person's side, not from behind it."""
-    grip = from_above(prop, prop.grip(side))
+    grip = grip_from_above(prop, prop.grip(side))
     ahead = Vector((*(prop.matrix.translation.xy - who.position), 0.0))
     turned = prop.matrix.to_3x3() @ grip.fingers
     if turned.dot(ahead) >= 0:
@@ -130,7 +139,7 @@ def near_grip(who: Performer, prop: PropPuppet, side: str) -> Grip:
     return prop.grip(other(side)).opposite() if prop.two_handed else grip.opposite()
 
 
-def from_above(prop: PropPuppet, grip: Grip) -> Grip:
+def grip_from_above(prop: StagedProp, grip: Grip) -> Grip:
     """Return the grip on a thing that lies: no hand comes between a paper that is carried on the palm and the table."""
     if prop.size.z > LEAF or grip.normal.z < 0.7:
         return grip
@@ -139,86 +148,86 @@ def from_above(prop: PropPuppet, grip: Grip) -> Grip:
     return Grip(palm, Vector((grip.fingers.x, grip.fingers.y, -0.15)), Vector((0, 0, -1)), (22, 28, 14))
 
 
-def come_up(who: Performer, t: float, duration: float) -> None:
-    """Straighten after ``reach_down``."""
+def straighten_up(who: Performer, t: float, duration: float) -> None:
+    """Straighten after ``bend_to_reach``."""
     who.hips.set(t, duration, (0, 0, who.standing_height, 0, 0, 0))
     who.spine.set(t, duration, (0, 0, 0))
 
 
 @clip("hold", "hand")
-def hold(stage: Stage, who: Performer, beat: Beat) -> float:
+def hold(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Hold a prop; if it is within reach it is picked up first."""
-    prop = prop_of(beat)
+    prop = prop_of(cue)
     if prop is None:
-        return beat.start
+        return cue.start
     if prop.holder is who:
-        return beat.start + (beat.duration or 0.5)
-    if beat.start >= 0 and (prop.matrix.translation.xy - who.position).length < 1.2 * who.m.k:
-        return pick_up(stage, who, beat)
-    take_in_hand(stage, who, beat.side, prop, beat.start)
-    for side in SIDES if prop.two_handed else (beat.side,):
-        who.hands[side].set(beat.start, 0.4, carried(who, side, prop))
-    return beat.start + 0.4
+        return cue.start + (cue.duration or 0.5)
+    if cue.start >= 0 and (prop.matrix.translation.xy - who.position).length < 1.2 * who.scale:
+        return pick_up(stage, who, cue)
+    take_in_hand(stage, who, cue.side, prop, cue.start)
+    for side in SIDES if prop.two_handed else (cue.side,):
+        who.hands[side].set(cue.start, 0.4, carrying_hand(who, side, prop))
+    return cue.start + 0.4
 
 
 @clip("pick_up", "body", "hand", "head")
-def pick_up(stage: Stage, who: Performer, beat: Beat) -> float:
+def pick_up(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Reach for a prop with an open hand, close it, lift it to where it is carried."""
-    prop = prop_of(beat)
+    prop = prop_of(cue)
     if prop is None or prop.holder is who:
-        return beat.start
+        return cue.start
     place = prop.matrix.translation
-    t = approach(stage, who, beat, place, ARM_AND_LEAN * who.m.arm)
-    look_at(who, t, stage.point_of(prop))
+    t = approach(stage, who, cue, place, ARM_AND_LEAN * who.measures.arm)
+    look_at(who, t, stage.look_point(prop))
     whole = 0.8
-    sides = SIDES if prop.two_handed else (beat.side,)
+    sides = SIDES if prop.two_handed else (cue.side,)
     grips = {side: near_grip(who, prop, side) for side in sides}
-    bent = reach_down(who, t, whole, prop.matrix @ grips[sides[0]].palm)
+    bent = bend_to_reach(who, t, whole, prop.matrix @ grips[sides[0]].palm)
     contact = t + 0.1 + whole + 0.3 * bent
     for side, grip in grips.items():
-        hover = gripping(who, side, prop, grip, opening=0.3, lift=0.06 * who.m.k)
+        hover = gripping_hand(who, side, prop, grip, opening=0.3, lift=0.06 * who.scale)
         who.hands[side].set(t + 0.1, 0.75 * (contact - t), hover)
-        who.hands[side].set(contact - 0.35, 0.33, gripping(who, side, prop, grip, opening=0.5))
-        who.hands[side].set(contact, 0.15, gripping(who, side, prop, grip))
-        stage.late.append((who, side, t, contact + 0.16))
-        stage.expect(who, side, contact + 0.1, beat)
+        who.hands[side].set(contact - 0.35, 0.33, gripping_hand(who, side, prop, grip, opening=0.5))
+        who.hands[side].set(contact, 0.15, gripping_hand(who, side, prop, grip))
+        stage.following_hands.append((who, side, t, contact + 0.16))
+        stage.expect_contact(who, side, contact + 0.1, cue)
     turned = grips[sides[0]] != prop.grip(sides[0])
-    take_in_hand(stage, who, beat.side, prop, contact + 0.15, TURN_IN_HAND if turned else SETTLE)
+    take_in_hand(stage, who, cue.side, prop, contact + 0.15, TURN_IN_HAND if turned else SETTLE)
     for side in sides:
-        who.hands[side].set(contact + 0.16, whole, carried(who, side, prop))
+        who.hands[side].set(contact + 0.16, whole, carrying_hand(who, side, prop))
     if bent:
-        come_up(who, contact + 0.16, whole)
+        straighten_up(who, contact + 0.16, whole)
     look_at(who, contact + 0.5, who.ahead)
     return contact + 0.16 + whole
 
 
 @clip("put_down", "body", "hand", "head")
-def put_down(stage: Stage, who: Performer, beat: Beat) -> float:
+def put_down(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Set a held prop down where the mark says, or on the target's top, or on the floor."""
-    prop = prop_of(beat)
+    prop = prop_of(cue)
     side = next((s for s, held in who.held.items() if prop is not None and held == prop.asset_id), None)
     if prop is None or side is None:
-        return beat.start
-    matrix = _resting_place(stage, who, beat, prop)
-    t = approach(stage, who, beat, matrix.translation, ARM_AND_LEAN * who.m.arm)
+        return cue.start
+    matrix = _resting_place(stage, who, cue, prop)
+    t = approach(stage, who, cue, matrix.translation, ARM_AND_LEAN * who.measures.arm)
     look_at(who, t, tuple(matrix.translation))
     sides = SIDES if prop.two_handed else (side,)
     whole = 0.8
-    grips = {hand: from_above(prop, prop.grip(hand)) for hand in sides}
-    bent = reach_down(who, t, whole, matrix @ grips[side].palm)
+    grips = {hand: grip_from_above(prop, prop.grip(hand)) for hand in sides}
+    bent = bend_to_reach(who, t, whole, matrix @ grips[side].palm)
     down = t + whole + 0.3 * bent
-    let_go(stage, prop)
+    release_prop(stage, prop)
     if grips[side] != prop.grip(side):
         prop.hold(t, who, side, grips[side], 0.7 * (down - t))
     for hand, grip in grips.items():
         put = _placing(who, grip, hand, matrix)
-        who.hands[hand].set(t, down - t, put, bump=(0, 0, 0.05 * who.m.k))
-        who.hands[hand].set(down + 0.05, 0.2, _placing(who, grip, hand, matrix, opening=0.3, lift=0.03 * who.m.k))
+        who.hands[hand].set(t, down - t, put, bump=(0, 0, 0.05 * who.scale))
+        who.hands[hand].set(down + 0.05, 0.2, _placing(who, grip, hand, matrix, opening=0.3, lift=0.03 * who.scale))
         who.hands[hand].set(down + 0.2, 0.7, who.home[hand])
-        stage.expect(who, hand, down, beat)
+        stage.expect_contact(who, hand, down, cue)
     prop.stand(down + 0.04, matrix)
     if bent:
-        come_up(who, down + 0.2, 0.7)
+        straighten_up(who, down + 0.2, 0.7)
     look_at(who, down + 0.2, who.ahead)
     return down + 0.9
 
@@ -235,37 +244,37 @@ def _placing(
     return target
 
 
-def _resting_place(stage: Stage, who: Performer, beat: Beat, prop: PropPuppet) -> Matrix:
-    if beat.mark is not None:
-        return standing(Vector(beat.mark.location), math.radians(beat.mark.yaw))
-    ahead = who.position + who.forward * (0.42 * who.m.k)
-    if isinstance(beat.target, StageFurniture):
-        top = stage.anchor(beat.target, ("top",), None)
-        world = Matrix(beat.target.world.tolist())
-        local = Vector(top.location) if top else Vector((0, 0, beat.target.dimensions[2]))
-        half = [max(0.0, (top.size[i] if top else beat.target.dimensions[i]) / 2 - 0.12) for i in (0, 1)]
+def _resting_place(stage: MotionStage, who: Performer, cue: StagedCue, prop: StagedProp) -> Matrix:
+    if cue.mark is not None:
+        return upright_matrix(Vector(cue.mark.location), math.radians(cue.mark.yaw))
+    ahead = who.position + who.forward * (0.42 * who.scale)
+    if isinstance(cue.target, StageFurniture):
+        top = stage.find_anchor(cue.target, ("top",), None)
+        world = Matrix(cue.target.world.tolist())
+        local = Vector(top.location) if top else Vector((0, 0, cue.target.dimensions[2]))
+        half = [max(0.0, (top.size[i] if top else cue.target.dimensions[i]) / 2 - 0.12) for i in (0, 1)]
         wish = world.inverted() @ Vector((*ahead, 0))
         for axis in (0, 1):
             local[axis] += max(-half[axis], min(half[axis], wish[axis] - local[axis]))
-        return standing(world @ local, who.yaw)
-    return standing(Vector((*ahead, 0)), who.yaw)
+        return upright_matrix(world @ local, who.yaw)
+    return upright_matrix(Vector((*ahead, 0)), who.yaw)
 
 
 @clip("drop", "hand")
-def drop(stage: Stage, who: Performer, beat: Beat) -> float:
+def drop(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Let a held prop fall to the floor."""
-    prop = prop_of(beat)
+    prop = prop_of(cue)
     side = next((s for s, held in who.held.items() if prop is not None and held == prop.asset_id), None)
     if prop is None or side is None:
-        return beat.start
+        return cue.start
     landing = Vector((*(who.position + who.forward * 0.35), 0.0))
-    fall = Flight(prop, beat.start + 0.15, lambda: landing, 0.0, 0.45)
-    let_go(stage, prop)
+    fall = Flight(prop, cue.start + 0.15, lambda: landing, 0.0, 0.45)
+    release_prop(stage, prop)
     prop.holder = None
-    prop.follow(beat.start + 0.15, fall, 0.0)
-    who.hands[side].set(beat.start, 0.2, _opened(who.hands[side]))
-    who.hands[side].set(beat.start + 0.4, 0.6, who.home[side])
-    return beat.start + 1.0
+    prop.follow(cue.start + 0.15, fall, 0.0)
+    who.hands[side].set(cue.start, 0.2, _opened(who.hands[side]))
+    who.hands[side].set(cue.start + 0.4, 0.6, who.home[side])
+    return cue.start + 1.0
 
 
 class Flight:
@@ -280,7 +289,7 @@ class Flight:
     """
 
     def __init__(
-        self, prop: PropPuppet, start: float, goal: Callable[[], Vector], height: float, seconds: float
+        self, prop: StagedProp, start: float, goal: Callable[[], Vector], height: float, seconds: float
     ) -> None:
         self.prop, self.start, self.goal, self.height, self.seconds = prop, start, goal, height, seconds
         self.origin: Matrix | None = None
@@ -300,7 +309,7 @@ class Flight:
         if landing.z < 0.1:
             place.z = start.z + (landing.z - start.z) * w * w
         place.z += 4 * self.height * w * (1 - w)
-        return standing(place, self.origin.to_euler().z + 2.5 * w * (self.height > 0))
+        return upright_matrix(place, self.origin.to_euler().z + 2.5 * w * (self.height > 0))
 
 
 def _opened(channel: Channel) -> TargetOf:

@@ -10,35 +10,35 @@ from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Floats, clamp, smoothstep
 from storyblender.blender.motion.clips.handling import approach
-from storyblender.blender.motion.clips.locomotion import face, travel
+from storyblender.blender.motion.clips.locomotion import travel, turn_to
 from storyblender.blender.motion.clips.registry import clip
-from storyblender.blender.motion.hands import fixed, upright
+from storyblender.blender.motion.hands import by_chest, fixed_hand
+from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import StageFurniture
 from storyblender.blender.motion.skeleton import SIDES, other, sign
-from storyblender.blender.motion.stage import Beat, Stage
 
 HANDS_FREE = 0.55
-"""Metres, times k: lower things are leapt over without a hand on them."""
+"""Metres, times the scale: lower things are leapt over without a hand on them."""
 SEATED_OVER = 0.40
-"""Metres, times k, of the hip joints over what one swings across."""
+"""Metres, times the scale, of the hip joints over what one swings across."""
 STRAIGHT = 3.5
 """Metres; a mark farther away is walked towards first."""
 AIR = 0.57
 """Seconds off the ground of a jump on the spot."""
 RUNG = 0.28
-"""Metres, times k, between the holds of somebody who climbs up."""
+"""Metres, times the scale, between the holds of somebody who climbs up."""
 
 
 @clip("jump", "body", "hands")
-def jump(stage: Stage, who: Performer, beat: Beat) -> float:
+def jump(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Jump over a thing to the mark behind it; else up on the spot, or forward to a mark that is near."""
-    if beat.mark is not None and isinstance(beat.target, StageFurniture):
-        return _get_over(stage, who, beat, beat.target, 0.70)
-    t, k = beat.start, who.m.k
-    goal = Vector(beat.mark.location).xy if beat.mark else who.position.copy()
+    if cue.mark is not None and isinstance(cue.target, StageFurniture):
+        return _get_over(stage, who, cue, cue.target, 0.70)
+    t, k = cue.start, who.scale
+    goal = Vector(cue.mark.location).xy if cue.mark else who.position.copy()
     if (goal - who.position).length > 1.6 * k:
-        t = travel(stage, who, beat, tuple(who.position.lerp(goal, 0.6)))
+        t = travel(stage, who, cue, tuple(who.position.lerp(goal, 0.6)))
         goal = who.position.lerp(goal, min(1.0, 1.2 * k / max(0.01, (goal - who.position).length)))
     _swing_arms(who, t + 0.35, AIR)
     down = _fly(who, t + 0.35, goal, AIR, 0.28 * k, 0.04 * k, 0.0)
@@ -46,24 +46,24 @@ def jump(stage: Stage, who: Performer, beat: Beat) -> float:
 
 
 @clip("climb", "body", "hands")
-def climb(stage: Stage, who: Performer, beat: Beat) -> float:
+def climb(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Climb over a thing to the mark behind it, or up a thing that is higher."""
-    if beat.mark is not None and isinstance(beat.target, StageFurniture):
-        return _get_over(stage, who, beat, beat.target, 1.5)
-    return _climb_up(stage, who, beat)
+    if cue.mark is not None and isinstance(cue.target, StageFurniture):
+        return _get_over(stage, who, cue, cue.target, 1.5)
+    return _climb_up(stage, who, cue)
 
 
-def _get_over(stage: Stage, who: Performer, beat: Beat, thing: StageFurniture, air: float) -> float:
+def _get_over(stage: MotionStage, who: Performer, cue: StagedCue, thing: StageFurniture, air: float) -> float:
     """Swing across a thing, a hand on it where it is high; ``air`` seconds off the ground."""
-    k = who.m.k
-    assert beat.mark is not None, "the mark is behind the thing"
-    goal = Vector(beat.mark.location).xy
+    k = who.scale
+    assert cue.mark is not None, "the mark is behind the thing"
+    goal = Vector(cue.mark.location).xy
     way = goal - who.position
-    t = beat.start
+    t = cue.start
     if way.length > STRAIGHT:
         near = goal - way.normalized() * (0.8 * STRAIGHT)
-        t, way = travel(stage, who, beat, tuple(near)), goal - near
-    t = face(who, t, math.atan2(way.x, -way.y))
+        t, way = travel(stage, who, cue, tuple(near)), goal - near
+    t = turn_to(who, t, math.atan2(way.x, -way.y))
     top = float(thing.world[2, 3]) + thing.dimensions[2]
     air = air * math.sqrt(k) + 0.12 * way.length
     if top > HANDS_FREE * k:
@@ -73,7 +73,7 @@ def _get_over(stage: Stage, who: Performer, beat: Beat, thing: StageFurniture, a
             palm = hold + side * (sign(hand) * 0.17 * k)
             elbow = Vector((*(-who.forward), 0)) + side * (sign(hand) * 0.6)
             down = Vector((0, 0, -1))
-            who.hands[hand].set(t, 0.4, fixed(palm, Vector((*who.forward, -0.2)), down, elbow, (20, 24, 10)))
+            who.hands[hand].set(t, 0.4, fixed_hand(palm, Vector((*who.forward, -0.2)), down, elbow, (20, 24, 10)))
             who.hands[hand].set(t + 0.35 + 0.5 * air, 0.35, who.home[hand])
     else:
         _swing_arms(who, t + 0.35, air)
@@ -103,7 +103,7 @@ def _fly(who: Performer, off: float, goal: Vector, air: float, rise: float, lift
         lift: Metres by which the feet are lifted.
         stride: Share of the time by which the second foot follows the first.
     """
-    k, stand = who.m.k, who.standing_height
+    k, stand = who.scale, who.standing_height
     who.hips.set(off - 0.35, 0.35, (0, 0.05 * k, stand - 0.24 * k, 20, 0, 0))
     who.spine.set(off - 0.35, 0.35, (22, 0, 0))
     who.spine.set(off, 0.3 * air, (10 if stride else -4, 0, 0))
@@ -135,8 +135,8 @@ def _swing_arms(who: Performer, off: float, air: float) -> None:
     """Swing the free arms back, then up and forward off the ground at ``off``, whatever the hands did at rest."""
     for side in SIDES:
         if who.is_free(side):
-            back = upright(who, side, (0.15, -0.40, -0.75), (0.1, -0.6, -0.8), (-1, 0, 0))
-            ahead = upright(who, side, (0.40, 0.62, 0.28), (0.3, 0.8, 0.5), (-0.3, 0.2, -0.9))
+            back = by_chest(who, side, (0.15, -0.40, -0.75), (0.1, -0.6, -0.8), (-1, 0, 0), upright=True)
+            ahead = by_chest(who, side, (0.40, 0.62, 0.28), (0.3, 0.8, 0.5), (-0.3, 0.2, -0.9), upright=True)
             who.hands[side].set(off - 0.33, 0.3, back)
             who.hands[side].set(off, 0.35 * air, ahead)
             who.hands[side].set(off + air, 0.5, who.home[side])
@@ -167,7 +167,7 @@ def _foot_in_flight(
 
 def _land(who: Performer, down: float) -> float:
     """Give way to the landing and stand; return the end."""
-    k, stand = who.m.k, who.standing_height
+    k, stand = who.scale, who.standing_height
     who.hips.set(down, 0.14, (0, 0.04 * k, stand - 0.16 * k, 14, 0, 0))
     who.spine.set(down, 0.16, (16, 0, 0))
     who.hips.set(down + 0.2, 0.5, (0, 0, stand, 0, 0, 0))
@@ -175,15 +175,15 @@ def _land(who: Performer, down: float) -> float:
     return down + 0.6
 
 
-def _climb_up(stage: Stage, who: Performer, beat: Beat) -> float:
+def _climb_up(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Hand over hand up a ladder or a wall; come down again if the shot goes on."""
-    t, k = beat.start, who.m.k
+    t, k = cue.start, who.scale
     height = 3 * RUNG * k
-    if isinstance(beat.target, StageFurniture):
-        place = Vector((*stage.ground_of(beat.target), who.m.shoulder_height))
-        t = approach(stage, who, beat, place, 0.9 * who.m.arm)
-        height = float(beat.target.world[2, 3]) + beat.target.dimensions[2] - 1.1 * who.m.shoulder_height
-    end = t + max(2.0, beat.duration or 3.0)
+    if isinstance(cue.target, StageFurniture):
+        place = Vector((*stage.floor_position(cue.target), who.measures.shoulder_height))
+        t = approach(stage, who, cue, place, 0.9 * who.measures.arm)
+        height = float(cue.target.world[2, 3]) + cue.target.dimensions[2] - 1.1 * who.measures.shoulder_height
+    end = t + max(2.0, cue.duration or 3.0)
     pulse = 0.55
     rungs = max(1, min(int(height / (RUNG * k)), int((end - t) / pulse)))
     stays = end > stage.plan.frames / stage.fps - 1.0
@@ -198,10 +198,17 @@ def _climb_up(stage: Stage, who: Performer, beat: Beat) -> float:
 
 def _pull(who: Performer, t: float, pulse: float, side: str, level: float) -> float:
     """One hold up or down: a hand reaches, the other foot follows, the body is carried to ``level`` metres."""
-    k = who.m.k
+    k = who.scale
     for each, high in ((side, 0.70), (other(side), 0.15)):
-        rung = upright(
-            who, each, (-0.05, 0.50, high), (0, 0.35, 0.9), (0, 1, 0), pole=(0.7, -0.1, -0.7), curl=(70, 78, 25)
+        rung = by_chest(
+            who,
+            each,
+            (-0.05, 0.50, high),
+            (0, 0.35, 0.9),
+            (0, 1, 0),
+            pole=(0.7, -0.1, -0.7),
+            curl=(70, 78, 25),
+            upright=True,
         )
         who.hands[each].set(t, 0.9 * pulse, rung)
     who.hips.set(t, pulse, (0, 0, who.standing_height + level - 0.06 * k, 4, 0, 0))

@@ -6,35 +6,35 @@ import numpy as np
 from mathutils import Vector
 
 from storyblender.blender.motion.channel import Floats, TargetOf, clamp
-from storyblender.blender.motion.clips.gaze import look_at, mood
-from storyblender.blender.motion.clips.pairs import keep, meet, partner_of
+from storyblender.blender.motion.clips.gaze import look_at, show_mood
+from storyblender.blender.motion.clips.pairs import meet, partner_of, reserve_hands
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.hands import hand
+from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import SIDES, sign
-from storyblender.blender.motion.stage import Beat, Stage
 
 APART = 0.40
-"""Metres, times k, between who lifts and who is lifted."""
+"""Metres, times the scale, between who lifts and who is lifted."""
 RAISED = 0.7
 """Seconds of the way up, and of the way down."""
 
 
 @clip("lift", "body", "hands", "head")
-def lift(stage: Stage, who: Performer, beat: Beat) -> float:
+def lift(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Take the target under the arms, lift them eye to eye, put them down."""
-    partner = partner_of(beat)
+    partner = partner_of(cue)
     if partner is None or partner.posture != "stand":
-        return beat.start
-    k = who.m.k
-    t = meet(stage, who, partner, beat, APART * k, 0.05)
+        return cue.start
+    k = who.scale
+    t = meet(stage, who, partner, cue, APART * k, 0.05)
     up = t + 0.6
-    down = up + RAISED + clamp((beat.duration or 3.0) - 2.2, 0.8, 4.0)
+    down = up + RAISED + clamp((cue.duration or 3.0) - 2.2, 0.8, 4.0)
     end = down + RAISED + 0.5
-    height = max(0.12 * k, who.m.eye_height - partner.m.eye_height)
-    keep(partner, ("L", "R"), t, end)
+    height = max(0.12 * k, who.measures.eye_height - partner.measures.eye_height)
+    reserve_hands(partner, ("L", "R"), t, end)
     partner.free["body"] = max(partner.free["body"], end)
-    stand, low = who.standing_height, clamp(1.0 - partner.m.k / k)
+    stand, low = who.standing_height, clamp(1.0 - partner.scale / k)
     who.hips.set(t, 0.55, (0, 0.10 * k * low, stand - 0.5 * k * low, 24 * low, 0, 0))
     who.spine.set(t, 0.55, (34 * low, 0, 0))
     who.hips.set(up, RAISED, (0, -0.02 * k, stand - 0.01 * k, -3, 0, 0))
@@ -48,10 +48,10 @@ def lift(stage: Stage, who: Performer, beat: Beat) -> float:
         for one, target in ((who, _ribs(who, partner, side)), (partner, _shoulder(partner, who, side))):
             one.hands[side].set(t + 0.1, 0.45, target)
             one.hands[side].set(down + RAISED, 0.6, one.home[side])
-            stage.late.append((one, side, t + 0.1, down + RAISED + 0.3))
+            stage.following_hands.append((one, side, t + 0.1, down + RAISED + 0.3))
     for one, two in ((who, partner), (partner, who)):
-        look_at(one, t, stage.point_of(two))
-        mood(one, up, "happy")
+        look_at(one, t, stage.look_point(two))
+        show_mood(one, up, "happy")
     return end
 
 
@@ -65,7 +65,7 @@ def _carry(who: Performer, up: float, down: float, height: float) -> None:
     for side in SIDES:
         planted = np.array(who.feet[side](up), float)
         hanging = planted.copy()
-        hanging[2] += height + 0.02 * who.m.k
+        hanging[2] += height + 0.02 * who.scale
         hanging[4], hanging[5] = -32, 0
         who.feet[side].set(up, RAISED, hanging)
         who.feet[side].set(down, RAISED, planted)
@@ -73,7 +73,7 @@ def _carry(who: Performer, up: float, down: float, height: float) -> None:
 
 def _ribs(who: Performer, other: Performer, side: str) -> TargetOf:
     """Palm at the ribs of somebody who faces one, under the arm."""
-    s, k = sign(side), other.m.k
+    s, k = sign(side), other.scale
 
     def target(t: float) -> Floats:
         palm = other.point("upper_chest", (-s * 0.155 * k, 0.0, -0.03 * k))
@@ -85,7 +85,7 @@ def _ribs(who: Performer, other: Performer, side: str) -> TargetOf:
 
 def _shoulder(who: Performer, other: Performer, side: str) -> TargetOf:
     """Palm on the upper arm of somebody who faces one."""
-    s, k = sign(side), other.m.k
+    s, k = sign(side), other.scale
 
     def target(t: float) -> Floats:
         far = "R" if side == "L" else "L"

@@ -9,10 +9,19 @@ from mathutils import Vector
 
 from storyblender.blender.motion.channel import Floats, clamp, smooth
 from storyblender.blender.motion.clips.registry import clip
-from storyblender.blender.motion.footsteps import RUN, SNEAK, STAGGER, TURN_FIRST, WALK, Footsteps, Style, Way
+from storyblender.blender.motion.footsteps import (
+    RUN,
+    SNEAK,
+    STAGGER,
+    TURN_FIRST,
+    WALK,
+    FootstepPlan,
+    TravelStyle,
+    WalkPath,
+)
+from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import other
-from storyblender.blender.motion.stage import Beat, Stage
 from storyblender.catalog.motions import TURN_STEP, TURN_STEP_SECONDS
 from storyblender.geometry.boxes import shortest_turn
 from storyblender.geometry.paths import Vec2, find_waiting_time
@@ -25,7 +34,7 @@ def step_to(who: Performer, side: str, t: float, duration: float, pose: Floats, 
     """Move one foot to a target in an arc, and return the end."""
     start, goal = np.array(who.feet[side](t), float), np.array(pose, float)
     turn = shortest_turn(start[3], goal[3])
-    height = 0.04 * who.m.k if lift is None else lift
+    height = 0.04 * who.scale if lift is None else lift
 
     def target(now: float) -> Floats:
         w = clamp((now - t) / duration)
@@ -40,7 +49,7 @@ def step_to(who: Performer, side: str, t: float, duration: float, pose: Floats, 
     return t + duration
 
 
-def shuffle(who: Performer, t: float, place: Vector) -> float:
+def shuffle_to(who: Performer, t: float, place: Vector) -> float:
     """Step to a place that is near without turning: forwards, aside or back; return the end."""
     way = place - who.position
     right = Vector((math.cos(who.yaw), math.sin(who.yaw)))
@@ -52,7 +61,7 @@ def shuffle(who: Performer, t: float, place: Vector) -> float:
     return t + 0.85
 
 
-def face(who: Performer, t: float, yaw: float) -> float:
+def turn_to(who: Performer, t: float, yaw: float) -> float:
     """Turn on the spot to a yaw with footsteps, and return the end."""
     turn = shortest_turn(who.yaw, yaw)
     x, y = who.position
@@ -62,26 +71,26 @@ def face(who: Performer, t: float, yaw: float) -> float:
             who.yaw += turn
         return t
     count = max(1, math.ceil(abs(turn) / math.radians(TURN_STEP)))
-    beat = TURN_STEP_SECONDS * math.sqrt(who.m.k)
-    length = 2 * count * beat + 0.1
+    pulse = TURN_STEP_SECONDS * math.sqrt(who.scale)
+    length = 2 * count * pulse + 0.1
     who.root.set(t, 0.95 * length, (x, y, who.yaw + turn))
     lead = "L" if turn > 0 else "R"
     for index in range(2 * count):
         side = lead if index % 2 == 0 else other(lead)
         reached = who.yaw + turn * (index // 2 + 1) / count
-        step_to(who, side, t + index * beat, 0.95 * beat, who.plant(side, x, y, reached), 0.035 * who.m.k)
+        step_to(who, side, t + index * pulse, 0.95 * pulse, who.plant(side, x, y, reached), 0.035 * who.scale)
     who.yaw += turn
     return t + length
 
 
 def travel(
-    stage: Stage,
+    stage: MotionStage,
     who: Performer,
-    beat: Beat,
+    cue: StagedCue,
     goal: Vec2,
     end_yaw: float | None = None,
     *,
-    style: Style = WALK,
+    style: TravelStyle = WALK,
     skip: tuple[str, ...] = (),
     partner: Performer | None = None,
 ) -> float:
@@ -91,39 +100,39 @@ def travel(
     """
     here = (who.position.x, who.position.y)
     if math.dist(here, goal) < NEAR:
-        return beat.start if end_yaw is None else face(who, beat.start, end_yaw)
-    points = stage.path(who, goal, skip)
+        return cue.start if end_yaw is None else turn_to(who, cue.start, end_yaw)
+    points = stage.path_to(who, goal, skip)
     if points is None:
-        stage.report("no_path", who, beat, f"{who.asset_id} finds no way to ({goal[0]:.2f}, {goal[1]:.2f})")
-        return beat.start
-    way = Way(points)
-    t = beat.start
+        stage.report("no_path", who, cue, f"{who.asset_id} finds no way to ({goal[0]:.2f}, {goal[1]:.2f})")
+        return cue.start
+    way = WalkPath(points)
+    t = cue.start
     first = way.heading(0)
     turning = abs(shortest_turn(who.yaw, first)) > TURN_FIRST
-    if beat.duration is not None:
-        seconds = max(0.5, beat.duration - (0.7 if turning else 0.0))
-        style = style.slowed(way.length / max(0.3, seconds - 0.5), who.m.k)
-    trial = Footsteps(who, 0.0, way, style, end_yaw)
+    if cue.duration is not None:
+        seconds = max(0.5, cue.duration - (0.7 if turning else 0.0))
+        style = style.slowed(way.length / max(0.3, seconds - 0.5), who.scale)
+    trial = FootstepPlan(who, 0.0, way, style, end_yaw)
     lead = 0.6 if turning else 0.0
-    others = stage.others_tracks(who, partner, goal)
+    others = stage.tracks_of_others(who, partner, goal)
     wait, gap = find_waiting_time(lambda u: trial.root(u)[:2], trial.duration, t + lead, others)
     if gap < -0.12:
-        stage.report("crossing", who, beat, f"{who.asset_id} walks through somebody by {-gap:.2f} m", -gap)
+        stage.report("crossing", who, cue, f"{who.asset_id} walks through somebody by {-gap:.2f} m", -gap)
     t += wait
     if turning:
-        t = face(who, t, first)
-    t = Footsteps(who, t, way, style, end_yaw).perform()
-    return t if end_yaw is None else face(who, t, end_yaw)
+        t = turn_to(who, t, first)
+    t = FootstepPlan(who, t, way, style, end_yaw).perform()
+    return t if end_yaw is None else turn_to(who, t, end_yaw)
 
 
-def goal_of(stage: Stage, who: Performer, beat: Beat) -> tuple[Vec2, float | None]:
-    """Return where a travelling beat ends: its mark, or an arm's length before its target."""
-    if beat.mark is not None:
-        return (beat.mark.location[0], beat.mark.location[1]), math.radians(beat.mark.yaw)
-    if beat.target is not None:
-        place = stage.ground_of(beat.target)
+def find_goal(stage: MotionStage, who: Performer, cue: StagedCue) -> tuple[Vec2, float | None]:
+    """Return where a travelling cue ends: its mark, or an arm's length before its target."""
+    if cue.mark is not None:
+        return (cue.mark.location[0], cue.mark.location[1]), math.radians(cue.mark.yaw)
+    if cue.target is not None:
+        place = stage.floor_position(cue.target)
         toward = place - who.position
-        keep = 1.1 if isinstance(beat.target, Performer) else 0.75
+        keep = 1.1 if isinstance(cue.target, Performer) else 0.75
         stop = place - toward.normalized() * min(keep, toward.length)
         return (stop.x, stop.y), math.atan2(toward.x, -toward.y)
     ahead = who.position + who.forward * 2.0
@@ -131,33 +140,33 @@ def goal_of(stage: Stage, who: Performer, beat: Beat) -> tuple[Vec2, float | Non
 
 
 @clip("walk", "body")
-def walk(stage: Stage, who: Performer, beat: Beat) -> float:
+def walk(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Walk to the mark."""
-    goal, yaw = goal_of(stage, who, beat)
-    return travel(stage, who, beat, goal, yaw)
+    goal, yaw = find_goal(stage, who, cue)
+    return travel(stage, who, cue, goal, yaw)
 
 
 @clip("run", "body")
-def run(stage: Stage, who: Performer, beat: Beat) -> float:
+def run(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Run to the mark; a way too short for a run is walked briskly."""
-    goal, yaw = goal_of(stage, who, beat)
-    far = math.dist(who.position, goal) > 2.2 * who.m.k
-    return travel(stage, who, beat, goal, yaw, style=RUN if far else WALK.slowed(1.8, 1.0))
+    goal, yaw = find_goal(stage, who, cue)
+    far = math.dist(who.position, goal) > 2.2 * who.scale
+    return travel(stage, who, cue, goal, yaw, style=RUN if far else WALK.slowed(1.8, 1.0))
 
 
 @clip("sneak", "body")
-def sneak(stage: Stage, who: Performer, beat: Beat) -> float:
+def sneak(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Steal to the mark, bent and slow."""
-    goal, yaw = goal_of(stage, who, beat)
-    return travel(stage, who, beat, goal, yaw, style=SNEAK)
+    goal, yaw = find_goal(stage, who, cue)
+    return travel(stage, who, cue, goal, yaw, style=SNEAK)
 
 
 @clip("stagger", "body")
-def stagger(stage: Stage, who: Performer, beat: Beat) -> float:
+def stagger(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Stumble to the mark: wide uneven steps, the trunk rolls from side to side."""
-    goal, yaw = goal_of(stage, who, beat)
-    end = travel(stage, who, beat, goal, yaw, style=STAGGER)
-    t, roll = beat.start, 1
+    goal, yaw = find_goal(stage, who, cue)
+    end = travel(stage, who, cue, goal, yaw, style=STAGGER)
+    t, roll = cue.start, 1
     while t < end - 0.6:
         who.accent.set(t, 0.55, (6 * (roll > 0), 9 * roll, 4 * roll))
         t, roll = t + 0.6, -roll
@@ -166,13 +175,13 @@ def stagger(stage: Stage, who: Performer, beat: Beat) -> float:
 
 
 @clip("turn", "body")
-def turn(stage: Stage, who: Performer, beat: Beat) -> float:
+def turn(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Turn on the spot to the mark's yaw or to the target; without either, around."""
-    if beat.mark is not None:
-        yaw = math.radians(beat.mark.yaw)
-    elif beat.target is not None:
-        toward = stage.ground_of(beat.target) - who.position
+    if cue.mark is not None:
+        yaw = math.radians(cue.mark.yaw)
+    elif cue.target is not None:
+        toward = stage.floor_position(cue.target) - who.position
         yaw = math.atan2(toward.x, -toward.y)
     else:
         yaw = who.yaw + math.pi
-    return face(who, beat.start, yaw)
+    return turn_to(who, cue.start, yaw)

@@ -10,19 +10,19 @@ from storyblender.blender.motion.channel import Floats
 from storyblender.blender.motion.clips.gaze import look_at
 from storyblender.blender.motion.clips.handling import take_in_hand
 from storyblender.blender.motion.hands import chest_yaw, hand
+from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.puppets import PropPuppet, carried
 from storyblender.blender.motion.skeleton import SIDES
-from storyblender.blender.motion.stage import Beat, Stage
+from storyblender.blender.motion.staged_props import StagedProp, carrying_hand
 
 NECK_RAISED = math.radians(18)
 STRUMS = 2.2
 """Strokes a second."""
 
 
-def strum(stage: Stage, who: Performer, beat: Beat, prop: PropPuppet) -> float:
+def strum(stage: MotionStage, who: Performer, cue: StagedCue, prop: StagedProp) -> float:
     """Play a stringed instrument that stands upright in its own frame, strings to the front; return the end."""
-    t, end, k = beat.start, beat.start + (beat.duration or 3.0), who.m.k
+    t, end, k = cue.start, cue.start + (cue.duration or 3.0), who.scale
     tall, deep = prop.size.z, prop.size.y
     if prop.holder is not who:
         take_in_hand(stage, who, "R", prop, t)
@@ -33,7 +33,7 @@ def strum(stage: Stage, who: Performer, beat: Beat, prop: PropPuppet) -> float:
         neck = Vector((math.cos(NECK_RAISED), 0, math.sin(NECK_RAISED)))
         back = Vector((0, 1, 0))
         matrix = (turn @ Matrix((back.cross(neck), back, neck)).transposed()).to_4x4()
-        belly = who.point("hips") + turn @ Vector((-0.10 * k, -(who.m.front + deep / 2), 0.16 * k))
+        belly = who.point("hips") + turn @ Vector((-0.10 * k, -(who.measures.front + deep / 2), 0.16 * k))
         matrix.translation = belly - matrix.to_3x3() @ Vector((0, 0, 0.25 * tall))
         return matrix
 
@@ -61,7 +61,7 @@ def strum(stage: Stage, who: Performer, beat: Beat, prop: PropPuppet) -> float:
     if end < stage.plan.frames / stage.fps - 0.3:
         prop.hold(end, who, "R", prop.grip("R"), 0.6)
         for side in SIDES:
-            who.hands[side].set(end, 0.6, carried(who, side, prop) if side == "R" else who.home[side])
+            who.hands[side].set(end, 0.6, carrying_hand(who, side, prop) if side == "R" else who.home[side])
         who.lean_after.set(end + 0.6, 0, 1.0)
         look_at(who, end, who.ahead)
     return end

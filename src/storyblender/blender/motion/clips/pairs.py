@@ -8,17 +8,17 @@ from dataclasses import replace
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Floats, TargetOf, clamp, ease_out
-from storyblender.blender.motion.clips.containers import draw_out, take_out
-from storyblender.blender.motion.clips.gaze import look_at, mood
-from storyblender.blender.motion.clips.handling import let_go, pick_up, prop_of, take_in_hand
-from storyblender.blender.motion.clips.locomotion import face, shuffle, step_to, travel
+from storyblender.blender.motion.clips.containers import draw_from_clothes, take_from_bag
+from storyblender.blender.motion.clips.gaze import look_at, show_mood
+from storyblender.blender.motion.clips.handling import pick_up, prop_of, release_prop, take_in_hand
+from storyblender.blender.motion.clips.locomotion import shuffle_to, step_to, travel, turn_to
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.clips.work import press
 from storyblender.blender.motion.hands import by_chest, hand
+from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.puppets import Grip, PropPuppet, carried, gripping, standing
 from storyblender.blender.motion.skeleton import sign
-from storyblender.blender.motion.stage import Beat, Stage
+from storyblender.blender.motion.staged_props import Grip, StagedProp, carrying_hand, gripping_hand, upright_matrix
 from storyblender.catalog.carrying import hand_towards
 
 SEATED = ("sit", "lie", "asleep")
@@ -27,19 +27,21 @@ SHUFFLE = 0.45
 BY_KNEES = 1.1
 """Metres from which who kneels stays there."""
 BEHIND_FEET = 0.4
-"""Metres, times k, that the breast of somebody who sits is behind where their feet are."""
+"""Metres, times the scale, that the breast of somebody who sits is behind where their feet are."""
 BEFORE_SITTER = 0.45
 """Metres between who stands and the feet of who sits, at least."""
 
 
-def partner_of(beat: Beat) -> Performer | None:
-    """Return the other person of a beat."""
-    return beat.target if isinstance(beat.target, Performer) else None
+def partner_of(cue: StagedCue) -> Performer | None:
+    """Return the other person of a cue."""
+    return cue.target if isinstance(cue.target, Performer) else None
 
 
-def meet(stage: Stage, who: Performer, partner: Performer, beat: Beat, distance: float, slack: float = 0.25) -> float:
+def meet(
+    stage: MotionStage, who: Performer, partner: Performer, cue: StagedCue, distance: float, slack: float = 0.25
+) -> float:
     """Bring two people face to face at a distance; the first walks, whoever sits stays. Return the second."""
-    t = max(beat.start, *(partner.free[part] for part in ("L", "R")))
+    t = max(cue.start, *(partner.free[part] for part in ("L", "R")))
     gap = (partner.position - who.position).length
     if partner.posture in ("lie", "asleep") or (who.posture in ("kneel", "crouch") and gap < BY_KNEES):
         return t
@@ -52,13 +54,13 @@ def meet(stage: Stage, who: Performer, partner: Performer, beat: Beat, distance:
             away = (ahead + away * 0.8).normalized() if away.dot(ahead) > -0.2 else ahead
         spot = partner.position + away * distance
         if (spot - who.position).length < SHUFFLE:
-            return shuffle(who, face(who, t, math.atan2(-away.x, away.y)), spot)
-        t = max(t, travel(stage, who, beat, (spot.x, spot.y), skip=(partner.asset_id,), partner=partner))
+            return shuffle_to(who, turn_to(who, t, math.atan2(-away.x, away.y)), spot)
+        t = max(t, travel(stage, who, cue, (spot.x, spot.y), skip=(partner.asset_id,), partner=partner))
     ends = [t]
     for one, two in ((who, partner), (partner, who)):
-        toward = two.position - two.forward * (BEHIND_FEET * two.m.k * (two.posture == "sit")) - one.position
+        toward = two.position - two.forward * (BEHIND_FEET * two.scale * (two.posture == "sit")) - one.position
         if one.posture not in SEATED and toward.length > 0.05:
-            ends.append(face(one, max(one.free["body"], t - 0.6), math.atan2(toward.x, -toward.y)))
+            ends.append(turn_to(one, max(one.free["body"], t - 0.6), math.atan2(toward.x, -toward.y)))
     return max(ends)
 
 
@@ -67,85 +69,85 @@ def free_hand(who: Performer, preferred: str = "R") -> str | None:
     return next((side for side in (preferred, "L" if preferred == "R" else "R") if side not in who.held), None)
 
 
-def keep(who: Performer, sides: tuple[str, ...], start: float, end: float) -> None:
+def reserve_hands(who: Performer, sides: tuple[str, ...], start: float, end: float) -> None:
     """Reserve a partner's hands, and drop what was planned for them."""
     for side in sides:
-        who.hands[side].cut(start)
+        who.hands[side].remove_from(start)
         who.free[side] = max(who.free[side], end)
 
 
 @clip("give", "body", "hand", "head")
-def give(stage: Stage, who: Performer, beat: Beat) -> float:
+def give(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Hand a prop over: meet at chest height, let go when the other has it."""
-    partner, prop = partner_of(beat), prop_of(beat)
-    prop = prop or stage.props.get(who.held.get(beat.side, ""))
+    partner, prop = partner_of(cue), prop_of(cue)
+    prop = prop or stage.props.get(who.held.get(cue.side, ""))
     if partner is None or prop is None:
-        return beat.start
-    start = beat.start
+        return cue.start
+    start = cue.start
     if prop.holder is not who:
-        start = pick_up(stage, who, beat)
-    return _hand_over(stage, who, partner, prop, beat, start)
+        start = pick_up(stage, who, cue)
+    return _hand_over(stage, who, partner, prop, cue, start)
 
 
 @clip("take", "body", "hand", "head")
-def take(stage: Stage, who: Performer, beat: Beat) -> float:
+def take(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Take a prop: out of the target's hand or one's own clothes, out of the bag one holds, or from where it lies."""
-    prop = prop_of(beat)
-    partner = partner_of(beat) or (prop.holder if prop else None)
+    prop = prop_of(cue)
+    partner = partner_of(cue) or (prop.holder if prop else None)
     if prop is None:
-        return beat.start
+        return cue.start
     if prop.holder is who:
-        return beat.start
-    if beat.target is who:
-        return draw_out(stage, who, beat, prop)
-    if isinstance(beat.target, PropPuppet) and beat.target.holder in (who, None):
-        return take_out(stage, who, beat, prop, beat.target)
+        return cue.start
+    if cue.target is who:
+        return draw_from_clothes(stage, who, cue, prop)
+    if isinstance(cue.target, StagedProp) and cue.target.holder in (who, None):
+        return take_from_bag(stage, who, cue, prop, cue.target)
     if partner is None or prop.holder is not partner:
-        return pick_up(stage, who, beat)
-    return _hand_over(stage, partner, who, prop, beat, beat.start, mover=who)
+        return pick_up(stage, who, cue)
+    return _hand_over(stage, partner, who, prop, cue, cue.start, mover=who)
 
 
 def _hand_over(
-    stage: Stage,
+    stage: MotionStage,
     giver: Performer,
     taker: Performer,
-    prop: PropPuppet,
-    beat: Beat,
+    prop: StagedProp,
+    cue: StagedCue,
     start: float,
     mover: Performer | None = None,
 ) -> float:
     mover = mover or giver
-    reach = 0.72 * (giver.m.arm + taker.m.arm)
-    t = meet(stage, mover, taker if mover is giver else giver, replace(beat, start=start), reach)
+    reach = 0.72 * (giver.measures.arm + taker.measures.arm)
+    t = meet(stage, mover, taker if mover is giver else giver, replace(cue, start=start), reach)
     side = next((s for s, held in giver.held.items() if held == prop.asset_id), "R")
     other_side = free_hand(taker, hand_towards(taker.position.to_tuple(), taker.yaw, giver.position.to_tuple()))
     if other_side is None:
-        stage.report("unreachable", taker, beat, f"{taker.asset_id} has no free hand for {prop.asset_id}")
+        stage.report("unreachable", taker, cue, f"{taker.asset_id} has no free hand for {prop.asset_id}")
         return t
     grip, far = prop.grip(side), prop.grip(other_side).opposite()
-    look_at(giver, t, stage.point_of(prop))
-    look_at(taker, t + 0.1, stage.point_of(prop))
+    look_at(giver, t, stage.look_point(prop))
+    look_at(taker, t + 0.1, stage.look_point(prop))
     offered = _offered(giver, taker, side, grip)
     reaching, touch = 0.9, t + 0.35 + 0.9 * 0.85 + 0.05
-    keep(taker, (other_side,), t, touch + 1.1)
-    keep(giver, (side,), t, touch + 1.1)
+    reserve_hands(taker, (other_side,), t, touch + 1.1)
+    reserve_hands(giver, (side,), t, touch + 1.1)
     giver.hands[side].set(t, reaching, offered)
     giver.accent.set(t, reaching, (7, 0, -8 * sign(side)))
-    taker.hands[other_side].set(t + 0.35, 0.85 * reaching, gripping(taker, other_side, prop, far, opening=0.5))
+    taker.hands[other_side].set(t + 0.35, 0.85 * reaching, gripping_hand(taker, other_side, prop, far, opening=0.5))
     taker.accent.set(t + 0.35, 0.8 * reaching, (6, 0, 0))
-    taker.hands[other_side].set(touch - 0.05, 0.15, gripping(taker, other_side, prop, far))
-    stage.late.append((taker, other_side, t + 0.3, touch + 0.199))
-    stage.expect(taker, other_side, touch, beat)
+    taker.hands[other_side].set(touch - 0.05, 0.15, gripping_hand(taker, other_side, prop, far))
+    stage.following_hands.append((taker, other_side, t + 0.3, touch + 0.199))
+    stage.expect_contact(taker, other_side, touch, cue)
     prop.hold(touch + 0.2, taker, other_side, far, 0.1)
     giver.hands[side].set(touch + 0.2, 0.15, lambda now: _open_hand(offered, now))
-    let_go(stage, prop)
+    release_prop(stage, prop)
     giver.hands[side].set(touch + 0.3, 0.8, giver.home[side])
     giver.accent.set(touch + 0.3, 0.6, (0, 0, 0))
     take_in_hand(stage, taker, other_side, prop, touch + 0.45, 0.6)
-    taker.hands[other_side].set(touch + 0.25, 0.8, carried(taker, other_side, prop))
+    taker.hands[other_side].set(touch + 0.25, 0.8, carrying_hand(taker, other_side, prop))
     taker.accent.set(touch + 0.4, 0.6, (0, 0, 0))
-    look_at(giver, touch + 0.5, stage.point_of(taker))
-    look_at(taker, touch + 1.3, stage.point_of(giver))
+    look_at(giver, touch + 0.5, stage.look_point(taker))
+    look_at(taker, touch + 1.3, stage.look_point(giver))
     return touch + 1.1
 
 
@@ -159,13 +161,13 @@ def _offered(giver: Performer, taker: Performer, side: str, grip: Grip) -> Targe
     """Where the giver holds the prop out: between both, at the lower of the two chests."""
 
     def target(t: float) -> Floats:
-        share = giver.m.arm / (giver.m.arm + taker.m.arm)
+        share = giver.measures.arm / (giver.measures.arm + taker.measures.arm)
         a, b = _breast(giver), _breast(taker)
         middle = a.lerp(b, share)
         low = min(_shoulder(giver), _shoulder(taker))
-        middle.z = 0.86 * low + 0.04 * max(0.0, giver.m.shoulder_height - taker.m.shoulder_height)
+        middle.z = 0.86 * low + 0.04 * max(0.0, giver.measures.shoulder_height - taker.measures.shoulder_height)
         toward = b - a
-        matrix = standing(middle, math.atan2(toward.x, -toward.y)) @ Matrix.Translation(-grip.palm)
+        matrix = upright_matrix(middle, math.atan2(toward.x, -toward.y)) @ Matrix.Translation(-grip.palm)
         return grip.hand(matrix, giver.facing @ Vector((sign(side) * 0.5, 0.4, -0.85)))
 
     return target
@@ -181,13 +183,13 @@ def _breast(who: Performer) -> Vector:
 
 
 @clip("shake_hands", "body", "hand", "head")
-def shake_hands(stage: Stage, who: Performer, beat: Beat) -> float:
+def shake_hands(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Shake the target's right hand: three cycles."""
-    partner = partner_of(beat)
+    partner = partner_of(cue)
     if partner is None:
-        return beat.start
-    bellies = sum(max(0.0, each.m.belly_front - 0.15 * each.m.k) for each in (who, partner))
-    t = meet(stage, who, partner, beat, 0.66 * (who.m.arm + partner.m.arm) + bellies, 0.12)
+        return cue.start
+    bellies = sum(max(0.0, each.measures.belly_front - 0.15 * each.scale) for each in (who, partner))
+    t = meet(stage, who, partner, cue, 0.66 * (who.measures.arm + partner.measures.arm) + bellies, 0.12)
     clasped, shaken = t + 0.7, t + 0.7 + 3 / 2.2
 
     def middle(now: float) -> Vector:
@@ -196,16 +198,16 @@ def shake_hands(stage: Stage, who: Performer, beat: Beat) -> float:
         between.z = 0.72 * min(_shoulder(who), _shoulder(partner)) + up
         return between
 
-    keep(partner, ("R",), t, shaken + 0.8)
+    reserve_hands(partner, ("R",), t, shaken + 0.8)
     for one, two in ((who, partner), (partner, who)):
         if "R" in one.held:
-            stage.report("unreachable", one, beat, f"{one.asset_id} has the right hand full")
+            stage.report("unreachable", one, cue, f"{one.asset_id} has the right hand full")
             continue
 
         def target(now: float, one: Performer = one, two: Performer = two) -> Floats:
             along = Vector((*(two.place - one.place).xy, 0)).normalized()
             right = Vector((along.y, -along.x, 0))
-            palm = middle(now) - along * (0.012 * one.m.k) + right * (0.016 * one.m.k)
+            palm = middle(now) - along * (0.012 * one.scale) + right * (0.016 * one.scale)
             return hand(
                 palm, along + Vector((0, 0, -0.12)), -right, one.facing @ Vector((-0.5, 0.6, -0.8)), (38, 48, -12)
             )
@@ -214,23 +216,23 @@ def shake_hands(stage: Stage, who: Performer, beat: Beat) -> float:
         one.hands["R"].set(shaken + 0.1, 0.7, one.home["R"])
         one.accent.set(t, 0.7, (5, 0, 6))
         one.accent.set(shaken, 0.6, (0, 0, 0))
-        stage.late.append((one, "R", t, shaken + 0.1))
-        look_at(one, t, stage.point_of(two))
-        mood(one, t, "tender")
+        stage.following_hands.append((one, "R", t, shaken + 0.1))
+        look_at(one, t, stage.look_point(two))
+        show_mood(one, t, "tender")
     return shaken + 0.8
 
 
 @clip("touch", "body", "hand", "head")
-def touch(stage: Stage, who: Performer, beat: Beat) -> float:
+def touch(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Lay a hand on the target's shoulder, or on a thing."""
-    partner = partner_of(beat)
+    partner = partner_of(cue)
     if partner is None:
-        return press(stage, who, beat)
-    t = meet(stage, who, partner, beat, 0.80 * who.m.arm + 0.15, 0.15)
-    side = beat.side
+        return press(stage, who, cue)
+    t = meet(stage, who, partner, cue, 0.80 * who.measures.arm + 0.15, 0.15)
+    side = cue.side
     near = _nearer_shoulder(who, partner)
-    mark = Vector((-0.02 * sign(near), 0, 0.055)) * partner.m.k
-    stay = clamp((beat.duration or 2.4) - 1.4, 0.6, 6)
+    mark = Vector((-0.02 * sign(near), 0, 0.055)) * partner.scale
+    stay = clamp((cue.duration or 2.4) - 1.4, 0.6, 6)
 
     def target(now: float) -> Floats:
         palm = partner.point(f"upper_arm.{near}", mark)
@@ -240,16 +242,16 @@ def touch(stage: Stage, who: Performer, beat: Beat) -> float:
 
     def above(now: float) -> Floats:
         values = target(now)
-        values[2] += 0.07 * who.m.k
+        values[2] += 0.07 * who.scale
         return values
 
     who.hands[side].set(t, 0.56, above)
     who.hands[side].set(t + 0.5, 0.3, target)
     who.hands[side].set(t + 0.8 + stay, 0.7, who.home[side])
-    stage.late.append((who, side, t, t + 0.8 + stay))
-    stage.expect(who, side, t + 0.8, beat)
-    look_at(who, t, stage.point_of(partner))
-    mood(who, t, "tender" if beat.mood == "neutral" else beat.mood)
+    stage.following_hands.append((who, side, t, t + 0.8 + stay))
+    stage.expect_contact(who, side, t + 0.8, cue)
+    look_at(who, t, stage.look_point(partner))
+    show_mood(who, t, "tender" if cue.mood == "neutral" else cue.mood)
     return t + 1.5 + stay
 
 
@@ -259,15 +261,15 @@ def _nearer_shoulder(who: Performer, partner: Performer) -> str:
 
 
 @clip("hit", "body", "hand", "head")
-def hit(stage: Stage, who: Performer, beat: Beat) -> float:
+def hit(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Strike the target's face; the head gives way."""
-    partner = partner_of(beat)
+    partner = partner_of(cue)
     if partner is None:
-        return beat.start
-    side = beat.side
-    t = meet(stage, who, partner, beat, 0.95 * who.m.arm, 0.15)
-    mood(who, t, "angry")
-    look_at(who, t, stage.point_of(partner))
+        return cue.start
+    side = cue.side
+    t = meet(stage, who, partner, cue, 0.95 * who.measures.arm, 0.15)
+    show_mood(who, t, "angry")
+    look_at(who, t, stage.look_point(partner))
     spot = _cheek(who, partner, side)
     back = by_chest(
         who, side, (0.55, 0.25, 0.10), (0.2, 0.9, 0.2), (-0.2, 0.3, -1), pole=(1, -0.3, -0.2), curl=(80, 88, 35)
@@ -276,14 +278,14 @@ def hit(stage: Stage, who: Performer, beat: Beat) -> float:
     who.accent.set(t, 0.35, (-3, 0, -28 * sign(side)))
     who.hands[side].set(t + 0.35, 0.14, spot, ease=ease_out)
     who.accent.set(t + 0.35, 0.16, (10, 0, 24 * sign(side)))
-    stage.late.append((who, side, t + 0.3, t + 0.5))
+    stage.following_hands.append((who, side, t + 0.3, t + 0.5))
     partner.nod.set(t + 0.47, 0.1, (-6, 0, -30 * sign(side)))
     partner.accent.set(t + 0.47, 0.15, (-10, 0, -14 * sign(side)))
-    mood(partner, t + 0.47, "afraid", 0.1)
+    show_mood(partner, t + 0.47, "afraid", 0.1)
     partner.nod.set(t + 0.75, 0.6, (8, 0, 0))
     partner.accent.set(t + 0.75, 0.7, (4, 0, 0))
     if partner.posture == "stand":
-        behind = partner.position - partner.forward * (0.2 * partner.m.k)
+        behind = partner.position - partner.forward * (0.2 * partner.scale)
         step_to(partner, "L", t + 0.5, 0.3, partner.plant("L", behind.x, behind.y, partner.yaw))
         step_to(partner, "L", t + 1.2, 0.35, partner.plant_at("L", partner.position, partner.yaw))
     who.hands[side].set(t + 0.6, 0.6, who.home[side])
@@ -295,9 +297,9 @@ def hit(stage: Stage, who: Performer, beat: Beat) -> float:
 
 def _cheek(who: Performer, partner: Performer, side: str) -> TargetOf:
     def target(t: float) -> Floats:
-        face_point = partner.point("head", Vector((-sign(side) * 0.02, -0.09, 0.02)) * partner.m.k)
+        face_point = partner.point("head", Vector((-sign(side) * 0.02, -0.09, 0.02)) * partner.scale)
         along = (face_point - who.point(f"upper_arm.{side}")).normalized()
-        palm = face_point - along * (0.05 * who.m.k)
+        palm = face_point - along * (0.05 * who.scale)
         return hand(palm, along, Vector((0, 0, -1)), who.facing @ Vector((sign(side), 0.2, -0.2)), (80, 88, 35))
 
     return target

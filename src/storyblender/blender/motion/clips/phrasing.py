@@ -22,7 +22,7 @@ ONE_HANDED = 0.68
 
 
 @dataclass(frozen=True)
-class Pose:
+class GesturePose:
     """A hand in a gesture: place, fingers and palm in the chest's frame, and how the fingers are bent."""
 
     at: Triple
@@ -35,47 +35,47 @@ class Pose:
 class Gesture:
     """A hand is raised to ``ready`` and moves to ``shown`` on the stress; ``both`` hands make it, or one ``alone``."""
 
-    ready: Pose
-    shown: Pose
+    ready: GesturePose
+    shown: GesturePose
     both: bool = False
     alone: bool = False
 
 
 GESTURES: dict[str, Gesture] = {
     "offer": Gesture(
-        Pose((0.00, 0.44, -0.40), (-0.25, 0.9, 0.35), (-0.4, -0.1, 0.9)),
-        Pose((0.03, 0.64, -0.44), (-0.15, 1, 0.05), (-0.35, 0.0, 0.9)),
+        GesturePose((0.00, 0.44, -0.40), (-0.25, 0.9, 0.35), (-0.4, -0.1, 0.9)),
+        GesturePose((0.03, 0.64, -0.44), (-0.15, 1, 0.05), (-0.35, 0.0, 0.9)),
     ),
     "open": Gesture(
-        Pose((-0.06, 0.44, -0.42), (-0.3, 0.9, 0.2), (-0.6, -0.1, 0.8)),
-        Pose((0.24, 0.50, -0.46), (0.25, 0.95, 0.05), (-0.25, 0.1, 0.95)),
+        GesturePose((-0.06, 0.44, -0.42), (-0.3, 0.9, 0.2), (-0.6, -0.1, 0.8)),
+        GesturePose((0.24, 0.50, -0.46), (0.25, 0.95, 0.05), (-0.25, 0.1, 0.95)),
         both=True,
     ),
     "self": Gesture(
-        Pose((-0.10, 0.40, -0.36), (-0.7, 0.6, 0.4), (-0.4, -0.9, 0.1)),
-        Pose((-0.24, 0.27, -0.22), (-0.95, 0.15, 0.25), (0.0, -1, 0.1), (14, 18, 0)),
+        GesturePose((-0.10, 0.40, -0.36), (-0.7, 0.6, 0.4), (-0.4, -0.9, 0.1)),
+        GesturePose((-0.24, 0.27, -0.22), (-0.95, 0.15, 0.25), (0.0, -1, 0.1), (14, 18, 0)),
         alone=True,
     ),
     "stress": Gesture(
-        Pose((-0.06, 0.50, -0.20), (-0.15, 0.8, 0.55), (-0.85, 0.1, -0.35), (48, 34, 26)),
-        Pose((-0.05, 0.58, -0.36), (-0.15, 0.95, 0.1), (-0.85, 0.1, -0.4), (48, 34, 26)),
+        GesturePose((-0.06, 0.50, -0.20), (-0.15, 0.8, 0.55), (-0.85, 0.1, -0.35), (48, 34, 26)),
+        GesturePose((-0.05, 0.58, -0.36), (-0.15, 0.95, 0.1), (-0.85, 0.1, -0.4), (48, 34, 26)),
     ),
     "toss": Gesture(
-        Pose((-0.08, 0.40, -0.46), (-0.4, 0.8, 0.2), (-0.5, -0.3, 0.8)),
-        Pose((0.26, 0.42, -0.28), (0.4, 0.75, 0.5), (-0.1, 0.45, 0.85), (8, 12, 0)),
+        GesturePose((-0.08, 0.40, -0.46), (-0.4, 0.8, 0.2), (-0.5, -0.3, 0.8)),
+        GesturePose((0.26, 0.42, -0.28), (0.4, 0.75, 0.5), (-0.1, 0.45, 0.85), (8, 12, 0)),
     ),
     "weigh": Gesture(
-        Pose((-0.02, 0.46, -0.32), (-0.2, 0.95, 0.1), (-0.2, 0.1, -0.95), (10, 14, 0)),
-        Pose((0.12, 0.52, -0.40), (0.05, 1, 0.05), (-0.1, 0.1, -1), (8, 10, 0)),
+        GesturePose((-0.02, 0.46, -0.32), (-0.2, 0.95, 0.1), (-0.2, 0.1, -0.95), (10, 14, 0)),
+        GesturePose((0.12, 0.52, -0.40), (0.05, 1, 0.05), (-0.1, 0.1, -1), (8, 10, 0)),
     ),
     "finger": Gesture(
-        Pose((-0.01, 0.58, 0.18), (-0.1, 0.75, 0.75), (-0.75, 0.3, -0.5), (2, 80, 25)),
-        Pose((-0.08, 0.92, -0.12), (-0.12, 1, -0.05), (-0.7, 0, -0.7), (2, 80, 25)),
+        GesturePose((-0.01, 0.58, 0.18), (-0.1, 0.75, 0.75), (-0.75, 0.3, -0.5), (2, 80, 25)),
+        GesturePose((-0.08, 0.92, -0.12), (-0.12, 1, -0.05), (-0.7, 0, -0.7), (2, 80, 25)),
         alone=True,
     ),
     "chop": Gesture(
-        Pose((0.00, 0.52, -0.08), (-0.1, 0.85, 0.5), (-0.95, 0, -0.2), (4, 6, 0)),
-        Pose((-0.02, 0.68, -0.38), (-0.1, 1, -0.2), (-0.95, 0, -0.3), (4, 6, 0)),
+        GesturePose((0.00, 0.52, -0.08), (-0.1, 0.85, 0.5), (-0.95, 0, -0.2), (4, 6, 0)),
+        GesturePose((-0.02, 0.68, -0.38), (-0.1, 1, -0.2), (-0.95, 0, -0.3), (4, 6, 0)),
     ),
 }
 """By name. Strokes go down or out, as stress does."""
@@ -84,7 +84,7 @@ REST = "rest"
 
 
 @dataclass(frozen=True)
-class Phrase:
+class SpokenPhrase:
     """Some words on one breath: from ``start`` to ``end`` seconds, what is gestured, and when the stress falls."""
 
     start: float
@@ -96,7 +96,7 @@ class Phrase:
 
 def phrases(
     start: float, end: float, shares: Mapping[str, float], pace: float, rng: np.random.Generator
-) -> list[Phrase]:
+) -> list[SpokenPhrase]:
     """Cut a speech into phrases, no gesture twice in a row, not even after a rest.
 
     Args:
@@ -106,7 +106,7 @@ def phrases(
         pace: Seconds of a phrase, before chance.
         rng: For the choices.
     """
-    found: list[Phrase] = []
+    found: list[SpokenPhrase] = []
     t, last, gestured = start, "", ""
     while t < end - 0.6:
         length = pace * rng.uniform(0.75, 1.35)
@@ -119,7 +119,7 @@ def phrases(
         both = shape is not None and (shape.both or (not shape.alone and chance > ONE_HANDED))
         first = t + PREPARED + rng.uniform(0.05, 0.2)
         later = np.arange(first + rng.uniform(0.5, 0.75), until - 0.35, rng.uniform(0.55, 0.8))
-        found.append(Phrase(t, until, last, both, (first, *later.tolist())))
+        found.append(SpokenPhrase(t, until, last, both, (first, *later.tolist())))
         t = until
     return found
 
@@ -128,7 +128,7 @@ def gesticulate(
     who: Performer,
     hands: list[str],
     lead: str,
-    spoken: list[Phrase],
+    spoken: list[SpokenPhrase],
     size: float,
     room: float,
     rng: np.random.Generator,
@@ -165,11 +165,11 @@ def gesticulate(
 
 def _between(who: Performer, side: str, shape: Gesture, size: float, room: float, shift: np.ndarray) -> TargetOf:
     at = tuple(0.5 * (a + b) for a, b in zip(shape.ready.at, shape.shown.at, strict=True))
-    pose = Pose((at[0], at[1], at[2]), shape.shown.fingers, shape.shown.palm, shape.shown.curl)
+    pose = GesturePose((at[0], at[1], at[2]), shape.shown.fingers, shape.shown.palm, shape.shown.curl)
     return _hand(who, side, pose, size, room, shift)
 
 
-def _hand(who: Performer, side: str, pose: Pose, size: float, room: float, shift: np.ndarray) -> TargetOf:
+def _hand(who: Performer, side: str, pose: GesturePose, size: float, room: float, shift: np.ndarray) -> TargetOf:
     """A pose made smaller towards the belly, and nearer where there is little room."""
     share = 0.45 + 0.55 * size
     out, ahead, up = (low + (full - low) * share for low, full in zip(LOW, pose.at, strict=True))

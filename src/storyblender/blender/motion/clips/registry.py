@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
+from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import SIDES
-from storyblender.blender.motion.stage import Beat, Stage
 
-Play = Callable[[Stage, Performer, Beat], float]
+Play = Callable[[MotionStage, Performer, StagedCue], float]
 """Sets keys on the performer's channels and returns the second at which the clip is over."""
 
 
@@ -19,7 +19,7 @@ class Clip:
 
     Attributes:
         key: Its name in ``catalog.motions``.
-        uses: ``body`` (root, legs, trunk), ``hand`` (the beat's), ``hands`` (both), ``head``. A clip waits until the
+        uses: ``body`` (root, legs, trunk), ``hand`` (the cue's), ``hands`` (both), ``head``. A clip waits until the
             parts it uses are free, and takes hands away from whatever was planned for them later.
         play: The function.
     """
@@ -49,16 +49,16 @@ def clip(key: str, *uses: str) -> Callable[[Play], Play]:
     return register
 
 
-def play(stage: Stage, who: Performer, key: str, beat: Beat) -> float:
+def play(stage: MotionStage, who: Performer, key: str, cue: StagedCue) -> float:
     """Play a clip as soon as the parts it uses are free, and keep them until it is over."""
     chosen = CLIPS[key]
-    parts = chosen.parts(beat.side)
-    start = max([beat.start, *(who.free[part] for part in parts)])
+    parts = chosen.parts(cue.side)
+    start = max([cue.start, *(who.free[part] for part in parts)])
     for side in SIDES:
         if side in parts:
-            who.hands[side].cut(start)
-    end = chosen.play(stage, who, replace(beat, start=start))
-    stage.played[who.asset_id, key, beat.frame] = (start, end)
+            who.hands[side].remove_from(start)
+    end = chosen.play(stage, who, replace(cue, start=start))
+    stage.played[who.asset_id, key, cue.frame] = (start, end)
     for part in parts:
         who.free[part] = max(who.free[part], end)
     return end

@@ -8,15 +8,15 @@ import numpy as np
 from mathutils import Vector
 
 from storyblender.blender.motion.channel import smoothstep
-from storyblender.blender.motion.clips.locomotion import face, step_to, travel
+from storyblender.blender.motion.clips.locomotion import step_to, travel, turn_to
 from storyblender.blender.motion.clips.registry import clip
-from storyblender.blender.motion.clips.tabletop import bend_to, places_on, resting_place, table_before
-from storyblender.blender.motion.ease import at_ease
+from storyblender.blender.motion.clips.tabletop import find_table_before, hand_places_on, seated_bend, seated_hand
 from storyblender.blender.motion.hands import on_thigh
+from storyblender.blender.motion.idle_hands import idle_hand
+from storyblender.blender.motion.motion_stage import MotionStage, Seat, StagedCue
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.puppets import carried
 from storyblender.blender.motion.skeleton import SIDES, other, sign
-from storyblender.blender.motion.stage import Beat, Seat, Stage
+from storyblender.blender.motion.staged_props import carrying_hand
 from storyblender.geometry.boxes import shortest_turn
 from storyblender.geometry.paths import BEFORE_SEAT
 from storyblender.memory.shot_context import Mark
@@ -29,64 +29,64 @@ FLOOR_SEAT = 0.30
 """Seats lower than this are sat on with the feet stretched out."""
 
 
-def seat_mark(who: Performer, seat: Seat) -> Vector:
+def feet_before_seat(who: Performer, seat: Seat) -> Vector:
     """Return where the feet of a sitter are: in front of the seat's edge."""
-    return seat.edge + seat.before * (BEFORE_SEAT * who.m.k)
+    return seat.edge + seat.before * (BEFORE_SEAT * who.scale)
 
 
-def seat_meant(stage: Stage, who: Performer, beat: Beat) -> Seat | None:
-    """Return the seat of a beat's mark or target; the floor where a mark names no support."""
-    support = beat.mark.support_id if beat.mark else None
-    seat = stage.seat(support, beat.mark)
-    if seat is None and beat.target is not None:
-        named = getattr(beat.target, "asset_id", None)
-        seat = stage.seat(named, beat.mark)
-    if seat is None and beat.mark is not None and not support:
-        x, y, z = beat.mark.location
-        return Seat(Vector((x, y)), z + 0.02, 0.5, math.radians(beat.mark.yaw))
+def seat_of_cue(stage: MotionStage, who: Performer, cue: StagedCue) -> Seat | None:
+    """Return the seat of a cue's mark or target; the floor where a mark names no support."""
+    support = cue.mark.support_id if cue.mark else None
+    seat = stage.find_seat(support, cue.mark)
+    if seat is None and cue.target is not None:
+        named = getattr(cue.target, "asset_id", None)
+        seat = stage.find_seat(named, cue.mark)
+    if seat is None and cue.mark is not None and not support:
+        x, y, z = cue.mark.location
+        return Seat(Vector((x, y)), z + 0.02, 0.5, math.radians(cue.mark.yaw))
     return seat
 
 
-def refill_hands(stage: Stage, who: Performer, t: float, duration: float) -> None:
+def return_hands(stage: MotionStage, who: Performer, t: float, duration: float) -> None:
     """Bring both hands to where the posture wants them: home, or carrying."""
     for side in SIDES:
         held = who.held.get(side)
-        target = carried(who, side, stage.props[held]) if held in stage.props else who.home[side]
+        target = carrying_hand(who, side, stage.props[held]) if held in stage.props else who.home[side]
         who.hands[side].set(t, duration, target)
 
 
 @clip("sit", "body", "hands")
-def sit(stage: Stage, who: Performer, beat: Beat) -> float:
+def sit(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Sit down on the seat of the mark; walks to it first where needed."""
-    seat = seat_meant(stage, who, beat)
+    seat = seat_of_cue(stage, who, cue)
     if seat is None:
-        stage.report("no_support", who, beat, f"{who.asset_id} has nothing to sit on")
-        return beat.start
-    t = beat.start
-    t = go_to_seat(stage, who, beat, seat)
+        stage.report("no_support", who, cue, f"{who.asset_id} has nothing to sit on")
+        return cue.start
+    t = cue.start
+    t = go_to_seat(stage, who, cue, seat)
     if t is None:
-        return beat.start
-    who.support = beat.mark.support_id or "" if beat.mark else ""
-    return settle(stage, who, seat, t)
+        return cue.start
+    who.support = cue.mark.support_id or "" if cue.mark else ""
+    return lower_onto_seat(stage, who, seat, t)
 
 
-def go_to_seat(stage: Stage, who: Performer, beat: Beat, seat: Seat) -> float | None:
+def go_to_seat(stage: MotionStage, who: Performer, cue: StagedCue, seat: Seat) -> float | None:
     """Walk to a seat and turn the back to it; before the shot, be there. Return the end, None where there is no way."""
-    if beat.start < 0:
-        before = seat_mark(who, seat)
-        who.put(before.x, before.y, seat.yaw)
-        return beat.start
-    place = stage.access(who, seat)
-    t = face(who, travel(stage, who, beat, (place.x, place.y), seat.yaw), seat.yaw)
+    if cue.start < 0:
+        before = feet_before_seat(who, seat)
+        who.place_at_start(before.x, before.y, seat.yaw)
+        return cue.start
+    place = stage.seat_access(who, seat)
+    t = turn_to(who, travel(stage, who, cue, (place.x, place.y), seat.yaw), seat.yaw)
     return t if (who.position - place).length < 0.15 else None
 
 
-def settle(stage: Stage, who: Performer, seat: Seat, t: float) -> float:
+def lower_onto_seat(stage: MotionStage, who: Performer, seat: Seat, t: float) -> float:
     """Lower oneself onto a seat from the spot before it, and return the end."""
-    m, k = who.m, who.m.k
+    m, k = who.measures, who.scale
     forward = who.forward
     depth = min(0.80 * m.thigh, max(0.08, seat.depth - m.seat_back - 0.02))
-    before = seat_mark(who, seat)
+    before = feet_before_seat(who, seat)
     back = depth - (seat.edge - before).dot(forward)
     dy, height = back - m.hip_y, seat.height + m.seat_drop
     whole = 1.15 * math.sqrt(k)
@@ -97,23 +97,23 @@ def settle(stage: Stage, who: Performer, seat: Seat, t: float) -> float:
     who.spine.set(t, 0.5 * whole, (16, 0, 0))
     who.hips.set(t + 0.38 * whole, 0.62 * whole, (0, dy, height, -4, 0, 0))
     hips = who.position - forward * back
-    table = table_before(stage, who, hips, seat.height)
-    who.table = places_on(who, hips, table)
-    who.spine.set(t + 0.5 * whole, 0.6 * whole, (bend_to(who, table), 0, 0))
+    table = find_table_before(stage, who, hips, seat.height)
+    who.table = hand_places_on(who, hips, table)
+    who.spine.set(t + 0.5 * whole, 0.6 * whole, (seated_bend(who, table), 0, 0))
     who.pinned.set(t, 0.9 * whole, 1.0)
     who.life.set(t, whole, 0.5)
     who.seated.set(t + 0.25 * whole, 0.70 * whole, 1.0)
     for side in SIDES:
         _seat_foot(who, side, t, whole, height, hips, forward)
-        who.home[side] = resting_place(stage, who, side)
-    refill_hands(stage, who, t + 0.15 * whole, 0.8 * whole)
+        who.home[side] = seated_hand(stage, who, side)
+    return_hands(stage, who, t + 0.15 * whole, 0.8 * whole)
     who.posture = "sit"
     return t + 1.1 * whole
 
 
 def _slide(who: Performer, t: float, place: Vector, hips: tuple[float, ...]) -> float:
     """Move sideways between chair and table, half up; return the end."""
-    k = who.m.k
+    k = who.scale
     way = place - who.position
     right = Vector((math.cos(who.yaw), math.sin(who.yaw)))
     lead = "R" if way.dot(right) < 0 else "L"
@@ -129,7 +129,7 @@ def _slide(who: Performer, t: float, place: Vector, hips: tuple[float, ...]) -> 
 
 def _seat_foot(who: Performer, side: str, t: float, whole: float, height: float, hips: Vector, forward: Vector) -> None:
     """Feet of somebody sitting: dangling from high seats, stretched out on low ones, else tucked in one step."""
-    m, k = who.m, who.m.k
+    m, k = who.measures, who.scale
     right = Vector((math.cos(who.yaw), math.sin(who.yaw)))
     if height - m.ankle > m.shin + 0.02 * k + 0.05:
         knee = hips + forward * (0.97 * m.thigh - 0.02) + right * (sign(side) * 0.09 * k)
@@ -148,26 +148,26 @@ def _seat_foot(who: Performer, side: str, t: float, whole: float, height: float,
 
 
 @clip("rise", "body", "hands")
-def rise(stage: Stage, who: Performer, beat: Beat) -> float:
+def rise(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Stand up from any posture."""
-    return stand_up(stage, who, beat.start)
+    return stand_up(stage, who, cue.start)
 
 
-def stand_up(stage: Stage, who: Performer, t: float) -> float:
+def stand_up(stage: MotionStage, who: Performer, t: float) -> float:
     """Stand up from the planned posture, and return the end; nothing happens to who stands."""
     if who.posture == "stand":
         return t
     if who.posture in ("lie", "asleep"):
         t = _sit_up(stage, who, t)
     if who.posture == "sit":
-        seat = stage.seat(who.support, _here(who)) if who.support else None
-        return _leave_seat(stage, who, t, stage.access(who, seat) if seat else who.position)
+        seat = stage.find_seat(who.support, _here(who)) if who.support else None
+        return _leave_seat(stage, who, t, stage.seat_access(who, seat) if seat else who.position)
     return _straighten(stage, who, t)
 
 
-def _leave_seat(stage: Stage, who: Performer, t: float, place: Vector) -> float:
+def _leave_seat(stage: MotionStage, who: Performer, t: float, place: Vector) -> float:
     """Stand up in front of the seat, or, where there is no room, beside it."""
-    k = who.m.k
+    k = who.scale
     whole = 1.1 * math.sqrt(k)
     now = who.hips(t)
     if (who.position - place).length > ASIDE:
@@ -189,9 +189,9 @@ def _leave_seat(stage: Stage, who: Performer, t: float, place: Vector) -> float:
     return end + 0.5
 
 
-def _straighten(stage: Stage, who: Performer, t: float) -> float:
+def _straighten(stage: MotionStage, who: Performer, t: float) -> float:
     """Stand up from kneeling, crouching, leaning or all fours, or get down from hanging or riding."""
-    k, x, y = who.m.k, *who.position
+    k, x, y = who.scale, *who.position
     whole = 0.9 * math.sqrt(k)
     low = who.hips(t)[2] < 0.75 * who.standing_height
     if who.posture in OFF_THE_FLOOR:
@@ -209,20 +209,20 @@ def _straighten(stage: Stage, who: Performer, t: float) -> float:
     return t + 1.15 * whole
 
 
-def _release(stage: Stage, who: Performer, t: float, whole: float) -> None:
+def _release(stage: MotionStage, who: Performer, t: float, whole: float) -> None:
     who.pinned.set(t + 0.5 * whole, 0.4 * whole, 0.0)
     who.life.set(t + whole, 0.5, 1.0)
     who.lean_after.set(t + whole, 0, 1.0)
     who.table = {}
     for side in SIDES:
-        who.home[side] = at_ease(who, side)
-    refill_hands(stage, who, t + 0.3 * whole, 0.7 * whole)
+        who.home[side] = idle_hand(who, side)
+    return_hands(stage, who, t + 0.3 * whole, 0.7 * whole)
     who.posture, who.support = "stand", ""
 
 
-def _sit_up(stage: Stage, who: Performer, t: float) -> float:
+def _sit_up(stage: MotionStage, who: Performer, t: float) -> float:
     """From lying: on a bed to its edge, on the floor to a kneel."""
-    k = who.m.k
+    k = who.scale
     whole = 1.6 * math.sqrt(k)
     seat = who.bedside if isinstance(who.bedside, Seat) else None
     who.look_freely(t + 0.3)
@@ -230,19 +230,21 @@ def _sit_up(stage: Stage, who: Performer, t: float) -> float:
         x, y = who.position
         who.hips.set(t, 0.5 * whole, (0, 0.10 * k, 0.20 * k, -20, 0, 0))
         who.spine.set(t, 0.5 * whole, (24, 0, 0))
-        who.hips.set(t + 0.45 * whole, 0.5 * whole, (0, 0, 0.45 * who.m.leg, 12, 0, 0))
+        who.hips.set(t + 0.45 * whole, 0.5 * whole, (0, 0, 0.45 * who.measures.leg, 12, 0, 0))
         for index, side in enumerate(SIDES):
             pose = who.plant(side, x, y, who.yaw, width=1.3, back=-0.12 * k)
             step_to(who, side, t + 0.3 * whole + 0.15 * index, 0.45 * whole, pose, 0.08 * k)
         who.posture = "crouch"
         return t + whole
-    before = seat_mark(who, seat)
-    back = min(0.80 * who.m.thigh, 0.5 * seat.depth) - (seat.edge - before).dot(_forward(seat.yaw))
+    before = feet_before_seat(who, seat)
+    back = min(0.80 * who.measures.thigh, 0.5 * seat.depth) - (seat.edge - before).dot(_forward(seat.yaw))
     turn = shortest_turn(who.yaw, seat.yaw)
     who.root.set(t + 0.3 * whole, 0.6 * whole, (before.x, before.y, who.yaw + turn))
-    who.hips.set(t, 0.5 * whole, (0, -who.m.hip_y, seat.height + who.m.seat_drop, -25, 0, 0))
+    who.hips.set(t, 0.5 * whole, (0, -who.measures.hip_y, seat.height + who.measures.seat_drop, -25, 0, 0))
     who.spine.set(t, 0.5 * whole, (22, 0, 0))
-    who.hips.set(t + 0.4 * whole, 0.5 * whole, (0, back - who.m.hip_y, seat.height + who.m.seat_drop, -4, 0, 0))
+    who.hips.set(
+        t + 0.4 * whole, 0.5 * whole, (0, back - who.measures.hip_y, seat.height + who.measures.seat_drop, -4, 0, 0)
+    )
     who.spine.set(t + 0.6 * whole, 0.4 * whole, (6, 0, 0))
     for index, side in enumerate(SIDES):
         raised = np.array(who.feet[side](t), float)
@@ -253,7 +255,7 @@ def _sit_up(stage: Stage, who: Performer, t: float) -> float:
         landed = who.plant(side, before.x, before.y, seat.yaw)
         who.feet[side].set(t + 0.5 * whole + 0.08 * index, 0.4 * whole, landed)
         who.home[side] = on_thigh(who, side)
-    refill_hands(stage, who, t + 0.5 * whole, 0.5 * whole)
+    return_hands(stage, who, t + 0.5 * whole, 0.5 * whole)
     who.position, who.yaw, who.posture = before, who.yaw + turn, "sit"
     return t + whole
 

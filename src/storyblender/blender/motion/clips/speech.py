@@ -8,13 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from storyblender.blender.motion.channel import clamp
-from storyblender.blender.motion.clips.gaze import aside, look_at_subject, mood
-from storyblender.blender.motion.clips.phrasing import REST, Phrase, gesticulate, phrases
+from storyblender.blender.motion.clips.gaze import look_at_subject, point_aside, show_mood
+from storyblender.blender.motion.clips.phrasing import REST, SpokenPhrase, gesticulate, phrases
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.hands import by_chest, by_head
+from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import SIDES, other
-from storyblender.blender.motion.stage import Beat, Stage
 
 LONG_LAUGH = 1.4
 """Seconds; in a shorter laugh no hand has time to move."""
@@ -64,29 +64,29 @@ MANNERS: dict[str, Manner] = {
 
 
 @clip("talk")
-def talk(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Speak to the target for the beat's duration, with gestures of the free hands."""
-    return _speak(stage, who, beat, MANNERS[beat.mood])
+def talk(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
+    """Speak to the target for the cue's duration, with gestures of the free hands."""
+    return _speak(stage, who, cue, MANNERS[cue.mood])
 
 
 @clip("whisper")
-def whisper(stage: Stage, who: Performer, beat: Beat) -> float:
+def whisper(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Speak low, leaning in, hands quiet."""
-    return _speak(stage, who, beat, Manner(0.0, 1.8, 10, QUIET_HANDS, mouth=0.35, rate=2.6))
+    return _speak(stage, who, cue, Manner(0.0, 1.8, 10, QUIET_HANDS, mouth=0.35, rate=2.6))
 
 
 @clip("shout")
-def shout(stage: Stage, who: Performer, beat: Beat) -> float:
+def shout(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Speak with all one has."""
-    return _speak(stage, who, beat, Manner(1.0, 1.3, 6, MANNERS["angry"].shares, 1.0, 2.2))
+    return _speak(stage, who, cue, Manner(1.0, 1.3, 6, MANNERS["angry"].shares, 1.0, 2.2))
 
 
-def _speak(stage: Stage, who: Performer, beat: Beat, manner: Manner) -> float:
-    t, end = beat.start, beat.start + (beat.duration or 2.5)
-    rng = np.random.default_rng(beat.seed)
-    if beat.target is not None:
-        look_at_subject(stage, who, t, beat)
-    mood(who, t, beat.mood)
+def _speak(stage: MotionStage, who: Performer, cue: StagedCue, manner: Manner) -> float:
+    t, end = cue.start, cue.start + (cue.duration or 2.5)
+    rng = np.random.default_rng(cue.seed)
+    if cue.target is not None:
+        look_at_subject(stage, who, t, cue)
+    show_mood(who, t, cue.mood)
     who.speeches.append((t, end, manner.mouth, manner.rate))
     who.accent.set(t, 0.4, (manner.lean, 0, 0))
     who.nod.set(t, 0.3, (-3, 0, 0))
@@ -94,22 +94,22 @@ def _speak(stage: Stage, who: Performer, beat: Beat, manner: Manner) -> float:
     hands = [side for side in SIDES if who.is_free(side) and who.free[side] <= t + 0.2]
     if hands and manner.size > 0 and end - t > 1.2 and who.posture not in ("lie", "asleep"):
         who.lean_after.set(t, 0, 0.0)
-        gesticulate(who, hands, beat.side, spoken, manner.size, _room(stage, who, beat), rng)
+        gesticulate(who, hands, cue.side, spoken, manner.size, _room(stage, who, cue), rng)
         for side in hands:
             who.hands[side].set(end - 0.3, 0.6, who.home[side])
         who.lean_after.set(end + 0.3, 0, 1.0)
     for phrase in spoken:
         _stress(who, phrase, manner, rng)
-    if beat.target is not None and beat.mood != "angry":
-        _look_away(stage, who, beat, spoken[1:], rng)
+    if cue.target is not None and cue.mood != "angry":
+        _look_away(stage, who, cue, spoken[1:], rng)
     who.accent.set(end - 0.2, 0.5, (0, 0, 0))
     who.nod.set(end - 0.2, 0.3, (0, 0, 0))
-    if beat.mood != "neutral":
-        mood(who, end, "neutral", 0.8)
+    if cue.mood != "neutral":
+        show_mood(who, end, "neutral", 0.8)
     return end
 
 
-def _stress(who: Performer, phrase: Phrase, manner: Manner, rng: np.random.Generator) -> None:
+def _stress(who: Performer, phrase: SpokenPhrase, manner: Manner, rng: np.random.Generator) -> None:
     """Head and trunk go with the words: a way of holding the head for the phrase, a nod on every stress."""
     turned, tilted = rng.uniform(-5, 5) * manner.size, rng.uniform(-5, 5)
     push = 4.0 if manner.size == 1.0 else 1.5
@@ -121,32 +121,34 @@ def _stress(who: Performer, phrase: Phrase, manner: Manner, rng: np.random.Gener
         who.accent.set(stress + 0.3, 0.4, (manner.lean, 0, 0.6 * turned))
 
 
-def _look_away(stage: Stage, who: Performer, beat: Beat, spoken: list[Phrase], rng: np.random.Generator) -> None:
+def _look_away(
+    stage: MotionStage, who: Performer, cue: StagedCue, spoken: list[SpokenPhrase], rng: np.random.Generator
+) -> None:
     """Look aside for a moment where a new thought begins, and back at the listener."""
     for phrase in spoken:
         if rng.random() < LOOKS_AWAY:
             who.eyes.set(
-                phrase.start - 0.1, 0.1, aside(who, float(rng.choice((-28, -18, 18, 28))), rng.uniform(0.8, 1.1))
+                phrase.start - 0.1, 0.1, point_aside(who, float(rng.choice((-28, -18, 18, 28))), rng.uniform(0.8, 1.1))
             )
             who.blinks.append(phrase.start - 0.05)
-            look_at_subject(stage, who, phrase.start + 0.45, beat)
+            look_at_subject(stage, who, phrase.start + 0.45, cue)
 
 
-def _room(stage: Stage, who: Performer, beat: Beat) -> float:
+def _room(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Return the share of a full gesture there is room for before the listener."""
-    if beat.target is None:
+    if cue.target is None:
         return 1.0
-    gap = (stage.ground_of(beat.target) - who.position).length
-    return clamp((gap - 0.35) / (1.25 * who.m.arm), 0.55, 1.0)
+    gap = (stage.floor_position(cue.target) - who.position).length
+    return clamp((gap - 0.35) / (1.25 * who.measures.arm), 0.55, 1.0)
 
 
 @clip("laugh", "head")
-def laugh(stage: Stage, who: Performer, beat: Beat) -> float:
+def laugh(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Laugh: the head goes back, then the trunk doubles up over a hand on the belly, shoulders shaking throughout."""
-    t, end = beat.start, beat.start + (beat.duration or 2.0)
-    if beat.target is not None:
-        look_at_subject(stage, who, t, beat)
-    side = next((each for each in (beat.side, other(beat.side)) if who.is_free(each) and who.free[each] <= t), None)
+    t, end = cue.start, cue.start + (cue.duration or 2.0)
+    if cue.target is not None:
+        look_at_subject(stage, who, t, cue)
+    side = next((each for each in (cue.side, other(cue.side)) if who.is_free(each) and who.free[each] <= t), None)
     doubled = t + max(0.7, 0.45 * (end - t))
     if side is not None and end - t > LONG_LAUGH and who.posture in ("stand", "sit"):
         belly = by_chest(
@@ -154,7 +156,7 @@ def laugh(stage: Stage, who: Performer, beat: Beat) -> float:
         )
         who.hands[side].set(t + 0.2, 0.5, belly)
         who.hands[side].set(end - 0.3, 0.6, who.home[side])
-    mood(who, t, "laugh")
+    show_mood(who, t, "laugh")
     who.nod.set(t, 0.3, (-16, 4, 0))
     who.nod.set(doubled, 0.35, (8, -3, 0))
     who.accent.set(t, 0.3, (-7, 0, 0))
@@ -163,17 +165,17 @@ def laugh(stage: Stage, who: Performer, beat: Beat) -> float:
         bend = -7 if now < doubled else 15
         who.accent.set(now, 0.11, (bend + 4, 0, 0))
         who.accent.set(now + 0.12, 0.12 if now < doubled else 0.2, (bend, 0, 0))
-    mood(who, end - 0.3, "smile", 0.4)
+    show_mood(who, end - 0.3, "smile", 0.4)
     who.nod.set(end - 0.3, 0.4, (0, 0, 0))
     who.accent.set(end - 0.2, 0.45, (0, 0, 0))
     return end
 
 
 @clip("cry", "head", "hands")
-def cry(stage: Stage, who: Performer, beat: Beat) -> float:
+def cry(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Weep into the free hands, trunk bent and trembling."""
-    t, end = beat.start, beat.start + (beat.duration or 3.0)
-    mood(who, t, "cry", 0.4)
+    t, end = cue.start, cue.start + (cue.duration or 3.0)
+    show_mood(who, t, "cry", 0.4)
     who.look_freely(t)
     who.nod.set(t + 0.1, 0.7, (22, 0, 0))
     who.accent.set(t, 0.7, (14, 0, 0))
@@ -199,6 +201,6 @@ def cry(stage: Stage, who: Performer, beat: Beat) -> float:
         who.hands[side].set(end - 0.6, 0.7, who.home[side])
     who.nod.set(end - 0.5, 0.6, (6, 0, 0))
     who.accent.set(end - 0.5, 0.6, (4, 0, 0))
-    mood(who, end - 0.3, "sad", 0.6)
+    show_mood(who, end - 0.3, "sad", 0.6)
     who.lean_after.set(end, 0, 1.0)
     return end

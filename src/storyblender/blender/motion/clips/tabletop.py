@@ -9,18 +9,18 @@ from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Floats, TargetOf
 from storyblender.blender.motion.hands import hand, on_thigh
+from storyblender.blender.motion.motion_stage import MotionStage
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import StageFurniture
 from storyblender.blender.motion.skeleton import sign
-from storyblender.blender.motion.stage import Stage
 from storyblender.memory.asset_sheet import Anchor
 
 NEAREST_EDGE, FARTHEST_EDGE = 0.10, 0.52
-"""Metres, times k, from the hips to the edge of a table that is sat at."""
+"""Metres, times the scale, from the hips to the edge of a table that is sat at."""
 OVER_LAP, UNDER_SHOULDERS = 0.17, 0.16
-"""Metres, times k: a table stands higher than the seat by the one, lower than the shoulders by the other."""
+"""Metres, times the scale: a table stands higher than the seat by the one, lower than the shoulders by the other."""
 OUT = {"L": (0.13, 0.07), "R": (0.10, 0.11)}
-"""Metres, times k, from the middle of the body and from the edge to each palm: nobody sits like a sphinx."""
+"""Metres, times the scale, from the middle of the body and from the edge to each palm: nobody sits like a sphinx."""
 UPRIGHT = 6.0
 """Degrees the back of a sitter is bent."""
 APART = 0.13
@@ -35,12 +35,12 @@ class Table:
     height: float
 
 
-def bend_to(who: Performer, table: Table | None) -> float:
+def seated_bend(who: Performer, table: Table | None) -> float:
     """Return how far, in degrees, the back of somebody who sits is bent: towards a table that is farther away."""
-    return UPRIGHT if table is None else UPRIGHT + 45 * max(0.0, table.edge / who.m.k - 0.30)
+    return UPRIGHT if table is None else UPRIGHT + 45 * max(0.0, table.edge / who.scale - 0.30)
 
 
-def places_on(who: Performer, hips: Vector, table: Table | None) -> dict[str, Vector]:
+def hand_places_on(who: Performer, hips: Vector, table: Table | None) -> dict[str, Vector]:
     """Return where on a table before somebody who sits each of their hands lies; nothing where there is no table.
 
     Args:
@@ -54,7 +54,7 @@ def places_on(who: Performer, hips: Vector, table: Table | None) -> dict[str, Ve
     return {
         side: Vector(
             (
-                *(hips + who.forward * (table.edge + beyond * who.m.k) + left * (sign(side) * aside * who.m.k)),
+                *(hips + who.forward * (table.edge + beyond * who.scale) + left * (sign(side) * aside * who.scale)),
                 table.height,
             )
         )
@@ -62,13 +62,13 @@ def places_on(who: Performer, hips: Vector, table: Table | None) -> dict[str, Ve
     }
 
 
-def resting_place(stage: Stage, who: Performer, side: str) -> TargetOf:
+def seated_hand(stage: MotionStage, who: Performer, side: str) -> TargetOf:
     """Return where a free hand of somebody who sits rests: on their table where its place is free, else on the lap."""
     spot = who.table.get(side)
     if spot is None or not _is_free(stage, spot):
         return on_thigh(who, side)
     forward, left = who.forward, Vector((math.cos(who.yaw), math.sin(who.yaw)))
-    palm = spot + Vector((0, 0, 0.024 * who.m.k))
+    palm = spot + Vector((0, 0, 0.024 * who.scale))
     fingers = Vector((*(forward - left * (0.5 * sign(side))), 0))
     pole = Vector((*(left * sign(side) - forward * 0.3), -0.3))
 
@@ -78,11 +78,11 @@ def resting_place(stage: Stage, who: Performer, side: str) -> TargetOf:
     return target
 
 
-def table_before(stage: Stage, who: Performer, hips: Vector, seat_height: float) -> Table | None:
+def find_table_before(stage: MotionStage, who: Performer, hips: Vector, seat_height: float) -> Table | None:
     """Return the table before somebody who sits with the hips there; None where there is none."""
-    k = who.m.k
+    k = who.scale
     low = seat_height + OVER_LAP * k
-    high = seat_height + who.m.shoulder_height - who.m.hip_height - UNDER_SHOULDERS * k
+    high = seat_height + who.measures.shoulder_height - who.measures.hip_height - UNDER_SHOULDERS * k
     found: list[tuple[float, float]] = []
     for piece in stage.plan.furniture.values():
         for top in piece.anchors:
@@ -109,7 +109,7 @@ def _edge(piece: StageFurniture, top: Anchor, spot: Vector, forward: Vector) -> 
     return near if 0 < near < far else None
 
 
-def _is_free(stage: Stage, spot: Vector) -> bool:
+def _is_free(stage: MotionStage, spot: Vector) -> bool:
     """Tell whether nothing stands on a table where a palm would lie."""
     things = [(Vector(each.world[:3, 3].tolist()), each.dimensions) for each in stage.plan.furniture.values()]
     loose = [prop for prop in stage.props.values() if prop.holder is None]

@@ -8,40 +8,42 @@ from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Channel, Floats
 from storyblender.blender.motion.clips.gaze import look_at
-from storyblender.blender.motion.clips.handling import let_go, pick_up, prop_of
+from storyblender.blender.motion.clips.handling import pick_up, prop_of, release_prop
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.hands import by_head, hand
+from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.puppets import MatrixOf, PropPuppet, carried
 from storyblender.blender.motion.skeleton import SIDES, about, other, sign
-from storyblender.blender.motion.stage import Beat, Stage
+from storyblender.blender.motion.staged_props import MatrixOf, StagedProp, carrying_hand
 
 
 @clip("drink", "hand", "head")
-def drink(stage: Stage, who: Performer, beat: Beat) -> float:
+def drink(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Bring the held cup to the mouth, tilt, lower it."""
-    return _to_mouth(stage, who, beat, tilt=42, height_share=1.0, hold=1.15)
+    return _to_mouth(stage, who, cue, tilt=42, height_share=1.0, hold=1.15)
 
 
 @clip("eat", "hand", "head")
-def eat(stage: Stage, who: Performer, beat: Beat) -> float:
+def eat(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Bring what is held, or the fingers, to the mouth, and chew."""
-    end = _to_mouth(stage, who, beat, tilt=8, height_share=0.6, hold=0.5)
+    end = _to_mouth(stage, who, cue, tilt=8, height_share=0.6, hold=0.5)
     who.speeches.append((end - 0.6, end + 1.4, 0.25, 1.4))
     return end
 
 
 @clip("smoke", "hand", "head")
-def smoke(stage: Stage, who: Performer, beat: Beat) -> float:
+def smoke(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Bring a cigarette to the lips and breathe out upwards."""
-    return _to_mouth(stage, who, beat, tilt=0, height_share=0.5, hold=0.9)
+    return _to_mouth(stage, who, cue, tilt=0, height_share=0.5, hold=0.9)
 
 
-def _to_mouth(stage: Stage, who: Performer, beat: Beat, tilt: float, height_share: float, hold: float) -> float:
-    t, side, k = beat.start, beat.side, who.m.k
-    prop = prop_of(beat)
+def _to_mouth(
+    stage: MotionStage, who: Performer, cue: StagedCue, tilt: float, height_share: float, hold: float
+) -> float:
+    t, side, k = cue.start, cue.side, who.scale
+    prop = prop_of(cue)
     if prop is not None and prop.holder is not who:
-        t = pick_up(stage, who, beat)
+        t = pick_up(stage, who, cue)
     held = stage.props.get(who.held.get(side, ""))
     if held is None:
         mouth = by_head(
@@ -68,36 +70,36 @@ def _to_mouth(stage: Stage, who: Performer, beat: Beat, tilt: float, height_shar
     who.hands[side].set(t, 0.8, target, bump=ahead)
     who.nod.set(t + 0.8, 0.4, (-0.33 * tilt, 0, 0))
     who.nod.set(t + 0.6 + hold, 0.4, (0, 0, 0))
-    who.hands[side].set(t + 0.9 + hold, 0.8, carried(who, side, held), bump=ahead)
+    who.hands[side].set(t + 0.9 + hold, 0.8, carrying_hand(who, side, held), bump=ahead)
     return t + 1.7 + hold
 
 
 @clip("phone", "hand", "head")
-def phone(stage: Stage, who: Performer, beat: Beat) -> float:
+def phone(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Hold a telephone, or a hand, to the ear and keep it there for the duration."""
-    t, side = beat.start, beat.side
-    prop = prop_of(beat)
+    t, side = cue.start, cue.side
+    prop = prop_of(cue)
     if prop is not None and prop.holder is not who:
-        t = pick_up(stage, who, beat)
-    end = max(t + 1.4, beat.start + (beat.duration or 2.5))
+        t = pick_up(stage, who, cue)
+    end = max(t + 1.4, cue.start + (cue.duration or 2.5))
     ear = by_head(
         who, side, (0.088, -0.045, -0.03), (-0.05, 0.18, 0.95), (-1, 0.1, 0.05), pole=(0.6, 0.25, -1), curl=(62, 72, 25)
     )
-    who.hands[side].set(t, 0.7, ear, bump=Vector((*who.forward, 0)) * (0.10 * who.m.k))
+    who.hands[side].set(t, 0.7, ear, bump=Vector((*who.forward, 0)) * (0.10 * who.scale))
     held = stage.props.get(who.held.get(side, ""))
     if held is not None:
         held.follow(t + 0.25, _at_ear(who, side, held), 0.45)
     who.nod.set(t + 0.3, 0.4, (4, 5 * sign(side), 0))
-    if beat.duration is not None and end < stage.plan.frames / stage.fps - 0.2:
+    if cue.duration is not None and end < stage.plan.frames / stage.fps - 0.2:
         who.nod.set(end - 0.6, 0.4, (0, 0, 0))
-        home = carried(who, side, held) if held is not None else who.home[side]
+        home = carrying_hand(who, side, held) if held is not None else who.home[side]
         who.hands[side].set(end - 0.7, 0.7, home)
         if held is not None:
             held.hold(end - 0.5, who, side, held.grip(side), 0.45)
     return end
 
 
-def _at_ear(who: Performer, side: str, prop: PropPuppet) -> MatrixOf:
+def _at_ear(who: Performer, side: str, prop: StagedProp) -> MatrixOf:
     def matrix(t: float) -> Matrix:
         axes, palm = who.hand_matrix(side)
         along, out = Vector(axes.col[0]), Vector(axes.col[1])
@@ -118,13 +120,13 @@ def _at_ear(who: Performer, side: str, prop: PropPuppet) -> MatrixOf:
 
 
 @clip("read", "hands", "head")
-def read(stage: Stage, who: Performer, beat: Beat) -> float:
+def read(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Hold a book or a letter before the chest in both hands and read it."""
-    t, k = beat.start, who.m.k
-    prop = prop_of(beat)
+    t, k = cue.start, who.scale
+    prop = prop_of(cue)
     if prop is not None and prop.holder is not who and (prop.matrix.translation.xy - who.position).length < 1.3:
-        t = pick_up(stage, who, beat)
-    end = max(t + 1.5, beat.start + (beat.duration or 3.0))
+        t = pick_up(stage, who, cue)
+    end = max(t + 1.5, cue.start + (cue.duration or 3.0))
     lying = who.posture in ("lie", "asleep")
 
     def page(now: float) -> Matrix:
@@ -154,8 +156,8 @@ def read(stage: Stage, who: Performer, beat: Beat) -> float:
         if who.held.get(side, prop.asset_id if prop else None) == (prop.asset_id if prop else None):
             who.hands[side].set(t, 0.9, target)
     if prop is not None:
-        let_go(stage, prop)
-        who.held[beat.side] = prop.asset_id
+        release_prop(stage, prop)
+        who.held[cue.side] = prop.asset_id
         prop.holder = who
         flat = prop.size.z < 0.5 * min(prop.size.x, prop.size.y)
         prop.follow(t + 0.4, lambda now: page(now) if flat else page(now) @ _upright_sheet(prop), 0.5)
@@ -167,15 +169,15 @@ def read(stage: Stage, who: Performer, beat: Beat) -> float:
     return end
 
 
-def _upright_sheet(prop: PropPuppet) -> Matrix:
+def _upright_sheet(prop: StagedProp) -> Matrix:
     """Turn a thing modelled standing (front -Y) so that its front looks out of the page."""
     return Matrix.Rotation(-math.pi / 2, 4, "X") @ Matrix.Translation((0, 0, -prop.size.z / 2))
 
 
 @clip("write", "hands", "head")
-def write(stage: Stage, who: Performer, beat: Beat) -> float:
+def write(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Write on the table before one, or on what the other hand holds."""
-    t, end, k, side = beat.start, beat.start + (beat.duration or 3.0), who.m.k, beat.side
+    t, end, k, side = cue.start, cue.start + (cue.duration or 3.0), who.scale, cue.side
     height = table_height(stage, who)
     ahead = (0.36 if who.posture == "sit" else 0.34) * k
 
@@ -205,12 +207,12 @@ def write(stage: Stage, who: Performer, beat: Beat) -> float:
         who.hands[other(side)].set(t, 0.7, flat)
     who.accent.set(t, 0.6, (10, 0, 0))
     look_at(who, t, lambda now: tuple(place(now, 0)))
-    return _stop(stage, who, end, beat)
+    return _stop(stage, who, end, cue)
 
 
-def table_height(stage: Stage, who: Performer) -> float:
+def table_height(stage: MotionStage, who: Performer) -> float:
     """Return the height of the nearest top before a person, or of the lap."""
-    spot = who.position + who.forward * (0.35 * who.m.k)
+    spot = who.position + who.forward * (0.35 * who.scale)
     best, height = 0.9, None
     for furniture in stage.plan.furniture.values():
         for anchor in furniture.anchors:
@@ -222,19 +224,19 @@ def table_height(stage: Stage, who: Performer) -> float:
                 best, height = reach, world.z
     if height is not None:
         return height
-    return 0.5 * who.m.k if who.posture == "sit" else 0.62 * who.m.shoulder_height
+    return 0.5 * who.scale if who.posture == "sit" else 0.62 * who.measures.shoulder_height
 
 
 def _elbow(who: Performer, side: str) -> Vector:
     return who.facing @ Vector((sign(side) * 0.8, 0.4, -0.6))
 
 
-def _stop(stage: Stage, who: Performer, end: float, beat: Beat) -> float:
+def _stop(stage: MotionStage, who: Performer, end: float, cue: StagedCue) -> float:
     """Bring the hands home at the end, if the shot goes on after it."""
     if end < stage.plan.frames / stage.fps - 0.3:
         for side in SIDES:
             held = stage.props.get(who.held.get(side, ""))
-            who.hands[side].set(end - 0.1, 0.7, carried(who, side, held) if held else who.home[side])
+            who.hands[side].set(end - 0.1, 0.7, carrying_hand(who, side, held) if held else who.home[side])
         who.accent.set(end, 0.5, (0, 0, 0))
         who.lean_after.set(end + 0.6, 0, 1.0)
     return end

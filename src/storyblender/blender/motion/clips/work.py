@@ -8,19 +8,19 @@ from collections.abc import Callable
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Floats, TargetOf
-from storyblender.blender.motion.clips.containers import open_held
+from storyblender.blender.motion.clips.containers import open_held_bag
 from storyblender.blender.motion.clips.gaze import look_at, look_at_subject
-from storyblender.blender.motion.clips.handling import approach, come_up, prop_of, reach_down
+from storyblender.blender.motion.clips.handling import approach, bend_to_reach, prop_of, straighten_up
 from storyblender.blender.motion.clips.locomotion import step_to
 from storyblender.blender.motion.clips.music import strum
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.clips.using import table_height
 from storyblender.blender.motion.hands import by_chest, hand
+from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import StageFurniture
-from storyblender.blender.motion.puppets import PropPuppet, carried
 from storyblender.blender.motion.skeleton import SIDES, UP, other, sign
-from storyblender.blender.motion.stage import Beat, Stage
+from storyblender.blender.motion.staged_props import StagedProp, carrying_hand
 
 HAND_IN = 0.25
 """Metres from the side of a thing to the spot on its top that a hand works on."""
@@ -32,23 +32,23 @@ Offset = Callable[[float], Vector]
 """Movement of a hand over time, in the person's frame: aside, forwards, up."""
 
 
-def handle_of(stage: Stage, who: Performer, beat: Beat) -> tuple[Vector, float | None]:
+def working_point(stage: MotionStage, who: Performer, cue: StagedCue) -> tuple[Vector, float | None]:
     """Return the world point a hand works on, and the height of the surface there if it is a top."""
-    subject = beat.target or beat.prop
-    if isinstance(subject, PropPuppet) and subject.holder is not who:
+    subject = cue.target or cue.prop
+    if isinstance(subject, StagedProp) and subject.holder is not who:
         return subject.matrix @ Vector((0, 0, subject.size.z)), None
     if isinstance(subject, StageFurniture):
         world = Matrix(subject.world.tolist())
-        anchor = stage.anchor(subject, ("handle",), None)
+        anchor = stage.find_anchor(subject, ("handle",), None)
         if anchor is not None:
             return world @ Vector(anchor.location), None
-        top, box = stage.anchor(subject, ("top",), None), _on_box(who, world, subject)
+        top, box = stage.find_anchor(subject, ("top",), None), _on_box(who, world, subject)
         spot = _on_top(who, world, Vector(top.location), top.size) if top is not None else box
-        within = max(WORKING * who.m.arm, (box.xy - who.position).length + HAND_IN)  # not a bench inside a boat
+        within = max(WORKING * who.measures.arm, (box.xy - who.position).length + HAND_IN)  # not a bench inside a boat
         return (spot, spot.z) if top is not None and (spot.xy - who.position).length <= within else (box, None)
-    if beat.mark is not None:
-        return Vector(beat.mark.location) + UP * (0.62 * who.m.shoulder_height), None
-    return Vector((*(who.position + who.forward * 0.55 * who.m.k), 0.72 * who.m.shoulder_height)), None
+    if cue.mark is not None:
+        return Vector(cue.mark.location) + UP * (0.62 * who.measures.shoulder_height), None
+    return Vector((*(who.position + who.forward * 0.55 * who.scale), 0.72 * who.measures.shoulder_height)), None
 
 
 def _on_top(who: Performer, world: Matrix, centre: Vector, size: tuple[float, float]) -> Vector:
@@ -66,11 +66,11 @@ def _on_box(who: Performer, world: Matrix, subject: StageFurniture) -> Vector:
     local = world.inverted() @ Vector((*who.position, 0))
     width, depth, height = subject.dimensions
     spot = Vector((max(-width / 2, min(width / 2, local.x)), max(-depth / 2, min(depth / 2, local.y)), 0))
-    spot.z = min(0.75 * who.m.shoulder_height, 0.9 * height)
+    spot.z = min(0.75 * who.measures.shoulder_height, 0.9 * height)
     return world @ spot
 
 
-def busy(
+def work_with_hand(
     who: Performer,
     side: str,
     t: float,
@@ -100,95 +100,95 @@ def _ease_in(u: float, start: float, length: float) -> float:
 
 
 @clip("open", "body", "hand", "head")
-def open_(stage: Stage, who: Performer, beat: Beat) -> float:
+def open_(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Grasp the handle of a door or a lid, turn it, pull; a bag in the hands is opened there."""
-    bag = prop_of(beat)
+    bag = prop_of(cue)
     if bag is not None and bag.holder is who:
-        return open_held(stage, who, beat, bag)
-    return _handle(stage, who, beat, 0.30)
+        return open_held_bag(stage, who, cue, bag)
+    return _handle(stage, who, cue, 0.30)
 
 
 @clip("close", "body", "hand", "head")
-def close(stage: Stage, who: Performer, beat: Beat) -> float:
+def close(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Push a door or a lid shut."""
-    return _handle(stage, who, beat, -0.18)
+    return _handle(stage, who, cue, -0.18)
 
 
-def _handle(stage: Stage, who: Performer, beat: Beat, pull: float) -> float:
-    place, surface = handle_of(stage, who, beat)
-    t = approach(stage, who, beat, place, WORKING * who.m.arm)
-    place, surface = handle_of(stage, who, beat)
+def _handle(stage: MotionStage, who: Performer, cue: StagedCue, pull: float) -> float:
+    place, surface = working_point(stage, who, cue)
+    t = approach(stage, who, cue, place, WORKING * who.measures.arm)
+    place, surface = working_point(stage, who, cue)
     curl = (68, 75, 25) if pull > 0 else (12, 14, 0)
     look_at(who, t, tuple(place))
     lift = surface is not None
-    if isinstance(beat.target, StageFurniture) and beat.target.asset_id == "door":
+    if isinstance(cue.target, StageFurniture) and cue.target.asset_id == "door":
         pull = -pull  # doors of sets swing out of the room
 
     def move(u: float) -> Vector:
         way = pull * _ease_in(u, 0.9, 0.8)
-        return Vector((0, 0, abs(way))) if lift else Vector((0.15 * way * sign(beat.side), -way, 0.0))
+        return Vector((0, 0, abs(way))) if lift else Vector((0.15 * way * sign(cue.side), -way, 0.0))
 
-    bent = reach_down(who, t, 0.6, place)
+    bent = bend_to_reach(who, t, 0.6, place)
     end = t + 2.1
-    busy(who, beat.side, t, end, place, move, palm=Vector((0, -0.6, -0.8)), curl=curl)
-    stage.expect(who, beat.side, t + 0.75, beat)
-    stage.grasps[who.asset_id, beat.frame] = t + 0.9
+    work_with_hand(who, cue.side, t, end, place, move, palm=Vector((0, -0.6, -0.8)), curl=curl)
+    stage.expect_contact(who, cue.side, t + 0.75, cue)
+    stage.grasps[who.asset_id, cue.frame] = t + 0.9
     who.accent.set(t + 0.9, 0.8, (-4 if pull > 0 else 6, 0, 0))
     who.accent.set(end - 0.2, 0.5, (0, 0, 0))
     if bent:
-        come_up(who, end - 0.3, 0.7)
+        straighten_up(who, end - 0.3, 0.7)
     look_at(who, end - 0.2, who.ahead)
     return end + 0.3
 
 
 @clip("knock", "body", "hand", "head")
-def knock(stage: Stage, who: Performer, beat: Beat) -> float:
+def knock(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Rap three times with the knuckles at head height."""
-    place, _ = handle_of(stage, who, beat)
-    t = approach(stage, who, beat, place, WORKING * who.m.arm)
-    place = place + who.facing_at(t) @ Vector((-0.12 * sign(beat.side), 0.06, 0))
-    place.z = 0.97 * who.m.shoulder_height
+    place, _ = working_point(stage, who, cue)
+    t = approach(stage, who, cue, place, WORKING * who.measures.arm)
+    place = place + who.facing_at(t) @ Vector((-0.12 * sign(cue.side), 0.06, 0))
+    place.z = 0.97 * who.measures.shoulder_height
     look_at(who, t, tuple(place))
 
     def move(u: float) -> Vector:
         rap = abs(math.sin(math.pi * 2.6 * (u - 0.7))) if 0.7 < u < 1.85 else 0.0
         return Vector((0, -0.09 * rap, 0.0))
 
-    busy(who, beat.side, t, t + 2.0, place, move, palm=Vector((0, -0.9, -0.3)), curl=(80, 88, 30))
-    stage.expect(who, beat.side, t + 0.69, beat)
+    work_with_hand(who, cue.side, t, t + 2.0, place, move, palm=Vector((0, -0.9, -0.3)), curl=(80, 88, 30))
+    stage.expect_contact(who, cue.side, t + 0.69, cue)
     return t + 2.5
 
 
 @clip("press", "body", "hand", "head")
-def press(stage: Stage, who: Performer, beat: Beat) -> float:
+def press(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Press a button or touch a thing with the forefinger; what is in the hand is struck or switched on."""
-    held = prop_of(beat)
+    held = prop_of(cue)
     if held is not None and held.holder is who:
-        return _strike(stage, who, beat, held)
-    place, _ = handle_of(stage, who, beat)
-    t = approach(stage, who, beat, place, WORKING * who.m.arm)
+        return _strike(stage, who, cue, held)
+    place, _ = working_point(stage, who, cue)
+    t = approach(stage, who, cue, place, WORKING * who.measures.arm)
     look_at(who, t, tuple(place))
-    back = 0.085 * who.m.k
-    bent = reach_down(who, t, 0.6, place)
+    back = 0.085 * who.scale
+    bent = bend_to_reach(who, t, 0.6, place)
 
     def move(u: float) -> Vector:
         return Vector((0, -back + 0.02 * math.sin(math.pi * min(1, max(0, (u - 0.75) / 0.3))), 0.0))
 
-    busy(who, beat.side, t, t + 1.5, place, move, palm=Vector((0, 0.1, -1)), curl=(4, 80, 25))
-    stage.expect(who, beat.side, t + 0.8, beat)
+    work_with_hand(who, cue.side, t, t + 1.5, place, move, palm=Vector((0, 0.1, -1)), curl=(4, 80, 25))
+    stage.expect_contact(who, cue.side, t + 0.8, cue)
     if bent:
-        come_up(who, t + 1.4, 0.6)
+        straighten_up(who, t + 1.4, 0.6)
     return t + 2.0
 
 
-def _strike(stage: Stage, who: Performer, beat: Beat, held: PropPuppet) -> float:
+def _strike(stage: MotionStage, who: Performer, cue: StagedCue, held: StagedProp) -> float:
     """Bring both hands together before the breast, and flick: a match, a lighter, a torch."""
-    t, side = beat.start, next((s for s, name in who.held.items() if name == held.asset_id), "R")
+    t, side = cue.start, next((s for s, name in who.held.items() if name == held.asset_id), "R")
     grip, free = held.grip(side), other(side)
 
     def before_one(away: float) -> TargetOf:
         def target(now: float) -> Floats:
-            turn, k = who.facing, who.m.k
+            turn, k = who.facing, who.scale
             matrix = turn.to_4x4()
             matrix.translation = who.point("upper_chest", (sign(side) * (0.05 + away) * k, -0.34 * k, -0.14 * k))
             return grip.hand(matrix, turn @ Vector((sign(side) * 0.8, 0.3, -0.6)))
@@ -197,38 +197,40 @@ def _strike(stage: Stage, who: Performer, beat: Beat, held: PropPuppet) -> float
 
     who.hands[side].set(t, 0.6, before_one(0.0))
     who.hands[side].set(t + 0.75, 0.16, before_one(0.10))
-    who.hands[side].set(t + 1.6, 0.6, carried(who, side, held))
+    who.hands[side].set(t + 1.6, 0.6, carrying_hand(who, side, held))
     if free not in who.held:
         at = (-0.30, 0.46, -0.28)
         who.hands[free].set(t, 0.6, by_chest(who, free, at, (-0.8, 0.5, 0.1), (-0.3, -0.2, 0.9), curl=(45, 60, 20)))
         who.hands[free].set(t + 1.5, 0.6, who.home[free])
-    look_at(who, t, stage.point_of(held))
+    look_at(who, t, stage.look_point(held))
     look_at(who, t + 1.6, who.ahead)
     return t + 2.1
 
 
 @clip("push", "body", "hands", "head")
-def push(stage: Stage, who: Performer, beat: Beat) -> float:
+def push(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Set both palms against a thing or a person and lean in with one foot back."""
-    return _shove(stage, who, beat, 1)
+    return _shove(stage, who, cue, 1)
 
 
 @clip("pull", "body", "hands", "head")
-def pull(stage: Stage, who: Performer, beat: Beat) -> float:
+def pull(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Grasp with both hands and lean back."""
-    return _shove(stage, who, beat, -1)
+    return _shove(stage, who, cue, -1)
 
 
-def _shove(stage: Stage, who: Performer, beat: Beat, way: int) -> float:
-    k = who.m.k
-    partner = beat.target if isinstance(beat.target, Performer) else None
-    place = partner.to_ground(0.95) if partner else handle_of(stage, who, beat)[0]
-    t = approach(stage, who, beat, place, WORKING * who.m.arm)
-    place = partner.to_ground(0.95) if partner else handle_of(stage, who, beat)[0]
+def _shove(stage: MotionStage, who: Performer, cue: StagedCue, way: int) -> float:
+    k = who.scale
+    partner = cue.target if isinstance(cue.target, Performer) else None
+    place = partner.point_above_place(0.95) if partner else working_point(stage, who, cue)[0]
+    t = approach(stage, who, cue, place, WORKING * who.measures.arm)
+    place = partner.point_above_place(0.95) if partner else working_point(stage, who, cue)[0]
     place = place.copy()
-    place.z = min(place.z, 0.85 * who.m.shoulder_height) if not partner else 0.92 * partner.m.shoulder_height
-    look_at_subject(stage, who, t, beat)
-    end = t + (beat.duration or 2.4)
+    place.z = (
+        min(place.z, 0.85 * who.measures.shoulder_height) if not partner else 0.92 * partner.measures.shoulder_height
+    )
+    look_at_subject(stage, who, t, cue)
+    end = t + (cue.duration or 2.4)
     for side in SIDES:
         reach = 0.10 * k * way
 
@@ -236,8 +238,8 @@ def _shove(stage: Stage, who: Performer, beat: Beat, way: int) -> float:
             return Vector((sign(side) * 0.13 * k, reach * _ease_in(u, 0.6, 0.9), 0))
 
         palm = Vector((0, -1, 0.1)) if way > 0 else Vector((0, 0.2, -1))
-        busy(who, side, t, end, place, move, palm=palm, curl=(6, 8, 0) if way > 0 else (70, 78, 25))
-    lead = other(beat.side)
+        work_with_hand(who, side, t, end, place, move, palm=palm, curl=(6, 8, 0) if way > 0 else (70, 78, 25))
+    lead = other(cue.side)
     back = who.position - who.forward * (0.34 * k)
     step_to(who, lead, t + 0.1, 0.4, who.plant(lead, back.x, back.y, who.yaw, splay=18))
     who.hips.set(t + 0.3, 0.7, (0, -0.05 * k * way, who.standing_height - 0.10 * k, 8 * way, 0, 0))
@@ -247,20 +249,20 @@ def _shove(stage: Stage, who: Performer, beat: Beat, way: int) -> float:
     step_to(who, lead, end, 0.4, who.plant_at(lead, who.position, who.yaw))
     if partner is not None and way > 0:
         partner.accent.set(t + 0.9, 0.25, (-14, 0, 6))
-        behind = partner.position - partner.forward * (0.3 * partner.m.k)
+        behind = partner.position - partner.forward * (0.3 * partner.scale)
         step_to(partner, "R", t + 0.95, 0.3, partner.plant("R", behind.x, behind.y, partner.yaw))
         partner.accent.set(t + 1.5, 0.6, (0, 0, 0))
         step_to(partner, "R", t + 1.6, 0.4, partner.plant_at("R", partner.position, partner.yaw))
     return end + 0.5
 
 
-def _over_keys(stage: Stage, who: Performer, beat: Beat, rate: float, spread: float, lift: float) -> float:
+def _over_keys(stage: MotionStage, who: Performer, cue: StagedCue, rate: float, spread: float, lift: float) -> float:
     """Both hands over a keyboard: fingers strike in turn, hands wander."""
-    k, t = who.m.k, beat.start
-    end = t + (beat.duration or 3.0)
+    k, t = who.scale, cue.start
+    end = t + (cue.duration or 3.0)
     height = table_height(stage, who) + 0.05 * k
-    if isinstance(beat.target, StageFurniture):
-        height = _key_height(stage, beat.target, height)
+    if isinstance(cue.target, StageFurniture):
+        height = _key_height(stage, cue.target, height)
     ahead = 0.36 * k
 
     def target(now: float, side: str) -> Floats:
@@ -287,83 +289,83 @@ def _over_keys(stage: Stage, who: Performer, beat: Beat, rate: float, spread: fl
     return end
 
 
-def _key_height(stage: Stage, instrument: StageFurniture, default: float) -> float:
-    handle = stage.anchor(instrument, ("handle",), None)
+def _key_height(stage: MotionStage, instrument: StageFurniture, default: float) -> float:
+    handle = stage.find_anchor(instrument, ("handle",), None)
     if handle is None:
         return default
     return (Matrix(instrument.world.tolist()) @ Vector(handle.location)).z + 0.03
 
 
 @clip("type", "hands", "head")
-def type_(stage: Stage, who: Performer, beat: Beat) -> float:
+def type_(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Type on the table before one."""
-    return _over_keys(stage, who, beat, 4.0, 0.012, 0.006)
+    return _over_keys(stage, who, cue, 4.0, 0.012, 0.006)
 
 
 @clip("play_piano", "hands", "head")
-def play_piano(stage: Stage, who: Performer, beat: Beat) -> float:
+def play_piano(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Play: hands wander over the keys, or the strings of what is carried; the trunk sways."""
-    carried_one = beat.prop or stage.props.get(who.held.get(beat.side, ""))
-    t, end = beat.start, beat.start + (beat.duration or 3.0)
+    carried_one = cue.prop or stage.props.get(who.held.get(cue.side, ""))
+    t, end = cue.start, cue.start + (cue.duration or 3.0)
     sway = 1
     while t < end - 1.0:
         who.accent.set(t, 1.0, (5 if sway > 0 else 1, 4 * sway, 5 * sway))
         t, sway = t + 1.05, -sway
     who.accent.set(end - 0.4, 0.6, (0, 0, 0))
     if carried_one is not None and carried_one.size.z > STRINGED:
-        return strum(stage, who, beat, carried_one)
-    return _over_keys(stage, who, beat, 2.2, 0.10, 0.03)
+        return strum(stage, who, cue, carried_one)
+    return _over_keys(stage, who, cue, 2.2, 0.10, 0.03)
 
 
 def _labour(
-    stage: Stage, who: Performer, beat: Beat, move: Callable[[float, str], Vector], sides: str, bend: float
+    stage: MotionStage, who: Performer, cue: StagedCue, move: Callable[[float, str], Vector], sides: str, bend: float
 ) -> float:
     """Hands at work on a surface or a thing, for the duration."""
-    place, _ = handle_of(stage, who, beat)
-    t = approach(stage, who, beat, place, WORKING * who.m.arm)
-    place, _ = handle_of(stage, who, beat)
-    end = t + max(1.2, beat.duration or 2.6)
-    bent = reach_down(who, t, 0.7, place)
+    place, _ = working_point(stage, who, cue)
+    t = approach(stage, who, cue, place, WORKING * who.measures.arm)
+    place, _ = working_point(stage, who, cue)
+    end = t + max(1.2, cue.duration or 2.6)
+    bent = bend_to_reach(who, t, 0.7, place)
     look_at(who, t, tuple(place))
     who.accent.set(t, 0.6, (bend, 0, 0))
     for side in sides:
         held = stage.props.get(who.held.get(side, ""))
-        above = place + UP * (0.035 * who.m.k + (0.5 * held.size.z if held else 0.0))
-        spread = Vector((sign(side) * (0.10 if len(sides) > 1 else 0.0) * who.m.k, 0, 0))
-        busy(
+        above = place + UP * (0.035 * who.scale + (0.5 * held.size.z if held else 0.0))
+        spread = Vector((sign(side) * (0.10 if len(sides) > 1 else 0.0) * who.scale, 0, 0))
+        work_with_hand(
             who, side, t, end, above + who.facing_at(t) @ spread, lambda u, side=side: move(u, side),
             palm=Vector((0, -0.15, -1)), curl=(50, 56, 20) if held else (14, 18, 0),
         )  # fmt: skip
     who.accent.set(end - 0.2, 0.5, (0, 0, 0))
     if bent:
-        come_up(who, end - 0.2, 0.7)
+        straighten_up(who, end - 0.2, 0.7)
     return end + 0.5
 
 
 @clip("wipe", "body", "hand", "head")
-def wipe(stage: Stage, who: Performer, beat: Beat) -> float:
+def wipe(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Wipe, polish, stir: small circles on a surface."""
 
     def circle(u: float, side: str) -> Vector:
         return Vector((0.09 * math.cos(5 * u), 0.06 * math.sin(5 * u), 0))
 
-    return _labour(stage, who, beat, circle, beat.side, 6)
+    return _labour(stage, who, cue, circle, cue.side, 6)
 
 
 @clip("work", "body", "hands", "head")
-def work(stage: Stage, who: Performer, beat: Beat) -> float:
+def work(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Hammer, dig, chop: one hand strikes, the other steadies."""
 
     def strike(u: float, side: str) -> Vector:
-        if side != beat.side:
+        if side != cue.side:
             return Vector((0, 0, 0))
         return Vector((0, -0.05, 1.0)) * (0.22 * max(0.0, math.sin(2 * math.pi * 1.1 * u)) ** 1.5)
 
-    return _labour(stage, who, beat, strike, beat.side + other(beat.side), 10)
+    return _labour(stage, who, cue, strike, cue.side + other(cue.side), 10)
 
 
 @clip("search", "body", "hands", "head")
-def search(stage: Stage, who: Performer, beat: Beat) -> float:
+def search(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Rummage: both hands move things about, the eyes follow."""
 
     def rummage(u: float, side: str) -> Vector:
@@ -372,13 +374,13 @@ def search(stage: Stage, who: Performer, beat: Beat) -> float:
             (0.08 * math.sin(3.1 * u + phase), 0.07 * math.sin(2.3 * u + 2 * phase), 0.04 * math.sin(4 * u) ** 2)
         )
 
-    return _labour(stage, who, beat, rummage, "LR", 10)
+    return _labour(stage, who, cue, rummage, "LR", 10)
 
 
 @clip("pour", "hand", "head")
-def pour(stage: Stage, who: Performer, beat: Beat) -> float:
+def pour(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Tilt what is held over a place before one, and right it again."""
-    t, side, k = beat.start, beat.side, who.m.k
+    t, side, k = cue.start, cue.side, who.scale
     held = stage.props.get(who.held.get(side, ""))
     raised: TargetOf = by_chest(
         who, side, (-0.25, 0.62, -0.30), (-0.9, 0.5, -0.1), (-0.2, 0.4, -0.9), curl=(50, 55, 25)
@@ -396,5 +398,5 @@ def pour(stage: Stage, who: Performer, beat: Beat) -> float:
         raised = tilted
     who.hands[side].set(t, 0.8, raised)
     look_at(who, t, lambda now: tuple(who.point("upper_chest", (0, -0.5 * k, -0.3 * k))))
-    who.hands[side].set(t + 2.0, 0.8, carried(who, side, held) if held else who.home[side])
+    who.hands[side].set(t + 2.0, 0.8, carrying_hand(who, side, held) if held else who.home[side])
     return t + 2.8

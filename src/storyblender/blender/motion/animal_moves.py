@@ -1,4 +1,4 @@
-"""Locomotion of animal props: turn into the path, bob along it, and turn to the final facing."""
+"""Travel of animals that are props: they turn into the path, bob along it and turn to the final facing."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import math
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import clamp, smooth
-from storyblender.blender.motion.puppets import PropPuppet, facing_yaw, standing
+from storyblender.blender.motion.staged_props import StagedProp, facing_yaw, upright_matrix
 from storyblender.memory.shot_context import Mark
 
 TURNING = 0.22
@@ -16,21 +16,21 @@ STRIDE, BOB = 0.7, 0.05
 """Step length and bob height, per metre of the animal's length."""
 
 
-def send(puppet: PropPuppet, start: float, seconds: float, mark: Mark) -> None:
+def move_animal(animal: StagedProp, start: float, seconds: float, mark: Mark) -> None:
     """Move an animal to a mark.
 
     Args:
-        puppet: The animal.
-        start: Second of the shot at which it starts.
-        seconds: Duration.
+        animal: The prop.
+        start: Second of the shot at which it sets off.
+        seconds: Duration of the move.
         mark: Final position and facing.
     """
-    first = puppet.evaluate(start)
+    first = animal.evaluate(start)
     here, goal = first.translation.copy(), Vector(mark.location)
     yaw, last = first.to_euler().z, math.radians(mark.yaw)
     way = (goal - here).length
     ahead = facing_yaw(goal - here) if way > 0.1 else last
-    size = max(puppet.size.x, puppet.size.y)
+    size = max(animal.size.x, animal.size.y)
     steps = max(1, round(way / max(0.08, STRIDE * size))) if way > 0.1 else 0
 
     def at(t: float) -> Matrix:
@@ -40,9 +40,9 @@ def send(puppet: PropPuppet, start: float, seconds: float, mark: Mark) -> None:
         place.z += BOB * size * abs(math.sin(math.pi * steps * going))
         turn = _turned(yaw, ahead, smooth(clamp(share / TURNING)))
         turn = _turned(turn, last, smooth(clamp((share - 1 + TURNING) / TURNING)))
-        return standing(place, turn)
+        return upright_matrix(place, turn)
 
-    puppet.follow(start, at, 0.0)
+    animal.follow(start, at, 0.0)
 
 
 def _turned(start: float, end: float, share: float) -> float:

@@ -1,4 +1,4 @@
-"""Rest poses of free hands of a standing person: each person has a fixed habit."""
+"""Idle poses of the free hands of a standing person; each person has one habit."""
 
 from __future__ import annotations
 
@@ -13,17 +13,18 @@ from storyblender.memory.base import content_hash
 HABITS = ("hanging", "folded", "hanging", "behind", "clasped", "hanging", "folded", "behind")
 """Habits of free hands, chosen by asset id: at the sides, folded low in front, behind, clasped at the waist."""
 CHILD = 0.85
-"""Stature over 1.7 m up to which a person is a child."""
+"""Scale (stature over 1.7 m) up to which a person counts as a child."""
 LOOSE: Triple = (26, 32, 4)
+"""Curl of fingers that hold nothing, degrees."""
 
 
 def habit_of(who: Performer) -> str:
-    """Return the habit of a person's free hands, the same in every shot; ``hanging`` for a child."""
-    return HABITS[int(content_hash(who.asset_id), 16) % len(HABITS)] if who.m.k > CHILD else "hanging"
+    """Return the habit of a person's idle hands, a word of ``HABITS`` chosen by asset id; children let them hang."""
+    return HABITS[int(content_hash(who.asset_id), 16) % len(HABITS)] if who.scale > CHILD else "hanging"
 
 
-def at_ease(who: Performer, side: str) -> TargetOf:
-    """Return the target of a standing person's free hand: their habit at rest, the side of the body while walking.
+def idle_hand(who: Performer, side: str) -> TargetOf:
+    """Return the target of a standing person's free hand: their habit while at rest, hanging at the side while walking.
 
     Args:
         who: The person.
@@ -44,8 +45,8 @@ def at_ease(who: Performer, side: str) -> TargetOf:
 
 
 def _resting(who: Performer, side: str, habit: str) -> TargetOf:
-    """Return the target of one of two hands that lie in each other, in the middle of the body."""
-    s, m, k = sign(side), who.m, who.m.k
+    """Return the target of one of two hands that rest on each other in the middle of the body."""
+    s, m, k = sign(side), who.measures, who.scale
     over = 1.0 if side == "R" else 0.0
     if habit == "behind":
         place = Vector((-0.015 * s, m.buttocks_back + 0.035 + 0.03 * over, -0.86 * m.arm))

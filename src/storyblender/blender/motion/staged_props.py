@@ -1,4 +1,4 @@
-"""Props on strings: grips, who holds them when, and their world matrix at a moment."""
+"""Props during a shot: their grips, which hand holds them when, and their world matrix at a moment."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from mathutils import Euler, Matrix, Vector
 
 from storyblender.blender.motion.channel import Floats, TargetOf, clamp, smooth
-from storyblender.blender.motion.hands import Triple, chest_yaw, fixed, hand, shoulder_rest
+from storyblender.blender.motion.hands import Triple, chest_yaw, fixed_hand, hand, shoulder_rest
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import StageProp
 from storyblender.blender.motion.skeleton import frame, sign
@@ -19,27 +19,27 @@ from storyblender.memory.asset_sheet import Anchor
 
 MatrixOf = Callable[[float], Matrix]
 HANGING = 0.25
-"""Metres; things taller than this with a grip near the top hang from a straight arm."""
+"""Metres; props taller than this with a grip near the top hang from a straight arm."""
 STAFF, SLENDER, STAFF_GRIP = 0.7, 0.16, 1.0
-"""Metres: how tall and how thin a staff is, and at most how high it is held."""
+"""Metres: least height of a staff, its largest thickness, and the largest height of the hand on it."""
 SHEET = 0.012
-"""Metres; thinner things are papers, and are carried on edge in a low hand, not level like a plate."""
+"""Metres; thinner props are papers: carried on edge in a low hand, not level like a plate."""
 ON_TABLE, OVER_TABLE, CLEAR = 0.05, 0.12, 0.03
-"""Metres: what is held at a table is so much farther in than an empty hand (times k), and so much above the top (times
-k) where the palm that holds it would not be clear of it."""
+"""Metres at a table, times the scale: a held prop is this much farther in than an empty hand; its palm is this much
+above the top if its grip is lower than the last."""
 SETTLE = 0.3
-"""Seconds in which a prop comes to its place in a new hand, while both move."""
+"""Seconds in which a prop settles into a new hand, while both move."""
 
 
 @dataclass(frozen=True)
 class Grip:
-    """How a hand holds a prop, in the prop's frame.
+    """How a hand holds a prop, in the prop's frame (metres).
 
     Attributes:
         palm: Palm centre.
         fingers: Direction of the fingers.
-        normal: Out of the palm into the prop.
-        curl: Degrees of index, fingers and thumb.
+        normal: Direction out of the palm, into the prop.
+        curl: Degrees of index finger, other fingers and thumb.
     """
 
     palm: Vector
@@ -48,34 +48,34 @@ class Grip:
     curl: Triple
 
     def mirrored(self) -> Grip:
-        """The same grip for the other hand."""
+        """Return the same grip for the other hand."""
         flip = Vector((-1, 1, 1))
         return Grip(self.palm * flip, self.fingers * flip, self.normal * flip, self.curl)
 
     def opposite(self) -> Grip:
-        """The same grip for somebody who faces the holder."""
+        """Return the same grip for a person who faces the holder."""
         flip = Vector((-1, -1, 1))
         return Grip(self.palm * flip, self.fingers * flip, self.normal * flip, self.curl)
 
     def hand(self, prop: Matrix, pole: Vector) -> Floats:
-        """Return the hand target for the prop standing at ``prop``."""
+        """Return the hand target for a prop at world matrix ``prop``; ``pole`` is the direction of the elbow."""
         turn = prop.to_3x3()
         return hand(prop @ self.palm, turn @ self.fingers, turn @ self.normal, pole, self.curl)
 
 
-class PropPuppet:
-    """A movable thing during the shot.
+class StagedProp:
+    """A movable prop during a shot.
 
     Args:
-        asset_id: Which asset.
-        prop: Where it stands and how it is gripped.
+        asset_id: Asset of the prop.
+        prop: Where it is at first, its size and its grips.
     """
 
     def __init__(self, asset_id: str, prop: StageProp) -> None:
         self.asset_id, self.node_id = asset_id, prop.node_id
         self.size = Vector(prop.dimensions)
         self.both = False
-        """Whether the script asks for both hands."""
+        """Whether the script wants both hands on it."""
         self.anchors = {a.name or a.kind: a for a in prop.anchors if a.kind in ("grip", "handle")}
         self.matrix = Matrix(prop.world.tolist())
         if prop.state is not None and prop.state.location is not None:
@@ -83,46 +83,49 @@ class PropPuppet:
             self.matrix = Matrix.Translation(prop.state.location) @ turn
         self._events: list[tuple[float, MatrixOf, float]] = [(-1e9, _still(self.matrix), 0.0)]
         self.holder: Performer | None = None
-        """Who holds it after everything planned so far."""
+        """Its holder after everything planned so far."""
         self.flight: MatrixOf | None = None
-        """Its last way through the air."""
+        """Its last flight through the air."""
 
     @property
     def two_handed(self) -> bool:
-        """Carried with both hands."""
+        """Whether both hands carry it."""
         return self.both or two_handed(tuple(self.size), tuple(self.anchors.values()))
 
     @property
     def hangs(self) -> bool:
-        """Carried with a straight arm, like a suitcase."""
+        """Whether it hangs from a straight arm, like a suitcase."""
         grip = self.grip("R")
         return self.size.z > HANGING and grip.palm.z > 0.75 * self.size.z and not self.two_handed
 
     @property
     def is_staff(self) -> bool:
-        """Carried upright, one end on the floor: walking sticks, spears, brooms."""
+        """Whether it is carried upright with one end on the floor: walking stick, spear, broom."""
         return self.size.z > STAFF and max(self.size.x, self.size.y) < SLENDER and not self.anchors
 
     @property
     def is_sheet(self) -> bool:
-        """Carried on edge: letters, envelopes, tickets, photographs."""
+        """Whether it is carried on edge: letter, envelope, ticket, photograph."""
         return self.size.z < SHEET and not self.two_handed
 
     @property
     def centre(self) -> Vector:
-        """World point in the middle of it, at the moment being posed."""
+        """World point in the middle of it, in the current pose."""
         return self.matrix @ Vector((0, 0, self.size.z / 2))
 
     def grip(self, side: str, name: str = "") -> Grip:
-        """Return how the hand of a side holds it; the mirror image where only the other side was declared.
+        """Return the grip of a hand; the fingers lie flat on a sheet, or they would come through it.
 
-        On a paper the fingers lie flat: curled they would come through it.
+        Args:
+            side: ``L`` or ``R``.
+            name: Name of a grip anchor; empty for the one of that side.
         """
         grip = self._grip(side, name)
         flat = self.is_sheet and grip.normal.z > 0.7
         return replace(grip, curl=(1.0, 2.0, min(grip.curl[2], 0.0))) if flat else grip
 
     def _grip(self, side: str, name: str) -> Grip:
+        """Return the grip at the named anchor, at the first anchor, or on the side of the bounding box."""
         if not self.two_handed or name:
             for key in (name, f"grip_{side.lower()}", f"{name}_{side.lower()}", f"handle_{side.lower()}"):
                 if key and key in self.anchors:
@@ -137,7 +140,7 @@ class PropPuppet:
         return name in self.anchors
 
     def _side_grip(self, side: str) -> Grip:
-        """Palm flat on the side of the bounding box: the person's left is the prop's +x."""
+        """Return a grip on the side of the bounding box; the person's left is the prop's +X."""
         s = sign(side)
         if self.size.z < 0.06 and not self.two_handed:  # sheets and books: from below, thumb on top
             return Grip(Vector((0, 0.35 * self.size.y, -0.012)), Vector((0, -1, 0)), Vector((0, 0, 1)), (12, 14, -30))
@@ -147,33 +150,47 @@ class PropPuppet:
         return Grip(palm, Vector((-s * 0.25, -1, -0.1)), Vector((-s, -0.2, 0)), curl)
 
     def stand(self, t: float, matrix: Matrix) -> None:
-        """Leave it at a world matrix from ``t`` on."""
+        """Leave it at a world matrix from ``t`` seconds on."""
         self.holder = None
         insort(self._events, (t, _still(matrix), 0.12), key=lambda event: event[0])
 
     def follow(self, t: float, matrix: MatrixOf, settle: float = SETTLE) -> None:
-        """Let it follow a moving matrix from ``t`` on, settling into it in some seconds."""
+        """Let it follow a moving matrix.
+
+        Args:
+            t: Second from which it follows.
+            matrix: Function from seconds to its world matrix.
+            settle: Seconds of the blend from its former movement.
+        """
         insort(self._events, (t, matrix, settle), key=lambda event: event[0])
 
     def hold(self, t: float, who: Performer, side: str, grip: Grip, settle: float = SETTLE) -> None:
-        """Let it follow a hand from ``t`` on."""
+        """Let it follow a hand.
+
+        Args:
+            t: Second from which it follows.
+            who: The holder.
+            side: ``L`` or ``R``.
+            grip: How the hand holds it.
+            settle: Seconds of the blend from its former movement.
+        """
         self.holder = who
-        self.follow(t, lambda _: held_matrix(who, side, grip), settle)
+        self.follow(t, lambda _: matrix_in_hand(who, side, grip), settle)
 
     def evaluate(self, t: float) -> Matrix:
-        """Compute and return its matrix at the moment being posed; the hands must be posed."""
+        """Set and return its world matrix at ``t`` seconds; the hands must be posed."""
         last = max(i for i, (start, _, _) in enumerate(self._events) if start <= t)
         start, matrix, settle = self._events[last]
         here = matrix(t)
         share = clamp((t - start) / settle) if settle else 1.0
         if share < 1 and last:
-            here = blend(self._events[last - 1][1](t), here, smooth(share))
+            here = blend_matrices(self._events[last - 1][1](t), here, smooth(share))
         self.matrix = here
         return here
 
 
-def held_matrix(who: Performer, side: str, grip: Grip) -> Matrix:
-    """Return the matrix of a prop held by a posed hand."""
+def matrix_in_hand(who: Performer, side: str, grip: Grip) -> Matrix:
+    """Return the world matrix of a prop held by the posed hand ``side`` with ``grip``."""
     axes, palm = who.hand_matrix(side)
     turn = axes @ frame(grip.fingers, grip.normal).transposed()
     matrix = turn.to_4x4()
@@ -181,18 +198,24 @@ def held_matrix(who: Performer, side: str, grip: Grip) -> Matrix:
     return matrix
 
 
-def carried(who: Performer, side: str, prop: PropPuppet) -> TargetOf:
-    """Where the hand carries a prop: upright, before the body; hanging for bags; both hands for large things.
+def carrying_hand(who: Performer, side: str, prop: StagedProp) -> TargetOf:
+    """Return the target of a hand that carries a prop.
 
-    Who sits at a table has a cup stand on it, and a letter above it.
+    Upright before the body; bags from a straight arm; large props in both hands; a person who sits at a table has a cup
+    stand on it, and holds a letter above it.
+
+    Args:
+        who: The holder.
+        side: ``L`` or ``R``.
+        prop: The prop.
     """
     grip = prop.grip(side)
-    s, m = sign(side), who.m
+    s, m = sign(side), who.measures
     if side in who.table and not (prop.two_handed or prop.hangs or prop.is_staff):
-        ahead = who.table[side].xy + who.forward * (ON_TABLE * m.k)
-        above = grip.palm.z if grip.palm.z > CLEAR else OVER_TABLE * m.k
+        ahead = who.table[side].xy + who.forward * (ON_TABLE * m.scale)
+        above = grip.palm.z if grip.palm.z > CLEAR else OVER_TABLE * m.scale
         turn = Matrix.Rotation(who.yaw, 3, "Z")
-        return fixed(
+        return fixed_hand(
             Vector((*ahead, who.table[side].z + above)),
             turn @ grip.fingers,
             turn @ grip.normal,
@@ -205,7 +228,7 @@ def carried(who: Performer, side: str, prop: PropPuppet) -> TargetOf:
         pole = turn @ Vector((s * 0.5, 0.6, -0.85))
         if prop.two_handed:
             middle = (shoulder_rest(who, "L") + shoulder_rest(who, "R")) / 2
-            ahead = who.m.front + prop.size.y / 2 + 0.03
+            ahead = who.measures.front + prop.size.y / 2 + 0.03
             base = who.to_world(middle) + turn @ Vector((0, -ahead, -0.62 * m.arm - grip.palm.z))
             matrix = turn.to_4x4()
             matrix.translation = base
@@ -221,7 +244,7 @@ def carried(who: Performer, side: str, prop: PropPuppet) -> TargetOf:
             if prop.size.x > prop.size.y:  # a case goes along the leg
                 turn = turn @ Matrix.Rotation(s * math.pi / 2, 3, "Z")
         if prop.is_staff and not float(who.pinned(t)):
-            foot = who.place + who.facing @ Vector((s * 0.26 * m.k, -0.22 * m.k, 0))
+            foot = who.place + who.facing @ Vector((s * 0.26 * m.scale, -0.22 * m.scale, 0))
             return grip.hand(Matrix.Translation(foot) @ who.facing.to_4x4(), pole)
         beside = who.facing @ Matrix.Rotation(chest_yaw(who), 3, "Z")
         fingers, palm = turn @ grip.fingers, turn @ grip.normal
@@ -234,10 +257,19 @@ def carried(who: Performer, side: str, prop: PropPuppet) -> TargetOf:
     return target
 
 
-def gripping(
-    who: Performer, side: str, prop: PropPuppet, grip: Grip, opening: float = 1.0, lift: float = 0.0
+def gripping_hand(
+    who: Performer, side: str, prop: StagedProp, grip: Grip, opening: float = 1.0, lift: float = 0.0
 ) -> TargetOf:
-    """Where the hand holds a prop that moves by itself or in another hand; fingers opened, palm lifted by metres."""
+    """Return the target of a hand on a prop that moves by itself or in another hand.
+
+    Args:
+        who: The person.
+        side: ``L`` or ``R``.
+        prop: The prop.
+        grip: Grip on the prop.
+        opening: Factor for the curl of the fingers, 0..1.
+        lift: Metres of the palm above the grip.
+    """
 
     def target(t: float) -> Floats:
         values = grip.hand(prop.matrix, who.facing @ Vector((sign(side) * 0.5, 0.4, -0.85)))
@@ -248,21 +280,21 @@ def gripping(
     return target
 
 
-def blend(a: Matrix, b: Matrix, w: float) -> Matrix:
-    """Return the rigid motion between two world matrices."""
+def blend_matrices(a: Matrix, b: Matrix, w: float) -> Matrix:
+    """Return the rigid motion between two world matrices; ``w`` is the share of ``b``, 0..1."""
     turn = a.to_quaternion().slerp(b.to_quaternion(), w)
     matrix = turn.to_matrix().to_4x4()
     matrix.translation = a.translation.lerp(b.translation, w)
     return matrix
 
 
-def standing(place: Vector, yaw: float) -> Matrix:
-    """Return the matrix of a thing that stands upright; yaw in radians."""
+def upright_matrix(place: Vector, yaw: float) -> Matrix:
+    """Return the world matrix of something upright at ``place`` (metres) with ``yaw`` in radians."""
     return Matrix.Translation(place) @ Matrix.Rotation(yaw, 4, "Z")
 
 
 def facing_yaw(direction: Vector) -> float:
-    """Return the yaw that faces a direction."""
+    """Return the yaw that faces a direction, radians."""
     return math.atan2(direction.x, -direction.y)
 
 
@@ -271,6 +303,7 @@ def _still(matrix: Matrix) -> MatrixOf:
 
 
 def _from_anchor(anchor: Anchor, side: str, named: str) -> Grip:
+    """Return the grip of a hand at an anchor, mirrored if the anchor is ``named`` for the other hand."""
     index, fingers, thumb = anchor.curl
     curl = (85 * index, 85 * fingers, 45 * thumb)
     grip = Grip(Vector(anchor.location), Vector(anchor.direction), Vector(anchor.normal), curl)

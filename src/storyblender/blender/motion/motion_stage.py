@@ -10,12 +10,12 @@ import numpy as np
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Channel
-from storyblender.blender.motion.ease import at_ease
 from storyblender.blender.motion.hands import blend_hands
+from storyblender.blender.motion.idle_hands import idle_hand
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import Floats, Problem, StageFurniture, StagePlan
-from storyblender.blender.motion.puppets import PropPuppet, facing_yaw
 from storyblender.blender.motion.skeleton import SIDES
+from storyblender.blender.motion.staged_props import StagedProp, facing_yaw
 from storyblender.geometry.paths import SQUEEZE_RADIUS, Footprint, Track, Vec2, clearance, find_path, find_seat_access
 from storyblender.geometry.seating import list_seats
 from storyblender.memory.asset_sheet import Anchor
@@ -25,13 +25,13 @@ from storyblender.memory.vocabulary import Mood
 PADDING = 0.11
 """Metres between a walking body's disc and furniture; less, and rounded corners and elbows touch it."""
 OVERHEAD = 1.9
-"""Boxes that begin above this height stand in nobody's way."""
+"""Metres; boxes that begin higher are no obstacle."""
 LOW = 0.08
-"""Boxes that end below this height, rugs and kerbs, are walked over."""
+"""Metres; boxes that end lower, rugs and kerbs, are walked over."""
 GIRTH, SIDEWAYS = 0.8, 0.3
-"""Shares of the radius that others take up in a way: standing, and turned aside for who has no other way."""
+"""Shares of the radius that others take up in a way: upright_matrix, and turned aside for who has no other way."""
 EMBRACE = 0.30
-"""Metres between two who hug; nearer, they are in each other."""
+"""Metres between two people who hug; nearer, their bodies overlap."""
 PointOf = Callable[[float], Vector]
 
 
@@ -40,12 +40,12 @@ class Seat:
     """A place to sit.
 
     Attributes:
-        edge: Middle of the front edge, world.
-        height: Of the sitting surface.
-        depth: From front edge to backrest.
-        yaw: Where the sitter faces, radians.
+        edge: Middle of the front edge on the floor plan, world metres.
+        height: Of the sitting surface, metres.
+        depth: Metres from front edge to backrest.
+        yaw: Facing of the sitter, radians.
         node_id: Of the furniture; empty for the floor.
-        width: Of the furniture.
+        width: Of the furniture, metres.
     """
 
     edge: Vector
@@ -57,31 +57,31 @@ class Seat:
 
     @property
     def before(self) -> Vector:
-        """Unit vector on the floor out of the seat."""
+        """Unit vector on the floor that points out of the seat."""
         return Vector((math.sin(self.yaw), -math.cos(self.yaw)))
 
 
 @dataclass(frozen=True)
-class Beat:
-    """A cue with its names resolved: what a clip gets.
+class StagedCue:
+    """A cue with its names resolved to people and props: the input of a clip.
 
     Attributes:
         start: Seconds.
-        duration: Seconds, or None for the clip's natural length.
-        target: Person, prop or piece of furniture it is about.
+        duration: Seconds; None for the clip's natural length.
+        target: Person, prop or piece of furniture it is directed at.
         prop: The prop handled.
-        side: The hand, L or R.
+        side: The acting hand, ``L`` or ``R``.
         mark: Where it ends.
-        mood: How.
+        mood: Mood in which it is played.
         expression: Facial expression from this cue on.
-        frame: The cue's frame, for problems.
+        frame: Start frame of the cue, for reports.
         seed: For gestures.
     """
 
     start: float
     duration: float | None = None
-    target: Performer | PropPuppet | StageFurniture | None = None
-    prop: PropPuppet | None = None
+    target: Performer | StagedProp | StageFurniture | None = None
+    prop: StagedProp | None = None
     side: str = "R"
     mark: Mark | None = None
     mood: Mood = "neutral"
@@ -90,37 +90,35 @@ class Beat:
     seed: int = 0
 
 
-class Stage:
+class MotionStage:
     """Everything that moves in the shot.
 
     Args:
         plan: The shot.
         fps: Frames per second.
-        seed_of: Seeds by asset id.
+        seed_of: Returns the seed of an asset id.
     """
 
     def __init__(self, plan: StagePlan, fps: int, seed_of: Callable[[str], int]) -> None:
         self.plan, self.fps = plan, fps
         self.people = {name: Performer(name, who.body, seed_of(name)) for name, who in plan.people.items()}
-        self.props = {name: PropPuppet(name, prop) for name, prop in plan.props.items()}
-        self.late: list[tuple[Performer, str, float, float]] = []
-        """Hands that follow another person or a moving prop, with the span of time: solved last."""
-        self.contacts: list[tuple[float, Performer, str, Beat]] = []
-        """Moments at which a hand must be where it was sent."""
+        self.props = {name: StagedProp(name, prop) for name, prop in plan.props.items()}
+        self.following_hands: list[tuple[Performer, str, float, float]] = []
+        """Hands that follow another person or a moving prop: person, side, start and end in seconds; solved last."""
+        self.contacts: list[tuple[float, Performer, str, StagedCue]] = []
+        """Seconds at which a hand must have reached its target."""
         self.grasps: dict[tuple[str, int], float] = {}
-        """Seconds at which doors and lids are moved, by person and the cue's frame."""
+        """Second at which a door or lid begins to move, by person and the cue's frame."""
         self.played: dict[tuple[str, str, int], tuple[float, float]] = {}
         """Start and end of cues in seconds, by person, clip and the cue's frame."""
         self.problems: list[Problem] = []
         for who in self.people.values():
-            who.home = {side: at_ease(who, side) for side in SIDES}
+            who.home = {side: idle_hand(who, side) for side in SIDES}
             for side in SIDES:
                 who.hands[side] = Channel(who.home[side], blend_hands)
 
-    # --- who and where --------------------------------------------------------------------------------------------
-
-    def subject(self, name: str | None) -> Performer | PropPuppet | StageFurniture | None:
-        """Return the person, prop or piece of furniture of an asset id or node id."""
+    def find_subject(self, name: str | None) -> Performer | StagedProp | StageFurniture | None:
+        """Return the person, prop or piece of furniture with an asset id or node id, or None."""
         if not name:
             return None
         found = self.people.get(name) or self.props.get(name) or self.plan.furniture.get(name)
@@ -131,19 +129,34 @@ class Stage:
                 return prop
         return next((each for each in self.plan.furniture.values() if each.asset_id == name), None)
 
-    def report(self, kind: str, who: Performer, beat: Beat, message: str, amount: float = 0.0) -> None:
-        """Note something that cannot be staged as asked."""
-        self.problems.append(Problem(kind, who.asset_id, beat.frame, message, amount))
+    def report(self, kind: str, who: Performer, cue: StagedCue, message: str, amount: float = 0.0) -> None:
+        """Record something that cannot be staged as planned.
 
-    def expect(self, who: Performer, side: str, t: float, beat: Beat) -> None:
-        """Check at second ``t`` that the hand reached its target."""
-        self.contacts.append((t, who, side, beat))
+        Args:
+            kind: A kind of ``Problem``.
+            who: The person concerned.
+            cue: The cue.
+            message: One sentence for the director.
+            amount: Metres or seconds, where there is a number.
+        """
+        self.problems.append(Problem(kind, who.asset_id, cue.frame, message, amount))
 
-    def point_of(self, subject: Performer | PropPuppet | StageFurniture) -> PointOf:
-        """Return what to look at: eyes of a person, middle of a prop, face of a piece of furniture."""
+    def expect_contact(self, who: Performer, side: str, t: float, cue: StagedCue) -> None:
+        """Check later that a hand reached its target; a miss is reported.
+
+        Args:
+            who: The person.
+            side: ``L`` or ``R``.
+            t: Second at which the hand must be there.
+            cue: The cue to report.
+        """
+        self.contacts.append((t, who, side, cue))
+
+    def look_point(self, subject: Performer | StagedProp | StageFurniture) -> PointOf:
+        """Return what to look at, by seconds: eyes of a person, middle of a prop, front of a piece of furniture."""
         if isinstance(subject, Performer):
             return lambda t: (subject.point("eye.L") + subject.point("eye.R")) / 2
-        if isinstance(subject, PropPuppet):
+        if isinstance(subject, StagedProp):
             return lambda t: subject.centre
         top = next((a for a in subject.anchors if a.kind in ("top", "handle")), None)
         height = subject.dimensions[2]
@@ -151,23 +164,29 @@ class Stage:
         place = Matrix(subject.world.tolist()) @ local
         return lambda t: place
 
-    def ground_of(self, subject: Performer | PropPuppet | StageFurniture) -> Vector:
-        """Return the planned place on the floor of a subject."""
+    def floor_position(self, subject: Performer | StagedProp | StageFurniture) -> Vector:
+        """Return the planned position (x, y) of a subject on the floor."""
         if isinstance(subject, Performer):
             return subject.position.copy()
-        if isinstance(subject, PropPuppet):
+        if isinstance(subject, StagedProp):
             if subject.holder is not None:
                 return subject.holder.position.copy()
             return subject.matrix.translation.xy
         return Vector(subject.world[:2, 3].tolist())
 
-    def furniture(self, node_id: str | None) -> StageFurniture | None:
-        """Return a piece of furniture by node id or asset id."""
-        found = self.subject(node_id)
+    def find_furniture(self, node_id: str | None) -> StageFurniture | None:
+        """Return the piece of furniture with a node id or asset id, or None."""
+        found = self.find_subject(node_id)
         return found if isinstance(found, StageFurniture) else None
 
-    def anchor(self, furniture: StageFurniture, kinds: tuple[str, ...], mark: Mark | None) -> Anchor | None:
-        """Return the anchor a mark names, or the nearest of a kind to the mark."""
+    def find_anchor(self, furniture: StageFurniture, kinds: tuple[str, ...], mark: Mark | None) -> Anchor | None:
+        """Return the anchor that a mark names, else the nearest of a kind to the mark; None if there is none.
+
+        Args:
+            furniture: The piece with the anchors.
+            kinds: Kinds of anchors to consider.
+            mark: A mark with an anchor's name or a location; None takes the first anchor.
+        """
         fitting = [a for a in furniture.anchors if a.kind in kinds]
         if mark is not None and mark.anchor_name:
             fitting = [a for a in fitting if a.name == mark.anchor_name] or fitting
@@ -179,12 +198,17 @@ class Stage:
         spot = Vector(mark.location).xy
         return min(fitting, key=lambda a: ((world @ Vector(a.location)).xy - spot).length)
 
-    def seat(self, node_id: str | None, mark: Mark | None) -> Seat | None:
-        """Return the seat a mark means: the anchor's height, depth and facing at the mark's place along the edge."""
-        furniture = self.furniture(node_id)
+    def find_seat(self, node_id: str | None, mark: Mark | None) -> Seat | None:
+        """Return the seat of a mark, at the mark's place along the seat's edge; None if there is nothing to sit on.
+
+        Args:
+            node_id: Furniture by node id or asset id.
+            mark: Where on it; None takes the middle.
+        """
+        furniture = self.find_furniture(node_id)
         anchor = None
         if furniture is not None:
-            anchor = self.anchor(furniture, ("seat",), mark) or self.anchor(furniture, ("bed",), mark)
+            anchor = self.find_anchor(furniture, ("seat",), mark) or self.find_anchor(furniture, ("bed",), mark)
             anchor = anchor or next(iter(list_seats(furniture.anchors, furniture.dimensions, on_top=True)), None)
         if furniture is None or anchor is None:
             return None
@@ -202,7 +226,7 @@ class Stage:
         return Seat(edge, place.z, anchor.size[1] or 0.4, yaw, self._name_of(furniture), furniture.dimensions[0])
 
     def _bedside(self, world: Matrix, bed: Anchor, mark: Mark | None, node_id: str) -> Seat:
-        """Return the seat on a bed's long edge that is nearest to the mark."""
+        """Return the seat on the long edge of a bed that is nearest to the mark."""
         middle = world @ Vector(bed.location)
         feet = (world.to_3x3() @ Vector(bed.direction)).xy.normalized()
         side = Vector((-feet.y, feet.x))
@@ -212,17 +236,22 @@ class Stage:
         return Seat(middle.xy + side * (width / 2), middle.z, width, facing_yaw(Vector((*side, 0))), node_id)
 
     def _name_of(self, furniture: StageFurniture) -> str:
+        """Return the node id of a piece of furniture."""
         return next((name for name, each in self.plan.furniture.items() if each is furniture), "")
 
-    def access(self, who: Performer, seat: Seat) -> Vector:
-        """Return where a person stands before sitting down on a seat."""
+    def seat_access(self, who: Performer, seat: Seat) -> Vector:
+        """Return the position (x, y) where a person stands before sitting down on a seat."""
         boxes = [box for box in self.footprints(who) if box.name not in self.people]
-        return Vector(find_seat_access(tuple(seat.edge), seat.yaw, seat.width, who.m.k, boxes, seat.node_id))
-
-    # --- ways -----------------------------------------------------------------------------------------------------
+        return Vector(find_seat_access(tuple(seat.edge), seat.yaw, seat.width, who.scale, boxes, seat.node_id))
 
     def footprints(self, who: Performer, skip: tuple[str, ...] = (), girth: float = GIRTH) -> list[Footprint]:
-        """Return what stands in a person's way: boxes, and the others where they will be, as wide as ``girth`` says."""
+        """Return the boxes and people that a person walks around.
+
+        Args:
+            who: The walker.
+            skip: Node ids and asset ids to leave out.
+            girth: Share of their radius that other people take up.
+        """
         boxes = [
             Footprint(box.centre[:2], box.size[:2], box.yaw, name=box.node_id)
             for box in self.plan.obstacles
@@ -231,22 +260,28 @@ class Stage:
             and box.centre[2] + box.size[2] / 2 > LOW
         ]
         others = [
-            Footprint(tuple(o.position), (0.0, 0.0), 0.0, girth * o.m.radius, o.asset_id)
+            Footprint(tuple(o.position), (0.0, 0.0), 0.0, girth * o.measures.radius, o.asset_id)
             for o in self.people.values()
             if o is not who and o.asset_id not in skip
         ]
         return boxes + others
 
-    def path(self, who: Performer, goal: Vec2, skip: tuple[str, ...] = ()) -> list[Vec2] | None:
-        """Return the way to ``goal`` from where a person will be: with room, or squeezing past, or sideways."""
+    def path_to(self, who: Performer, goal: Vec2, skip: tuple[str, ...] = ()) -> list[Vec2] | None:
+        """Return a path around obstacles, or None if there is none; narrow gaps are squeezed through only where needed.
+
+        Args:
+            who: The walker, from the planned position.
+            goal: x and y, metres.
+            skip: Node ids and asset ids of obstacles to ignore.
+        """
         start = tuple(who.position)
         ways = (
-            (GIRTH, who.m.radius + PADDING),
-            (GIRTH, SQUEEZE_RADIUS * who.m.k),
-            (SIDEWAYS, SQUEEZE_RADIUS * who.m.k),
+            (GIRTH, who.measures.radius + PADDING),
+            (GIRTH, SQUEEZE_RADIUS * who.scale),
+            (SIDEWAYS, SQUEEZE_RADIUS * who.scale),
         )
         for girth, room in ways:
-            # Whoever already stands inside something (a bed, a bench with arms) may step out of it.
+            # A person who already stands inside something (a bed, a bench with arms) may step out of it.
             obstacles = [
                 box
                 for box in self.footprints(who, skip, girth)
@@ -257,20 +292,24 @@ class Stage:
                 return way
         return None
 
-    def others_tracks(self, who: Performer, partner: Performer | None, goal: Vec2) -> list[tuple[Track, float]]:
-        """Return where everybody else goes, and how far to stay from them: whoever one goes to is let near."""
+    def tracks_of_others(self, who: Performer, partner: Performer | None, goal: Vec2) -> list[tuple[Track, float]]:
+        """Return the planned tracks of everybody else with the metres to keep from each.
+
+        Args:
+            who: The walker.
+            partner: The person walked to, who is left out.
+            goal: End of the walk; people beside it may be nearer.
+        """
         tracks = []
         for each in self.people.values():
             if each is who or each is partner:
                 continue
             beside = max(EMBRACE, (each.position - Vector(goal)).length)
-            tracks.append((_track(each), min(beside, who.m.radius + each.m.radius + 0.10)))
+            tracks.append((_track(each), min(beside, who.measures.radius + each.measures.radius + 0.10)))
         return tracks
 
-    # --- solving --------------------------------------------------------------------------------------------------
-
     def plan_drops(self, times: Floats) -> dict[str, Floats]:
-        """Return how far every pelvis must sink per sample: widened and low-passed, so that it never pops."""
+        """Return by person how many metres the pelvis must sink at each of ``times`` (seconds), low-passed."""
         drops = {}
         for name, who in self.people.items():
             need = np.pad([who.needed_drop(float(t)) for t in times], 1, mode="edge")
@@ -279,13 +318,18 @@ class Stage:
         return drops
 
     def pose(self, t: float, drops: dict[str, float]) -> None:
-        """Pose everybody and everything at a moment; hands that follow others come last."""
+        """Pose everybody and everything at a moment; hands that follow others come last.
+
+        Args:
+            t: Seconds.
+            drops: Metres by which each person's pelvis is lowered.
+        """
         for name, who in self.people.items():
             who.pose_trunk(t, drops.get(name, 0.0))
             who.pose_legs(t)
         for who in self.people.values():
             who.pose_head(t)
-        late = {(id(who), side) for who, side, start, end in self.late if start <= t <= end}
+        late = {(id(who), side) for who, side, start, end in self.following_hands if start <= t <= end}
         for who in self.people.values():
             early = "".join(side for side in SIDES if (id(who), side) not in late)
             if early:
@@ -303,6 +347,8 @@ class Stage:
 
 
 def _track(who: Performer) -> Track:
+    """Return a person's position (x, y) as a function of seconds."""
+
     def at(t: float) -> Vec2:
         x, y, _ = who.root(t)
         return float(x), float(y)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from tests.blender.motion_stage import Playback, build_bodies, cue_of, mark_at, perform, world_at
 
-from storyblender.blender.motion import ease
+from storyblender.blender.motion import idle_hands
 from storyblender.blender.motion.plan import StageProp
 from storyblender.blender.people.body import Body
 
@@ -24,7 +24,7 @@ def bodies() -> dict[str, Body]:
 def test_hands_lie_in_each_other_at_ease_and_swing_on_the_way(
     bodies: dict[str, Body], monkeypatch: pytest.MonkeyPatch, habit: str
 ) -> None:
-    monkeypatch.setattr(ease, "HABITS", (habit,))
+    monkeypatch.setattr(idle_hands, "HABITS", (habit,))
     end = mark_at("man", 2.5, 0, 90)
     shot = perform(bodies, (mark_at("man", 0, 0, 90),), (cue_of("man", "walk", 24, mark=end),), 5, ends=(end,))
     play = Playback(bodies["man"], shot, "man")
@@ -41,7 +41,7 @@ def test_hands_lie_in_each_other_at_ease_and_swing_on_the_way(
 
 
 def test_children_let_their_hands_hang(bodies: dict[str, Body], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(ease, "HABITS", ("folded",))
+    monkeypatch.setattr(idle_hands, "HABITS", ("folded",))
     shot = perform(bodies, (mark_at("girl", 0, 0),), (), 1)
     play = Playback(bodies["girl"], shot, "girl")
     assert (play.joint("hand.L", 10) - play.joint("hand.R", 10)).length > 0.3
