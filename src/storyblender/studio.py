@@ -51,7 +51,7 @@ from storyblender.settings import REMEMBERED, Settings
 from storyblender.trace import Event, Listener, silent
 
 if TYPE_CHECKING:
-    from storyblender.agents.director.reader.why import Reason
+    from storyblender.agents.director.reader.reasons import Reason
 
 CATALOGS: dict[str, Mapping[str, Entry]] = {
     "props": PROPS,

@@ -30,7 +30,7 @@ from rich.progress import (
 from rich.table import Table
 
 if TYPE_CHECKING:
-    from storyblender.agents.director.reader.why import Reason
+    from storyblender.agents.director.reader.reasons import Reason
     from storyblender.catalog.registry import Entry
     from storyblender.doctor import Finding
     from storyblender.errors import StoryBlenderError

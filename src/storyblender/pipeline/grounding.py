@@ -6,7 +6,7 @@ import hashlib
 from collections.abc import Mapping
 from pathlib import Path
 
-from storyblender.agents.director.reader.why import Reason, reasons_of
+from storyblender.agents.director.reader.reasons import Reason, reasons_of
 from storyblender.agents.director.reading import Reading
 from storyblender.agents.director.reading_file import is_reading_of, read_reading, write_reading
 from storyblender.agents.director.rules import Ledger, keeping

@@ -10,13 +10,20 @@ import re
 from typing import NamedTuple
 
 from storyblender.screenplay.comments import blank, find_comments
-from storyblender.screenplay.cues import looks_like_cue, plain_line, split_cue, strip_emphasis
+from storyblender.screenplay.cues import (
+    closes_series,
+    item_mark,
+    looks_like_cue,
+    opens_series,
+    plain_line,
+    split_cue,
+    strip_emphasis,
+)
 from storyblender.screenplay.headings import is_heading, scene_label, split_number
 from storyblender.screenplay.layout.front import titled
 from storyblender.screenplay.layout.labels import element_of_label
 from storyblender.screenplay.layout.spacing import Row, line_spacing
 from storyblender.screenplay.model import Element, ElementKind, Screenplay
-from storyblender.screenplay.series import closes_series, item_mark, opens_series
 
 _SECTION = re.compile(
     r"(?:END (?:OF )?)?(?:TEASER|COLD OPEN(?:ING)?|TAG|SCENE [A-Z]|ACT (?:ONE|TWO|THREE|FOUR|FIVE|SIX|[IVX]+|\d+))\.?"

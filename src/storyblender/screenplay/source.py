@@ -12,7 +12,7 @@ from storyblender.errors import InputError
 from storyblender.screenplay import fdx, fountain, prose
 from storyblender.screenplay.headings import is_heading
 from storyblender.screenplay.layout import chat, columns, comic, picture_book, play
-from storyblender.screenplay.layout.featured import list_featured
+from storyblender.screenplay.layout.front import list_featured
 from storyblender.screenplay.model import Screenplay, ScriptFormat
 
 MAX_BYTES: Final = 20_000_000

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from storyblender.screenplay.cues import closes_series, item_mark, opens_series
 from storyblender.screenplay.headings import heading_words, is_heading
 from storyblender.screenplay.model import Screenplay
-from storyblender.screenplay.series import closes_series, item_mark, opens_series
 from storyblender.screenplay.source import read
 
 _LINES = [

@@ -8,19 +8,18 @@ from dataclasses import replace
 from itertools import accumulate
 from string import capwords
 
-from storyblender.agents.director.carried_states import LIGHT, found_states
 from storyblender.agents.director.casting import called, cast, describe, introduction
-from storyblender.agents.director.company import Company, unique
 from storyblender.agents.director.creatures import describe_creature, size_of
 from storyblender.agents.director.draft import Beat, ShotDraft
-from storyblender.agents.director.left_behind import left_behind
 from storyblender.agents.director.motion_families import GETTING, PARTING
 from storyblender.agents.director.place_words import ground, lighting, walls
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Thing, Unit
+from storyblender.agents.director.scene_continuity import LIGHT, found_states, left_behind
 from storyblender.agents.director.script_notes import notes_by_scene, notes_by_shot
 from storyblender.agents.director.staging import Staging
+from storyblender.agents.director.story_assets import Company, unique
 from storyblender.agents.director.wording import modifiers_of, one_line, shot_sentence
-from storyblender.agents.director.written import writing_on
+from storyblender.agents.director.writing import writing_on
 from storyblender.catalog.homelands import homeland_of
 from storyblender.catalog.states import GONE, LEFT
 from storyblender.memory.asset_sheet import Asset, CharacterLook, Garment

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from storyblender.agents.director.assembly import Assembly
-from storyblender.agents.director.company import Company
-from storyblender.agents.director.copies import hand_out
 from storyblender.agents.director.coverage import Coverage
 from storyblender.agents.director.cutting import alternate, avoid_jump_cuts, breathe
 from storyblender.agents.director.directions import attach_notes
@@ -14,10 +12,12 @@ from storyblender.agents.director.draft import ShotDraft
 from storyblender.agents.director.economy import economise
 from storyblender.agents.director.extras import expand_groups
 from storyblender.agents.director.reading import Reading
-from storyblender.agents.director.rewritten import note_new_writing
+from storyblender.agents.director.reading_passes import hand_out
 from storyblender.agents.director.settings import DirectorSettings
 from storyblender.agents.director.shot_details import ScriptFlags, ShotDetails
+from storyblender.agents.director.story_assets import Company
 from storyblender.agents.director.wording import one_line
+from storyblender.agents.director.writing import note_new_writing
 from storyblender.memory.camera_words import listed
 from storyblender.memory.graph import Storyboard
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Final
 
-from storyblender.agents.director.company import unique
 from storyblender.agents.director.cutting import acts_apart, listener_of, middle_of_speech, seen_thing, size_of, step
 from storyblender.agents.director.directions import Names, directed_shot, is_direction_only
 from storyblender.agents.director.draft import Beat, ShotDraft
@@ -17,6 +16,7 @@ from storyblender.agents.director.durations import action_seconds, speech_second
 from storyblender.agents.director.fixtures import is_fixture
 from storyblender.agents.director.motion_families import FAST, HANDS, LOW, TRAVEL, WHOLE_BODY
 from storyblender.agents.director.reading import CameraNote, Reading, SceneReading, Unit
+from storyblender.agents.director.story_assets import unique
 from storyblender.memory.shot_sizes import ShotSize
 from storyblender.memory.vocabulary import ShotKind
 

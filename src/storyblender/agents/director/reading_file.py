@@ -18,9 +18,9 @@ from typing import Annotated, Any, get_args
 from pydantic import Field, TypeAdapter, ValidationError, model_validator
 
 from storyblender.agents.director.fixtures import telling_ids
-from storyblender.agents.director.place_runs import in_story_order
 from storyblender.agents.director.reader.era import age_of
 from storyblender.agents.director.reading import CameraNote, Person, Reading, SceneReading, Thing, Unit
+from storyblender.agents.director.reading_passes import in_story_order
 from storyblender.catalog.motions import CLIP_OF, MOTIONS
 from storyblender.catalog.sets import SETS
 from storyblender.errors import InputError

@@ -7,15 +7,15 @@ from bisect import bisect_left
 from collections.abc import Sequence
 from string import capwords
 
-from storyblender.agents.director.arrivals import not_there_yet
 from storyblender.agents.director.camera_phrases import from_behind
-from storyblender.agents.director.company import Company, unique
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import frames, shot_seconds
-from storyblender.agents.director.finer import UNREAD, finer
+from storyblender.agents.director.fine_motions import UNREAD, finer
 from storyblender.agents.director.motion_families import GETTING, SPOKEN, TRAVEL
 from storyblender.agents.director.reading import Deed, SceneReading, Unit
+from storyblender.agents.director.scene_continuity import not_there_yet
 from storyblender.agents.director.staging import Staging
+from storyblender.agents.director.story_assets import Company, unique
 from storyblender.agents.director.wording import deed_words, mood_of, wanted_camera
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.places import find_kit

@@ -1,9 +1,9 @@
-"""Front matter of a script: title, byline, cast list, notes to the crew."""
+"""Front matter of a script (title, byline, cast list, notes to the crew) and lists of people under scene headings."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from storyblender.screenplay.layout.lines import Line, Page, plain
 from storyblender.screenplay.model import Element
@@ -127,3 +127,45 @@ def _entry(words: str) -> str:
     """Return the name in an entry: the text before a comma, a dash, dots or a bracket."""
     name = re.split(r",|\s[-–—]+\s|\.{2,}|\(|:|\s{3,}|[-–—]{2}", plain(words), maxsplit=1)[0]
     return re.sub(r"^(?:A|AN|THE)\s+", "", name.strip(" .*_-").upper())
+
+
+_LISTED = re.compile(r"\s*[(\[](?P<names>[^()\[\]]{2,300})[)\]][ \t]*(?:\n|$)")
+_BETWEEN = re.compile(r"\s*(?:[,;/&\n]|\b(?:and|AND|with|WITH)\b)\s*")
+_HALF = 0.5
+"""Share of the names in such brackets that speak on the page."""
+
+
+def list_featured(text: str, elements: Sequence[Element]) -> tuple[Element, ...]:
+    """Return the elements with the entries of such lists as ``cast``: who they name may come in later.
+
+    Args:
+        text: The page.
+        elements: Its elements in reading order.
+    """
+    speaking = {word for element in elements if element.kind == "cue" for word in element.name.upper().split()}
+    told: list[Element] = []
+    for element in elements:
+        below = bool(told) and told[-1].kind == "heading" and element.kind == "action"
+        listed = _LISTED.match(text, max(element.start - 1, told[-1].end)) if below else None
+        entries = [*_entries(listed, element)] if listed else []
+        spoken = sum(bool({*entry.text.upper().split()} & speaking) for entry in entries)
+        if listed is None or not entries or spoken < _HALF * len(entries):
+            told.append(element)
+            continue
+        told += entries
+        rest = listed.end() + len(text[listed.end() : element.end]) - len(text[listed.end() : element.end].lstrip())
+        if rest < element.end:
+            cut = element.text.find(")") + 1 or element.text.find("]") + 1
+            line = element.line + text.count("\n", element.start, rest)
+            told.append(element.model_copy(update={"start": rest, "text": element.text[cut:].strip(), "line": line}))
+    return tuple(told)
+
+
+def _entries(listed: re.Match[str], element: Element) -> Iterator[Element]:
+    """Return an element for each name between the brackets."""
+    at = listed.start("names")
+    for name in _BETWEEN.split(listed["names"]):
+        start = listed.string.index(name, at)
+        at = start + len(name)
+        if name:
+            yield element.model_copy(update={"kind": "cast", "text": name, "start": start, "end": at})

@@ -19,8 +19,9 @@ from storyblender.screenplay.headings import (
 from storyblender.screenplay.layout.front import cast_list, ends_cast, read_front
 from storyblender.screenplay.layout.labels import Label, element_of_label, find_convention, spoken_line
 from storyblender.screenplay.layout.lines import Line, Page, lines_of, plain
-from storyblender.screenplay.layout.speech import add_cue, add_speech
-from storyblender.screenplay.layout.standing import (
+from storyblender.screenplay.layout.speech import (
+    add_cue,
+    add_speech,
     goes_on_as_action,
     is_out_of_place,
     standing_name,

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from handmade import Script
 
-from storyblender.agents.director.company import Company
 from storyblender.agents.director.directions import Names
 from storyblender.agents.director.reading import Thing
+from storyblender.agents.director.story_assets import Company
 
 
 def test_an_id_or_a_whole_name_wins_over_a_last_word() -> None:

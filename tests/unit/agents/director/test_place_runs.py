@@ -7,9 +7,9 @@ from dataclasses import replace
 import pytest
 
 from storyblender.agents.director.breakdown import storyboard
-from storyblender.agents.director.place_runs import in_story_order
 from storyblender.agents.director.reader import read_script
 from storyblender.agents.director.reading import Reading
+from storyblender.agents.director.reading_passes import in_story_order
 from storyblender.screenplay.source import read
 
 SCRIPT = """INT. SHED - DAY

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from storyblender.agents.director.arrivals import not_there_yet
-from storyblender.agents.director.carried_states import found_states
 from storyblender.agents.director.reading import Deed, Reading, SceneReading, StateChange, Thing, Unit
-from storyblender.agents.director.rewritten import note_new_writing
+from storyblender.agents.director.scene_continuity import found_states, not_there_yet
+from storyblender.agents.director.writing import note_new_writing
 from storyblender.screenplay.model import Screenplay
 
 

@@ -5,14 +5,11 @@ from __future__ import annotations
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader import noticing
 from storyblender.agents.director.reader.bearing.calls import note_calls
-from storyblender.agents.director.reader.bearing.eyes import note_gaze
-from storyblender.agents.director.reader.bearing.faces import note_faces_told
-from storyblender.agents.director.reader.bearing.grips import note_grips, note_had
-from storyblender.agents.director.reader.bearing.lasting import note_lasting
+from storyblender.agents.director.reader.bearing.faces import note_faces_told, note_gaze
+from storyblender.agents.director.reader.bearing.grips import note_grips, note_had, note_tethers
 from storyblender.agents.director.reader.bearing.looks import note_fragment, note_looks, note_worn
-from storyblender.agents.director.reader.bearing.postures import note_posture
-from storyblender.agents.director.reader.bearing.tethers import note_tethers
-from storyblender.agents.director.reader.deeds import changes, deeds, entrances, exits, states
+from storyblender.agents.director.reader.bearing.postures import note_lasting, note_posture
+from storyblender.agents.director.reader.deeds import changes, deeds, entrances, exits, outcomes
 from storyblender.agents.director.reader.deeds.motions import motion_of
 from storyblender.agents.director.reader.deeds.needs import suited
 from storyblender.agents.director.reader.deeds.unread import flag_unread, nearest, note_unread
@@ -26,12 +23,12 @@ from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.page.sentences import Sentence
 from storyblender.agents.director.reader.people.coreference import resolve_owner
 from storyblender.agents.director.reader.people.introduced import note_introductions
-from storyblender.agents.director.reader.people.people_meant import resolve_mention
+from storyblender.agents.director.reader.people.person_reference import resolve_mention
 from storyblender.agents.director.reader.people.roles import Roles, resolve_objects, resolve_subject
-from storyblender.agents.director.reader.people.things_meant import ASIDE, SEEN, weigh
-from storyblender.agents.director.reader.places import distances, noun_places, relations
-from storyblender.agents.director.reader.places.settled import settle_things
-from storyblender.agents.director.reader.stage import SentenceState, Stage
+from storyblender.agents.director.reader.people.thing_reference import ASIDE, SEEN, weigh
+from storyblender.agents.director.reader.places import noun_places, relations
+from storyblender.agents.director.reader.places.place_pronouns import settle_things
+from storyblender.agents.director.reader.state import SentenceState, Stage
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 
@@ -74,11 +71,11 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
         _read_clause(stage, clause, stage.sentence.subjects or previous, first=index == 0)
     entrances.named_enter(stage, words, clauses)
     subjects = stage.sentence.subjects
-    distances.relate_side_by_side(stage, sentence.words, subjects)
+    relations.relate_side_by_side(stage, sentence.words, subjects)
     note_introductions(stage, sentence.words, sentence.end)
     note_worn(stage, phrases)
     noun_places.relate_noun_phrases(stage, phrases, subjects, previous)
-    states.drawn_weapons(stage, subjects or previous)
+    outcomes.drawn_weapons(stage, subjects or previous)
     changes.note_sounds(stage, clauses)
     _note_bearing(stage, clauses, subjects or previous)
     flag_unread(stage)
@@ -161,7 +158,7 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     changes.note_changes(stage, clause, roles)
     if clause.negated or clause.unreal or (clause.verb in _SPOKEN and not seen):
         return
-    states.slip_away(stage, clause, roles)
+    outcomes.slip_away(stage, clause, roles)
     motion = part or _motion(stage, clause, roles)
     relations.relate_clause(stage, clause, roles, motion, first)
     noticing.notice_things(stage, clause, roles, motion)
@@ -175,7 +172,7 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
         motion = nearest(clause, roles)
         note_unread(stage, clause, roles, motion)
     if roles.subjects and motion and not clause.earlier:
-        states.settle(stage, deeds.act(stage, clause, roles, motion), clause, roles)
+        outcomes.settle(stage, deeds.act(stage, clause, roles, motion), clause, roles)
     note_posture(stage, clause, roles)
     if roles.subjects and motion and not clause.earlier:
         exits.leave(stage, clause, roles, motion)

@@ -10,11 +10,11 @@ from collections.abc import Sequence
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.lexicon.foreign import Tongue
-from storyblender.agents.director.reader.deeds.states import hold
+from storyblender.agents.director.reader.deeds.outcomes import hold
 from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.page.sentences import Sentence
-from storyblender.agents.director.reader.people.people_meant import resolve_mention
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.people.person_reference import resolve_mention
+from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.reading import Deed, Person, StateChange
 from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Posture, RelationKind

@@ -10,9 +10,9 @@ from storyblender.agents.director.reader.language.clause import Clause
 from storyblender.agents.director.reader.language.morphology import singular
 from storyblender.agents.director.reader.language.phrases import NounPhrase, Phrase
 from storyblender.agents.director.reader.language.words import Word, joined
-from storyblender.agents.director.reader.people.people_meant import is_neuter
+from storyblender.agents.director.reader.people.person_reference import is_neuter
 from storyblender.agents.director.reader.people.roles import Roles
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.rules import rule
 
 _OBJECTLIKE = frozenset({"prop", "worn", "unknown", "set_piece"})

@@ -9,24 +9,23 @@ from collections import Counter
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.action import read_action
 from storyblender.agents.director.reader.bearing.calls import keep_calls
-from storyblender.agents.director.reader.beside import act_beside
 from storyblender.agents.director.reader.cast.foreign_cast import add_foreign
 from storyblender.agents.director.reader.cast.prose_cast import find_prose_cast
 from storyblender.agents.director.reader.cast.screenplay_cast import find_cast
-from storyblender.agents.director.reader.deeds.carried import bring_along, come_back
+from storyblender.agents.director.reader.deeds.entrances import bring_along, come_back
 from storyblender.agents.director.reader.deeds.exits import clear_exits
 from storyblender.agents.director.reader.era import age_of
 from storyblender.agents.director.reader.foreign import read_foreign
+from storyblender.agents.director.reader.inserts import lies_there, show_thing
 from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.manuscript import Manuscript, open_manuscript
 from storyblender.agents.director.reader.page.cutting import cut_page
 from storyblender.agents.director.reader.page.sentences import Sentence
 from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.reader.props import Inventory
-from storyblender.agents.director.reader.shown import lies_there, show_thing
-from storyblender.agents.director.reader.speech import speak
-from storyblender.agents.director.reader.stage import SceneState, Stage
-from storyblender.agents.director.reader.why import page_facts, stage_facts
+from storyblender.agents.director.reader.reasons import page_facts, stage_facts
+from storyblender.agents.director.reader.speech import act_beside, speak
+from storyblender.agents.director.reader.state import SceneState, Stage
 from storyblender.agents.director.reading import CameraNote, Person, Reading, Unit
 from storyblender.agents.director.rules import by_rule, rule, watch
 from storyblender.memory.vocabulary import Gender

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import pytest
 
-from storyblender.agents.director.reader.people.ages import age_of
+from storyblender.agents.director.reader.people.look import age_of
 from storyblender.agents.director.reading import Reading, Unit
 
 Read = Callable[[str], Reading]

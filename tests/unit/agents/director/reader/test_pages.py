@@ -7,7 +7,7 @@ import pytest
 
 from storyblender.agents.director.breakdown import storyboard
 from storyblender.agents.director.places_by_meaning import place_by_meaning
-from storyblender.agents.director.reader.page.told_places import place_set_down
+from storyblender.agents.director.reader.page.named_places import place_set_down
 from storyblender.agents.director.reader.reader import read_script
 from storyblender.agents.director.reading import Reading
 from storyblender.screenplay.source import read

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from storyblender.agents.director.reader import read_script
-from storyblender.agents.director.reader.why import Reason, reasons_of
+from storyblender.agents.director.reader.reasons import Reason, reasons_of
 from storyblender.agents.director.reading import Reading
 from storyblender.agents.director.rules import RULES, Ledger, keeping
 from storyblender.screenplay.source import load, read

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.deeds.states import hold
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.deeds.outcomes import hold
+from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 

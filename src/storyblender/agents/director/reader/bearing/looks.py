@@ -10,11 +10,10 @@ from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.language.morphology import singular
 from storyblender.agents.director.reader.language.phrases import Phrase
 from storyblender.agents.director.reader.language.words import Word
-from storyblender.agents.director.reader.people.ages import age_of
-from storyblender.agents.director.reader.people.look import describe
-from storyblender.agents.director.reader.people.people_meant import resolve_mention
+from storyblender.agents.director.reader.people.look import age_of, describe
+from storyblender.agents.director.reader.people.person_reference import resolve_mention
 from storyblender.agents.director.reader.people.roles import Roles
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.cast.name_evidence import gender_told
 from storyblender.agents.director.reader.cast.namings import Naming
-from storyblender.agents.director.reader.cast.pronoun_votes import gender_told
 from storyblender.agents.director.reader.language.morphology import is_person_noun, singular
-from storyblender.agents.director.reader.language.text_index import TextIndex
+from storyblender.agents.director.reader.language.words import TextIndex
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule

@@ -9,21 +9,26 @@ from typing import NamedTuple
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER
-from storyblender.agents.director.reader.cast.beasts import does_something
-from storyblender.agents.director.reader.cast.evidence import is_somebody
-from storyblender.agents.director.reader.cast.households import Kinship, is_family, link_kin, link_surnames
-from storyblender.agents.director.reader.cast.kin import is_known_relative
+from storyblender.agents.director.reader.cast.animals import does_something
+from storyblender.agents.director.reader.cast.kin import Kinship, is_family, is_known_relative, link_kin, link_surnames
 from storyblender.agents.director.reader.cast.later_names import name_the_nameless
-from storyblender.agents.director.reader.cast.namings import namings, told_text
+from storyblender.agents.director.reader.cast.name_evidence import is_somebody
+from storyblender.agents.director.reader.cast.namings import (
+    announced,
+    call_by_title,
+    namings,
+    spoken_names,
+    title_noun,
+    told_text,
+)
 from storyblender.agents.director.reader.cast.prose_names import add_name, names_in
-from storyblender.agents.director.reader.cast.spoken_names import announced, call_by_title, spoken_names, title_noun
 from storyblender.agents.director.reader.cast.trades import call_by_trade
 from storyblender.agents.director.reader.language.person_nouns import PersonNoun, find_person_nouns
-from storyblender.agents.director.reader.language.text_index import TextIndex
+from storyblender.agents.director.reader.language.words import TextIndex
 from storyblender.agents.director.reader.manuscript import Manuscript, without_quotations
-from storyblender.agents.director.reader.people.epithets import is_epithet
 from storyblender.agents.director.reader.people.look import describe
 from storyblender.agents.director.reader.people.narrator import find_narrator
+from storyblender.agents.director.reader.people.person_reference import is_epithet
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule

@@ -6,7 +6,7 @@ import re
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER, unaccented
-from storyblender.agents.director.reader.cast.pronoun_votes import gender_told
+from storyblender.agents.director.reader.cast.name_evidence import gender_told
 from storyblender.agents.director.reader.language.morphology import form_kind, is_person_noun, singular
 from storyblender.agents.director.reader.language.person_nouns import find_person_nouns
 from storyblender.agents.director.reader.people.look import describe

@@ -8,13 +8,18 @@ from dataclasses import dataclass, replace
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER, unaccented
-from storyblender.agents.director.reader.cast.by_names import also_known, nicknamed, tagged_name, worn_name
+from storyblender.agents.director.reader.cast.aliases import (
+    also_known,
+    join_revealed,
+    nicknamed,
+    tagged_name,
+    worn_name,
+)
 from storyblender.agents.director.reader.cast.later_names import call_by_nouns
-from storyblender.agents.director.reader.cast.revealed import join_revealed
 from storyblender.agents.director.reader.cast.walk_ons import add_walk_ons
 from storyblender.agents.director.reader.language.morphology import form_kind, is_person_noun, singular
 from storyblender.agents.director.reader.language.person_nouns import find_person_nouns
-from storyblender.agents.director.reader.language.text_index import TextIndex
+from storyblender.agents.director.reader.language.words import TextIndex
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph, without_quotations
 from storyblender.agents.director.reader.people.look import describe
 from storyblender.agents.director.reader.people.roster import Roster, bare

@@ -7,7 +7,7 @@ from collections import Counter
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER
-from storyblender.agents.director.reader.cast.beasts import add_animals
+from storyblender.agents.director.reader.cast.animals import add_animals
 from storyblender.agents.director.reader.cast.prose_names import names_in
 from storyblender.agents.director.reader.language.morphology import FORMS, form_kind, is_person_noun, singular
 from storyblender.agents.director.reader.language.person_nouns import PersonNoun, find_person_nouns

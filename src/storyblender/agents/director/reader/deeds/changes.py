@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.people.roles import Roles
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.reading import Person, StateChange
 from storyblender.agents.director.rules import rule
 from storyblender.catalog.liquids import LIQUIDS

@@ -10,7 +10,7 @@ from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.language.phrases import NounPhrase
 from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.people.roles import Place, Roles
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 

@@ -8,7 +8,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.language.phrases import NounPhrase
 from storyblender.agents.director.reader.people.roles import Roles
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.state import Stage
 
 _TO_SOMETHING = frozenset(
     {

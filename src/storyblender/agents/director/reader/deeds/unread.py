@@ -5,7 +5,7 @@ from __future__ import annotations
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.people.roles import Roles
-from storyblender.agents.director.reader.stage import Stage, UnreadAct
+from storyblender.agents.director.reader.state import Stage, UnreadAct
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 

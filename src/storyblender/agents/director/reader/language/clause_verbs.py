@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.language.clause import Clause
-from storyblender.agents.director.reader.language.clause_builder import ClauseBuilder
+from storyblender.agents.director.reader.language.clause import Clause, ClauseBuilder
 from storyblender.agents.director.reader.language.morphology import VerbForm
 from storyblender.agents.director.reader.language.phrases import NounPhrase, Phrase
 from storyblender.agents.director.reader.language.tagging import PERCEIVING

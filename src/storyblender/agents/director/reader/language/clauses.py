@@ -6,8 +6,7 @@ Clauses follow from the order of phrases. Anything that produces ``Clause`` coul
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.language.clause import Clause
-from storyblender.agents.director.reader.language.clause_builder import ClauseBuilder
+from storyblender.agents.director.reader.language.clause import Clause, ClauseBuilder
 from storyblender.agents.director.reader.language.clause_nouns import is_other_side, take_noun
 from storyblender.agents.director.reader.language.clause_order import inverts, is_absolute, is_fronted, verb_follows
 from storyblender.agents.director.reader.language.clause_repairs import repair

@@ -12,8 +12,7 @@ from storyblender.agents.director.reader.language.morphology import (
     guess_lemma,
     singular,
 )
-from storyblender.agents.director.reader.language.row import Row
-from storyblender.agents.director.reader.language.words import Word
+from storyblender.agents.director.reader.language.words import Row, Word
 
 OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
 OBJECTS = OPENERS | {"him", "her", "it", "them", "himself", "herself", "itself", "themselves", "each"}

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import VerbForm, form_kind, singular
-from storyblender.agents.director.reader.language.row import Row, was
 from storyblender.agents.director.reader.language.tagging import (
     OPENERS,
     as_participles,
@@ -16,7 +15,7 @@ from storyblender.agents.director.reader.language.tagging import (
     may_be_verb,
     tag_verb,
 )
-from storyblender.agents.director.reader.language.words import Mention, Word
+from storyblender.agents.director.reader.language.words import Mention, Row, Word, was
 from storyblender.agents.director.reader.language.written_verbs import is_outcome, written_verb
 
 _PREDICATES = frozenset({"asleep", "awake", "alone", "unconscious", "dead", "naked", "up", "seated", "ready"})

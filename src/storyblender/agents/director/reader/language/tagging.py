@@ -25,8 +25,7 @@ from storyblender.agents.director.reader.language.rare_verbs import (
     is_listed_part,
     rare_verb,
 )
-from storyblender.agents.director.reader.language.row import Row, is_adverb
-from storyblender.agents.director.reader.language.words import Word
+from storyblender.agents.director.reader.language.words import Row, Word, is_adverb
 
 _LINKS = lexicon.CONJUNCTIONS | {",", ";", "-", "--", "—", "–"}
 _CLAUSE_LINKS = frozenset({"and", "but", "as", "while", "when", "then", ";", ":", "—", "–", "--"})

@@ -1,11 +1,13 @@
-"""Words with their place in the script, and the people they mention."""
+"""Words with their offsets in the script and the people they mention, a row of words being tagged, and a word index."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Literal
 
+from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import VerbForm
 from storyblender.agents.director.reading import Person
 
@@ -102,3 +104,71 @@ def key_of(name: str) -> tuple[str, ...]:
 def joined(words: list[Word]) -> str:
     """The written words in lower case, inserted ones left out, one space between."""
     return " ".join(word.low for word in words if not word.inserted)
+
+
+_PASSED_OVER = lexicon.ADVERBS - {"there", "here"}
+
+
+@dataclass
+class Row:
+    """The words so far."""
+
+    words: list[Word] = field(default_factory=list)
+    verb_seen: bool = False
+    tail: list[Word] = field(default_factory=list)
+    """``with a drum on her shoulder`` out of an apposition: it is told at the end."""
+    last_kind: str = ""
+    """``3sg``, ``base`` or ``inf``: the form of the last finite verb or bare infinitive."""
+
+    def insert_subject(self, at: int) -> None:
+        """Put in the elided subject."""
+        self.words.append(Word("", at, at, inserted=True))
+
+    def insert_was(self, at: int) -> None:
+        """Put in the missing verb."""
+        self.words.append(was(at))
+        self.verb_seen = True
+
+    def neighbour(self) -> Word | None:
+        """The last word that is no adverb."""
+        return next((word for word in reversed(self.words) if not is_adverb(word)), None)
+
+
+def was(at: int) -> Word:
+    """An inserted ``was``."""
+    return Word("", at, at, verb=VerbForm("be", "aux"), inserted=True)
+
+
+def is_adverb(word: Word) -> bool:
+    """Whether a word only tells how or when: ``slowly``, ``again``."""
+    adverb = (word.low.endswith("ly") and len(word.low) > 4) or word.low in _PASSED_OVER
+    return adverb and word.mention is None
+
+
+_WORD = re.compile(r"\w+")
+
+
+class TextIndex:
+    """The places of all words of a text.
+
+    Args:
+        text: Any text.
+    """
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self._starts: dict[str, list[int]] = {}
+        for word in _WORD.finditer(text):
+            self._starts.setdefault(word[0].lower(), []).append(word.start())
+
+    def places(self, phrase: str) -> Iterator[int]:
+        """The offsets at which a phrase stands as it is written, no part of a longer word.
+
+        Args:
+            phrase: Starts and ends with a letter, a digit or ``_``.
+        """
+        first = _WORD.match(phrase)
+        for at in self._starts.get(first[0].lower(), ()) if first else ():
+            end = at + len(phrase)
+            if self.text.startswith(phrase, at) and not _WORD.match(self.text, end):
+                yield at

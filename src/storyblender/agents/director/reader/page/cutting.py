@@ -10,14 +10,12 @@ from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph
 from storyblender.agents.director.reader.page.asides import is_aside
 from storyblender.agents.director.reader.page.hours import hour_after
 from storyblender.agents.director.reader.page.intercut import Intercut, intercut_places
+from storyblender.agents.director.reader.page.named_places import ToldPlace, place_set_down, slug_of
+from storyblender.agents.director.reader.page.prose_places import WHOLE
 from storyblender.agents.director.reader.page.prose_scenes import read_scene_change
 from storyblender.agents.director.reader.page.prose_sentences import prose_sentences
-from storyblender.agents.director.reader.page.scenes import first_scene, read_heading, same_place
+from storyblender.agents.director.reader.page.scenes import first_scene, read_heading, same_place, settle_sides
 from storyblender.agents.director.reader.page.sentences import Sentence, Speech, action_sentences, speech_sentences
-from storyblender.agents.director.reader.page.slugs import slug_of
-from storyblender.agents.director.reader.page.story_places import WHOLE
-from storyblender.agents.director.reader.page.surroundings import settle_sides
-from storyblender.agents.director.reader.page.told_places import ToldPlace, place_set_down
 from storyblender.agents.director.reader.people.narrator import mark_narrator
 from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.reading import SceneReading

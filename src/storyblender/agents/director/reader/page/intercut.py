@@ -8,9 +8,8 @@ from dataclasses import replace
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.manuscript import Paragraph
+from storyblender.agents.director.reader.page.named_places import place_before, place_set_down, type_of_place
 from storyblender.agents.director.reader.page.sentences import Sentence
-from storyblender.agents.director.reader.page.slugs import place_before
-from storyblender.agents.director.reader.page.told_places import place_set_down, type_of_place
 from storyblender.agents.director.reading import SceneReading
 from storyblender.agents.director.rules import rule
 

@@ -6,9 +6,8 @@ import re
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.manuscript import Paragraph, without_quotations
-from storyblender.agents.director.reader.page.hours import hour_after, time_of, weather_of
-from storyblender.agents.director.reader.page.scenes import same_place
-from storyblender.agents.director.reader.page.story_places import (
+from storyblender.agents.director.reader.page.hours import hour_after, story_time, time_of, weather_of
+from storyblender.agents.director.reader.page.prose_places import (
     WHOLE,
     any_place,
     place_begun_with,
@@ -18,7 +17,7 @@ from storyblender.agents.director.reader.page.story_places import (
     room_within,
     scene_type_of,
 )
-from storyblender.agents.director.reader.page.story_times import story_time
+from storyblender.agents.director.reader.page.scenes import same_place
 from storyblender.agents.director.reading import SceneReading
 from storyblender.memory.vocabulary import TimeOfDay
 

@@ -9,9 +9,9 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.phrases import NounPhrase
 from storyblender.agents.director.reader.language.words import Mention
 from storyblender.agents.director.reader.people.narrator import ALONE, OWN, own_people
-from storyblender.agents.director.reader.people.people_meant import fits, is_neuter, resolve_mention
-from storyblender.agents.director.reader.people.things_meant import meant_by_it
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.people.person_reference import fits, is_neuter, resolve_mention
+from storyblender.agents.director.reader.people.thing_reference import meant_by_it
+from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.reading import Person
 from storyblender.memory.vocabulary import Gender
 

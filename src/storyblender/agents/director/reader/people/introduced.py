@@ -10,8 +10,8 @@ from itertools import takewhile
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.words import Word, tokenize
 from storyblender.agents.director.reader.people.coreference import resolve_pronoun
-from storyblender.agents.director.reader.people.people_meant import fits, resolve_mention
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.people.person_reference import fits, resolve_mention
+from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Gender

@@ -11,7 +11,7 @@ from storyblender.agents.director.reader.language.morphology import FORMS
 from storyblender.agents.director.reader.language.words import Mention, Word
 from storyblender.agents.director.reader.manuscript import QUOTATION, Manuscript, without_asides, without_quotations
 from storyblender.agents.director.reader.people.roster import Roster, bare
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Gender

@@ -16,8 +16,8 @@ from storyblender.agents.director.reader.people.coreference import (
     resolve_owner,
     resolve_pronoun,
 )
-from storyblender.agents.director.reader.people.things_meant import weigh_clause
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.people.thing_reference import weigh_clause
+from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.reading import Person
 
 _FALLING = frozenset(

@@ -1,10 +1,10 @@
-"""What people and things can be in, on or beside, and which relation a preposition then states."""
+"""What people and things can be in, on or beside, the relation a preposition then states, and verbs of place."""
 
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.people.roles import Place
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.state import Stage
 from storyblender.memory.vocabulary import RelationKind
 
 Stated = tuple[str, RelationKind, str]
@@ -103,3 +103,22 @@ BEARING = frozenset({"lap", "shoulder", "knee", "back", "hip"})
 """``sets the child on her lap``."""
 _STICKS = frozenset({"stick", "cane", "crutch", "staff", "umbrella", "leash", "lead", "chain", "string"})
 _LEADS = frozenset({"leash", "lead", "chain", "string"})
+
+
+STATIVE, ATTACHING = lexicon.words("stative"), lexicon.words("attaching")
+TURNING = frozenset({"turn", "hesitate"})
+"""``turns at the door``."""
+HALTING = frozenset({"stop", "pause", "halt"})
+"""``stops at the counter``."""
+ARRIVING = TURNING | HALTING | {"drop", "emerge", "step", "watch", "follow", "appear", "pull"}
+"""Verbs that place only relative to people: behind, before, beside."""
+GETTING_DOWN = frozenset({"hop", "jump", "leap", "drop", "slide", "climb", "clamber", "spring"})
+"""``hops to the floor``."""
+HANGING = frozenset({"hang", "dangle", "swing", "droop", "suspend", "sway"})
+"""``swings from a hook`` is on it."""
+BENT = frozenset({"bend", "stoop", "hunch", "bow"})
+"""``is bent over the desk``, but who bends over it does not stay so."""
+TOUCHING = frozenset(
+    {"bang", "tap", "pound", "rap", "thump", "stamp", "wipe", "rub", "strike", "knock", "drum", "draw"}
+)
+"""``bangs her stick on the floor``, ``draws a cross on it``."""

@@ -6,10 +6,10 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.deeds.states import hold
+from storyblender.agents.director.reader.deeds.outcomes import hold
 from storyblender.agents.director.reader.language.phrases import NounPhrase, Phrase
 from storyblender.agents.director.reader.people.coreference import Referents, remember, resolve, resolve_owner
-from storyblender.agents.director.reader.people.people_meant import resolve_mention
+from storyblender.agents.director.reader.people.person_reference import resolve_mention
 from storyblender.agents.director.reader.places.anchors import (
     BODY_OR_DRESS,
     CLOTHS,
@@ -17,13 +17,13 @@ from storyblender.agents.director.reader.places.anchors import (
     FITTINGS,
     OPENINGS,
     SURFACES,
+    TOUCHING,
     exact_kind,
     is_the_place,
     kind_at_body,
     leans_on_a_stick,
 )
-from storyblender.agents.director.reader.places.place_verbs import TOUCHING
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import RelationKind

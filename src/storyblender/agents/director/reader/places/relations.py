@@ -1,18 +1,21 @@
-"""Where people and things are in relation to each other (notes of the director, 4.3)."""
+"""Spatial relations between people and things that a clause states (notes of the director, 4.3)."""
 
 from __future__ import annotations
 
 import re
 from dataclasses import replace
+from itertools import pairwise
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clauses import Clause
-from storyblender.agents.director.reader.language.words import joined
+from storyblender.agents.director.reader.language.words import Word, joined
 from storyblender.agents.director.reader.people.roles import Place, Roles
 from storyblender.agents.director.reader.places.anchors import (
     BEARING,
+    BENT,
     CONTAINERS,
     FLOOR,
+    STATIVE,
     SURFACES,
     THINGS,
     Stated,
@@ -21,12 +24,11 @@ from storyblender.agents.director.reader.places.anchors import (
     is_the_place,
     solid_things,
 )
-from storyblender.agents.director.reader.places.place_verbs import BENT, STATIVE
-from storyblender.agents.director.reader.places.put_places import put, puts_something, relate_between
-from storyblender.agents.director.reader.places.stated import state_place
+from storyblender.agents.director.reader.places.place_relations import state_place
+from storyblender.agents.director.reader.places.placing import put, puts_something, relate_between
+from storyblender.agents.director.reader.places.subject_places import is_still, telling_places
 from storyblender.agents.director.reader.places.supports import relate_supports
-from storyblender.agents.director.reader.places.telling import is_still, telling_places
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import RelationKind
@@ -205,3 +207,21 @@ def _seat_beside(stage: Stage, roles: Roles, motion: str | None, found: list[Sta
     kind = lexicon.relation_of(beside[0].preposition)
     moved = [relation for relation in found if relation[2] != window]
     return [*moved, (seat, kind, window)] if kind else moved
+
+
+_SIDE_WORDS = frozenset({"side", "shoulder", "elbow", "hip", "cheek", "knee"})
+
+
+@rule("relations.side_by_side")
+def relate_side_by_side(stage: Stage, words: list[Word], subjects: list[Person]) -> None:
+    """``They sit side by side``, ``stand shoulder to shoulder``: each next to the one named before.
+
+    Args:
+        stage: The state after the clauses.
+        words: The sentence as it is written.
+        subjects: Of the sentence.
+    """
+    low = [word.low for word in words]
+    if any(low[i] == low[i + 2] in _SIDE_WORDS and low[i + 1] in ("by", "to") for i in range(len(low) - 2)):
+        for before, person in pairwise(subjects):
+            stage.relate(before.id, "next_to", person.id)

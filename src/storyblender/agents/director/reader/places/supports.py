@@ -5,7 +5,7 @@ from __future__ import annotations
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.people.roles import Place, Roles
 from storyblender.agents.director.reader.places.anchors import FLOOR, OPENINGS, SURFACES, THINGS, Stated
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.rules import rule
 
 _HELD_UP = frozenset({"on", "in"})

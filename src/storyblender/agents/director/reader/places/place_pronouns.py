@@ -7,7 +7,7 @@ from storyblender.agents.director.reader.language.bare_places import THERE
 from storyblender.agents.director.reader.language.phrases import Phrase
 from storyblender.agents.director.reader.people.coreference import Referents, remember
 from storyblender.agents.director.reader.places.anchors import CONTAINERS
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.rules import rule
 
 _OF_THINGS = frozenset(

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from typing import Literal
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.reading import Person
 
 Use = Literal["subject", "object", "place"]

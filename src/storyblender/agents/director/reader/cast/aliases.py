@@ -1,4 +1,4 @@
-"""More names for one of a screenplay's cast: nicknames, name tags, and what somebody wears."""
+"""More names for one of a screenplay's cast: nicknames, name tags, clothes, and names revealed after the first view."""
 
 from __future__ import annotations
 
@@ -6,8 +6,10 @@ import re
 from collections.abc import Collection
 
 from storyblender.agents.director.naming import UPPER
+from storyblender.agents.director.reader.cast.later_names import join
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 
 _NICKNAMED = re.compile(
     rf"(?<![{UPPER}])(?P<first>[{UPPER}]{{2,}}(?: [{UPPER}]{{2,}})?) "
@@ -47,3 +49,25 @@ def tagged_name(look: str, names: Collection[str]) -> str:
     """The name on a tag in brackets, ``(40s, name tag: MARGE)``, if it is a name of the script; else empty."""
     tag = _TAGGED.search(look)
     return tag.group(1) if tag and tag.group(1) in names else ""
+
+
+_NOBODY_YET = "figure|stranger|silhouette|shape|shadow|man|woman|boy|girl|rider|driver|voice|intruder"
+_REVEALING = re.compile(
+    rf"\b(?i:the|a) (?P<who>(?i:{_NOBODY_YET}))\b"
+    r"[^.!?]{0,80}?\b(?i:reveal(?:s|ed|ing)?|turns out to be|it is|it['’]s)\W+"
+    rf"(?P<name>[{UPPER}][{UPPER}' -]+[{UPPER}])\b"
+)
+
+
+@rule("people.revealed")
+def join_revealed(roster: Roster, text: str) -> None:
+    """Merge a figure with the named person it turns out to be.
+
+    Args:
+        roster: The cast of a screenplay.
+        text: The script.
+    """
+    for match in _REVEALING.finditer(text):
+        shown, known = roster.find(match.group("who")), roster.find(match.group("name").strip())
+        if shown and known and shown[0] is not known[0] and shown[0].role and shown[0].first < known[0].first:
+            join(roster, known[0], shown[0])

@@ -12,6 +12,7 @@ from storyblender.agents.director.reader.places.anchors import (
     FITTINGS,
     FLOOR,
     OPENINGS,
+    TOUCHING,
     Stated,
     at_body,
     exact_kind,
@@ -19,9 +20,8 @@ from storyblender.agents.director.reader.places.anchors import (
     kind_at_body,
     solid_things,
 )
-from storyblender.agents.director.reader.places.place_verbs import TOUCHING
 from storyblender.agents.director.reader.places.supports import PEGS
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import RelationKind
 

@@ -6,12 +6,20 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.people.roles import Place
 from storyblender.agents.director.reader.places.anchors import (
+    ARRIVING,
+    ATTACHING,
+    BENT,
     CLOTHS,
     FLOOR,
     FLOORING,
+    GETTING_DOWN,
+    HALTING,
+    HANGING,
     OPENINGS,
+    STATIVE,
     SURFACES,
     THINGS,
+    TURNING,
     Stated,
     at_body,
     exact_kind,
@@ -19,17 +27,7 @@ from storyblender.agents.director.reader.places.anchors import (
     kind_at_body,
     leans_on_a_stick,
 )
-from storyblender.agents.director.reader.places.place_verbs import (
-    ARRIVING,
-    ATTACHING,
-    BENT,
-    GETTING_DOWN,
-    HALTING,
-    HANGING,
-    STATIVE,
-    TURNING,
-)
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import RelationKind
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from storyblender.agents.director.finer import UNREAD, finer
+from storyblender.agents.director.fine_motions import UNREAD, finer
 
 
 @pytest.mark.parametrize(

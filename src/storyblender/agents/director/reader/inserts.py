@@ -6,13 +6,13 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.deeds.states import hold
+from storyblender.agents.director.reader.deeds.outcomes import hold
 from storyblender.agents.director.reader.language.phrases import NounPhrase, find_phrases
 from storyblender.agents.director.reader.language.rewrite import regularise
 from storyblender.agents.director.reader.language.words import Word, tokenize
 from storyblender.agents.director.reader.people.coreference import resolve_pronoun
-from storyblender.agents.director.reader.people.things_meant import ASIDE, weigh
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.people.thing_reference import ASIDE, weigh
+from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.reading import CameraNote, Person
 from storyblender.agents.director.rules import rule
 

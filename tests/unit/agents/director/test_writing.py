@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from storyblender.agents.director.written import writing_on
+from storyblender.agents.director.writing import writing_on
 
 
 @pytest.mark.parametrize(

@@ -1,9 +1,13 @@
-"""Words that can be read on a thing: ``a sign reads "CLOSED"``, ``a box marked FRAGILE``."""
+"""Words that can be read on a thing: ``a sign reads "CLOSED"``, and a phone that shows one message, then another."""
 
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from typing import Final
+
+from storyblender.agents.director.reading import Reading, StateChange, Unit
+from storyblender.catalog.states import READS
 
 _READS: Final = (
     r"(?:reads?|reading|says?|saying|marked|labell?ed|titled|entitled|bearing|spells?(?: out)?|spelling|written|printed"
@@ -34,3 +38,26 @@ def writing_on(name: str, first: int, text: str) -> str:
     found = _WRITTEN.match(text[at + len(name.split()[-1]) : at + _REACH].lstrip("s"))
     words = next((group for group in found.group("quoted", "capitals", "said", "big") if group), "") if found else ""
     return words.strip(" ,.") if len(words.strip(" ,.")) > 1 else ""
+
+
+def note_new_writing(reading: Reading) -> Reading:
+    """Return a reading in which a change says so wherever other words are read on a thing than before.
+
+    Args:
+        reading: Left as it is.
+    """
+    text = reading.screenplay.text
+    names = {thing.id: thing.name for thing in reading.things}
+    written = {thing.id: thing.writing or writing_on(thing.name, thing.first, text) for thing in reading.things}
+    units: list[Unit] = []
+    for unit in reading.units:
+        told = {change.subject: change.state for change in unit.changes if change.state.startswith(READS)}
+        fresh: list[StateChange] = []
+        for thing in unit.things if unit.kind == "action" else ():
+            words = writing_on(names.get(thing, ""), unit.start, text[: unit.end])
+            if thing in written and thing not in told and words not in ("", written[thing]):
+                fresh.append(StateChange(thing, f"{READS}{words}", unit.start))
+                written[thing] = words
+        written |= {thing: state.removeprefix(READS) for thing, state in told.items()}
+        units.append(replace(unit, changes=[*unit.changes, *fresh]) if fresh else unit)
+    return replace(reading, units=units)

@@ -6,19 +6,17 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.people.roles import Place, Roles
 from storyblender.agents.director.reader.places.anchors import (
-    FLOOR,
-    solid_things,
-)
-from storyblender.agents.director.reader.places.place_verbs import (
     ARRIVING,
     ATTACHING,
     BENT,
+    FLOOR,
     GETTING_DOWN,
     HANGING,
     STATIVE,
+    solid_things,
 )
 from storyblender.agents.director.reader.places.supports import describes_support
-from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.state import Stage
 
 _AT_REST = lexicon.words("at_rest")
 """Verbs that tell where a thing is, not what somebody does."""

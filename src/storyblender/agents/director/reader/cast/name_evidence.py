@@ -1,13 +1,14 @@
-"""Evidence that a capitalised word in a story is a person's name; the capital alone is not enough."""
+"""Evidence in a prose story that a capitalised word is a person's name, and of the person's gender."""
 
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import unaccented
 from storyblender.agents.director.reader.language.morphology import form_kind, is_person_noun, singular
-from storyblender.agents.director.reader.language.text_index import TextIndex
+from storyblender.agents.director.reader.language.words import TextIndex
 
 _REACH = 40
 """Characters before and after a name that are searched."""
@@ -70,3 +71,26 @@ def _is_common(words: list[str]) -> bool:
         or words[0] in lexicon.ADJECTIVES | lexicon.ADVERBS
         or form_kind(words[0]) != ""
     )
+
+
+@lru_cache(maxsize=1024)
+def gender_told(told: str, called: str) -> str:
+    """The gender of ``he`` or ``she`` in a sentence that somebody opens, or at the start of the one after it.
+
+    Args:
+        told: The script without what is said.
+        called: A pattern for the name or noun, a group.
+    """
+    votes = {"male": 0, "female": 0}
+    for match in re.finditer(
+        rf"(?:^|[.!?\n]\s*){called}\s([a-z][^.!?\nA-Z]*)(?:[.!?] {{1,2}}(He|She)\b|[.!?\n]|$)", told
+    ):
+        words = [*re.findall(r"\w+", match.group(1).lower())[:12], (match.group(2) or "").lower()]
+        kind = next((lexicon.PRONOUNS[word] for word in words if word in ("he", "she")), "")
+        if kind in votes:
+            votes[kind] += 1
+    for match in re.finditer(rf"\b{called}[.!?,]\s+(He|She)\b", told):
+        votes["male" if match.group(1) == "He" else "female"] += 1
+    if votes["male"] == votes["female"]:
+        return "unknown"
+    return max(votes, key=lambda kind: votes[kind])

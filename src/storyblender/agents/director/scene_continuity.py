@@ -1,0 +1,166 @@
+"""Props from scene to scene: lasting states and positions carry over, and a prop is hidden until it is brought."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Sequence
+
+from storyblender.agents.director.fixtures import is_fixture
+from storyblender.agents.director.reading import Reading, SceneReading, Unit
+from storyblender.catalog.states import GONE, Condition, after
+from storyblender.memory.scene_context import Relation
+
+_LASTING = frozenset({"broken", "smashed", "shattered", "cracked", "torn", "burnt", GONE})
+"""States that time does not undo."""
+_MUCH_LATER = re.compile(
+    r"\b(next|following|morning after|days?|weeks?|months?|years?) (later|after|day|morning|night|evening|week)\b"
+    r"|\b(next|following) \w+\b|\b(weeks|months|years|days)\b",
+    re.IGNORECASE,
+)
+"""Words in a heading after which doors have been shut and lamps switched again."""
+LIGHT = "light"
+"""Subject of what happens to the light of a whole place."""
+
+
+def found_states(reading: Reading) -> dict[int, dict[str, Condition]]:
+    """Return, for each scene id, the states that earlier scenes left things and doors in.
+
+    A thing that can be carried is in its state wherever it is; a part of a place, and what is gone from it, only there.
+
+    Args:
+        reading: What the script says.
+    """
+    bound = {thing.id for thing in reading.things if thing.kind == "set_piece" or is_fixture(thing)} | {LIGHT}
+    units_of: dict[int, list[Unit]] = {}
+    for unit in reading.units:
+        units_of.setdefault(unit.scene, []).append(unit)
+    roots: dict[int, int] = {}
+    now: dict[tuple[int | None, str], Condition] = {}
+    last: dict[int, SceneReading] = {}
+    before: SceneReading | None = None
+    found: dict[int, dict[str, Condition]] = {}
+    for index, scene in enumerate(reading.scenes):
+        root = roots[scene.id] = roots.get(scene.reference or scene.id, scene.id)
+        units = units_of.get(index, [])
+        here = _shown(units)
+        for key in list(now):
+            since = before if key[0] is None else last.get(root)
+            if key[0] in (None, root) and since is not None and _time_passes(since, scene):
+                now[key] = tuple(state for state in now[key] if state in _LASTING)
+            if key[0] == root and key[1] in here:
+                now[key] = tuple(state for state in now[key] if state != GONE)
+        found[scene.id] = {thing: states for (place, thing), states in now.items() if place in (None, root) and states}
+        for change in (change for unit in units for change in unit.changes):
+            gone = change.state == GONE
+            key = root if change.subject in bound or gone else None, change.subject
+            now[key] = after(now.get(key, ()), change.state)
+        last[root] = before = scene
+    return found
+
+
+def _shown(units: Iterable[Unit]) -> set[str]:
+    """Return the things that the words of a scene show or use."""
+    told = {thing for unit in units for thing in unit.things if unit.kind == "action" and thing not in unit.absent}
+    used = {name for unit in units for deed in unit.deeds for name in (deed.prop, deed.target) if name}
+    return told | used
+
+
+def _time_passes(since: SceneReading, scene: SceneReading) -> bool:
+    words = f"{scene.heading} {scene.time_written}"
+    return since.time != scene.time or _MUCH_LATER.search(words) is not None
+
+
+_LYING = ("on", "in", "under")
+
+
+def left_behind(reading: Reading) -> dict[int, list[Relation]]:
+    """Return, for each scene id, where things lie that an earlier scene in the same place left there.
+
+    Args:
+        reading: What the script says.
+    """
+    props = {thing.id for thing in reading.things if thing.kind == "prop"}
+    roots: dict[int, int] = {}
+    lying: dict[int, dict[str, Relation]] = {}
+    found: dict[int, list[Relation]] = {}
+    where: dict[str, set[int]] = {}
+    stated_in: dict[int, list[Relation]] = {}
+    for index, relation in reading.relations:
+        stated_in.setdefault(index, []).append(relation)
+    units_of: dict[int, list[Unit]] = {}
+    for unit in reading.units:
+        units_of.setdefault(unit.scene, []).append(unit)
+    for index, scene in enumerate(reading.scenes):
+        root = roots[scene.id] = roots.get(scene.reference or scene.id, scene.id)
+        here = lying.setdefault(root, {})
+        found[scene.id] = list(here.values())
+        for relation in stated_in.get(index, ()):
+            if relation.asset_id in props and _place(relation, here):
+                where.setdefault(relation.asset_id, set()).add(root)
+        last = {deed.prop: deed.motion for unit in units_of.get(index, ()) for deed in unit.deeds if deed.prop}
+        for thing, motion in last.items():
+            kept = where.get(thing, set()) & {root} if motion == "put_down" else set[int]()
+            for other in where.get(thing, set()) - kept:
+                del lying[other][thing]
+            where[thing] = kept
+    return found
+
+
+def _place(relation: Relation, here: dict[str, Relation]) -> bool:
+    """Note where a thing lies; what is put beside another lies where that lies. Return whether it lies somewhere."""
+    beside = here.get(relation.anchor_asset_id)
+    if relation.kind in _LYING:
+        here[relation.asset_id] = relation
+    elif relation.kind == "next_to" and beside:
+        here[relation.asset_id] = beside.model_copy(update={"asset_id": relation.asset_id})
+    else:
+        return False
+    return True
+
+
+_BRINGING = frozenset({
+    "bring", "deliver", "fetch", "wheel", "haul", "drag", "carry", "serve", "produce", "lug", "bear", "roll", "push",
+})  # fmt: skip
+"""Verbs of people who come in with a thing."""
+_BROUGHT_AT_ONCE = frozenset({"bring", "deliver", "fetch", "serve"})
+"""Verbs that say by themselves that the thing was elsewhere."""
+_DRIVEN = frozenset({"drive", "ride"})
+_WITH = frozenset({"carry", "hold", "push", "pull"})
+
+
+def not_there_yet(units: Sequence[Unit], things: Collection[str]) -> dict[int, set[str]]:
+    """Return, for each unit of a scene by its start, the things that come only later.
+
+    A reading that says itself when a thing is absent is left alone, and so is a thing that was told before.
+
+    Args:
+        units: Of one scene, in order.
+        things: Ids of what can come: props and vehicles.
+    """
+    told = {thing for unit in units for thing in unit.absent}
+    known: set[str] = set()
+    missing: dict[int, set[str]] = {}
+    for index, unit in enumerate(units):
+        for thing in sorted(_coming(unit) & {*things} - known - told):
+            for earlier in units[:index]:
+                missing.setdefault(earlier.start, set()).add(thing)
+        if unit.kind == "action":
+            known |= {*unit.things} | {name for deed in unit.deeds for name in (deed.prop, deed.target) if name}
+        known |= {*unit.spots} | {thing for held in unit.held.values() for thing in held}
+    return missing
+
+
+def _coming(unit: Unit) -> set[str]:
+    """Return what comes into the scene in a unit."""
+    found = {change.subject for change in unit.changes if change.state == "there"}
+    for person in unit.entering:
+        found |= {*unit.held.get(person, ())} | {*unit.grips.get(person, {})}
+    for deed in unit.deeds:
+        names = {name for name in (deed.prop, deed.target) if name}
+        verb = deed.verb.split()[0] if deed.verb else ""
+        comes_in = deed.actor in unit.entering
+        if comes_in and deed.motion in _DRIVEN:
+            found |= names
+        elif (comes_in and (deed.motion in _WITH or verb in _BRINGING)) or verb in _BROUGHT_AT_ONCE:
+            found |= {deed.prop} if deed.prop else names
+    return found
