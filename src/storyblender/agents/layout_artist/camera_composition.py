@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from storyblender.agents.layout_artist.camera_details import at_hand
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment
 from storyblender.agents.layout_artist.camera_solids import aboard
-from storyblender.agents.layout_artist.camera_start import looks_after, wants_shoulder
+from storyblender.agents.layout_artist.camera_start import ignored_partner, requires_shoulder
 from storyblender.geometry import framing
 from storyblender.geometry.framing import Figure
 from storyblender.geometry.gaps import MAX_FACE_GAP, widest_face_gap
@@ -49,8 +49,8 @@ def composition(view: CameraOperatorView, camera: Orbit, moment: Moment, seen: C
     if not heads or kind in ("establishing", "pov"):
         return found
     over = subjects.get(view.over.node_id) if view.over is not None else None
-    after = looks_after(view)
-    if over is not None and over.face is not None and after is not None and not wants_shoulder(view):
+    after = ignored_partner(view)
+    if over is not None and over.face is not None and after is not None and not requires_shoulder(view):
         # Who has their back to somebody and who sees it are a group.
         heads.append((after, over))
         over = None

@@ -10,7 +10,7 @@ from storyblender.agents.layout_artist.camera_operator import side_used
 from storyblender.agents.layout_artist.camera_operator_view import (
     CameraOperatorDraft,
     CameraOperatorView,
-    Cut,
+    EarlierShot,
     interpolate_cameras,
 )
 from storyblender.geometry.camera_path import orbit_of
@@ -30,9 +30,9 @@ class SceneCuts:
     """Goes along with a scene, shot by shot: ``match`` before a camera is set, ``follow`` after it."""
 
     def __init__(self) -> None:
-        self._previous: Cut | None = None
+        self._previous: EarlierShot | None = None
         self._sides: dict[Pair, int] = {}
-        self._answered: dict[Pair, Cut] = {}
+        self._answered: dict[Pair, EarlierShot] = {}
         self._lines: dict[Pair, Faces] = {}
 
     def match(self, shot: ShotContext, view: CameraOperatorView) -> CameraOperatorView:
@@ -64,7 +64,7 @@ class SceneCuts:
             state: Its camera.
         """
         instruction = shot.camera_instruction
-        self._previous = Cut(instruction, state, view.subjects(view.moments[-1]) if view.moments else ())
+        self._previous = EarlierShot(instruction, state, view.subjects(view.moments[-1]) if view.moments else ())
         if instruction.axis is not None:
             self._sides[instruction.axis] = self._sides.get(instruction.axis) or side_used(view, state)
             if instruction.kind in _ANSWERS:

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from storyblender.agents.layout_artist.camera_composition import fault
-from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorDraft, CameraOperatorView, Cut
+from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorDraft, CameraOperatorView, EarlierShot
 from storyblender.geometry.camera_path import orbit_of
 from storyblender.geometry.continuity import JUMP_CUT_DEGREES, angle_between_views, crosses_line, do_looks_match
 from storyblender.geometry.framing import head_share
@@ -56,7 +56,7 @@ def _jump(view: CameraOperatorView, take: CameraOperatorDraft, name: str) -> lis
     return [fault("jump", name, alike * (0.6 + short / 40), text, azimuth=float(way * short))]
 
 
-def _alike(view: CameraOperatorView, before: Cut, last: Orbit, now: Orbit) -> tuple[float, Vec3]:
+def _alike(view: CameraOperatorView, before: EarlierShot, last: Orbit, now: Orbit) -> tuple[float, Vec3]:
     """Return how far a shot shows the same as the one before in like size, 0 to 1, and whom it is measured by.
 
     People are measured by their heads: a wide of two who stand together may be as near as a medium of two apart.

@@ -32,11 +32,13 @@ def in_the_way(view: CameraOperatorView, camera: Orbit) -> list[str]:
     Not what is theirs, what somebody uses or sits on; nothing where the shot shows a place.
     """
     people = view.people
-    if not people or not view.loose or view.instruction.kind in ("establishing", "pov", "insert"):
+    if not people or not view.removable_props or view.instruction.kind in ("establishing", "pov", "insert"):
         return []
     deep = float(project(camera, [figure.face for figure in people])[1].mean())
-    _, depths = project(camera, [(box.x, box.y, box.z + box.height / 2) for box in view.loose.values()])
-    near = [pair for pair, depth in zip(view.loose.items(), depths, strict=True) if 0 < depth < _NEARER * deep]
+    _, depths = project(camera, [(box.x, box.y, box.z + box.height / 2) for box in view.removable_props.values()])
+    near = [
+        pair for pair, depth in zip(view.removable_props.items(), depths, strict=True) if 0 < depth < _NEARER * deep
+    ]
     near = [(node, box) for node, box in near if not _is_theirs(view, box)]
     if not near:
         return []
@@ -56,7 +58,7 @@ def covers(view: CameraOperatorView) -> list[str]:
         return []
     found: list[str] = []
     for thing in view.things:
-        for node, box in view.loose.items():
+        for node, box in view.removable_props.items():
             over = box.top > thing.top + _ON and box.z < thing.top + _ABOVE
             if over and distance_to_point(box, thing.x, thing.y) <= 0:
                 found += [node, *(each for each, other in view.props.items() if _on_it(each, other, box, view))]
@@ -64,7 +66,7 @@ def covers(view: CameraOperatorView) -> list[str]:
 
 
 def _on_it(node: str, thing: Box, box: Box, view: CameraOperatorView) -> bool:
-    return node in view.loose and _stands_on(thing, box)
+    return node in view.removable_props and _stands_on(thing, box)
 
 
 def _is_theirs(view: CameraOperatorView, box: Box) -> bool:

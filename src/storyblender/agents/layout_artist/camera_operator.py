@@ -12,8 +12,8 @@ from dataclasses import dataclass, field
 from storyblender.agents.layout_artist.camera_furniture import covers
 from storyblender.agents.layout_artist.camera_operator_critic import CameraOperatorCritic, telling_moments
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorDraft, CameraOperatorView
-from storyblender.agents.layout_artist.camera_scout import cost, scouted, without
-from storyblender.agents.layout_artist.camera_start import take
+from storyblender.agents.layout_artist.camera_scout import scout_takes, take_cost, with_hidden
+from storyblender.agents.layout_artist.camera_start import take_with_camera
 from storyblender.geometry.camera_path import orbit_of
 from storyblender.geometry.continuity import side_of_line
 from storyblender.geometry.orbit import Orbit, dolly, orbit, pan, roll
@@ -71,12 +71,12 @@ class RulesCameraOperator:
     def refine(self, draft: CameraOperatorDraft, critique: Critique, view: CameraOperatorView) -> CameraOperatorDraft:
         """Return the best of the fixed takes, of the scout's next places if no fix helps, or the draft itself."""
         known = self.critic.judged(view)
-        needed = take(view, draft.camera).hidden
+        needed = take_with_camera(view, draft.camera).hidden
         cleared = [node for node in draft.hidden if node not in needed]
-        fixed = [without(take(view, camera), cleared) for camera in _fixed(draft, critique)]
-        fixed = sorted((other for other in fixed if other not in known), key=lambda other: cost(view, other))
+        fixed = [with_hidden(take_with_camera(view, camera), cleared) for camera in _fixed(draft, critique)]
+        fixed = sorted((other for other in fixed if other not in known), key=lambda other: take_cost(view, other))
         if any(fault.kind in ("hidden", "out_of_frame") for fault in critique.faults) and (over := covers(view)):
-            bare = without(draft, over)
+            bare = with_hidden(draft, over)
             fixed = fixed if bare in known else [bare, *fixed]
         best, score = self._best(fixed[:_FIXES], view)
         if best is not None and score > critique.score + 0.1:
@@ -89,7 +89,7 @@ class RulesCameraOperator:
         """Return the scout's list of a shot; he goes round only once."""
         key = view.scene_id, view.shot_id
         if key not in self._lists:
-            self._lists[key] = scouted(view)
+            self._lists[key] = scout_takes(view)
         return self._lists[key]
 
     def _best(

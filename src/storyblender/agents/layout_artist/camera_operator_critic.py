@@ -16,11 +16,11 @@ from storyblender.agents.layout_artist.camera_operator_view import (
     CameraOperatorView,
     Moment,
     pose_of,
-    share_of,
+    time_share,
 )
 from storyblender.agents.layout_artist.camera_room import outside, void_points
 from storyblender.agents.layout_artist.camera_scout import AT_EDGE, CLEARED, LEAST_OVER
-from storyblender.agents.layout_artist.camera_start import face_limit, wants_shoulder
+from storyblender.agents.layout_artist.camera_start import max_face_angle, requires_shoulder
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.measure import CameraView, SubjectView
 from storyblender.memory.shot_sizes import TIGHT, WHOLE
@@ -92,7 +92,7 @@ def telling_moments(view: CameraOperatorView, takes: Sequence[CameraOperatorDraf
     """Return the moments worth a look: the one that is drawn; all of them if the camera moves or goes with a walk."""
     if view.walks or any(take.moves for take in takes):
         return list(view.moments)
-    return [view.drawn]
+    return [view.story_moment]
 
 
 def _request(view: CameraOperatorView, take: CameraOperatorDraft, frame: int) -> ViewRequest:
@@ -100,7 +100,7 @@ def _request(view: CameraOperatorView, take: CameraOperatorDraft, frame: int) ->
         scene_id=view.scene_id,
         shot_id=view.shot_id,
         frame=frame,
-        pose=pose_of(take.at(share_of(view, frame)), frame),
+        pose=pose_of(take.at(time_share(view, frame)), frame),
         sensor_width=view.film.sensor_width,
         hidden_node_ids=take.hidden,
         focus_ids=view.focus or view.named,
@@ -112,9 +112,9 @@ def _faults(
 ) -> tuple[Fault, ...]:
     """Judge composition where the take is centred, and visibility everywhere."""
     told: list[Fault] = []
-    main = view.drawn
+    main = view.story_moment
     for moment, seen in sorted(looks, key=lambda pair: pair[0] is not main):
-        camera = take.at(share_of(view, moment.frame))
+        camera = take.at(time_share(view, moment.frame))
         found = _visibility(view, moment, seen)
         if moment is not main:
             found = [
@@ -180,7 +180,7 @@ def _visibility(view: CameraOperatorView, moment: Moment, seen: CameraView) -> l
 def _shoulder(view: CameraOperatorView, over: SubjectView) -> list[Fault]:
     """The partner is before the subject, with a head, and not somebody in the background."""
     aside = over.face is not None and abs(over.face[0] - 0.5) > AT_EDGE
-    far = wants_shoulder(view) and over.head_height < LEAST_OVER
+    far = requires_shoulder(view) and over.head_height < LEAST_OVER
     if over.pixels < 0.02 or aside or far:
         return [fault("no_shoulder", over.node_id, 1.5, "the shoulder is not in the picture", ops=_AROUND)]
     if over.face is None or over.face[1] < 0:
@@ -196,7 +196,7 @@ def _in_arms(moment: Moment, one: str, other: str) -> bool:
 
 def _face(view: CameraOperatorView, subject: SubjectView) -> list[Fault]:
     node = subject.node_id
-    limit = face_limit(view)
+    limit = max_face_angle(view)
     if subject.face is None or not (0.02 < subject.face[0] < 0.98 and -0.02 < subject.face[1] < 0.98):
         return [fault("face_out", node, 4.0, f"the face of {node} is out of the picture", ops="zoom_out")]
     found: list[Fault] = []

@@ -1,4 +1,4 @@
-"""What the Camera Operator knows about a shot, and what it hands over: its view and its draft."""
+"""The Camera Operator's view of a shot and its draft, a take."""
 
 from __future__ import annotations
 
@@ -20,44 +20,43 @@ from storyblender.memory.shot_sizes import SHOT_SIZES, SIZES, TIGHT, WHOLE, Shot
 
 _ONE_PERSON = ("single", "reaction", "ots")
 _TOGETHER = ("group", "two_shot", "action")
-"""Kinds of shots that hold several people where they are near each other."""
+"""Kinds of shots that hold several people if they are near each other."""
 _NEARBY = 1.3
-"""Metres from somebody within which a thing belongs to them: their table, their chair."""
+"""Metres from a person within which a thing belongs to them: their table, their chair."""
 _OVER_THEM, _TALLER = 1.0, 0.5
-"""Metres from somebody who kneels or sits, and metres higher, of a head that belongs in a picture of the whole of
-them."""
+"""Metres from a kneeling or seated person, and metres higher, of a head that a picture of their whole body includes."""
 _SHOULDERS = 1.8
 """Metres from the first person of a tight shot within which it also holds the faces of others."""
 _BY_IT = 1.0
 """Metres from a thing within which a close picture of it shows another one."""
 TALKS = 80.0
-"""Degrees from full face within which a partner's shoulder can be shot over; a face turned further needs a single."""
+"""Largest angle between a subject's look and their partner, in degrees, for an over-the-shoulder."""
 _BENT = 0.3
-"""Metres that the face of somebody who bends is lower than before."""
+"""Metres that a face is lower than at full height when its person bends."""
 TRAVEL = 0.6
 """Metres from which a move of the subject is a walk that the camera has to follow or hold."""
 
 
 @dataclass(frozen=True)
 class Moment:
-    """Everybody who is drawn, at one frame counted from the shot's start."""
+    """Everybody in the set at one frame, counted from the shot's start."""
 
     frame: int
     figures: tuple[Figure, ...]
 
     def figure(self, node_id: str | None) -> Figure | None:
-        """Return somebody's face, or None for a thing or someone off stage."""
+        """Return the figure of a person; None for a thing or a person off stage."""
         return next((figure for figure in self.figures if figure.node_id == node_id), None)
 
 
 @dataclass(frozen=True)
-class Cut:
-    """An earlier shot that this one has to match."""
+class EarlierShot:
+    """An earlier shot of the scene that this one has to match."""
 
     instruction: CameraInstruction
     state: CameraState
     people: tuple[Figure, ...] = ()
-    """Whom it was about, and over whose shoulder, as they were when it ended."""
+    """Its focus people and over-the-shoulder partner at its end."""
 
 
 @dataclass(frozen=True)
@@ -65,10 +64,10 @@ class CameraOperatorView:
     """The Camera Operator's projection of the graph for one shot.
 
     Attributes:
-        scene_id: Of the shot.
-        shot_id: Of the shot.
-        instruction: What the Director wants.
-        duration: Frames.
+        scene_id: Scene of the shot.
+        shot_id: The shot.
+        instruction: The Director's instruction.
+        duration: Length of the shot in frames.
         moments: Start, middle and end of the shot, in order; at least one.
         plan: The set; None on an empty stage.
         props: Boxes of the things by node_id, as they are during the shot.
@@ -80,9 +79,9 @@ class CameraOperatorView:
         side: Side of the instruction's axis used so far in the scene: 1 left of the line from its first to its
             second person, -1 right, 0 not settled.
         nodes: node_id by asset_id, where they differ.
-        carried: node_ids of the things in somebody's hands, by whose hands they are.
-        detail: Where the part of somebody is that an insert shows; None where the shot is about all of them.
-        used: node_ids of the things that people do something with: no picture of it does without them.
+        carried: node_ids of things in people's hands, by the person's node_id.
+        detail: Box of the part of a person that an insert shows, such as a hand; None for any other shot.
+        used: node_ids of the things that people handle; they are never hidden.
     """
 
     scene_id: int
@@ -95,8 +94,8 @@ class CameraOperatorView:
     in_frame: tuple[str, ...] = ()
     film: Film = field(default_factory=Film)
     kit: tuple[float, ...] = ()
-    previous: Cut | None = None
-    reverse: Cut | None = None
+    previous: EarlierShot | None = None
+    reverse: EarlierShot | None = None
     side: int = 0
     nodes: Mapping[str, str] = field(default_factory=dict)
     carried: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
@@ -104,22 +103,23 @@ class CameraOperatorView:
     used: tuple[str, ...] = ()
 
     def node(self, asset_id: str) -> str:
-        """Return the node that shows an asset."""
+        """Return the node_id that shows an asset."""
         return self.nodes.get(asset_id, asset_id)
 
     @cached_property
     def focus(self) -> tuple[str, ...]:
-        """node_ids the shot is about; a tight shot or a single is about the first person only, others may be cut.
+        """node_ids of the subjects. A tight shot or a single has only one person.
 
-        So is a tight shot of things about the first of them and what is by it. An insert of a hand is about nobody's
-        face: the hand is its only thing.
+        A tight shot of things is about the first of them and what is near it; an insert of a hand only about that hand.
         """
         if self.detail is not None:
             return ()
-        away = far_off(self.instruction, self.drawn, self.named)
+        away = too_far_to_frame(self.instruction, self.story_moment, self.named)
         nodes = tuple(node for node in self.named if node not in away)
-        nodes += tuple(node for node in self._towering(nodes) if node not in nodes)
-        if self.instruction.kind not in _ONE_PERSON and (self.instruction.size not in TIGHT or self._shoulders(nodes)):
+        nodes += tuple(node for node in self._standing_over(nodes) if node not in nodes)
+        if self.instruction.kind not in _ONE_PERSON and (
+            self.instruction.size not in TIGHT or self._fits_all_faces(nodes)
+        ):
             return nodes
         faces = {figure.node_id for moment in self.moments for figure in moment.figures}
         lead = next((node for node in nodes if node in faces), None)
@@ -129,43 +129,43 @@ class CameraOperatorView:
             return tuple(node for node in nodes if apart.get(node, math.inf) < _BY_IT)
         return tuple(node for node in nodes if node == lead or node not in faces)
 
-    def _shoulders(self, nodes: Sequence[str]) -> bool:
-        """Return whether a tight shot of several people can hold all their faces, since they stand close together."""
-        people = [figure for node in nodes if (figure := self.drawn.figure(node)) is not None]
+    def _fits_all_faces(self, nodes: Sequence[str]) -> bool:
+        """Return whether people (node_ids) stand so close together that a tight shot of them can hold all faces."""
+        people = [figure for node in nodes if (figure := self.story_moment.figure(node)) is not None]
         near = all(math.dist(each.base[:2], people[0].base[:2]) < _SHOULDERS for each in people[1:])
         return self.instruction.explicit and self.instruction.kind != "insert" and len(people) > 1 and near
 
-    def _towering(self, nodes: Sequence[str]) -> list[str]:
-        """Return who stands over the first person of a whole picture: it would take their heads off."""
-        lead = next((figure for node in nodes if (figure := self.drawn.figure(node)) is not None), None)
+    def _standing_over(self, nodes: Sequence[str]) -> list[str]:
+        """Return the node_ids of people whose heads a whole-body picture of the first person would cut."""
+        lead = next((figure for node in nodes if (figure := self.story_moment.figure(node)) is not None), None)
         if lead is None or self.instruction.size not in WHOLE or self.instruction.kind != "action":
             return []
-        near = [each for each in self.drawn.figures if math.dist(each.base[:2], lead.base[:2]) < _OVER_THEM]
+        near = [each for each in self.story_moment.figures if math.dist(each.base[:2], lead.base[:2]) < _OVER_THEM]
         return [each.node_id for each in near if each.crown[2] - lead.crown[2] > _TALLER]
 
     @cached_property
-    def drawn(self) -> Moment:
+    def story_moment(self) -> Moment:
         """The moment that the board shows."""
         return self.moments[len(self.moments) // 2]
 
     @cached_property
     def named(self) -> tuple[str, ...]:
-        """node_ids of all that the Director's instruction is about."""
+        """node_ids of everything that the Director's instruction names as its focus."""
         return tuple(self.node(asset_id) for asset_id in self.instruction.focus_on_ids)
 
     @cached_property
     def people(self) -> tuple[Figure, ...]:
-        """The focus people when the shot is drawn."""
-        return tuple(figure for node in self.focus if (figure := self.drawn.figure(node)) is not None)
+        """The focus people at the story moment."""
+        return tuple(figure for node in self.focus if (figure := self.story_moment.figure(node)) is not None)
 
     @cached_property
     def over(self) -> Figure | None:
-        """Whose shoulder an over-the-shoulder looks past when it is drawn.
+        """The partner of an over-the-shoulder, past whose shoulder the camera looks, at the story moment.
 
-        None, and the shot is a single, if the subject does not look at the partner, or is too far from them to have
-        the size of the shot; a shoulder that the script asks for is shown.
+        None, and the shot becomes a single, if the subject does not look at the partner or is too far away for the shot
+        size; if the script asks for the shoulder, it is shown all the same.
         """
-        over = self.drawn.figure(self.node(self.instruction.over_id or ""))
+        over = self.story_moment.figure(self.node(self.instruction.over_id or ""))
         if self.instruction.kind != "ots" or over is None or not self.people:
             return None
         lead, size = self.people[0], self.instruction.size
@@ -180,22 +180,22 @@ class CameraOperatorView:
         return tuple(self.props[node] for node in self.focus if node in self.props)
 
     def subjects(self, moment: Moment) -> tuple[Figure, ...]:
-        """Return whom the shot is about, and over whose shoulder, at a moment."""
+        """Return the focus people and the over-the-shoulder partner at a moment."""
         over = (self.over.node_id,) if self.over is not None else ()
         there = (moment.figure(node) for node in dict.fromkeys((*self.focus, *over)))
         return tuple(figure for figure in there if figure is not None)
 
     @cached_property
-    def walker(self) -> str:
-        """node_id of the first focused person present from start to end; empty if the shot is about things."""
+    def walker_id(self) -> str:
+        """node_id of the first focus person who is present from start to end; empty if there is none."""
         first, last = self.moments[0], self.moments[-1]
         there = (node for node in self.focus if first.figure(node) is not None and last.figure(node) is not None)
         return next(there, "")
 
     @property
     def travel(self) -> tuple[float, float, float]:
-        """How far the first focus person goes from start to end, metres: on the floor they stand on, bent or not."""
-        first, last = self.moments[0].figure(self.walker), self.moments[-1].figure(self.walker)
+        """Metres in x, y and z that the walker goes from start to end, on the floor they stand on."""
+        first, last = self.moments[0].figure(self.walker_id), self.moments[-1].figure(self.walker_id)
         if first is None or last is None:
             return 0.0, 0.0, 0.0
         x, y, z = np.subtract(last.base, first.base)
@@ -203,21 +203,21 @@ class CameraOperatorView:
 
     @property
     def walks(self) -> bool:
-        """Whether a lone subject crosses the floor during the shot."""
+        """Whether a lone subject walks across the floor during the shot."""
         faces = {figure.node_id for moment in self.moments for figure in moment.figures}
         alone = sum(node in faces for node in self.focus) < 2
         return alone and float(np.hypot(*self.travel[:2])) > TRAVEL
 
     @cached_property
     def in_stride(self) -> bool:
-        """Whether a lone subject who walks is still on the way when the shot is drawn."""
+        """Whether a lone subject who walks is still walking at the story moment."""
         if not (self.walks and self.people):
             return False
         last = self.moments[-1].figure(self.people[0].node_id)
         return last is not None and float(np.hypot(*np.subtract(last.base, self.people[0].base)[:2])) > TRAVEL / 2
 
     def upright(self, figure: Figure) -> Figure:
-        """Return somebody as tall as they are during the shot: who bends over a thing has walked up to it."""
+        """Return the figure with the face as high as it is at any moment of the shot, if the person bends now."""
         there = [each for moment in self.moments if (each := moment.figure(figure.node_id)) is not None]
         tall = max((each.face[2] - each.base[2] for each in there), default=0.0)
         if tall - (figure.face[2] - figure.base[2]) < _BENT:
@@ -226,8 +226,8 @@ class CameraOperatorView:
         return replace(figure, face=(x, y, z + tall))
 
     @property
-    def stages(self) -> tuple[Figure, ...]:
-        """The focus people wherever they stand during the shot: more than ``people`` if one of them walks."""
+    def people_over_time(self) -> tuple[Figure, ...]:
+        """The focus people at the story moment, and again at every other place they walk to during the shot."""
         found: list[Figure] = list(self.people)
         for moment in self.moments:
             for person in self.people:
@@ -238,26 +238,26 @@ class CameraOperatorView:
 
     @cached_property
     def strangers(self) -> tuple[str, ...]:
-        """node_ids of the people on stage who have no part in this shot; whoever holds what it shows has one."""
+        """node_ids of the people on stage who have no part in the shot; a person who holds its thing has one."""
         instruction = self.instruction
         own = {*self.focus, *self.in_frame}
         own |= {self.node(asset_id or "") for asset_id in (instruction.over_id, instruction.pov_id)}
         own |= {*self.named, *(who for who, things in self.carried.items() if {*things} & {*self.named})}
-        return tuple(figure.node_id for figure in self.drawn.figures if figure.node_id not in own)
+        return tuple(figure.node_id for figure in self.story_moment.figures if figure.node_id not in own)
 
     @cached_property
-    def loose(self) -> dict[str, Box]:
-        """Boxes of what may go for a picture: it is not about that, and nobody uses, holds or sits on it."""
+    def removable_props(self) -> dict[str, Box]:
+        """Boxes by node_id of the things that may be hidden for a picture: nobody uses, holds or sits on them."""
         kept = {*self.focus, *self.used, *(node for things in self.carried.values() for node in things)}
-        return {node: box for node, box in self.props.items() if node not in kept and not self._bears(box)}
+        return {node: box for node, box in self.props.items() if node not in kept and not self._is_occupied(box)}
 
     @cached_property
     def vessels(self) -> tuple[str, ...]:
-        """node_ids of the boats and carriages that people of the picture are in: those do not stand before them."""
+        """node_ids of the boats and carriages that focus people are in: these do not stand in front of them."""
         return tuple(node for node, box in self.props.items() if aboard([box], self.people))
 
-    def _bears(self, box: Box) -> bool:
-        """Return whether somebody sits or lies on a thing: it never goes, or they would float."""
+    def _is_occupied(self, box: Box) -> bool:
+        """Return whether a person sits or lies on a thing, so that hiding it would leave them in the air."""
         for figure in (figure for moment in self.moments for figure in moment.figures):
             across, along = box.to_local(figure.face[0], figure.face[1])
             if abs(across) < box.width / 2 and abs(along) < box.depth / 2 and figure.face[2] > box.z:
@@ -266,64 +266,54 @@ class CameraOperatorView:
 
     @property
     def axis(self) -> tuple[Figure, Figure] | None:
-        """The two people of the 180-degree line, where both are on stage."""
+        """The two people of the 180-degree line; None if they are not both on stage."""
         if self.instruction.axis is None:
             return None
-        first, second = (self.drawn.figure(self.node(asset_id)) for asset_id in self.instruction.axis)
+        first, second = (self.story_moment.figure(self.node(asset_id)) for asset_id in self.instruction.axis)
         return (first, second) if first is not None and second is not None else None
 
     @property
     def lens(self) -> float:
-        """Focal length in mm: the Director's, or the one at hand that is nearest to the size's."""
+        """Focal length in mm: the instruction's, else the lens of the kit that is nearest to the shot size's."""
         wish = SIZES[self.instruction.size].lens
         return self.instruction.lens or min(self.kit, key=lambda lens: abs(math.log(lens / wish)), default=wish)
 
     def widened(self, lens: float) -> float:
-        """Return the longest lens at hand that is not longer than this, mm; the widest if all are."""
+        """Return the longest lens of the kit up to ``lens`` mm; the widest of the kit if all are longer."""
         return max((each for each in self.kit if each <= lens), default=min(self.kit, default=lens))
 
     def bounds(self) -> Floats:
-        """Return (n, 3) points around whom the shot is meant to show and what stands by them.
+        """Return (n, 3) world points around the people whom the shot is meant to show and the things near them.
 
-        Where nobody is, it shows what stands where the scene plays, and not the whole street.
+        Without people these are the things on the playing area.
         """
-        moment = self.drawn
-        meant = {*self.focus, *self.in_frame}
-        people = [figure for figure in moment.figures if figure.node_id in meant] or list(moment.figures)
+        moment = self.story_moment
+        shown = {*self.focus, *self.in_frame}
+        people = [figure for figure in moment.figures if figure.node_id in shown] or list(moment.figures)
         points = [point for figure in people for point in (figure.base, figure.crown)]
-        things = self.things or tuple(
-            box
-            for box in self.props.values()
-            if (
-                any(distance_to_point(box, *figure.base[:2]) < _NEARBY for figure in people)
-                if people
-                else self._plays(box)
-            )
-        )
+        things = self.things or tuple(box for box in self.props.values() if self._is_near(people, box))
         points += [corner for box in things for corner in corners(box)]
-        if not points:
-            points = [(-2.0, -2.0, 0.0), (2.0, 2.0, 2.0)]
-        return np.array(points, float)
+        return np.array(points or [(-2.0, -2.0, 0.0), (2.0, 2.0, 2.0)], float)
 
-    def _plays(self, box: Box) -> bool:
-        """Return whether a thing stands on the playing area."""
-        if self.plan is None:
-            return True
+    def _is_near(self, people: Sequence[Figure], box: Box) -> bool:
+        """Return whether a thing is near one of the people; without people, whether it is on the playing area."""
+        if people or self.plan is None:
+            return not people or any(distance_to_point(box, *figure.base[:2]) < _NEARBY for figure in people)
         size = self.plan.size
         return size.x_negative < box.x < size.x and size.y_negative < box.y < size.y
 
     def size_steps(self, other: ShotSize) -> int:
-        """Return how many sizes lie between this shot and another."""
+        """Return how many shot sizes lie between this shot's and another."""
         return abs(SHOT_SIZES.index(self.instruction.size) - SHOT_SIZES.index(other))
 
 
-def far_off(instruction: CameraInstruction, drawn: Moment, nodes: Sequence[str]) -> set[str]:
-    """Return which of several people are too far from the first to be held in a picture of its size.
+def too_far_to_frame(instruction: CameraInstruction, drawn: Moment, nodes: Sequence[str]) -> set[str]:
+    """Return the node_ids of people who are too far from the first to be in a picture of its size.
 
     Args:
-        instruction: What the Director wants.
-        drawn: Where everybody is.
-        nodes: node_ids of the people, the first first.
+        instruction: The Director's instruction.
+        drawn: Everybody's place.
+        nodes: node_ids of the people, the most important first.
     """
     people = [figure for node in nodes if (figure := drawn.figure(node)) is not None]
     if instruction.kind not in _TOGETHER or instruction.explicit:
@@ -332,36 +322,50 @@ def far_off(instruction: CameraInstruction, drawn: Moment, nodes: Sequence[str])
     return {each.node_id for each in people if math.dist(each.base[:2], people[0].base[:2]) > reach}
 
 
-def share_of(view: CameraOperatorView, frame: int) -> float:
-    """Return the share of the shot's time at a frame."""
+def time_share(view: CameraOperatorView, frame: int) -> float:
+    """Return how much of the shot's time is over at a frame, 0 to 1."""
     return min(frame / max(view.duration - 1, 1), 1.0)
 
 
 @dataclass(frozen=True)
 class CameraOperatorDraft:
-    """The Camera Operator's draft: the composition in the middle of the move, and the poses that come of it."""
+    """A take: the camera at the story moment, and the start and end of its move.
+
+    Attributes:
+        camera: The composed camera.
+        start: Camera at the start of the move.
+        end: Camera at the end of the move.
+        hidden: node_ids that are hidden for the shot, such as wild walls.
+    """
 
     camera: Orbit
     start: Orbit
     end: Orbit
     hidden: tuple[str, ...] = ()
     span: tuple[float, float] = (0.0, 1.0)
-    """Shares of the shot's time between which it moves."""
+    """Shares of the shot's time between which the camera moves."""
 
     @property
     def moves(self) -> bool:
-        """Whether start and end differ."""
+        """Whether the camera moves."""
         return self.start != self.end
 
     def at(self, share: float) -> Orbit:
-        """Return the camera at a share of the shot's time."""
+        """Return the camera at a share of the shot's time, 0 to 1."""
         if not self.moves:
             return self.start
         begins, ends = self.span
         return interpolate_cameras(self.start, self.end, ease_in_out((share - begins) / (ends - begins)))
 
     def state(self, duration: int, f_number: float, score: float, residual: tuple[Flaw, ...]) -> CameraState:
-        """Return what goes into the graph."""
+        """Return the take as the graph stores it.
+
+        Args:
+            duration: Length of the shot in frames.
+            f_number: Aperture of the lens.
+            score: The critic's score, 0 to 10.
+            residual: Flaws that the critic still finds.
+        """
         cameras = (self.start, self.end) if self.moves else (self.start,)
         frames = [round(share * max(duration - 1, 1)) for share in self.span]
         return CameraState(
@@ -375,7 +379,7 @@ class CameraOperatorDraft:
 
 
 def pose_of(camera: Orbit, frame: int = 0) -> CameraPose:
-    """Return an orbital state as the graph stores it."""
+    """Return an orbit camera as the graph's pose at a frame."""
     return CameraPose(
         frame=frame, pivot=camera.pivot, rotation=camera.rotation, distance=camera.distance, lens=camera.lens
     )

@@ -9,7 +9,7 @@ from dataclasses import replace
 from storyblender.agents.layout_artist.camera_continuity import SceneCuts
 from storyblender.agents.layout_artist.camera_details import detail_of, held_at, middle_of
 from storyblender.agents.layout_artist.camera_operator import Operator, operate, rules_operator
-from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment, far_off
+from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment, too_far_to_frame
 from storyblender.agents.layout_artist.layout_things import size_of
 from storyblender.agents.layout_artist.story_moment import AT_REST, story_moment
 from storyblender.catalog.motions import clip_of
@@ -160,7 +160,7 @@ def camera_operator_view(
             update={"focus_on_ids": tuple(name for name in instruction.focus_on_ids if name not in over)}
         )
         together = (*(nodes.get(name, name) for name in instruction.focus_on_ids[:1]), *in_frame)
-        distant = far_off(instruction, middle_of(moments), together)
+        distant = too_far_to_frame(instruction, middle_of(moments), together)
         in_frame = tuple(node for node in in_frame if node not in distant)
     return CameraOperatorView(
         scene_id=shot.scene_id,

@@ -1,4 +1,4 @@
-"""Where a shot's camera starts: chosen from faces, the line and the instruction, before anything is rendered."""
+"""The first camera of a shot: computed from faces, the 180-degree line and the instruction, before any rendering."""
 
 from __future__ import annotations
 
@@ -8,13 +8,19 @@ from dataclasses import replace
 import numpy as np
 
 from storyblender.agents.layout_artist.camera_details import at_hand
-from storyblender.agents.layout_artist.camera_group import group_azimuth, grouped, inside, towards_audience, turned
+from storyblender.agents.layout_artist.camera_group import (
+    azimuth_towards_audience,
+    frame_moving_group,
+    group_azimuth,
+    keep_group_in_room,
+    wrap_degrees,
+)
 from storyblender.agents.layout_artist.camera_operator_view import (
     TALKS,
     TRAVEL,
     CameraOperatorDraft,
     CameraOperatorView,
-    share_of,
+    time_share,
 )
 from storyblender.agents.layout_artist.camera_room import fitted, walked_in
 from storyblender.agents.layout_artist.wild_walls import taken_away
@@ -28,86 +34,87 @@ from storyblender.geometry.orbit import Orbit, orbit, pan, roll
 from storyblender.memory.shot_sizes import SIZES, TIGHT, WHOLE
 
 _OFF_BACK = 30.0
-"""Most degrees from straight behind at which a back is shown that the script asks for."""
+"""Most degrees from straight behind, for a back that the script asks for."""
 _MASTER_ELEVATION, _INSERT_ELEVATION = 5.0, 30.0
+"""Degrees of elevation of establishing shots and of inserts, at least."""
 _MASTER_AZIMUTH = 14.0
 _SHORTEST = 0.22
-"""Least height of the tallest of an establishing shot's people in the picture; of any other wide shot ``_SHORT``."""
+"""Least height of the tallest person of an extreme wide establishing shot, as a share of the picture."""
 _SHORT, _TALL = 0.26, 0.4
+"""Least and largest such height for other establishing shots."""
 _HELD = 0.8
-"""Share of the picture that holds all of them, where they are so far apart that nobody can be as large as that."""
+"""Share of the picture that holds all people, where they are too far apart to be as large as ``_SHORT``."""
 _LARGE = 1.2
+"""Metres of extent from which a thing counts as large in an insert."""
 _COMPANY = 6.0
 """Metres from a large thing within which people belong in a wide picture of it."""
 _EYES = 50.0
-"""mm: eyes see no narrower than this, unless a longer lens is asked for."""
+"""Longest lens in mm of a point of view, unless the script asks for a longer one."""
 _SQUATS = 0.5
-"""Metres that a face is lower than upright where a picture that cuts the body would lose it."""
+"""Metres that a face is below its upright height when a picture that cuts the body would lose it."""
 _SHOULDER_TURN, _LEAVING_TURN = 45.0, 20.0
-"""Degrees to go round to where two are beside each other, and no longer one before the other's shoulder; sooner where
-one of them walks off: they are far apart."""
+"""Degrees of turn from which an over-the-shoulder becomes a two-shot; sooner if one of the two walks away."""
 _HELD_SPAN, _FARTHER, _RIM = 0.86, 1.3, 0.05
 """Largest share of the picture for faces and held things; largest factor on the camera distance for that,
-applied twice; margin that stays free at the edge."""
+applied twice; margin that stays free at the edge.
+"""
 _FITTINGS = 4
-"""A wider lens changes the composition, and so the room that it needs."""
+"""Most lenses tried: a wider lens changes the composition, and so the room that it needs."""
 
 
-def start(view: CameraOperatorView, turn: float = 0.0, rise: float = 0.0) -> CameraOperatorDraft:
-    """Return the analytic take of a shot, in the room where the place has one.
+def compose_take(view: CameraOperatorView, turn: float = 0.0, rise: float = 0.0) -> CameraOperatorDraft:
+    """Return the analytic take of a shot, inside the room if the set has one.
 
     Args:
         view: The shot.
-        turn: Degrees to go round from the preferred azimuth; the composition is made anew there.
-        rise: Degrees to go up from the preferred elevation.
+        turn: Degrees around the pivot from the preferred azimuth; the picture is composed again there.
+        rise: Degrees above the preferred elevation.
     """
-    camera = _compose(view, view.lens, turn, rise)
+    camera = _compose_camera(view, view.lens, turn, rise)
     kind = view.instruction.kind
     if view.over is None and kind != "pov":
         if kind not in ("establishing", "insert") and len(view.people) > 1:
-            camera = inside(view, camera)
+            camera = keep_group_in_room(view, camera)
         else:
             widest = "WS" if kind == "insert" or not view.people else view.instruction.size
-            # A lens that was asked for is the lens: then the camera only walks.
+            # A lens in the instruction is kept: then only the camera moves.
             for _ in range(0 if view.instruction.lens else _FITTINGS):
                 lens = view.widened(fitted(view.plan, camera, widest).lens)
                 if lens == camera.lens:
                     break
-                camera = _compose(view, lens, turn, rise)
+                camera = _compose_camera(view, lens, turn, rise)
         if kind == "establishing" or not view.people:
             camera = walked_in(view.plan, camera)
     if kind != "insert" and at_hand(view) and view.over is None and kind not in ("pov", "establishing"):
-        camera = _with_things(view, camera)
+        camera = _include_held_things(view, camera)
     if view.instruction.angle == "dutch":
         camera = roll(camera, framing.DUTCH_ROLL)
-    return take(view, camera)
+    return take_with_camera(view, camera)
 
 
-def take(view: CameraOperatorView, camera: Orbit) -> CameraOperatorDraft:
-    """Return the take around a composition: its move, centred on it, and the walls it needs away."""
+def take_with_camera(view: CameraOperatorView, camera: Orbit) -> CameraOperatorDraft:
+    """Return the take around a composition: its camera move, centred on it, and the wild walls it needs."""
     instruction = view.instruction
     first = last = camera
-    span = (0.0, 1.0)
-    if _waits(view):
-        first = last = camera
-    elif _follows(view, camera):
-        # What is drawn is composed; before it and after it the camera goes with the walk.
-        span, done, travel = *_walk(view), np.asarray(view.travel)
+    span, still = (0.0, 1.0), _holds_all_walks(view)
+    if not still and _follows_walk(view, camera):
+        # The story moment is composed; before and after it the camera follows the walk.
+        span, done, travel = *_walk_span(view), np.asarray(view.travel)
         first = follow_subject(camera, instruction.movement, tuple(-done * travel))
         last = follow_subject(camera, instruction.movement, tuple((1 - done) * travel))
-    elif instruction.movement != "static":
+    elif not still and instruction.movement != "static":
         direction = instruction.direction
         first, last = (move_camera(camera, instruction.movement, direction, share) for share in (-0.5, 0.5))
     hidden: list[str] = []
     if view.plan is not None:
-        hidden = taken_away(view.plan, view.loose, dict.fromkeys((first, camera, last)), _targets(view))
+        hidden = taken_away(view.plan, view.removable_props, dict.fromkeys((first, camera, last)), _sight_targets(view))
     if instruction.kind == "pov" and instruction.pov_id is not None:
         hidden.append(view.node(instruction.pov_id))
     return CameraOperatorDraft(camera, first, last, tuple(hidden), span)
 
 
-def _targets(view: CameraOperatorView) -> list[np.ndarray]:
-    """Return the points that have to be seen at any time."""
+def _sight_targets(view: CameraOperatorView) -> list[np.ndarray]:
+    """Return (3,) world points that have to be visible at any time: faces and middles of focus things."""
     faces = [
         np.asarray(figure.face)
         for moment in view.moments
@@ -117,31 +124,33 @@ def _targets(view: CameraOperatorView) -> list[np.ndarray]:
     return faces + [np.array([box.x, box.y, box.z + box.height / 2]) for box in view.things]
 
 
-def _waits(view: CameraOperatorView) -> bool:
-    """Return whether the picture holds a group wherever its walkers go, so that the camera need not follow."""
-    return len(view.people) > 1 and len(view.stages) > len(view.people)
+def _holds_all_walks(view: CameraOperatorView) -> bool:
+    """Return whether the picture holds a group and its walks, so that the camera need not follow."""
+    return len(view.people) > 1 and len(view.people_over_time) > len(view.people)
 
 
-def _follows(view: CameraOperatorView, camera: Orbit) -> bool:
-    """Return whether the camera goes with a walker: told to, or the walk would leave the picture."""
+def _follows_walk(view: CameraOperatorView, camera: Orbit) -> bool:
+    """Return whether the camera follows the walker: by instruction, or because the walk would leave the picture."""
     if not view.walks or view.instruction.kind in ("establishing", "pov", "insert"):
         return False
     if view.instruction.movement in ("pan", "track"):
         return True
     if view.instruction.movement != "static":
         return False
-    faces = [figure.face for moment in view.moments if (figure := moment.figure(view.walker)) is not None]
+    faces = [figure.face for moment in view.moments if (figure := moment.figure(view.walker_id)) is not None]
     screen, depth = framing.project(camera, faces)
     return bool(screen[:, 0].min() < 0.1 or screen[:, 0].max() > 0.9 or depth.min() < 0.5)
 
 
-def _walk(view: CameraOperatorView) -> tuple[tuple[float, float], float]:
-    """Return the shares of the shot's time in which the camera goes with a walk, and how much of it is done when drawn.
+def _walk_span(view: CameraOperatorView) -> tuple[tuple[float, float], float]:
+    """Return the shares of the shot's time between which the camera follows the walk, and the share walked when drawn.
 
-    A walk that is over by then, or has not begun, is not followed any further than it goes.
+    The camera stays where the walker stands still before or after the story moment.
     """
-    first, drawn, last = (moment.figure(view.walker) for moment in (view.moments[0], view.drawn, view.moments[-1]))
-    share = share_of(view, view.drawn.frame)
+    first, drawn, last = (
+        moment.figure(view.walker_id) for moment in (view.moments[0], view.story_moment, view.moments[-1])
+    )
+    share = time_share(view, view.story_moment.frame)
     if first is not None and drawn is not None and last is not None:
         if math.dist(drawn.base[:2], last.base[:2]) < TRAVEL / 2:
             return (0.0, share), 1.0
@@ -150,43 +159,45 @@ def _walk(view: CameraOperatorView) -> tuple[tuple[float, float], float]:
     return (0.0, 1.0), ease_in_out(share)
 
 
-def _compose(view: CameraOperatorView, lens: float, turn: float, rise: float) -> Orbit:
+def _compose_camera(view: CameraOperatorView, lens: float, turn: float, rise: float) -> Orbit:
+    """Return the camera of the story moment for a lens in mm; ``turn`` and ``rise`` in degrees as in `compose_take`."""
     instruction, film, people = view.instruction, view.film, view.people
     elevation = framing.elevation_of(instruction.angle, instruction.size) + rise
-    if instruction.kind == "pov" and (pov := _pov(view, lens)) is not None:
+    if instruction.kind == "pov" and (pov := _frame_pov(view, lens)) is not None:
         return pov
     if instruction.kind == "establishing" or not (people or view.things):
         up = max(elevation, _MASTER_ELEVATION)
         fill = 0.6 if instruction.size == "EWS" else 0.8
         camera = framing.frame_master(film, view.bounds(), _MASTER_AZIMUTH + turn, up, lens, fill)
-        return _near_enough(view, camera)
+        return _limit_people_height(view, camera)
     lead = people[0] if people else None
-    if lead is None and instruction.size in WHOLE and instruction.kind != "insert" and _by_things(view):
-        azimuth = towards_audience(math.degrees(view.things[0].yaw), 50.0) + _MASTER_AZIMUTH + turn
+    if lead is None and instruction.size in WHOLE and instruction.kind != "insert" and _has_people_near_things(view):
+        azimuth = azimuth_towards_audience(math.degrees(view.things[0].yaw), 50.0) + _MASTER_AZIMUTH + turn
         camera = framing.frame_master(film, view.bounds(), azimuth, max(elevation, _MASTER_ELEVATION), lens, _HELD)
-        return _near_enough(view, camera)
+        return _limit_people_height(view, camera)
     if lead is None or (view.things and instruction.kind == "insert"):
-        return _of_things(view, lens, turn, rise)
+        return _frame_things(view, lens, turn, rise)
     if (over := view.over) is not None:
         side = line_side(view, lead, over)
         camera = framing.frame_over_shoulder(film, lead, over, instruction.size, side, elevation - 2, lens)
-        if abs(turn) > (_LEAVING_TURN if view.in_stride and looks_after(view) is not None else _SHOULDER_TURN):
+        if abs(turn) > (_LEAVING_TURN if view.in_stride and ignored_partner(view) is not None else _SHOULDER_TURN):
             return framing.frame_group(film, (lead, over), instruction.size, camera.azimuth + turn, elevation, lens)
         return orbit(camera, turn) if turn else camera
     if len(people) > 1:
         around = turn + (180.0 if instruction.behind else 0.0)
-        return grouped(view, lens, group_azimuth(view) + around, elevation)
-    if view.in_stride and not _tight(view):
-        return _of_walk(view, lead, lens, turn, elevation)
+        return frame_moving_group(view, lens, group_azimuth(view) + around, elevation)
+    tight = instruction.size in TIGHT
+    if view.in_stride and not tight:
+        return _frame_walk(view, lead, lens, turn, elevation)
     azimuth = _single_azimuth(view, lead) + turn
-    shown = lead if _tight(view) else view.upright(lead)
+    shown = lead if tight else view.upright(lead)
     if instruction.size not in WHOLE and shown.face[2] - lead.face[2] > _SQUATS:
         shown = lead
     return framing.frame_single(film, shown, instruction.size, azimuth, elevation, lens)
 
 
-def _with_things(view: CameraOperatorView, camera: Orbit) -> Orbit:
-    """Return the camera panned, and moved back a little, until the things that its people hold are in the picture."""
+def _include_held_things(view: CameraOperatorView, camera: Orbit) -> Orbit:
+    """Return the camera panned and moved back a little, so that things in people's hands are in the picture."""
     things = np.concatenate([corners(box) for box in at_hand(view)])
     heads = [point for each in view.people for point in (each.crown, each.face)]
     points = np.concatenate([np.asarray(heads, float), things])
@@ -204,32 +215,32 @@ def _with_things(view: CameraOperatorView, camera: Orbit) -> Orbit:
     return camera
 
 
-def looks_after(view: CameraOperatorView) -> Figure | None:
-    """Return over whose shoulder the camera looks, if they see a back: the subject does not look at them."""
+def ignored_partner(view: CameraOperatorView) -> Figure | None:
+    """Return the over-the-shoulder partner if the subject does not look at them, so that the partner sees a back."""
     over = view.over
     return over if over is not None and view.people[0].turned_from(over.face) >= TALKS else None
 
 
-def wants_shoulder(view: CameraOperatorView) -> bool:
-    """Return whether a shoulder has to be before the subject: not where a side shows more of somebody than a back."""
-    return view.over is not None and (looks_after(view) is None or view.in_stride)
+def requires_shoulder(view: CameraOperatorView) -> bool:
+    """Return whether the partner's shoulder must be in the picture, rather than a view of both from the side."""
+    return view.over is not None and (ignored_partner(view) is None or view.in_stride)
 
 
-def face_limit(view: CameraOperatorView) -> float:
-    """Return the degrees a focus face may be turned away: far on a walk, and away from who looks after it."""
+def max_face_angle(view: CameraOperatorView) -> float:
+    """Return the degrees by which a focus face may be turned away from the camera: more on a walk and from behind."""
     if view.instruction.behind:
         return 180.0
     if view.in_stride:
-        return 150.0 if looks_after(view) is None else 180.0
+        return 150.0 if ignored_partner(view) is None else 180.0
     if view.over is not None and view.instruction.explicit:
         return framing.FACE_ANGLE["two_shot"]
     return framing.FACE_ANGLE.get(view.instruction.kind, 108.0)
 
 
-def _near_enough(view: CameraOperatorView, camera: Orbit) -> Orbit:
-    """Bring a master to where its nearest person is large enough to be somebody, and small enough for a place."""
-    meant = {*view.focus, *view.in_frame}
-    people = [figure for figure in view.drawn.figures if figure.node_id in meant]
+def _limit_people_height(view: CameraOperatorView, camera: Orbit) -> Orbit:
+    """Move a master camera so that its nearest person is large enough to be recognised, but not too large."""
+    shown = {*view.focus, *view.in_frame}
+    people = [figure for figure in view.story_moment.figures if figure.node_id in shown]
     if not people:
         return camera
     tall = max(figure.crown[2] - figure.base[2] for figure in people)
@@ -251,20 +262,16 @@ def _near_enough(view: CameraOperatorView, camera: Orbit) -> Orbit:
     return framing.place_on_screen(near, middle, 0.5, 0.6)
 
 
-def _by_things(view: CameraOperatorView) -> bool:
-    """Return whether people are near the things of the picture, so that one view holds them all."""
-    people = [figure for figure in view.drawn.figures if figure.node_id in view.in_frame]
+def _has_people_near_things(view: CameraOperatorView) -> bool:
+    """Return whether people are near the focus things, so that one picture holds them all."""
+    people = [figure for figure in view.story_moment.figures if figure.node_id in view.in_frame]
     near = (distance_to_point(box, *figure.base[:2]) < _COMPANY for figure in people for box in view.things)
     return bool(people) and any(near)
 
 
-def _tight(view: CameraOperatorView) -> bool:
-    return view.instruction.size in TIGHT
-
-
-def _pov(view: CameraOperatorView, lens: float) -> Orbit | None:
-    """Return the view through somebody's eyes to the first focus, or straight ahead."""
-    eyes = view.drawn.figure(view.node(view.instruction.pov_id or ""))
+def _frame_pov(view: CameraOperatorView, lens: float) -> Orbit | None:
+    """Return the camera at the eyes of the instruction's ``pov_id``; None if that person is not on stage."""
+    eyes = view.story_moment.figure(view.node(view.instruction.pov_id or ""))
     if eyes is None:
         return None
     target = np.asarray(eyes.face) + 3 * np.asarray(eyes.forward)
@@ -276,46 +283,46 @@ def _pov(view: CameraOperatorView, lens: float) -> Orbit | None:
     return framing.frame_point_of_view(view.film, eyes, target, lens)
 
 
-def _of_things(view: CameraOperatorView, lens: float, turn: float, rise: float) -> Orbit:
-    """Frame things: from above if they lie on a table, level if they hang; from the front, on the audience's side."""
+def _frame_things(view: CameraOperatorView, lens: float, turn: float, rise: float) -> Orbit:
+    """Frame things: from above if they lie on a table, level if they hang or are high; from the front."""
     points = np.concatenate([corners(box) for box in view.things])
     box = view.things[0]
     high = points[:, 2].mean() > 1.25 or box.height > 1.2
     angle = framing.ELEVATION[view.instruction.angle]
     elevation = (max(angle, 4.0) if high else max(angle, _INSERT_ELEVATION)) + rise
-    azimuth = towards_audience(math.degrees(box.yaw), 50.0) + 12.0 + turn
+    azimuth = azimuth_towards_audience(math.degrees(box.yaw), 50.0) + 12.0 + turn
     extent = float(np.ptp(points, axis=0).max())
     wide = SIZES[view.instruction.size].fill_large if extent >= _LARGE else None
     fill = wide or SIZES[view.instruction.size].fill
     return framing.frame_insert(view.film, points, azimuth, elevation, lens, fill)
 
 
-def _of_walk(view: CameraOperatorView, figure: Figure, lens: float, turn: float, elevation: float) -> Orbit:
+def _frame_walk(view: CameraOperatorView, figure: Figure, lens: float, turn: float, elevation: float) -> Orbit:
     """Frame a walk from the side and a little ahead, on the audience's side."""
     heading = math.degrees(math.atan2(view.travel[0], -view.travel[1]))
     sides = [heading + 62.0, heading - 62.0]
-    azimuth = min(sides, key=lambda angle: abs(turned(angle))) + turn
+    azimuth = min(sides, key=lambda angle: abs(wrap_degrees(angle))) + turn
     return framing.frame_single(view.film, figure, view.instruction.size, azimuth, elevation, lens)
 
 
 def _single_azimuth(view: CameraOperatorView, figure: Figure) -> float:
-    """Return from where one person is taken: matching the reverse, on the line's side, not where the cut would jump."""
+    """Return the azimuth in degrees for one person: mirrors the reverse shot, else keeps the line and does not jump."""
     if view.instruction.behind:
-        return towards_audience(figure.yaw + 180.0, _OFF_BACK)
+        return azimuth_towards_audience(figure.yaw + 180.0, _OFF_BACK)
     if (matched := _reverse_azimuth(view, figure)) is not None:
         return matched
     size = view.instruction.size
     off = SIZES[size].off_face
     choices = [figure.yaw + off, figure.yaw - off]
     if view.instruction.kind == "action" and size in (*WHOLE, "MWS"):
-        choices.insert(0, towards_audience(figure.yaw, 55.0))
+        choices.insert(0, azimuth_towards_audience(figure.yaw, 55.0))
     choices += [figure.yaw, figure.yaw + 65.0, figure.yaw - 65.0]
-    return min(choices, key=lambda angle: (_cost(view, figure, angle), choices.index(angle)))
+    return min(choices, key=lambda angle: (_azimuth_cost(view, figure, angle), choices.index(angle)))
 
 
-def _cost(view: CameraOperatorView, figure: Figure, azimuth: float) -> float:
-    """Weigh an azimuth: across the line 4, a jump 2, away from the audience up to 1, a flat full face 0.4."""
-    cost = abs(turned(azimuth)) / 180
+def _azimuth_cost(view: CameraOperatorView, figure: Figure, azimuth: float) -> float:
+    """Weigh an azimuth: across the line 4, a jump cut 2, away from the audience up to 1, a flat full face 0.4."""
+    cost = abs(wrap_degrees(azimuth)) / 180
     way = np.array([math.sin(math.radians(azimuth)), -math.cos(math.radians(azimuth))])
     if (axis := view.axis) is not None and view.side:
         position = np.asarray(figure.face)[:2] + 2 * way
@@ -323,12 +330,12 @@ def _cost(view: CameraOperatorView, figure: Figure, azimuth: float) -> float:
     if (before := view.previous) is not None and view.size_steps(before.instruction.size) < 2:
         same = set(before.instruction.focus_on_ids) == set(view.instruction.focus_on_ids)
         last = orbit_of(before.state.poses[-1], view.film)
-        cost += 2.0 * (same and abs(turned(last.azimuth - azimuth)) < JUMP_CUT_DEGREES)
-    return cost + 0.4 * (abs(turned(azimuth - figure.yaw)) < 15)
+        cost += 2.0 * (same and abs(wrap_degrees(last.azimuth - azimuth)) < JUMP_CUT_DEGREES)
+    return cost + 0.4 * (abs(wrap_degrees(azimuth - figure.yaw)) < 15)
 
 
 def _reverse_azimuth(view: CameraOperatorView, figure: Figure) -> float | None:
-    """Return the mirror of the partner's single, if this is its answer."""
+    """Return the azimuth that mirrors the partner's single, if this shot is its reverse; else None."""
     if view.reverse is None or view.axis is None or view.instruction.kind not in ("single", "reaction", "ots"):
         return None
     first, second = view.axis
@@ -336,11 +343,11 @@ def _reverse_azimuth(view: CameraOperatorView, figure: Figure) -> float | None:
         return None
     partner = orbit_of(view.reverse.state.poses[0], view.film)
     azimuth = mirror_azimuth(partner.azimuth, first.face, second.face)
-    return azimuth if abs(turned(azimuth - figure.yaw)) < 75 else None
+    return azimuth if abs(wrap_degrees(azimuth - figure.yaw)) < 75 else None
 
 
 def line_side(view: CameraOperatorView, focus: Figure, over: Figure) -> float:
-    """Return the side of the line from ``over`` to ``focus``: the scene's if it has one, or the audience's."""
+    """Return the side of the line from ``over`` to ``focus``, 1.0 or -1.0: the scene's, else the audience's."""
     if (axis := view.axis) is not None and view.side:
         return view.side if over.node_id == axis[0].node_id else -view.side
     ahead = np.subtract(focus.face, over.face)

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 from test_camera_room import person, view_of
 
-from storyblender.agents.layout_artist.camera_scout import scouted
+from storyblender.agents.layout_artist.camera_scout import scout_takes
 from storyblender.geometry.framing import head_share, project
 from storyblender.geometry.gaps import MAX_FACE_GAP, widest_face_gap
 
@@ -17,7 +17,7 @@ def test_two_who_are_apart_are_near_each_other_in_the_picture(apart: float) -> N
     pair = person("anna", -apart / 2, 0.0, 90), person("tom", apart / 2, 0.0, -90)
     wish = {"kind": "action", "size": "MS", "focus_on_ids": ("anna", "tom")}
     view = replace(view_of(*pair, in_frame=("anna", "tom"), **wish), plan=None)
-    camera = scouted(view)[0].camera
+    camera = scout_takes(view)[0].camera
     across = project(camera, [each.face for each in pair])[0][:, 0]
     faces = [(float(x), head_share(camera, each)) for x, each in zip(across, pair, strict=True)]
     assert widest_face_gap(faces, camera.aspect) < MAX_FACE_GAP + 1.5

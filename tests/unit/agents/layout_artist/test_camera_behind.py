@@ -9,8 +9,8 @@ from test_camera_room import person, view_of
 
 from storyblender.agents.director.camera_phrases import from_behind
 from storyblender.agents.layout_artist.camera_operator_view import Moment
-from storyblender.agents.layout_artist.camera_scout import scouted
-from storyblender.agents.layout_artist.camera_start import start
+from storyblender.agents.layout_artist.camera_scout import scout_takes
+from storyblender.agents.layout_artist.camera_start import compose_take
 from storyblender.geometry.framing import project
 
 
@@ -21,7 +21,7 @@ def test_a_back_that_the_script_asks_for_is_shown(yaw: int, size: str) -> None:
     wish = {"kind": "action", "size": size, "focus_on_ids": ("anna",)}
     for behind in (False, True):
         view = replace(view_of(anna, in_frame=("anna",), behind=behind, **wish), plan=None)
-        turned = anna.turned_from(scouted(view)[0].camera.position)
+        turned = anna.turned_from(scout_takes(view)[0].camera.position)
         assert (turned > 120) == behind
 
 
@@ -47,5 +47,5 @@ def test_who_crouches_has_the_face_in_the_upper_half_of_a_medium_shot(drop: floa
     down = replace(up, face=(0.0, 0.0, up.face[2] - drop))
     view = view_of(down, in_frame=("anna",), kind="single", size="MS", focus_on_ids=("anna",))
     view = replace(view, moments=(Moment(0, (up,)), Moment(20, (down,)), Moment(47, (down,))), plan=None)
-    (face,), _ = project(start(view).camera, [down.face])
+    (face,), _ = project(compose_take(view).camera, [down.face])
     assert face[1] < 0.5

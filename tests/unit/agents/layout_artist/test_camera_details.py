@@ -8,8 +8,8 @@ from test_camera_operator import ANNA, TOM, view_of
 
 from storyblender.agents.layout_artist.camera_details import detail_of, held_at
 from storyblender.agents.layout_artist.camera_operator_view import Moment
-from storyblender.agents.layout_artist.camera_scout import cost, scouted
-from storyblender.agents.layout_artist.camera_start import start
+from storyblender.agents.layout_artist.camera_scout import scout_takes, take_cost
+from storyblender.agents.layout_artist.camera_start import compose_take
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.framing import Figure, project
 from storyblender.memory.shot_context import CameraInstruction, Cue, PropState, ShotContext
@@ -62,7 +62,7 @@ def test_an_insert_frames_the_hand_from_where_nobody_stands_before_it() -> None:
     box = Box(-0.35, 0.1, 0.9, 0.2, 0.2, 0.2)
     view = view_of((HANDED, TOM), kind="insert", size="CU", focus_on_ids=("anna",), detail=box)
     assert view.people == () and view.things == (box,)
-    camera = scouted(view)[0].camera
+    camera = scout_takes(view)[0].camera
     (hand, face), _ = project(camera, [middle(box), HANDED.face])
     assert hand == pytest.approx((0.5, 0.5), abs=0.1)
     assert not ((face > 0) & (face < 1)).all()
@@ -72,22 +72,22 @@ def test_what_a_hand_lies_in_does_not_hide_it_and_what_stands_before_it_does() -
     box = Box(-0.35, 0.1, 0.5, 0.2, 0.2, 0.2)
     wish = {"kind": "insert", "size": "CU", "focus_on_ids": ("anna",), "detail": box}
     free = view_of((HANDED,), **wish)
-    take = scouted(free)[0]
+    take = scout_takes(free)[0]
     chair, screen = Box(-0.35, 0.1, 0.0, 0.5, 0.5, 0.9), Box(-0.35, -0.5, 0.0, 2.5, 0.1, 2.5)
-    price = cost(free, take)
-    assert cost(view_of((HANDED,), props={"chair": chair}, **wish), take) < price + 1
-    assert cost(view_of((HANDED,), props={"screen": screen}, **wish), take) > price + 2
+    price = take_cost(free, take)
+    assert take_cost(view_of((HANDED,), props={"chair": chair}, **wish), take) < price + 1
+    assert take_cost(view_of((HANDED,), props={"screen": screen}, **wish), take) > price + 2
 
 
 def test_the_top_of_a_table_hides_the_hand_below_it() -> None:
     box = Box(0.4, -0.1, 0.25, 0.2, 0.2, 0.2)
     table = Box(0.6, -0.6, 0.0, 1.4, 1.4, 0.85)
     view = view_of((HANDED,), kind="insert", size="CU", focus_on_ids=("anna",), detail=box, props={"table": table})
-    turns = (start(view, turn) for turn in range(-180, 180, 15))
+    turns = (compose_take(view, turn) for turn in range(-180, 180, 15))
     across = min(turns, key=lambda take: take.camera.position[1])
     bare = replace(view, props={})
-    assert cost(view, across) > cost(bare, across) + 2
-    assert cost(view, scouted(view)[0]) < cost(view, across) - 1, "it is seen from where the table ends"
+    assert take_cost(view, across) > take_cost(bare, across) + 2
+    assert take_cost(view, scout_takes(view)[0]) < take_cost(view, across) - 1, "it is seen from where the table ends"
 
 
 def test_whoever_holds_what_an_insert_shows_does_not_stand_aside() -> None:
@@ -95,4 +95,4 @@ def test_whoever_holds_what_an_insert_shows_does_not_stand_aside() -> None:
     wish = {"kind": "insert", "size": "CU", "focus_on_ids": ("orange",), "props": {"orange": orange}}
     view = view_of((HANDED, TOM), carried={"anna": ("orange",)}, **wish)
     assert view.strangers == ("tom",)
-    assert not {"anna", "orange"} & {*scouted(view)[0].hidden}
+    assert not {"anna", "orange"} & {*scout_takes(view)[0].hidden}

@@ -6,8 +6,8 @@ import pytest
 from test_camera_operator import ANNA, FILM, TOM, figure, view_of
 
 from storyblender.agents.layout_artist.camera_furniture import backs, in_the_way
-from storyblender.agents.layout_artist.camera_scout import cost, scouted
-from storyblender.agents.layout_artist.camera_start import start, take
+from storyblender.agents.layout_artist.camera_scout import scout_takes, take_cost
+from storyblender.agents.layout_artist.camera_start import compose_take, take_with_camera
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.framing import project
 
@@ -18,10 +18,10 @@ PIANO = Box(0.9, -1.0, 0, 1.5, 0.8, 1.3)
 
 def test_a_table_before_two_people_is_moved_with_the_lamp_on_it() -> None:
     view = view_of((ANNA, TOM), props={"table": TABLE, "lamp": LAMP}, **PAIR)
-    camera = start(view).camera
+    camera = compose_take(view).camera
     assert abs(camera.azimuth) < 20, "the table is before the camera"
     assert set(in_the_way(view, camera)) == {"table", "lamp"}
-    assert any({"table", "lamp"} <= set(each.hidden) for each in scouted(view))
+    assert any({"table", "lamp"} <= set(each.hidden) for each in scout_takes(view))
 
 
 @pytest.mark.parametrize(
@@ -37,23 +37,23 @@ def test_what_is_used_or_theirs_or_behind_them_stays_and_a_place_is_shown_as_it_
     props: dict[str, Box], more: dict[str, object]
 ) -> None:
     view = view_of((ANNA, TOM), props=props, **{**PAIR, **more})
-    assert in_the_way(view, start(replace(view, props={})).camera) == []
+    assert in_the_way(view, compose_take(replace(view, props={})).camera) == []
 
 
 def test_the_back_of_a_piano_counts_and_its_front_does_not() -> None:
     view = view_of((ANNA, TOM), props={"piano": PIANO}, **PAIR)
     camera = FILM.look((0.3, 0.0, 1.2), 0.0, 3.0, 4.0, 35.0)
     turned = replace(view, props={"piano": replace(PIANO, yaw=3.1416)})
-    assert backs(view, take(view, camera), 4.5) == 0
-    assert backs(turned, take(turned, camera), 4.5) > 0.1
-    assert cost(turned, take(turned, camera)) > cost(view, take(view, camera)) + 0.3
+    assert backs(view, take_with_camera(view, camera), 4.5) == 0
+    assert backs(turned, take_with_camera(turned, camera), 4.5) > 0.1
+    assert take_cost(turned, take_with_camera(turned, camera)) > take_cost(view, take_with_camera(view, camera)) + 0.3
 
 
 @pytest.mark.parametrize(("x", "minded"), [(-0.5, True), (-3.5, False)])
 def test_who_is_beside_the_first_person_is_not_shown_from_behind(x: float, minded: bool) -> None:
     def price(yaw: float) -> float:
         view = view_of((TOM, figure("guard", x, 0, yaw)), kind="single", size="WS", focus_on_ids=("tom",))
-        return cost(view, take(view, FILM.look((0.0, 0.0, 1.0), 0.0, 2.0, 8.0, 28.0)))
+        return take_cost(view, take_with_camera(view, FILM.look((0.0, 0.0, 1.0), 0.0, 2.0, 8.0, 28.0)))
 
     assert (price(180) > price(0) + 0.5) == minded
 
@@ -62,7 +62,7 @@ def test_who_is_beside_the_first_person_is_not_shown_from_behind(x: float, minde
 def test_who_is_in_a_place_is_a_quarter_of_its_picture_and_whole(size: str, least: float) -> None:
     plane = {"plane": Box(0, 12, 0, 29, 9, 5)}
     view = view_of((ANNA, TOM), props=plane, kind="establishing", size=size, focus_on_ids=("anna", "plane"))
-    camera = start(replace(view, in_frame=("anna", "tom"))).camera
+    camera = compose_take(replace(view, in_frame=("anna", "tom"))).camera
     (_, top), (_, bottom) = project(camera, [TOM.crown, TOM.base])[0]
     assert bottom - top > least and bottom < 1
 
@@ -71,5 +71,5 @@ def test_people_far_apart_are_all_in_the_picture_of_their_place() -> None:
     far = [figure("anna", -5, 3, 0), figure("tom", 5, -2, 0)]
     view = view_of(far, kind="establishing", size="WS", focus_on_ids=("anna", "tom"), in_frame=("anna", "tom"))
     for turn in (0, 30, 60, 95):
-        screen, depth = project(start(view, turn).camera, [p for each in far for p in (each.crown, each.base)])
+        screen, depth = project(compose_take(view, turn).camera, [p for each in far for p in (each.crown, each.base)])
         assert depth.min() > 0 and ((screen > 0) & (screen < 1)).all()

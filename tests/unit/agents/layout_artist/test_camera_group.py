@@ -15,9 +15,9 @@ from storyblender.agents.layout_artist.camera_operator_view import (
     pose_of,
 )
 from storyblender.agents.layout_artist.camera_room import outside, reach_back, void_points
-from storyblender.agents.layout_artist.camera_scout import cost, scouted
+from storyblender.agents.layout_artist.camera_scout import scout_takes, take_cost
 from storyblender.agents.layout_artist.camera_solids import body
-from storyblender.agents.layout_artist.camera_start import start
+from storyblender.agents.layout_artist.camera_start import compose_take
 from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.framing import (
@@ -41,10 +41,10 @@ NAMES = ("anna", "tom", "sam")
 def test_a_group_is_never_taken_from_beyond_the_walls(size: str) -> None:
     view = view_of(*APART, in_frame=NAMES, kind="action", size=size, focus_on_ids=NAMES, explicit=True)
     for turn in (0, 30, -70, 125, 180):
-        take = start(view, turn)
+        take = compose_take(view, turn)
         assert outside(ROOM, take.camera, take.hidden) < 0.03
         assert np.abs(take.camera.position[:2]).max() < 3.31
-    best = scouted(view)[0]
+    best = scout_takes(view)[0]
     screen, depth = project(best.camera, [who.face for who in APART])
     assert (depth > 0).all() and ((screen > 0) & (screen < 1)).all()
 
@@ -86,13 +86,13 @@ def test_nothing_costs_much_more_than_an_edge() -> None:
 def test_what_stands_before_everybody_looms_and_vanishes_at_a_price() -> None:
     pair = person("anna", -0.5, 1.5, 20), person("tom", 0.5, 1.5, -20)
     view = view_of(*pair, in_frame=("anna", "tom"), kind="two_shot", size="MWS", focus_on_ids=("anna", "tom"))
-    take = replace(start(view), hidden=("front",))
+    take = replace(compose_take(view), hidden=("front",))
     eye, middle = take.camera.position, np.array([0.0, 1.5])
     x, y = eye[:2] + (middle - eye[:2]) * 0.4
     blocked = replace(view, props={"pier": Box(float(x), float(y), 0.0, 0.35, 0.35, 3.0)})
     piano = replace(view, props={"piano": Box(2.2, 0.0, 0.0, 1.5, 1.3, 1.3)})
-    assert cost(blocked, take) > cost(view, take) + 1
-    assert cost(piano, replace(take, hidden=("front", "piano"))) > cost(piano, take) + 1
+    assert take_cost(blocked, take) > take_cost(view, take) + 1
+    assert take_cost(piano, replace(take, hidden=("front", "piano"))) > take_cost(piano, take) + 1
 
 
 def test_a_followed_walk_is_composed_when_it_is_drawn() -> None:
@@ -100,7 +100,7 @@ def test_a_followed_walk_is_composed_when_it_is_drawn() -> None:
     moments = tuple(Moment(frame, (person("anna", x, 0.0, 90),)) for frame, x in steps)
     wish = {"kind": "action", "size": "MWS", "focus_on_ids": ("anna",), "movement": "track"}
     view = replace(view_of(moments[0].figures[0], in_frame=("anna",), **wish), moments=moments, plan=None)
-    take = start(view)
+    take = compose_take(view)
     assert take.moves
     (drawn,), _ = project(take.at(20 / 47), [moments[1].figures[0].face])
     (composed,), _ = project(take.camera, [moments[1].figures[0].face])
@@ -118,7 +118,7 @@ def test_whoever_has_arrived_is_taken_by_the_face_and_not_by_the_way() -> None:
             view_of(turned.figures[0], in_frame=("anna",), **wish), moments=(way[0], turned, way[2]), plan=None
         )
         assert view.walks and view.in_stride == stride
-        assert view.people[0].turned_from(start(view).camera.position) < 70
+        assert view.people[0].turned_from(compose_take(view).camera.position) < 70
 
 
 def test_who_walks_up_and_bends_over_a_thing_is_in_the_picture_all_the_way() -> None:
@@ -131,11 +131,11 @@ def test_who_walks_up_and_bends_over_a_thing_is_in_the_picture_all_the_way() -> 
         plan=None,
     )
     assert view.upright(bent).face == (1.5, 0.0, here.face[2]) and view.upright(here) is here
-    take = start(view)
+    take = compose_take(view)
     for moment in view.moments:
         (face,), _ = project(take.at(moment.frame / 47), [moment.figures[0].face])
         assert ((face > 0) & (face < 1)).all()
-    told = {fault.kind for fault in composition(view, take.camera, view.drawn, _seen(view, take, bent))}
+    told = {fault.kind for fault in composition(view, take.camera, view.story_moment, _seen(view, take, bent))}
     assert "headroom" not in told
 
 
@@ -155,7 +155,7 @@ def test_walks_are_held_only_where_people_stay_large_enough() -> None:
         tom = person("tom", 0.6, 0.0, -90)
         view = view_of(here, tom, in_frame=("anna", "tom"), kind="action", size="FS", focus_on_ids=("anna", "tom"))
         moments = (Moment(0, (there, tom)), Moment(20, (here, tom)), Moment(47, (here, tom)))
-        camera = start(replace(view, moments=moments, plan=None)).camera
+        camera = compose_take(replace(view, moments=moments, plan=None)).camera
         (seen,), depth = project(camera, [there.face])
         sizes.append((head_share(camera, tom), bool(depth[0] > 0 and 0 < seen[0] < 1)))
     assert sizes[0][1] and not sizes[1][1], "the long walk comes into the picture"
@@ -166,9 +166,9 @@ def test_a_shoulder_that_is_not_in_the_picture_costs() -> None:
     pair = person("anna", 0.0, 0.0, 0), person("tom", 0.0, -1.5, 180)
     wish = {"kind": "ots", "size": "MCU", "focus_on_ids": ("anna",), "over_id": "tom"}
     view = view_of(*pair, in_frame=("anna", "tom"), **wish)
-    best = scouted(view)[0]
+    best = scout_takes(view)[0]
     aside = replace(best, camera=orbit(best.camera, 60))
-    assert cost(view, aside) > cost(view, best) + 1.4
+    assert take_cost(view, aside) > take_cost(view, best) + 1.4
 
 
 def test_a_face_is_seen_beside_the_head_of_whom_we_look_past() -> None:
@@ -178,21 +178,21 @@ def test_a_face_is_seen_beside_the_head_of_whom_we_look_past() -> None:
     pair = person("anna", 0.0, 0.0, 0), person("tom", 0.0, -1.8, 180)
     wish = {"kind": "ots", "size": "MCU", "focus_on_ids": ("anna",), "over_id": "tom"}
     view = replace(view_of(*pair, in_frame=("anna", "tom"), **wish), plan=None)
-    assert not find_hidden(body(pair[1]), start(view).camera.position, [pair[0].face]).any()
+    assert not find_hidden(body(pair[1]), compose_take(view).camera.position, [pair[0].face]).any()
 
 
 def test_a_rise_over_a_shoulder_is_a_rise_once() -> None:
     pair = person("anna", 0.0, 0.0, 0), person("tom", 0.0, -1.8, 180)
     wish = {"kind": "ots", "size": "MCU", "focus_on_ids": ("anna",), "over_id": "tom"}
     view = replace(view_of(*pair, **wish), plan=None)
-    assert start(view, 0, 9).camera.elevation - start(view).camera.elevation == pytest.approx(9, abs=1.5)
+    assert compose_take(view, 0, 9).camera.elevation - compose_take(view).camera.elevation == pytest.approx(9, abs=1.5)
 
 
 def test_a_group_is_about_the_middle_when_it_is_drawn_whatever_its_walks_need() -> None:
     tom = person("tom", 0.3, 0.0, -90)
     steps = [Moment(20 * n, (person("anna", x, 0.1, 90), tom)) for n, x in enumerate((-2.4, -0.3, -0.3))]
     view = replace(view_of(*steps[1].figures, kind="two_shot", size="FS", focus_on_ids=("anna", "tom")), plan=None)
-    camera = start(replace(view, moments=tuple(steps))).camera
+    camera = compose_take(replace(view, moments=tuple(steps))).camera
     across = project(camera, [each.face for each in steps[1].figures])[0][:, 0]
     assert abs(float(across.mean()) - 0.5) < 0.1
 
@@ -201,9 +201,9 @@ def test_air_above_small_heads_is_no_fault() -> None:
     far = person("anna", -4, 0, 0), person("tom", 4, 0, 0)
     wish = {"kind": "action", "size": "MWS", "focus_on_ids": ("anna", "tom"), "explicit": True}
     view = replace(view_of(*far, in_frame=("anna", "tom"), **wish), plan=None)
-    take = start(view)
+    take = compose_take(view)
     (look,) = NumberFinder(view.moments, {}).look([request(view, take)])
-    kinds = {flaw.kind for flaw in composition(view, take.camera, view.drawn, look)}
+    kinds = {flaw.kind for flaw in composition(view, take.camera, view.story_moment, look)}
     assert min(subject.head_top for subject in look.subjects if subject.head_top) > 0.33
     assert "headroom" not in kinds
 
@@ -216,7 +216,10 @@ def test_nobody_of_a_group_fills_the_foreground() -> None:
     view = view_of(*APART, in_frame=NAMES, kind="group", size="FS", focus_on_ids=NAMES)
     near = frame_group_from(Film(), APART, "FS", (-2.7, 0.9, 1.5), 35.0, 18.0)
     far = frame_group_from(Film(), APART, "FS", (0.0, -2.6, 1.5), 35.0, 18.0)
-    assert cost(view, CameraOperatorDraft(near, near, near)) > cost(view, CameraOperatorDraft(far, far, far)) + 0.5
+    assert (
+        take_cost(view, CameraOperatorDraft(near, near, near))
+        > take_cost(view, CameraOperatorDraft(far, far, far)) + 0.5
+    )
 
 
 def test_who_bends_without_a_walk_keeps_the_head_before_and_after() -> None:
@@ -225,7 +228,7 @@ def test_who_bends_without_a_walk_keeps_the_head_before_and_after() -> None:
     wish = {"kind": "action", "size": "MS", "focus_on_ids": ("anna",)}
     moments = (Moment(0, (here,)), Moment(24, (bent,)), Moment(47, (here,)))
     view = replace(view_of(bent, in_frame=("anna",), **wish), moments=moments, plan=None)
-    camera = start(view).camera
+    camera = compose_take(view).camera
     for figure in (here, bent):
         screen, _ = project(camera, [figure.crown, figure.face])
         assert ((screen > 0) & (screen < 1)).all()
@@ -242,6 +245,8 @@ def test_who_bends_without_a_walk_keeps_the_head_before_and_after() -> None:
 def test_a_room_too_short_for_a_lens_takes_another_of_the_kit(wish: dict[str, object]) -> None:
     free = replace(view_of(*APART, in_frame=NAMES, **wish), kit=())
     view = replace(free, kit=(16.0, 21.0, 40.0, 65.0))
-    lenses = [start(view, turn).camera.lens for turn in (0, 30, -70, 125, 180)]
+    lenses = [compose_take(view, turn).camera.lens for turn in (0, 30, -70, 125, 180)]
     assert set(lenses) <= {*view.kit} and min(lenses) < 65
-    assert {start(free, turn).camera.lens for turn in (0, 30, -70)} - {*view.kit}, "any lens where no kit is told"
+    assert {compose_take(free, turn).camera.lens for turn in (0, 30, -70)} - {*view.kit}, (
+        "any lens where no kit is told"
+    )

@@ -9,8 +9,8 @@ import pytest
 
 from storyblender.agents.layout_artist.camera_operator import RulesCameraOperator, operate, side_used
 from storyblender.agents.layout_artist.camera_operator_critic import CameraOperatorCritic
-from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Cut, Moment
-from storyblender.agents.layout_artist.camera_start import start
+from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, EarlierShot, Moment
+from storyblender.agents.layout_artist.camera_start import compose_take
 from storyblender.catalog.set_plan import SetPlan, Wall
 from storyblender.geometry.boxes import Box, corners, distance_to_point
 from storyblender.geometry.camera_path import orbit_of
@@ -164,7 +164,7 @@ def test_the_side_of_the_first_shot_is_handed_on() -> None:
 def test_reverse_singles_mirror_each_other() -> None:
     first = view_of(kind="single", size="MCU", focus_on_ids=("anna",), side=-1, **TALK)
     state = operate(first, NumberFinder(first.moments, {}))
-    cut = Cut(first.instruction, state)
+    cut = EarlierShot(first.instruction, state)
     second = view_of(kind="single", size="MCU", focus_on_ids=("tom",), side=-1, reverse=cut, previous=cut, **TALK)
     one, other = orbit_of(state.poses[0], FILM), shoot(second)[0]
     assert do_looks_match(one, ANNA.forward, other, TOM.forward)
@@ -175,7 +175,7 @@ def test_reverse_singles_mirror_each_other() -> None:
 def test_a_second_shot_of_the_same_size_moves_thirty_degrees() -> None:
     first = view_of([GUARD], kind="action", size="FS", focus_on_ids=("guard",))
     state = operate(first, NumberFinder(first.moments, {}))
-    again = replace(first, previous=Cut(first.instruction, state))
+    again = replace(first, previous=EarlierShot(first.instruction, state))
     camera, residual, _ = shoot(again)
     assert residual == ()
     turned = abs(camera.azimuth - orbit_of(state.poses[0], FILM).azimuth)
@@ -189,7 +189,7 @@ def test_the_servo_walks_around_what_hides_the_subject() -> None:
     )
     finder = NumberFinder(view.moments, dict(view.props))
     critic = CameraOperatorCritic(finder)
-    straight = start(view, turn=-start(view).camera.azimuth)
+    straight = compose_take(view, turn=-compose_take(view).camera.azimuth)
     assert "hidden" in {fault.kind for fault in critic.judge(straight, view).faults}
     better = RulesCameraOperator(critic).refine(straight, critic.judge(straight, view), view)
     assert critic.judge(better, view).score > critic.judge(straight, view).score
@@ -239,7 +239,7 @@ def test_a_plain_move_is_centred_on_the_composition() -> None:
     view = view_of([GUARD], kind="single", size="MS", focus_on_ids=("guard",), movement="pan", direction="left")
     state = operate(view, NumberFinder([Moment(0, (GUARD,))], {}))
     first, last = (seen(orbit_of(pose, FILM), GUARD)[0] for pose in state.poses)
-    assert first < seen(start(view).camera, GUARD)[0] < last, "panning left, the subject goes from left to right"
+    assert first < seen(compose_take(view).camera, GUARD)[0] < last, "panning left, the subject goes from left to right"
 
 
 def test_walls_in_the_way_are_taken_away_and_only_those() -> None:
@@ -250,12 +250,12 @@ def test_walls_in_the_way_are_taken_away_and_only_those() -> None:
     )
     plan = SetPlan(kit="room", indoor=True, size=SceneSize(x=2, x_negative=-2, y=2, y_negative=-2), walls=walls)
     view = view_of(kind="two_shot", size="FS", focus_on_ids=("anna", "tom"), plan=plan, **TALK)
-    assert start(view).hidden == ("wall_front",)
+    assert compose_take(view).hidden == ("wall_front",)
     shelf = {"shelf_1": Box(0, -1.8, 0, 1.6, 0.3, 2.0)}
-    assert start(replace(view, props=shelf)).hidden == ("wall_front", "shelf_1")
-    assert start(replace(view, props=shelf, used=("shelf_1",))).hidden == ("wall_front",), "somebody works at it"
+    assert compose_take(replace(view, props=shelf)).hidden == ("wall_front", "shelf_1")
+    assert compose_take(replace(view, props=shelf, used=("shelf_1",))).hidden == ("wall_front",), "somebody works at it"
     tight = view_of([figure("anna", 0, 1, 0)], kind="single", size="CU", focus_on_ids=("anna",), lens=50.0, plan=plan)
-    assert start(tight).hidden == ()
+    assert compose_take(tight).hidden == ()
 
 
 def test_the_same_brief_gives_the_same_camera() -> None:

@@ -9,8 +9,8 @@ from test_camera_operator import ANNA, GUARD, TOM, figure, view_of
 
 from storyblender.agents.layout_artist.camera_operator_critic import CameraOperatorCritic, telling_moments
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment
-from storyblender.agents.layout_artist.camera_scout import cost
-from storyblender.agents.layout_artist.camera_start import start
+from storyblender.agents.layout_artist.camera_scout import take_cost
+from storyblender.agents.layout_artist.camera_start import compose_take
 from storyblender.geometry.boxes import Box
 from storyblender.memory.measure import CameraView, SubjectView, ViewRequest
 from storyblender.reflection import Fault
@@ -41,8 +41,8 @@ def thing(node: str, **changes) -> SubjectView:
 def faults(
     view: CameraOperatorView, *subjects: SubjectView, **others: tuple[SubjectView, ...]
 ) -> dict[tuple[str, str], Fault]:
-    views = {view.drawn.frame: subjects} | {int(frame[1:]): seen for frame, seen in others.items()}
-    found = CameraOperatorCritic(Written(views)).judge(start(view), view).faults
+    views = {view.story_moment.frame: subjects} | {int(frame[1:]): seen for frame, seen in others.items()}
+    found = CameraOperatorCritic(Written(views)).judge(compose_take(view), view).faults
     return {(fault.kind, fault.subject): fault for fault in found}
 
 
@@ -96,7 +96,7 @@ def test_the_floor_of_a_place_is_no_foreground(focus: tuple[str, ...], minded: b
     finder = SimpleNamespace(
         look=lambda requests: [CameraView(subjects=(), void=0.0, foreground=0.4) for _ in requests]
     )
-    found = CameraOperatorCritic(finder).judge(start(view), view).faults
+    found = CameraOperatorCritic(finder).judge(compose_take(view), view).faults
     assert ("foreground" in {fault.kind for fault in found}) == minded
 
 
@@ -113,9 +113,9 @@ def test_of_two_in_each_others_arms_one_face_is_enough() -> None:
 def test_a_camera_that_stands_still_is_looked_through_when_it_is_drawn() -> None:
     moments = (Moment(0, (GUARD, TOM)), Moment(20, (ANNA, TOM)), Moment(40, (ANNA, GUARD)))
     still = view_of(moments=moments, kind="two_shot", size="MS", focus_on_ids=("anna", "tom"))
-    assert telling_moments(still, [start(still)]) == [still.drawn]
+    assert telling_moments(still, [compose_take(still)]) == [still.story_moment]
     pushed = view_of(moments=moments, kind="two_shot", size="MS", focus_on_ids=("anna", "tom"), movement="push in")
-    assert telling_moments(pushed, [start(pushed)]) == list(moments)
+    assert telling_moments(pushed, [compose_take(pushed)]) == list(moments)
 
 
 @pytest.mark.parametrize(("x", "cut"), [(0.03, True), (0.15, False)])
@@ -123,6 +123,9 @@ def test_the_frame_cuts_nobody_of_a_group_at_its_sides(x: float, cut: bool) -> N
     view = view_of(kind="two_shot", size="MS", focus_on_ids=("anna", "tom"))
     found = faults(view, sight("anna", face=(x, 0.25)), sight("tom", face=(1 - x, 0.25)))
     assert (("squeezed", "anna") in found) == cut
-    camera = start(view).camera
+    camera = compose_take(view).camera
     near = replace(camera, distance=camera.distance * (0.7 if cut else 1.0))
-    assert (cost(view, replace(start(view), start=near, end=near, camera=near)) > cost(view, start(view)) + 1) == cut
+    assert (
+        take_cost(view, replace(compose_take(view), start=near, end=near, camera=near))
+        > take_cost(view, compose_take(view)) + 1
+    ) == cut

@@ -8,8 +8,8 @@ import pytest
 
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorDraft, CameraOperatorView, Moment
 from storyblender.agents.layout_artist.camera_room import VOID, fitted, outside
-from storyblender.agents.layout_artist.camera_scout import cost, scouted
-from storyblender.agents.layout_artist.camera_start import start, take
+from storyblender.agents.layout_artist.camera_scout import scout_takes, take_cost
+from storyblender.agents.layout_artist.camera_start import compose_take, take_with_camera
 from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.catalog.set_plan import Piece, SetPlan, Slab, Wall
 from storyblender.geometry.boxes import Box
@@ -75,7 +75,7 @@ def test_a_long_lens_gives_way_to_the_room_and_keeps_the_size() -> None:
 def test_a_master_indoors_stays_in_the_room_and_shows_people_large(kind: str) -> None:
     people = (person("anna", -1, 1, 30), person("tom", 0.6, 1.2, -20))
     names = ("anna", "tom")
-    take = scouted(view_of(*people, in_frame=names, kind=kind, size="WS", focus_on_ids=names))[0]
+    take = scout_takes(view_of(*people, in_frame=names, kind=kind, size="WS", focus_on_ids=names))[0]
     assert outside(ROOM, take.camera, take.hidden) < 0.03
     heights = [float(project(take.camera, [who.base, who.crown])[0][:, 1] @ (1, -1)) for who in people]
     assert 0.17 < max(heights) < 0.75
@@ -86,7 +86,7 @@ def test_a_picture_of_things_stays_in_the_room_however_large_they_are() -> None:
     shot = view_of(kind="action", size="MS", focus_on_ids=["tree", "bone"])
     shot = replace(shot, props={"tree": tree, "bone": bone})
     assert shot.things, "the picture is of them"
-    camera = start(shot).camera
+    camera = compose_take(shot).camera
     assert outside(ROOM, camera, [wall.node_id for wall in ROOM.walls]) < 0.9
     assert max(abs(value) for value in camera.position[:2]) < 3.5
 
@@ -94,7 +94,7 @@ def test_a_picture_of_things_stays_in_the_room_however_large_they_are() -> None:
 def test_a_lens_that_was_asked_for_is_the_lens() -> None:
     pair = person("anna", -0.6, 0, 90), person("tom", 0.6, 0, -90)
     asked = {"kind": "establishing", "size": "WS", "focus_on_ids": ["anna", "tom"]}
-    free, told = start(view_of(*pair, **asked)).camera, start(view_of(*pair, **asked, lens=35.0)).camera
+    free, told = compose_take(view_of(*pair, **asked)).camera, compose_take(view_of(*pair, **asked, lens=35.0)).camera
     assert free.lens < 35, "the room calls for a wider one"
     assert told.lens == 35
 
@@ -102,9 +102,9 @@ def test_a_lens_that_was_asked_for_is_the_lens() -> None:
 def test_who_has_no_part_is_left_out() -> None:
     anna, guard = person("anna", 0, 0, 0), person("guard", 0.9, 1.4, 0)
     view = view_of(anna, guard, in_frame=("anna",), kind="single", size="MS", focus_on_ids=("anna",))
-    screen, _ = project(scouted(view)[0].camera, [guard.face])
+    screen, _ = project(scout_takes(view)[0].camera, [guard.face])
     assert not 0 < screen[0, 0] < 1
-    assert cost(view, scouted(view)[0]) < cost(view, start(view, 180))
+    assert take_cost(view, scout_takes(view)[0]) < take_cost(view, compose_take(view, 180))
 
 
 def test_a_tight_shot_is_about_the_first() -> None:
@@ -112,7 +112,7 @@ def test_a_tight_shot_is_about_the_first() -> None:
         person("anna", 0, 0, 0), person("tom", 2, 1, 180), kind="reaction", size="MCU", focus_on_ids=("anna", "tom")
     )
     assert view.focus == ("anna",)
-    take: CameraOperatorDraft = scouted(view)[0]
+    take: CameraOperatorDraft = scout_takes(view)[0]
     assert view.people[0].turned_from(take.camera.position) < 60
 
 
@@ -121,9 +121,9 @@ def test_what_somebody_lies_on_stays_where_the_wall_before_it_goes() -> None:
     view = view_of(sleeper, guest, in_frame=("anna", "tom"), kind="group", size="MWS", focus_on_ids=("tom",))
     bed = {"bed": Box(0.0, -2.4, 0.0, 1.0, 2.0, 1.4)}
     camera = camera_looking_at((0.0, -4.5, 1.2), (0.0, 1.5, 1.2), 24.0, **FILM)
-    assert "bed" not in take(replace(view, props=bed), camera).hidden
+    assert "bed" not in take_with_camera(replace(view, props=bed), camera).hidden
     empty = view_of(guest, in_frame=("tom",), kind="single", size="MWS", focus_on_ids=("tom",))
-    assert "bed" in take(replace(empty, props=bed), camera).hidden, "nobody would float without it"
+    assert "bed" in take_with_camera(replace(empty, props=bed), camera).hidden, "nobody would float without it"
 
 
 def test_who_bows_into_a_wall_opens_none() -> None:
@@ -131,7 +131,7 @@ def test_who_bows_into_a_wall_opens_none() -> None:
     camera = camera_looking_at((0, 0, 1.5), bowed.face, 35.0, **FILM)
     assert taken_away(ROOM, {}, [camera], [np.array(bowed.face)]) == []
     assert taken_away(ROOM, {}, [camera], [np.array((-3.6, 0.0, 1.6))]) == ["left"], "who is behind a wall is seen"
-    best = scouted(view_of(bowed, kind="action", size="MWS", focus_on_ids=("anna",)))[0]
+    best = scout_takes(view_of(bowed, kind="action", size="MWS", focus_on_ids=("anna",)))[0]
     assert outside(ROOM, best.camera, best.hidden) < VOID
 
 
@@ -147,7 +147,7 @@ def test_what_hangs_on_a_wall_goes_with_it() -> None:
 @pytest.mark.parametrize("kind", ["action", "insert"])
 def test_things_too_large_for_the_room_at_the_lens_of_their_size_take_a_wider_one(kind: str) -> None:
     view = view_of(kind=kind, size="CU", focus_on_ids=("boiler",))
-    shot = start(replace(view, props={"boiler": Box(0, 2, 0, 2.4, 1.5, 2.2)})).camera
+    shot = compose_take(replace(view, props={"boiler": Box(0, 2, 0, 2.4, 1.5, 2.2)})).camera
     top, low = project(shot, [(0, 1.25, 2.2), (0, 1.25, 0)])[0][:, 1]
     assert shot.lens < 85 and 0 < top < low < 1
 

@@ -7,8 +7,8 @@ import math
 from storyblender.agents.layout_artist.camera_furniture import covers
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment
 from storyblender.agents.layout_artist.camera_scene import _handlings
-from storyblender.agents.layout_artist.camera_scout import scouted
-from storyblender.agents.layout_artist.camera_start import start
+from storyblender.agents.layout_artist.camera_scout import scout_takes
+from storyblender.agents.layout_artist.camera_start import compose_take
 from storyblender.geometry.boxes import Box, corners
 from storyblender.geometry.framing import Figure, project
 from storyblender.memory.shot_context import CameraInstruction, Cue, ShotContext
@@ -42,14 +42,14 @@ def test_an_ordered_close_shot_of_two_holds_both_heads_tall_and_small() -> None:
         assert view.focus == (("ann", "child") if explicit else ("ann",))
     view = _view_of(people, {}, size="CU", kind="action", explicit=True, focus_on_ids=("ann", "child"))
     ends = [point for each in people for point in (each.crown, (*each.face[:2], each.face[2] - 0.1))]
-    screen, _ = project(start(view).camera, ends)
+    screen, _ = project(compose_take(view).camera, ends)
     assert screen.min() > 0 and screen.max() < 1
 
 
 def test_a_close_shot_of_somebody_with_a_thing_in_hand_holds_both() -> None:
     watch = Box(0.2, -0.25, 1.15, 0.06, 0.06, 0.06)
     view = _view_of((_person("ann", 0.0),), {"watch": watch}, size="CU", kind="single", focus_on_ids=("watch", "ann"))
-    screen, _ = project(start(view).camera, [*corners(watch), view.people[0].face])
+    screen, _ = project(compose_take(view).camera, [*corners(watch), view.people[0].face])
     assert screen.min() > 0 and screen.max() < 1
 
 
@@ -57,7 +57,7 @@ def test_the_insert_of_a_thing_in_a_desk_may_do_without_the_desk_and_shows_its_f
     desk, screen = Box(0.0, 0.0, 0.0, 1.6, 0.8, 0.76), Box(0.3, 0.0, 0.1, 0.34, 0.3, 0.23)
     view = _view_of((), {"desk": desk, "laptop": screen}, size="CU", kind="insert", focus_on_ids=("laptop",))
     assert covers(view) == ["desk"]
-    takes = scouted(view)
+    takes = scout_takes(view)
     first = takes[0]
     assert any("desk" in take.hidden for take in takes)
     assert abs(math.remainder(first.camera.azimuth - math.degrees(screen.yaw), 360)) < 60
