@@ -7,6 +7,7 @@ from typing import NoReturn
 import pytest
 
 from storyblender.crew import Crew, rules_crew
+from storyblender.library.sources import asset_sources
 from storyblender.settings import Settings
 
 
@@ -17,7 +18,8 @@ def no_words() -> NoReturn:
 
 def crew_of(settings: Settings | None = None) -> Crew:
     """Return the crew of rules for some settings."""
-    return rules_crew(settings or Settings(), no_words)
+    settings = settings or Settings()
+    return rules_crew(settings, no_words, asset_sources(settings, no_words))
 
 
 RULES = crew_of()

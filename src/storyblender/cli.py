@@ -84,8 +84,10 @@ Reading = Annotated[
     Path | None, typer.Option(help="A reading of the script that you corrected, from `plan --write-reading FILE`.")
 ]
 Models = Annotated[
-    Path | None,
-    typer.Option(help="A folder of your own 3D models (.glb, .blend), searched before the built-in library."),
+    list[Path] | None,
+    typer.Option(
+        help="A folder of your own 3D models (.glb, .blend), searched before the built-in library; may be given again."
+    ),
 ]
 
 
@@ -122,7 +124,7 @@ def make(
     """Turn a script into a storyboard: everything. Run it again to go on where it was stopped, or after a revision."""
     settings: dict[str, Any] = dict(
         look=look, crew=crew, aspect=aspect, width=width, fps=fps, jobs=jobs, seed=seed,
-        shots_per_scene=shots_per_scene, models=models, animatic=animatic, slate=slate, paper=paper,
+        shots_per_scene=shots_per_scene, models=models or None, animatic=animatic, slate=slate, paper=paper,
     )  # fmt: skip
     with shown(quiet, json_lines) as terminal:
         project = out or _folder_of(script)

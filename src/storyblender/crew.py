@@ -5,19 +5,17 @@ The pipeline names a role and never constructs a policy, so that another crew ne
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 
-from storyblender.agents.concept_artist.generator import RulesAssetGenerator
-from storyblender.agents.concept_artist.recipe import (
+from storyblender.agents.concept_artist.asset_retriever_view import (
     RETRIEVAL_THRESHOLD,
     AssetRetrieverCritic,
     AssetRetrieverView,
-    ModelFile,
-    Recipe,
     asset_retriever_view,
 )
+from storyblender.agents.concept_artist.generator import RulesAssetGenerator
 from storyblender.agents.concept_artist.retriever import RulesAssetRetriever
 from storyblender.agents.director.director import (
     DirectorCritic,
@@ -58,10 +56,11 @@ from storyblender.agents.visual_effects_artist.set_dresser import (
     SetDresserView,
     set_dresser_view,
 )
+from storyblender.catalog.recipe import Recipe
 from storyblender.memory.asset_sheet import Asset, AssetDimension
 from storyblender.memory.graph import ContinuityMemoryGraph, Storyboard
 from storyblender.memory.scene_context import Environment, Layout, Lighting
-from storyblender.ports import Embedder
+from storyblender.ports import AssetSource, Embedder
 from storyblender.reflection import Critic, Draft, Policy, Role, Subject, Typed, View
 from storyblender.screenplay.model import Screenplay
 from storyblender.settings import RoleName, Settings
@@ -76,7 +75,7 @@ class Crew:
     shot_director: Role[[Reading, DirectorSettings], ShotDirectorView, Storyboard]
     """Cuts what was read into shots."""
     asset_retriever: Role[
-        [ContinuityMemoryGraph, Asset, tuple[ModelFile, ...], Mapping[str, str]], AssetRetrieverView, Recipe
+        [ContinuityMemoryGraph, Asset, Mapping[str, str], Collection[str]], AssetRetrieverView, Recipe
     ]
     """Finds an asset; where nothing fits, the Asset Generator takes over."""
     dimension_estimator: Role[
@@ -90,12 +89,13 @@ class Crew:
     camera_operator: Operator
 
 
-def rules_crew(settings: Settings, embedder: Callable[[], Embedder]) -> Crew:
+def rules_crew(settings: Settings, embedder: Callable[[], Embedder], sources: Sequence[AssetSource]) -> Crew:
     """Return the crew that needs no model.
 
     Args:
         settings: Thresholds and horizons by role.
         embedder: Loads the sentence model; called once, at the first need.
+        sources: Where assets come from, in the order of preference.
     """
     embedder = cache(embedder)
 
@@ -111,7 +111,7 @@ def rules_crew(settings: Settings, embedder: Callable[[], Embedder]) -> Crew:
         limits = settings.limits(name, threshold, horizon)
         return Role(name, project, tuple(policies), critic, Typed(draft), *limits)
 
-    retrievers = (RulesAssetRetriever(embedder), RulesAssetGenerator(embedder))
+    retrievers = (RulesAssetRetriever(sources), RulesAssetGenerator(embedder))
     dimensions = dict[str, AssetDimension]
     camera = settings.limits("camera_operator", CAMERA_THRESHOLD, CAMERA_HORIZON)
     return Crew(

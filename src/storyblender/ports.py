@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import Future
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from storyblender.catalog.recipe import AssetQuery, Recipe
+from storyblender.folder import Folder
 from storyblender.geometry.framing import Figure
 from storyblender.memory.jobs import (
     AssetJob,
@@ -23,7 +25,7 @@ from storyblender.memory.jobs import (
 )
 from storyblender.memory.measure import AssetMeasure, CameraView, Collision, ViewRequest
 
-__all__ = ["Embedder", "Engine", "ViewRequest", "Viewfinder"]
+__all__ = ["AssetSource", "Embedder", "Engine", "ViewRequest", "Viewfinder"]
 
 
 class Viewfinder(Protocol):
@@ -39,6 +41,40 @@ class Embedder(Protocol):
 
     def embed(self, texts: Sequence[str]) -> NDArray[np.float32]:
         """Return (n, d) unit vectors."""
+        ...
+
+
+class AssetSource(Protocol):
+    """A place that assets come from: the built-in library, folders of models, a service."""
+
+    @property
+    def name(self) -> str:
+        """What the source is called in the provenance of its assets."""
+        ...
+
+    def search(self, query: AssetQuery, *, by_meaning: bool = False) -> Sequence[Recipe]:
+        """Return what fits an object, best first, each with its score and the reason for it.
+
+        Args:
+            query: The object.
+            by_meaning: Also return what is only similar in meaning; asked where no source has a thing of that name.
+        """
+        ...
+
+    def inventory(self) -> Mapping[str, str]:
+        """Return names and digests of what can be found, as it is now; a change asks for another plan."""
+        ...
+
+    def fetch(self, recipe: Recipe, files: Folder) -> Recipe:
+        """Make what a recipe of this source names readable for the engine; return the recipe with its provenance.
+
+        Args:
+            recipe: As it was found by ``search``.
+            files: The project folder; files from elsewhere are written to ``FETCHED`` in it, named as the recipe's key.
+
+        Raises:
+            InputError: It cannot be fetched.
+        """
         ...
 
 

@@ -36,6 +36,11 @@ def _ratio(value: Any) -> Any:
         return value
 
 
+def _as_list(value: Any) -> Any:
+    """Return one path as a list of one."""
+    return [value] if isinstance(value, str | Path) else value
+
+
 def _clock(value: str) -> str:
     if not re.fullmatch(r"([01]\d|2[0-3])(:[0-5]\d){2}:\d\d", value, re.ASCII):
         raise ValueError("it should be hours, minutes, seconds and frames, for example 01:00:00:00")
@@ -77,9 +82,9 @@ class Settings(Frozen):
     """Of the board, across."""
     jobs: int = Field(default=0, ge=0, le=64)
     """Blender processes; 0 takes one for each processor, two at most for memory's sake."""
-    models: Path | None = None
-    """A folder of the user's own .glb, .gltf, .obj and .blend files, searched before the built-in library. In
-    ``storyblender.toml`` it is named from there."""
+    models: Annotated[tuple[Path, ...], BeforeValidator(_as_list), Field(max_length=20)] = ()
+    """Folders of the user's own .glb, .gltf, .obj and .blend files, searched before the built-in library; of equal
+    matches that in the earlier folder is taken. In ``storyblender.toml`` they are named from there, one or a list."""
     build: Path | None = None
     """A folder on another disk that takes the place of ``build/`` in the project. In ``storyblender.toml`` it is named
     from there. One folder for each project."""
@@ -110,7 +115,7 @@ class Settings(Frozen):
 
         Args:
             script: ``storyblender.toml`` is looked for in its folder.
-            project: The folder of a project. Where there is a script too, only the folder of models is taken from it.
+            project: The folder of a project. Where there is a script too, only the folders of models are taken from it.
             overrides: From the command line; None means not given.
 
         Raises:
@@ -123,11 +128,11 @@ class Settings(Frozen):
             file = SettingsFile.read(project / REMEMBERED)
         values = dict(file.values) if file else {}
         for name in ("models", "build"):
-            if file and (folder := file.folder(name)) is not None:
-                values[name] = folder
+            if file and name in values:
+                values[name] = file.paths(name)
         if script is not None and project is not None and "models" not in values:
             made_with = SettingsFile.read(project / REMEMBERED)
-            values["models"] = made_with.folder("models") if made_with else None
+            values["models"] = made_with.paths("models") if made_with and "models" in made_with.values else ()
         given = {key: value for key, value in overrides.items() if value is not None}
         try:
             return cls.model_validate(values | given)
@@ -157,10 +162,10 @@ class Settings(Frozen):
             project: Its folder. A folder of models beside it or in it is named from there, so that both can be moved
                 together; another one by its whole path.
         """
-        kept = self
-        if self.models is not None:
-            models, beside = self.models.resolve(), project.resolve().parent
-            if models.is_relative_to(beside):
-                models = Path(os.path.relpath(models, project.resolve()))
-            kept = self.model_copy(update={"models": models})
+        home = project.resolve()
+        folders = [folder.resolve() for folder in self.models]
+        named = [
+            Path(os.path.relpath(folder, home)) if folder.is_relative_to(home.parent) else folder for folder in folders
+        ]
+        kept = self.model_copy(update={"models": tuple(named)})
         return kept.model_dump_json(exclude_defaults=True, exclude={"jobs"}, indent=1)

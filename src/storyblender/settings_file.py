@@ -29,10 +29,12 @@ class SettingsFile:
     text: str
     values: dict[str, Any]
 
-    def folder(self, name: str) -> Path | None:
-        """Return the folder that a setting names, which is relative to the file; None where it names none."""
-        named = self.values.get(name)
-        return self.path.parent.absolute() / named if isinstance(named, str) else None
+    def paths(self, name: str) -> Any:
+        """Return a setting with each path in it, one or a list, taken from the file's folder; else as it is."""
+        value, home = self.values[name], self.path.parent.absolute()
+        if isinstance(value, list):
+            return [home / item if isinstance(item, str) else item for item in value]
+        return home / value if isinstance(value, str) else value
 
     @classmethod
     def read(cls, path: Path) -> SettingsFile | None:

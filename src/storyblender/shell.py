@@ -134,7 +134,8 @@ def _started_for(words: Sequence[str]) -> Worker | None:
                 settings = SettingsFile.read(Path(word, REMEMBERED))
                 if settings is not None and "build" in settings.values:
                     return None  # whether that folder may be written to is for the command to say
-                worker = blender_worker(Path(word), settings.folder("models") if settings else None)
+                models = settings.paths("models") if settings and "models" in settings.values else []
+                worker = blender_worker(Path(word), models if isinstance(models, list) else [models])
                 worker.start()
                 return worker
         except (OSError, StoryBlenderError):  # the command itself will say what is wrong with the folder

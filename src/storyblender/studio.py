@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
@@ -31,6 +31,7 @@ from storyblender.errors import InputError
 from storyblender.folder import Folder
 from storyblender.inspection import Inspection, inspect
 from storyblender.library.embedder import load_embedder
+from storyblender.library.sources import asset_sources
 from storyblender.look.looks import LOOKS
 from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -298,8 +299,10 @@ class Studio:
     @contextmanager
     def _open(self, script: Path | None, folder: Path) -> Iterator[Run]:
         models = self._settings.models
-        if script is not None and models is not None and not models.is_dir():
-            raise InputError("is not a folder", mend="give --models a folder of .glb or .blend files", path=models)
+        for models_folder in models if script is not None else ():
+            if not models_folder.is_dir():
+                mend = "give --models a folder of .glb or .blend files"
+                raise InputError("is not a folder", mend=mend, path=models_folder)
         if script is not None:
             from storyblender.screenplay.source import load
 
@@ -312,7 +315,10 @@ class Studio:
             self._project(folder, build) as project,
             BlenderEngine(project.folder, models, jobs, build=build, ahead=ahead) as engine,
         ):
-            run = Run(project, engine, rules_crew(self._settings, load_embedder), self._settings, self._listener)
+            embedder = cache(load_embedder)
+            sources = asset_sources(self._settings, embedder)
+            crew = rules_crew(self._settings, embedder, sources)
+            run = Run(project, engine, crew, self._settings, self._listener, sources=sources)
             adopt_earlier_outputs(run)
             yield run
 

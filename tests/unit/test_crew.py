@@ -9,11 +9,10 @@ from pathlib import Path
 from typing import get_args
 
 import pytest
-from tests.crew import no_words
+from tests.crew import crew_of
 from tests.recorded_crew import recorded_crew
 from tests.stand_in_engine import StandInEngine
 
-from storyblender.crew import rules_crew
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.project import DRAFTS, TRACE, read_project_graph
 from storyblender.settings import RoleName, Settings
@@ -28,7 +27,7 @@ def made(folder: Path, drafts_of: Path | None = None) -> ContinuityMemoryGraph:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("storyblender.studio.BlenderEngine", StandInEngine)
         if drafts_of is not None:
-            crew = recorded_crew(rules_crew(SETTINGS, no_words), drafts_of)
+            crew = recorded_crew(crew_of(SETTINGS), drafts_of)
             patch.setattr("storyblender.studio.rules_crew", lambda *_: crew)
         Studio(SETTINGS).make(CASABLANCA, folder)
     return read_project_graph(folder)

@@ -129,8 +129,12 @@ def test_a_file_from_an_editor_that_marks_its_bytes_is_read(tmp_path: Path) -> N
 def test_a_folder_of_models_lies_beside_the_file_that_names_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir("/")
     (tmp_path / "storyblender.toml").write_text("models = 'things/glb'")
-    assert Settings.load(tmp_path / "a.fountain").models == tmp_path / "things" / "glb"
-    assert Settings.load(tmp_path / "a.fountain", models=Path("mine")).models == Path("mine"), "typed where one stands"
+    assert Settings.load(tmp_path / "a.fountain").models == (tmp_path / "things" / "glb",)
+    assert Settings.load(tmp_path / "a.fountain", models=Path("mine")).models == (Path("mine"),), (
+        "typed where one stands"
+    )
+    (tmp_path / "storyblender.toml").write_text("models = ['a', '/b']")
+    assert Settings.load(tmp_path / "a.fountain").models == (tmp_path / "a", Path("/b")), "in the order of preference"
     (tmp_path / "storyblender.toml").write_text("models = 3")
     with pytest.raises(InputError, match="'models' cannot be 3"):
         Settings.load(tmp_path / "a.fountain")
@@ -140,21 +144,19 @@ def test_a_project_remembers_its_folder_of_models_where_it_is_moved_with_it(tmp_
     project, near, far = (tmp_path / name for name in ("work/a.storyboard", "work/models", "elsewhere/models"))
     for folder in (project, near, far):
         folder.mkdir(parents=True)
-    (project / REMEMBERED).write_text(Settings(models=far).remembered(project))
-    assert Settings.load(project=project).models == far
-    (project / REMEMBERED).write_text(Settings(models=near).remembered(project))
+    (project / REMEMBERED).write_text(Settings(models=(far, near)).remembered(project))
     moved = (tmp_path / "work").rename(tmp_path / "moved")
     again = Settings.load(project=moved / "a.storyboard").models
-    assert again is not None and again.resolve() == moved / "models"
+    assert [folder.resolve() for folder in again] == [far, moved / "models"]
 
 
 def test_make_takes_the_folder_of_models_that_the_project_was_made_with(tmp_path: Path) -> None:
     script, project = tmp_path / "a.fountain", tmp_path / "a.storyboard"
     project.mkdir()
     kept, other = tmp_path / "models", tmp_path / "other"
-    (project / REMEMBERED).write_text(Settings(models=kept, look="pencil").remembered(project))
+    (project / REMEMBERED).write_text(Settings(models=(kept,), look="pencil").remembered(project))
     again = Settings.load(script, project)
-    assert again.models is not None and again.models.resolve() == kept and again.look == Settings().look
-    assert Settings.load(script, project, models=other).models == other
+    assert [folder.resolve() for folder in again.models] == [kept] and again.look == Settings().look
+    assert Settings.load(script, project, models=other).models == (other,)
     (tmp_path / "storyblender.toml").write_text("models = 'other'")
-    assert Settings.load(script, project).models == other
+    assert Settings.load(script, project).models == (other,)

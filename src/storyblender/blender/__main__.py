@@ -40,7 +40,7 @@ def _serve(words: Sequence[str]) -> None:
     gc.disable()  # what is imported stays: to look for garbage among it takes a tenth of the time to come up
     parser = argparse.ArgumentParser(prog="storyblender.blender", description="StoryBlender's Blender worker")
     parser.add_argument("--root", type=Path, required=True, help="the project folder; no job may leave it")
-    parser.add_argument("--models", type=Path, default=None, help="a folder of models that may be read")
+    parser.add_argument("--models", type=Path, action="append", default=[], help="a folder of models it may read")
     parser.add_argument("--build", type=Path, default=None, help="where names below build/ lie instead")
     arguments = parser.parse_args(words)
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the client, which ends us

@@ -24,7 +24,7 @@ from storyblender.errors import InputError
 from storyblender.folder import Folder
 from storyblender.memory.asset_sheet import Asset, CharacterLook
 from storyblender.memory.base import Frozen, content_hash
-from storyblender.memory.jobs import ASSETS, AssetJob, asset_suffixes
+from storyblender.memory.jobs import ASSETS, FETCHED, AssetJob, asset_suffixes
 from storyblender.memory.measure import AssetMeasure
 from storyblender.model_content import content_of
 from storyblender.outputs import digest_of
@@ -58,10 +58,10 @@ class AssetStore:
 
     Args:
         files: The project folder.
-        models: The user's folder of models, for assets that came from files.
+        models: Where the files of models may lie: the user's folders, searched before those fetched into the project.
     """
 
-    def __init__(self, files: Folder, models: Path | None = None) -> None:
+    def __init__(self, files: Folder, models: Sequence[Path] = ()) -> None:
         self._files, self._models = files, models
 
     def measure(self, job: AssetJob) -> AssetMeasure:
@@ -178,26 +178,35 @@ class AssetStore:
             case "catalog":
                 return build_prop(canonical.key, canonical.params, seed, asset.dimension)
             case "file":
-                path = self._model_path(canonical.key, str(canonical.params.get("content", "")))
+                path, folder = self._model_path(canonical.key, str(canonical.params.get("content", "")))
                 told = canonical.params.get("told") is True
-                return build_from_file(path, asset.dimension, folder=self._models, name=asset.name, told=told)
+                return build_from_file(path, asset.dimension, folder=folder, name=asset.name, told=told)
             case _:
                 return build_stand_in(canonical.key, asset.dimension)
 
-    def _model_path(self, name: str, content: str) -> Path:
-        """Return the file of a user's model; in the folder and with the content decided on."""
-        if self._models is None:
-            raise InputError(f"the model {name!r} is in no folder", mend="run `storyblender make` with --models FOLDER")
-        if not self._models.is_dir():
-            mend = "put it back, or run `storyblender make` with --models FOLDER"
-            raise InputError(f"the folder of the model {name!r} is not there", mend=mend, path=self._models)
-        path = (self._models / name).resolve()
-        if not path.is_relative_to(self._models.resolve()):
-            raise InputError(f"the model {name!r} lies outside the folder of models")
-        if content and path.is_file() and content != content_of(path):
+    def _model_path(self, name: str, content: str) -> tuple[Path, Path]:
+        """Return the file of a model and the folder of models that has it with the content decided on.
+
+        Raises:
+            InputError: No folder has it, or only with another content.
+        """
+        mend = "put it back, or run `storyblender make` with --models FOLDER"
+        found: Path | None = None
+        for folder in (*self._models, self._files.path(FETCHED)):
+            path = (folder / name).resolve()
+            if not path.is_relative_to(folder.resolve()):
+                raise InputError(f"the model {name!r} lies outside the folder of models")
+            if path.is_file():
+                if content in ("", content_of(path)):
+                    return path, folder
+                found = found or path
+        if found is not None:
             mend = "run `storyblender make` to take it as it is now"
-            raise InputError("the model was changed since it was taken into the story", mend=mend, path=path)
-        return path
+            raise InputError("the model was changed since it was taken into the story", mend=mend, path=found)
+        for folder in self._models:
+            if not folder.is_dir():
+                raise InputError(f"the folder of the model {name!r} is not there", mend=mend, path=folder)
+        raise InputError(f"the model {name!r} is in no folder", mend=mend)
 
 
 def _digest(asset: Asset) -> str:

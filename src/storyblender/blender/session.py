@@ -53,11 +53,11 @@ class Session:
 
     Args:
         root: The project folder; every path in a job is relative to it and must stay inside.
-        models: The user's folder of models.
+        models: The user's folders of models.
         build: Where names below ``build/`` lie instead.
     """
 
-    def __init__(self, root: Path, models: Path | None = None, build: Path | None = None) -> None:
+    def __init__(self, root: Path, models: Sequence[Path] = (), build: Path | None = None) -> None:
         self._files = Folder(root, build)
         self._models = models
         self._open = ""

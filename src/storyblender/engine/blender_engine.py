@@ -41,7 +41,7 @@ class BlenderEngine:
 
     Args:
         root: The project folder; every path in a job is relative to it.
-        models: The user's folder of models.
+        models: The user's folders of models.
         jobs: Number of processes; 0 decides by the machine.
         build: Where names below ``build/`` lie instead.
         ahead: A worker of the same folders that comes up already.
@@ -52,7 +52,7 @@ class BlenderEngine:
     def __init__(
         self,
         root: Path,
-        models: Path | None = None,
+        models: Sequence[Path] = (),
         jobs: int = 0,
         *,
         build: Path | None = None,

@@ -128,18 +128,19 @@ class Worker:
             raise Lost("it closed its output") from error
 
 
-def blender_worker(root: Path, models: Path | None = None, build: Path | None = None) -> Worker:
+def blender_worker(root: Path, models: Sequence[Path] = (), build: Path | None = None) -> Worker:
     """Return a Blender worker, not started yet.
 
     Args:
         root: The project folder it may write to.
-        models: The user's folder of models it may read.
+        models: The user's folders of models, which it may read.
         build: Where names below ``build/`` lie instead.
     """
     files = Folder(root, build)
     command = [sys.executable, "-m", "storyblender.blender", "--root", str(files.root)]
-    for option, folder in (("--models", models), ("--build", build)):
-        command += [option, str(folder)] if folder is not None else []
+    for folder in models:
+        command += ["--models", str(folder)]
+    command += ["--build", str(build)] if build is not None else []
     return Worker(command, files)
 
 

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import Field, StringConstraints
 
-from storyblender.memory.base import Color, Frozen, Identifier, Vec2, Vec3
+from storyblender.memory.base import Color, Digest, Frozen, Identifier, Vec2, Vec3
 from storyblender.memory.vocabulary import AssetType, Gender
 
 ParamValue = float | str | bool
 _Length = Annotated[float, Field(ge=0, le=1e5)]
 """Metres."""
+Note = Annotated[str, StringConstraints(max_length=500)]
+"""A line of text from outside."""
 
 
 class Garment(Frozen):
@@ -65,6 +67,31 @@ class Anchor(Frozen):
     """grip: finger curls 0..1 of index, fingers, thumb."""
 
 
+class Credit(Frozen):
+    """Whose work a model is, as its file or the file beside it says; empty where nothing is said."""
+
+    author: Note = ""
+    license: Note = ""
+    copyright: Note = ""
+    url: Note = ""
+
+
+class Provenance(Credit):
+    """Where a model came from."""
+
+    source: Note
+    """Name of the asset source: ``models`` for the user's folders."""
+    file: Note
+    """Path of the file in its source, with ``/`` between the parts."""
+    digest: Digest = ""
+    """SHA-256 of the model file."""
+
+    def credited(self, credit: Credit) -> Provenance:
+        """Return the provenance with what a credit says beyond it."""
+        told = {name: said for name, said in credit if said and not getattr(self, name)}
+        return self.model_copy(update=told)
+
+
 FAR = 5.0
 """Match score below which a library asset is only a loose match for what the script means."""
 
@@ -85,6 +112,8 @@ class CanonicalAsset(Frozen):
     """Hash of the vertices and faces that were built; equal across runs (determinism test)."""
     match_score: float | None = None
     """How well the library entry fits the description, 1 to 10."""
+    provenance: Provenance | None = Field(default=None, exclude_if=lambda value: value is None)
+    """Of what does not come from the built-in library."""
 
     @property
     def is_stand_in(self) -> bool:

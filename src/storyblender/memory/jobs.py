@@ -27,6 +27,8 @@ DRAWING_VERSION = 5
 
 ASSETS = "assets"
 """Folder of the built assets, each named by its digest."""
+FETCHED = "build/models"
+"""Folder of the model files that an asset source fetched from elsewhere."""
 
 
 def asset_suffixes(asset: Asset) -> tuple[str, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from storyblender.memory.asset_sheet import Anchor
+from storyblender.memory.asset_sheet import Anchor, Credit
 from storyblender.memory.base import Frozen, Identifier, Vec2, Vec3
 from storyblender.memory.shot_context import CameraPose
 from storyblender.memory.vocabulary import AssetType
@@ -22,6 +22,8 @@ class AssetMeasure(Frozen):
     """A character takes the floor of a standing person, not of its rest pose."""
     notes: tuple[str, ...] = ()
     """Sentences for the user: what a model from a file was changed by, and what of it was left out."""
+    credit: Credit = Credit()
+    """Of a model from a file."""
 
 
 class SubjectView(Frozen):

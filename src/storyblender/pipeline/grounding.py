@@ -16,7 +16,6 @@ from storyblender.folder import Folder
 from storyblender.memory.base import content_hash
 from storyblender.memory.graph import ContinuityMemoryGraph, ProjectFormat
 from storyblender.memory.history import Commit
-from storyblender.pipeline.materializing import model_files
 from storyblender.pipeline.revision import revise, with_digests
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.staging import design
@@ -195,5 +194,6 @@ def _plan_settings(run: Run) -> dict[str, object]:
     settings = run.settings.model_dump(
         mode="json", include={"shots_per_scene", "fps", "aspect", "sensor_width", "lens_kit", "seed", "crew"}
     )
-    settings["models"] = [model.model_dump() for model in model_files(run.settings.models)] or None
+    offered = {source.name: dict(source.inventory()) for source in run.sources}
+    settings["models"] = {name: found for name, found in offered.items() if found} or None
     return settings

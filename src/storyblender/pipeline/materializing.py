@@ -4,22 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from concurrent.futures import Future
-from pathlib import Path
 
-from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, ModelFile
+from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD
 from storyblender.agents.layout_artist.dimension_estimator import knows_size, tells_size
 from storyblender.catalog.meanings import MEANT_IN
 from storyblender.catalog.props import PROPS
-from storyblender.errors import EngineError
+from storyblender.catalog.recipe import Recipe
+from storyblender.errors import EngineError, InputError, StoryBlenderError
 from storyblender.memory.asset_sheet import Asset, AssetDimension, CanonicalAsset
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure
-from storyblender.model_content import content_of
 from storyblender.pipeline.asset_files import assets_to_build, note_asset
 from storyblender.pipeline.run import Run
 from storyblender.trace import Event
-
-MODEL_SUFFIXES = (".glb", ".gltf", ".blend", ".obj")
 
 
 def materialize(run: Run, assets: Sequence[Asset] | None = None) -> None:
@@ -56,10 +53,7 @@ def _built(run: Run, concept: ConceptArtist, asset: Asset, future: Future[AssetM
     except EngineError as error:
         if canonical.source != "file" or canonical.geometry_hash:
             raise
-        message = f"{error}; something else stands in for it"
-        run.tell(Event(kind="warning", role="asset_formatter", subject=asset.asset_id, message=message))
-    concept.give_up(canonical.key)
-    other = concept.decided(asset.model_copy(update={"canonical": None}))
+        other = concept.give_up(asset, canonical.key, error)
     return _built(run, concept, other, run.engine.build_asset(AssetJob(asset=other)))
 
 
@@ -87,17 +81,20 @@ class ConceptArtist:
     """Retriever, then Generator: what every asset is made from.
 
     Args:
-        run: Its settings name the user's folder of models.
+        run: Its sources offer the assets.
     """
 
     def __init__(self, run: Run) -> None:
         self._run = run
-        self._models = model_files(run.settings.models)
+        self._rejected: set[str] = set()
         self._means = MEANT_IN.get(run.graph.age or "today", {})
 
-    def give_up(self, path: str) -> None:
-        """Look past a model that cannot be used."""
-        self._models = tuple(model for model in self._models if model.path != path)
+    def give_up(self, asset: Asset, key: str, error: StoryBlenderError) -> Asset:
+        """Return the asset with something else to be made from than a model that cannot be used, and say so."""
+        message = f"{error}; something else stands in for it"
+        self._run.tell(Event(kind="warning", role="asset_formatter", subject=asset.asset_id, message=message))
+        self._rejected.add(key)
+        return self.decided(asset.model_copy(update={"canonical": None}))
 
     def decided(self, asset: Asset) -> Asset:
         """Return the asset with what it is made from, if that is not decided yet."""
@@ -107,8 +104,11 @@ class ConceptArtist:
             canonical = CanonicalAsset(source="person", key="person", dimensions=(0.5, 0.4, 1.7), digest="")
             return asset.model_copy(update={"canonical": canonical})
         role = self._run.crew.asset_retriever
-        outcome = self._run.reflect(role, asset.asset_id, self._run.graph, asset, self._models, self._means)
-        recipe = outcome.draft
+        outcome = self._run.reflect(role, asset.asset_id, self._run.graph, asset, self._means, self._rejected)
+        try:
+            recipe = self._fetched(outcome.draft)
+        except InputError as error:
+            return self.give_up(asset, outcome.draft.key, error)
         if recipe.score < RETRIEVAL_THRESHOLD:
             name = PROPS[recipe.key].name if recipe.source == "catalog" else recipe.key.replace("_", " ")
             message = (
@@ -119,18 +119,11 @@ class ConceptArtist:
         recipe = recipe.written(asset.writing)
         return asset.model_copy(update={"canonical": recipe.canonical()})
 
-
-def model_files(folder: Path | None) -> tuple[ModelFile, ...]:
-    """Return the user's models by path; deeper folders count as words of the name."""
-    if folder is None:
-        return ()
-    paths = sorted(path for path in folder.rglob("*") if path.suffix.lower() in MODEL_SUFFIXES and path.is_file())
-    return tuple(_model_file(path, path.relative_to(folder)) for path in paths)
-
-
-def _model_file(path: Path, name: Path) -> ModelFile:
-    words = name.with_suffix("").as_posix().replace("/", " ")
-    return ModelFile(path=name.as_posix(), name=words, content=content_of(path))
+    def _fetched(self, recipe: Recipe) -> Recipe:
+        """Return a recipe whose files the engine can read."""
+        origin = recipe.provenance.source if recipe.provenance else None
+        source = next((each for each in self._run.sources if each.name == origin), None)
+        return recipe if source is None else source.fetch(recipe, self._run.project.files)
 
 
 def _measured(asset: Asset, measure: AssetMeasure) -> Asset:
@@ -147,6 +140,7 @@ def _measured(asset: Asset, measure: AssetMeasure) -> Asset:
                 anchors=measure.anchors,
                 digest=measure.digest,
                 geometry_hash=measure.geometry_hash,
+                provenance=canonical.provenance and canonical.provenance.credited(measure.credit),
             )
         }
     )

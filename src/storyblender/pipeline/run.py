@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -16,7 +16,7 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Item, replace
 from storyblender.memory.jobs import Look, PackRef
 from storyblender.outputs import Outputs
-from storyblender.ports import Engine
+from storyblender.ports import AssetSource, Engine
 from storyblender.project import Project
 from storyblender.reflection import Outcome, Role, reflect
 from storyblender.settings import REMEMBERED, Settings
@@ -38,6 +38,7 @@ class Run:
         settings: As the user gave them.
         listener: Hears every event.
         packs: Scene id to the pack in use, as the staging made them.
+        sources: Where assets come from.
     """
 
     project: Project
@@ -46,6 +47,7 @@ class Run:
     settings: Settings
     listener: Listener
     packs: dict[int, PackRef] = field(default_factory=dict)
+    sources: Sequence[AssetSource] = ()
 
     @cached_property
     def made_in_look(self) -> Look:

@@ -8,10 +8,11 @@ from types import SimpleNamespace
 from typing import cast
 
 import pytest
-from tests.crew import RULES
+from tests.crew import crew_of, no_words
 
-from storyblender.agents.concept_artist import recipe
+from storyblender.agents.concept_artist import asset_retriever_view
 from storyblender.errors import EngineError
+from storyblender.library.sources import asset_sources
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import AssetJob
@@ -66,7 +67,9 @@ def quick_run(
         outputs=SimpleNamespace(note=lambda name: None),
         tell=told.append,
         progress=lambda *_: None,
-        crew=RULES,
+        crew=crew_of(settings),
+        sources=asset_sources(settings, no_words),
+        project=SimpleNamespace(files=None),
         reflect=lambda role, subject, *given: reflect(role, subject, role.project(*given), told.append),
         commit=lambda author, reason, *items: kept.extend(items),
     )
@@ -84,7 +87,7 @@ def materialized(
     kept: list[Asset] = []
     chair = Asset(asset_id=name, asset_type="object", description=description, name=name)
     story = ContinuityMemoryGraph(assets=(chair,))
-    materialize(quick_run(story, Settings(models=models), broken, told, kept, notes))
+    materialize(quick_run(story, Settings(models=(models,)), broken, told, kept, notes))
     return kept, [event for event in told if event.kind == "warning"]
 
 
@@ -115,7 +118,7 @@ def test_a_model_that_was_changed_is_another_model(tmp_path: Path) -> None:
 
 def test_dressing_of_one_more_scene_does_not_look_at_every_scene(monkeypatch: pytest.MonkeyPatch) -> None:
     seen: list[SceneSetup] = []
-    monkeypatch.setattr(recipe, "kit_of", lambda setup: seen.append(setup) or "room")
+    monkeypatch.setattr(asset_retriever_view, "kit_of", lambda setup: seen.append(setup) or "room")
     lamp = Asset(asset_id="set_lamp", asset_type="object", description="a lamp", name="lamp", origin="dressing")
     setup = SceneSetup(asset_ids=("set_lamp",))
     scenes = tuple(SceneContext(scene_id=number, setup=setup) for number in range(1, 50))

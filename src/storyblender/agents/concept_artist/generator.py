@@ -13,12 +13,13 @@ from functools import cached_property
 
 import numpy as np
 
-from storyblender.agents.concept_artist.recipe import AssetRetrieverView, Recipe
-from storyblender.agents.concept_artist.retriever import noun_words
+from storyblender.agents.concept_artist.asset_retriever_view import AssetRetrieverView
 from storyblender.catalog.kinds import near_kind
 from storyblender.catalog.props import PROPS, PropEntry
 from storyblender.catalog.props.called import called
+from storyblender.catalog.props.phrases import noun_words
 from storyblender.catalog.props.variants import read_variant
+from storyblender.catalog.recipe import Recipe
 from storyblender.catalog.stand_ins import DEFAULT, STAND_INS, StandIn, guess_class
 from storyblender.ports import Embedder
 from storyblender.reflection import Critique
@@ -45,7 +46,7 @@ class RulesAssetGenerator:
 
     def propose(self, view: AssetRetrieverView) -> Recipe:
         """Return the nearest prop of the catalog, or a plain shape of the class that the thing's description names."""
-        words, kind = noun_words(view.phrase), next(iter(view.asset.tags), "")
+        words, kind = noun_words(view.phrase), view.kind
         found = near_kind(words)
         if found is not None:
             return _prop(view, found[0], CLOSE, f"of a kind with {found[1]!r}")

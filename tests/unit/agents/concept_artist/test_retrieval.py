@@ -2,16 +2,19 @@
 
 import pytest
 
+from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD, AssetRetrieverView
 from storyblender.agents.concept_artist.generator import RulesAssetGenerator
-from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, AssetRetrieverView, ModelFile, Recipe
 from storyblender.agents.concept_artist.retriever import RulesAssetRetriever
 from storyblender.catalog.kinds import kinds
 from storyblender.catalog.meanings import MEANT_IN
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import singular, words_of
+from storyblender.catalog.recipe import Recipe
 from storyblender.catalog.sets import SETS
 from storyblender.crew import rules_crew
+from storyblender.library.built_in import BuiltInLibrary
 from storyblender.library.embedder import load_embedder
+from storyblender.library.model_folders import ModelFolders
 from storyblender.memory.asset_sheet import Asset
 from storyblender.reflection import reflect
 from storyblender.settings import Settings
@@ -41,7 +44,7 @@ def embedder():
 
 @pytest.fixture(scope="module")
 def retriever(embedder):
-    return RulesAssetRetriever(lambda: embedder)
+    return RulesAssetRetriever([BuiltInLibrary(lambda: embedder)])
 
 
 @pytest.fixture(scope="module")
@@ -50,8 +53,16 @@ def generator(embedder):
     return RulesAssetGenerator(lambda: embedder)
 
 
-def request(name, models=()):
-    return AssetRetrieverView(asset=Asset(asset_id="it", asset_type="object", description="", name=name), models=models)
+def request(name):
+    return AssetRetrieverView(asset=Asset(asset_id="it", asset_type="object", description="", name=name))
+
+
+def retriever_with(folder, names, load):
+    """Return a retriever that also knows models of these names."""
+    for name in names:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_bytes(b"a model")
+    return RulesAssetRetriever([ModelFolders([folder], load), BuiltInLibrary(load)])
 
 
 def test_known_things_are_found(retriever):
@@ -73,8 +84,11 @@ def no_model():
     raise AssertionError("the sentence model was loaded for a word that is in the catalog")
 
 
+BY_WORDS = RulesAssetRetriever([BuiltInLibrary(no_model)])
+
+
 def test_words_alone_need_no_model():
-    assert RulesAssetRetriever(no_model).propose(request("red leather armchair")).params == {
+    assert BY_WORDS.propose(request("red leather armchair")).params == {
         "material": "leather",
         "color": "#9c2622",
     }
@@ -92,7 +106,7 @@ def test_words_alone_need_no_model():
 )
 def test_the_words_before_a_noun_choose_among_its_kinds(phrase, key):
     asset = Asset(asset_id="it", asset_type="object", description=phrase, name=phrase.split()[-1])
-    assert RulesAssetRetriever(no_model).propose(AssetRetrieverView(asset=asset)).key == key
+    assert BY_WORDS.propose(AssetRetrieverView(asset=asset)).key == key
 
 
 def test_a_word_that_only_begins_like_another_is_not_like_it(retriever):
@@ -110,14 +124,14 @@ def test_a_word_that_only_begins_like_another_is_not_like_it(retriever):
 def test_an_umbrella_is_up_in_the_rain_only():
     asset = Asset(asset_id="it", asset_type="object", description="", name="umbrella")
     wet = AssetRetrieverView(asset=asset, weather="rain")
-    assert RulesAssetRetriever(no_model).propose(wet).params == {"up": True}
-    assert RulesAssetRetriever(no_model).propose(AssetRetrieverView(asset=asset)).params == {}
+    assert BY_WORDS.propose(wet).params == {"up": True}
+    assert BY_WORDS.propose(AssetRetrieverView(asset=asset)).params == {}
 
 
-def test_a_model_of_the_user_wins_over_the_catalog(retriever):
-    models = (ModelFile(path="furniture/my_chair.glb", name="my chair"), ModelFile(path="dragon.glb", name="dragon"))
-    assert retriever.propose(request("chair", models)).source == "file"
-    assert retriever.propose(request("dragon", models)).key == "dragon.glb"
+def test_a_model_of_the_user_wins_over_the_catalog(tmp_path, embedder):
+    retriever = retriever_with(tmp_path, ("furniture/my_chair.glb", "dragon.glb"), lambda: embedder)
+    assert retriever.propose(request("chair")).source == "file"
+    assert retriever.propose(request("dragon")).key == "dragon.glb"
 
 
 @pytest.mark.parametrize(
@@ -128,11 +142,11 @@ def test_a_model_of_the_user_wins_over_the_catalog(retriever):
         ("snowmobile", "snow scooter.glb"),
     ],
 )
-def test_a_model_is_found_by_its_own_name_in_any_folder_and_by_what_it_means(retriever, name, path):
-    models = (ModelFile(path=path, name=path.rpartition(".")[0].replace("/", " ")),)
-    found = retriever.propose(request(name, models))
+def test_a_model_is_found_by_its_own_name_in_any_folder_and_by_what_it_means(tmp_path, embedder, name, path):
+    retriever = retriever_with(tmp_path, (path,), lambda: embedder)
+    found = retriever.propose(request(name))
     assert (found.source, found.key) == ("file", path) and found.score >= RETRIEVAL_THRESHOLD
-    assert retriever.propose(request("teapot", models)).key == "teapot", "nothing of the user's is like it"
+    assert retriever.propose(request("teapot")).key == "teapot", "nothing of the user's is like it"
 
 
 @pytest.mark.parametrize(
@@ -147,21 +161,33 @@ def test_a_model_is_found_by_its_own_name_in_any_folder_and_by_what_it_means(ret
         ("coffee table", "tableCoffee.glb"),
     ],
 )
-def test_a_model_that_has_the_noun_wins_whatever_the_order_of_its_words(phrase, path):
-    models = (ModelFile(path=path, name=path), ModelFile(path="car-key.glb", name="car key"))
-    assert RulesAssetRetriever(no_model).propose(request(phrase, models)).key == path
-    assert RulesAssetRetriever(no_model).propose(request("car", models)).source == "catalog", "a car key is a key"
+def test_a_model_that_has_the_noun_wins_whatever_the_order_of_its_words(tmp_path, phrase, path):
+    retriever = retriever_with(tmp_path, (path, "car-key.glb"), no_model)
+    assert retriever.propose(request(phrase)).key == path
+    assert retriever.propose(request("car")).source == "catalog", "a car key is a key"
 
 
-def test_of_several_models_the_one_that_shares_most_words_is_taken():
+def test_of_several_models_the_one_that_shares_most_words_is_taken(tmp_path):
     names = ("chair-dining", "chair-red", "chair-office", "chair")
-    models = tuple(ModelFile(path=f"{name}.glb", name=name) for name in names)
+    retriever = retriever_with(tmp_path, [f"{name}.glb" for name in names], no_model)
     for phrase, path in (("chair", "chair.glb"), ("red chair", "chair-red.glb"), ("office chair", "chair-office.glb")):
-        assert RulesAssetRetriever(no_model).propose(request(phrase, models)).key == path
+        assert retriever.propose(request(phrase)).key == path
+
+
+def test_what_was_rejected_is_not_proposed_again(tmp_path):
+    retriever = retriever_with(tmp_path, ("chair.glb", "old chair.glb"), no_model)
+    view = request("chair")
+    for expected in ("chair.glb", "old chair.glb", "chair"):
+        assert retriever.propose(view).key == expected
+        view = view.model_copy(update={"rejected": view.rejected | {expected}})
 
 
 def test_the_generator_takes_over(embedder):
-    outcome = reflect(rules_crew(Settings(), lambda: embedder).asset_retriever, "it", request("dragon statue"))
+    outcome = reflect(
+        rules_crew(Settings(), lambda: embedder, [BuiltInLibrary(lambda: embedder)]).asset_retriever,
+        "it",
+        request("dragon statue"),
+    )
     assert outcome.handed_over
     assert (outcome.draft.source, outcome.draft.key) == ("catalog", "statue")
     assert outcome.draft.canonical().match_score < RETRIEVAL_THRESHOLD
@@ -222,7 +248,7 @@ def test_every_listed_kind_is_a_prop_and_no_name_of_the_catalog():
 )
 def test_common_things_are_built_and_no_stand_ins(name, key):
     asset = Asset(asset_id="it", asset_type="object", description="", name=name)
-    assert RulesAssetRetriever(no_model).propose(AssetRetrieverView(asset=asset)).key == key
+    assert BY_WORDS.propose(AssetRetrieverView(asset=asset)).key == key
 
 
 @pytest.mark.parametrize(
@@ -246,7 +272,7 @@ def test_common_things_are_built_and_no_stand_ins(name, key):
 def test_a_plain_word_means_what_it_means_in_its_place(kit, word, key):
     asset = Asset(asset_id="it", asset_type="object", description="", name=word)
     view = AssetRetrieverView(asset=asset, means=dict(SETS[kit].meanings))
-    assert RulesAssetRetriever(no_model).propose(view).key == key
+    assert BY_WORDS.propose(view).key == key
 
 
 @pytest.mark.parametrize(
@@ -262,7 +288,7 @@ def test_a_plain_word_means_what_it_means_in_its_place(kit, word, key):
 )
 def test_a_plain_word_means_what_it_means_in_its_age(age, word, key):
     asset = Asset(asset_id="it", asset_type="object", description="", name=word)
-    assert RulesAssetRetriever(no_model).propose(AssetRetrieverView(asset=asset, means=dict(MEANT_IN[age]))).key == key
+    assert BY_WORDS.propose(AssetRetrieverView(asset=asset, means=dict(MEANT_IN[age]))).key == key
 
 
 @pytest.mark.parametrize(
@@ -276,7 +302,7 @@ def test_a_plain_word_means_what_it_means_in_its_age(age, word, key):
 )
 def test_a_word_with_two_meanings_means_what_its_kind_says(kind, name, key):
     asset = Asset(asset_id="it", asset_type="object", description=name, name=name, tags=(kind,))
-    assert RulesAssetRetriever(no_model).propose(AssetRetrieverView(asset=asset)).key == key
+    assert BY_WORDS.propose(AssetRetrieverView(asset=asset)).key == key
 
 
 def test_what_words_mean_in_a_place_is_in_the_catalog():
@@ -305,7 +331,7 @@ def test_what_words_mean_in_a_place_is_in_the_catalog():
     ],
 )
 def test_a_phrase_means_the_thing_and_not_what_bears_one_of_its_words(phrase, key):
-    assert RulesAssetRetriever(no_model).propose(request(phrase)).key == key
+    assert BY_WORDS.propose(request(phrase)).key == key
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,6 @@ from typing import Literal
 
 import pytest
 
-from storyblender.agents.concept_artist.recipe import Recipe
 from storyblender.agents.layout_artist.dimension_estimator import (
     NOUNS,
     DimensionEstimatorCritic,
@@ -11,6 +10,7 @@ from storyblender.agents.layout_artist.dimension_estimator import (
     estimate,
 )
 from storyblender.catalog.props import PROPS
+from storyblender.catalog.recipe import Recipe
 from storyblender.catalog.stand_ins import STAND_INS
 from storyblender.memory.asset_sheet import Asset, AssetDimension, CanonicalAsset, CharacterLook
 

@@ -1,54 +1,40 @@
-"""What the Concept Artist decides about one object: what to build it from, and how well that fits."""
+"""What is looked for among the asset sources, and what they offer: an object becomes what its recipe says."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Literal
 
 from storyblender.catalog.liquids import liquid_color
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import words_of
 from storyblender.catalog.registry import ParamValue
-from storyblender.catalog.sets import SETS
-from storyblender.catalog.sets.places import kit_of
 from storyblender.catalog.stand_ins import DEFAULT, STAND_INS
-from storyblender.catalog.states import look_in, state_at_first
+from storyblender.catalog.states import look_in
 from storyblender.catalog.writing import CALLS, MOST, SCREENS, WRITING
-from storyblender.memory.asset_sheet import Asset, CanonicalAsset
+from storyblender.memory.asset_sheet import Asset, CanonicalAsset, Provenance
 from storyblender.memory.base import Frozen, Vec3, content_hash
-from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.reflection import Critique, Fault
 
-RETRIEVAL_THRESHOLD = 7.0
-"""tau of the Retriever: under it the Generator takes over (paper, section 3.3)."""
-
-
+EXACT, HEAD, LEAST = 10.0, 8.5, 1.0
+"""Match scores: the name itself, its head noun, nothing alike. From ``HEAD`` on nothing is looked for by meaning."""
 _PHRASE = 7
 """Words: a longer description is a sentence, not a phrase that names."""
 
 
-class ModelFile(Frozen):
-    """A model in the user's own folder."""
-
-    path: str
-    """Relative to the folder of models."""
-    name: str
-    """Words: from the file's name and its folders."""
-    content: str = ""
-    """Hash of the file: a model that was changed is another model."""
-
-
-class AssetRetrieverView(Frozen):
-    """The Concept Artist's view: one object, and where else to look for it."""
+class AssetQuery(Frozen):
+    """An object of the story, with all that the story says of its look."""
 
     asset: Asset
-    models: tuple[ModelFile, ...] = ()
     means: dict[str, str] = {}
     """What plain words mean in the place it is first seen in, prop for prop."""
     weather: str = ""
     """In the place it is first seen in, where that is outdoors: umbrellas are up in the rain."""
     state: str = ""
     """The state it is in at first, as far as the story tells: ``open``, ``lit``."""
+
+    @property
+    def kind(self) -> str:
+        """What kind of thing it is, such as ``prop``, ``animal`` or ``vehicle``; empty where it is not known."""
+        return next(iter(self.asset.tags), "")
 
     @property
     def told(self) -> str:
@@ -68,49 +54,19 @@ class AssetRetrieverView(Frozen):
         return self.asset.description if whole else name
 
 
-def asset_retriever_view(
-    graph: ContinuityMemoryGraph, asset: Asset, models: tuple[ModelFile, ...], means: Mapping[str, str]
-) -> AssetRetrieverView:
-    """Return the Concept Artist's projection of the graph: an asset with what the first place where it is says of it.
-
-    Args:
-        graph: With the Director's plan.
-        asset: The object.
-        models: The user's own models.
-        means: What plain words mean in the story's age.
-    """
-    setup = next((scene.setup for scene in graph.scenes if asset.asset_id in scene.setup.asset_ids), None)
-    if setup is None:
-        return AssetRetrieverView(asset=asset, models=models)
-    changes = [change for shot in graph.shots for change in shot.asset_modifications]
-    states = [change.state for change in changes if change.asset_id == asset.asset_id and change.state]
-    return AssetRetrieverView(
-        asset=asset,
-        models=models,
-        means={**means, **SETS[kit_of(setup)].meanings},
-        weather=setup.weather if setup.scene_type == "outdoor" else "",
-        state=state_at_first(states) or ("open" if _is_looked_into(graph, asset.asset_id) else ""),
-    )
-
-
-def _is_looked_into(graph: ContinuityMemoryGraph, asset_id: str) -> bool:
-    """Return whether the script tells of a thing inside another: that one is open, so that the thing is seen."""
-    told = [(each.kind, each.anchor_asset_id) for scene in graph.scenes for each in scene.setup.relations]
-    spots = (spot for shot in graph.shots for spot in shot.thing_spots.values())
-    told += [(spot.relation, spot.anchor_id) for spot in spots if spot.anchor_id is not None]
-    return ("in", asset_id) in told or ("inside", asset_id) in told
-
-
 class Recipe(Frozen):
     """What an object becomes: a library entry with parameters, a file, or a stand-in."""
 
     source: Literal["catalog", "file", "stand_in"]
     key: str
-    """Key of ``catalog.props`` or ``catalog.stand_ins``, or the file's path in the folder of models."""
+    """Key of ``catalog.props`` or ``catalog.stand_ins``, or the file's path in its folder of models."""
     params: dict[str, ParamValue] = {}
     score: float
     """1 to 10: how well it fits the description."""
     reason: str = ""
+    """Why it fits, for people."""
+    provenance: Provenance | None = None
+    """Of what a source other than the built-in library offers."""
 
     @property
     def dimensions(self) -> Vec3:
@@ -158,22 +114,5 @@ class Recipe(Frozen):
             dimensions=self.dimensions,
             digest=content_hash(self.source, self.key, dict(self.params)),
             match_score=round(self.score, 2),
+            provenance=self.provenance,
         )
-
-
-class AssetRetrieverCritic:
-    """Judges a recipe by how well it fits: the Retriever's is held against its threshold, the Generator's is final."""
-
-    def judge(self, draft: Recipe, view: AssetRetrieverView) -> Critique:
-        """Score the draft 1 to 10."""
-        if draft.source == "stand_in":
-            return Critique(score=10.0)
-        if draft.score >= RETRIEVAL_THRESHOLD:
-            return Critique(score=draft.score)
-        fault = Fault(
-            kind="match",
-            message=f"{view.phrase!r} is only {draft.score:.1f} of 10 like {draft.key!r}",
-            subject=view.asset.asset_id,
-            severity=10.0 - draft.score,
-        )
-        return Critique(score=draft.score, faults=(fault,))
