@@ -17,6 +17,7 @@ from PIL import Image
 from storyblender.folder import Folder
 from storyblender.geometry.camera_path import orbit_of
 from storyblender.geometry.framing import Figure, Film, project
+from storyblender.memory.base import shot_name
 from storyblender.memory.jobs import (
     ASSETS,
     AssetJob,
@@ -31,6 +32,7 @@ from storyblender.memory.jobs import (
 )
 from storyblender.memory.measure import AssetMeasure, CameraView, Collision, SubjectView, ViewRequest
 from storyblender.memory.scene_context import Light
+from storyblender.trace import Event, Listener, silent
 
 Result = TypeVar("Result")
 STATURE, HEAD = 1.7, 0.23
@@ -45,14 +47,16 @@ class StandInEngine:
         root: The project folder.
         build: Where names below ``build/`` lie instead.
 
+        listener: Hears of each moving frame from inside its job.
+
     Attributes:
         calls: Tool name to the number of its calls.
     """
 
     processes = 1
 
-    def __init__(self, root: Path, *_: Any, build: Path | None = None, **__: Any) -> None:
-        self.files = Folder(root, build)
+    def __init__(self, root: Path, *_: Any, build: Path | None = None, listener: Listener = silent, **__: Any) -> None:
+        self.files, self._listener = Folder(root, build), listener
         self.calls: Counter[str] = Counter()
         self._scenes: dict[str, SceneJob] = {}
 
@@ -66,6 +70,9 @@ class StandInEngine:
 
     def warm(self) -> None:
         """Nothing to start."""
+
+    def cancel_waiting(self) -> None:
+        """Nothing waits."""
 
     def build_asset(self, job: AssetJob) -> Future[AssetMeasure]:
         """An asset measures what the Concept Artist expects of it."""
@@ -111,6 +118,8 @@ class StandInEngine:
     def render_motion(self, job: MotionJob) -> Future[int]:
         with self.files.writing_tree(job.folder) as part:
             for number in (1, 2):
+                subject = shot_name(job.shot.scene_id, job.shot.shot_id)
+                self._listener(Event(kind="job", role="render_motion", subject=subject, step=number - 1, total=2))
                 picture(job.digest[number:]).save(part / f"{number:05d}.jpg")
         return self._answer("render_motion", 2)
 

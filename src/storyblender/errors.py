@@ -45,3 +45,10 @@ class EngineError(StoryBlenderError):
 
 class ProjectLocked(StoryBlenderError):
     """Another run is writing to the project folder."""
+
+
+class Cancelled(StoryBlenderError):
+    """A call was cancelled between two steps. Everything finished is kept, nothing is half-written."""
+
+    def __init__(self) -> None:
+        super().__init__("cancelled", mend="what is finished is kept; the same call again goes on from there")

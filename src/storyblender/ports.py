@@ -93,6 +93,10 @@ class Engine(Protocol):
         """Start Blender now, for a call that is sure to come."""
         ...
 
+    def cancel_waiting(self) -> None:
+        """Cancel the jobs that no process has begun; those under way end as usual."""
+        ...
+
     def build_asset(self, job: AssetJob) -> Future[AssetMeasure]:
         """Build one canonical asset and measure it."""
         ...

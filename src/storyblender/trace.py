@@ -7,7 +7,10 @@ from typing import Literal
 
 from storyblender.memory.base import Frozen
 
-EventKind = Literal["stage", "propose", "score", "refine", "accept", "handover", "commit", "reject", "warning"]
+EventKind = Literal[
+    "stage", "job", "propose", "score", "refine", "accept", "handover", "commit", "reject", "warning", "cancel",
+]  # fmt: skip
+"""``stage``: a step of a stage is done; ``job``: progress inside a job; ``cancel``: a call was ended."""
 
 
 class Event(Frozen):

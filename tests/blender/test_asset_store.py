@@ -13,7 +13,7 @@ pytestmark = pytest.mark.blender
 bpy = pytest.importorskip("bpy")
 
 from storyblender.blender.asset_store import AssetStore  # noqa: E402
-from storyblender.blender.session import Session  # noqa: E402
+from storyblender.blender.session import BlenderSession  # noqa: E402
 from storyblender.errors import InputError  # noqa: E402
 from storyblender.folder import Folder  # noqa: E402
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset  # noqa: E402
@@ -71,7 +71,7 @@ class FailingCall:
 def test_each_call_to_the_disk_may_fail_and_the_next_job_succeeds(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, call: str
 ) -> None:
-    session, real = Session(tmp_path), getattr(os, call)
+    session, real = BlenderSession(tmp_path), getattr(os, call)
     for job in (lambda: session.build_asset(JOB), lambda: session.pack_scene(scene_job())):
         for number in range(50):
             with monkeypatch.context() as patched:

@@ -17,7 +17,7 @@ from story_stage import LENGTH, SKY, lamp, pack, shot, story
 
 from storyblender.blender.export import export_scene
 from storyblender.blender.materials import material
-from storyblender.blender.session import Session
+from storyblender.blender.session import BlenderSession
 from storyblender.blender.story import compile_story
 from storyblender.blender.usd_visibility import _library
 from storyblender.folder import Folder
@@ -135,5 +135,7 @@ def test_the_pictures_of_a_usd_file_lie_beside_it(tmp_path: Path):
     bpy.data.objects["SC010.table"].data.uv_layers.new(name="UV")
     bpy.ops.wm.save_mainfile()
     compile_story(story(packs, [shot(1, 1)]), Folder(tmp_path))
-    Session(tmp_path).export_scene(ExportJob(story="story.blend", scene_id=1, format="usd", out="export/SC010.usdc"))
+    BlenderSession(tmp_path).export_scene(
+        ExportJob(story="story.blend", scene_id=1, format="usd", out="export/SC010.usdc")
+    )
     assert next((tmp_path / "export" / "textures").iterdir()).read_bytes()[:4] == b"\x89PNG"

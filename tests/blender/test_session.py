@@ -9,7 +9,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import camera_stage  # noqa: E402
 
-from storyblender.blender.session import Session  # noqa: E402
+from storyblender.blender.session import BlenderSession  # noqa: E402
 from storyblender.blender.windows import follow_daylight  # noqa: E402
 from storyblender.geometry.orbit import camera_looking_at  # noqa: E402
 from storyblender.memory.graph import ProjectFormat  # noqa: E402
@@ -33,7 +33,7 @@ def session(tmp_path):
     bpy.context.window.scene = scene
     scene.frame_set(1)
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / PACK.path))
-    return Session(tmp_path)
+    return BlenderSession(tmp_path)
 
 
 def request(shot_id: int, x: float = 0.0) -> ViewRequest:
@@ -48,7 +48,7 @@ def test_looks_one_by_one_see_what_looks_together_see(session, tmp_path):
     assert together[2].void > together[0].void, "the wall is gone in the second shot"
     assert [session.look(PACK, [each], 16 / 9)[0] for each in wanted] == together
     session.read_figures(PACK, [1])  # puts the viewfinder away, as the file is opened anew
-    other = Session(tmp_path)
+    other = BlenderSession(tmp_path)
     assert [view.subjects for view in other.look(PACK, wanted[1:2], 16 / 9)] == [together[1].subjects]
     other.read_figures(PACK, [1])
 

@@ -45,15 +45,17 @@ def _serve(words: Sequence[str]) -> None:
     arguments = parser.parse_args(words)
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the client, which ends us
     _end_with(os.getppid())
+    from storyblender.blender.progress import Progress
     from storyblender.blender.server import lines_of, serve, take_wire
 
     wire = take_wire()  # before Blender is imported: it prints as it likes
-    from storyblender.blender.session import Session
+    from storyblender.blender.session import BlenderSession
 
     gc.freeze()
     gc.enable()
-    session = Session(arguments.root, arguments.models, arguments.build)
-    serve(session.tools, lines_of(sys.stdin.buffer), wire)
+    progress = Progress(wire)
+    session = BlenderSession(arguments.root, arguments.models, arguments.build, progress)
+    serve(session.tools, lines_of(sys.stdin.buffer), wire, progress)
 
 
 def _end_with(client: int) -> None:

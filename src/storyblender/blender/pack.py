@@ -18,6 +18,7 @@ from storyblender.blender.hiding import key_hidden
 from storyblender.blender.merge import merge_duplicates
 from storyblender.blender.motion.bake import bake
 from storyblender.blender.motion.solve import solve_shot
+from storyblender.blender.progress import Report, ignore
 from storyblender.blender.sets.build import build_set
 from storyblender.blender.staging import Stage, moved_assets
 from storyblender.blender.state_parts import StateParts
@@ -55,8 +56,12 @@ class ScenePacker:
         self.timing: list[PlayedCue] = []
         """Actual timing of all cues, for choosing the moment of a still frame."""
 
-    def build(self) -> tuple[Flaw, ...]:
-        """Build everything and return what could not be staged."""
+    def build(self, report: Report = ignore) -> tuple[Flaw, ...]:
+        """Build everything and return what could not be staged.
+
+        Args:
+            report: Hears for how many shots people have been animated.
+        """
         bpy.ops.wm.read_factory_settings(use_empty=True)
         scene = bpy.context.scene
         scene.name = self._name
@@ -78,7 +83,8 @@ class ScenePacker:
             if place.opening.kind == "door"
         ]
         problems: list[Flaw] = []
-        for shot in self._job.shots:
+        for step, shot in enumerate(self._job.shots):
+            report(step, len(self._job.shots))
             problems += self._perform(stage, shot, doors)
         swing_doors(doors, built)
         self._key_visibility()

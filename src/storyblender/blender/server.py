@@ -21,6 +21,7 @@ from pydantic import BaseModel, ConfigDict, create_model
 from pydantic_core import to_jsonable_python
 
 from storyblender import __version__
+from storyblender.blender.progress import Progress
 
 PROTOCOLS = ("2024-11-05", "2025-03-26", "2025-06-18", "2025-11-25")
 """Versions of the Model Context Protocol that are spoken; to a client of any other the newest is offered."""
@@ -72,17 +73,24 @@ def take_wire() -> BinaryIO:
     return wire
 
 
-def serve(functions: Sequence[Callable[..., Any]], requests: Iterable[bytes], answers: BinaryIO) -> None:
+def serve(
+    functions: Sequence[Callable[..., Any]],
+    requests: Iterable[bytes],
+    answers: BinaryIO,
+    progress: Progress | None = None,
+) -> None:
     """Answer requests until there are no more.
 
     Args:
         functions: What may be called.
         requests: One message a line.
         answers: Where the answers go, one a line.
+        progress: What the functions report their progress to.
     """
+    progress = progress or Progress(answers)
     tools = {tool.name: tool for tool in map(Tool, functions)}
     for line in requests:
-        answer = _answer(tools, line)
+        answer = _answer(tools, line, progress)
         if answer is not None:
             answers.write(json.dumps({"jsonrpc": "2.0", **answer}).encode() + b"\n")
             answers.flush()
@@ -99,7 +107,7 @@ def lines_of(stream: BinaryIO, longest: int = LONGEST) -> Iterator[bytes]:
         yield b""
 
 
-def _answer(tools: dict[str, Tool], line: bytes) -> dict[str, Any] | None:
+def _answer(tools: dict[str, Tool], line: bytes, progress: Progress) -> dict[str, Any] | None:
     """Return the answer to a line, whatever is in it; None to a notification, which wants none."""
     try:
         message = json.loads(line)
@@ -130,10 +138,18 @@ def _answer(tools: dict[str, Tool], line: bytes) -> dict[str, Any] | None:
                 return _refusal(number, INVALID_PARAMS, f"no tool {repr(name)[:_QUOTED]}")
             if arguments is not None and not isinstance(arguments, dict):
                 return _refusal(number, INVALID_PARAMS, "arguments are an object")
+            progress.token = _progress_token(parameters)
             result = tool.called(arguments or {})
         case _:
             return _refusal(number, METHOD_NOT_FOUND, f"no method {repr(method)[:_QUOTED]}")
     return {"id": number, "result": result}
+
+
+def _progress_token(parameters: dict[str, Any]) -> str | int | None:
+    """Return what a client calls a request whose progress it wants to hear; None where it does not."""
+    about = parameters.get("_meta")
+    token = about.get("progressToken") if isinstance(about, dict) else None
+    return token if isinstance(token, str | int) and not isinstance(token, bool) else None
 
 
 def _refusal(number: str | int | None, code: int, words: str) -> dict[str, Any]:

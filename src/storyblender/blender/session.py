@@ -19,6 +19,7 @@ from storyblender.blender.measure.collisions import find_collisions
 from storyblender.blender.measure.drift import spatial_drift
 from storyblender.blender.measure.figures import figures
 from storyblender.blender.measure.view import WIDTH, Sighting, viewfinder
+from storyblender.blender.progress import Report, ignore
 from storyblender.blender.render.frame import FrameRequest, PersonHead, render_frame
 from storyblender.blender.render.motion_frames import GROWN_HEAD, render_motion
 from storyblender.blender.render.picture import write_png
@@ -48,18 +49,21 @@ if TYPE_CHECKING:
     from storyblender.blender.asset_store import AssetStore
 
 
-class Session:
+class BlenderSession:
     """Does the engine's jobs in this process.
 
     Args:
         root: The project folder; every path in a job is relative to it and must stay inside.
         models: The user's folders of models.
         build: Where names below ``build/`` lie instead.
+        report: Hears how far the running job has come.
     """
 
-    def __init__(self, root: Path, models: Sequence[Path] = (), build: Path | None = None) -> None:
+    def __init__(
+        self, root: Path, models: Sequence[Path] = (), build: Path | None = None, report: Report = ignore
+    ) -> None:
         self._files = Folder(root, build)
-        self._models = models
+        self._models, self._report = models, report
         self._open = ""
         self._held = ExitStack()
         self._aside = ThreadPoolExecutor(1)
@@ -101,7 +105,7 @@ class Session:
 
         self._put_away()
         packer = ScenePacker(job, self._store)
-        problems = packer.build()
+        problems = packer.build(self._report)
         with self._files.writing(job.out) as part:
             save_pack(part)
         starts = tuple(shot_starts(job.shots).items())
@@ -197,6 +201,7 @@ class Session:
                 pictures = render_motion(
                     scene, camera, frames, job.width, height, part, job.lighting,
                     hidden_node_ids=hidden, through=job.shot.camera_instruction.through,
+                    report=self._report,
                 )  # fmt: skip
                 return len(pictures)
         finally:
@@ -207,7 +212,7 @@ class Session:
         from storyblender.blender.story import compile_story
 
         self._put_away()
-        compile_story(job, self._files)
+        compile_story(job, self._files, self._report)
         return job.out
 
     def compile_cut(self, job: CutJob) -> str:

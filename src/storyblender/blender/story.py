@@ -17,6 +17,7 @@ from storyblender.blender.library_scene import LIBRARY, add_assets, new_file
 from storyblender.blender.merge import merge_duplicates
 from storyblender.blender.opening import open_on
 from storyblender.blender.pack import save_pack
+from storyblender.blender.progress import Report, ignore
 from storyblender.blender.story_light import light_scene
 from storyblender.blender.tidying import say_version, set_render, tidy
 from storyblender.folder import Folder
@@ -26,12 +27,13 @@ from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.shot_context import ShotContext
 
 
-def compile_story(job: StoryJob, files: Folder) -> None:
+def compile_story(job: StoryJob, files: Folder, report: Report = ignore) -> None:
     """Compile and save the file, or put the changed scenes into it anew.
 
     Args:
         job: The story and its packs; the .blend is there already where only some scenes changed.
         files: The project folder, which the paths are relative to.
+        report: Hears how many scenes are done.
     """
     changed = job.changed
     if changed is None:
@@ -40,7 +42,8 @@ def compile_story(job: StoryJob, files: Folder) -> None:
         bpy.ops.wm.open_mainfile(filepath=str(files.path(job.out)), load_ui=False, use_scripts=False)
         _take_out([EDIT, *map(scene_name, changed)])
     scenes = {scene.scene_id: scene for scene in job.scenes}
-    for pack in job.packs:
+    for step, pack in enumerate(job.packs):
+        report(step, len(job.packs))
         if changed is None or pack.scene_id in changed:
             shots = tuple(shot for shot in job.shots if shot.scene_id == pack.scene_id)
             _add_scene(job, pack, scenes[pack.scene_id], shots, files)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future
+from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
 from typing import Any, TypeVar
@@ -15,7 +16,7 @@ from storyblender.engine.pool import WorkerPool
 from storyblender.engine.worker import LOG, Worker, blender_worker
 from storyblender.folder import Folder
 from storyblender.geometry.framing import Figure
-from storyblender.memory.base import Frozen
+from storyblender.memory.base import Frozen, scene_name, shot_name
 from storyblender.memory.jobs import (
     AssetJob,
     CutJob,
@@ -28,6 +29,7 @@ from storyblender.memory.jobs import (
     StoryJob,
 )
 from storyblender.memory.measure import AssetMeasure, CameraView, Collision, ViewRequest
+from storyblender.trace import Event, Listener, silent
 
 Result = TypeVar("Result")
 
@@ -45,6 +47,7 @@ class BlenderEngine:
         jobs: Number of processes; 0 decides by the machine.
         build: Where names below ``build/`` lie instead.
         ahead: A worker of the same folders that comes up already.
+        listener: Hears, on threads of the engine, how far jobs have come.
 
     Blender's words of this run, and of no earlier one, are in ``build/engine.log``.
     """
@@ -57,9 +60,11 @@ class BlenderEngine:
         *,
         build: Path | None = None,
         ahead: Worker | None = None,
+        listener: Listener = silent,
     ) -> None:
         Folder(root, build).empty(LOG)  # not deleted: a worker that is ahead has it open
         self._pool = WorkerPool(lambda: blender_worker(root, models, build), jobs, ahead)
+        self._listener = listener
         self._running: dict[str, Future[Any]] = {}
         """The last job for each output: a second request for the same output waits for it."""
         self._starting = threading.Lock()
@@ -76,6 +81,10 @@ class BlenderEngine:
         """Start Blender now, for a call that is sure to come."""
         self._pool.warm()
 
+    def cancel_waiting(self) -> None:
+        """Cancel the jobs that no process has begun."""
+        self._pool.cancel_waiting()
+
     @property
     def processes(self) -> int:
         """How many Blender processes share the work."""
@@ -88,7 +97,8 @@ class BlenderEngine:
     def pack_scene(self, job: SceneJob) -> Future[PackRef]:
         """Build one scene with the motion of all its shots."""
         scene_id, arguments = job.scene.scene_id, {"job": _plain(job)}
-        return self._once(job.out, "pack_scene", arguments, PackRef.model_validate, f"scene{scene_id}")
+        subject = scene_name(scene_id)
+        return self._once(job.out, "pack_scene", arguments, PackRef.model_validate, f"scene{scene_id}", subject)
 
     def read_figures(self, pack: PackRef, frames: Sequence[int]) -> Future[list[list[Figure]]]:
         """Say where everybody's face is at frames of the scene's timeline."""
@@ -115,15 +125,17 @@ class BlenderEngine:
 
     def render_motion(self, job: MotionJob) -> Future[int]:
         """Render the moving frames of one shot."""
-        return self._once(job.folder, "render_motion", {"job": _plain(job)}, int, f"scene{job.pack.scene_id}")
+        subject = shot_name(job.shot.scene_id, job.shot.shot_id)
+        arguments = {"job": _plain(job)}
+        return self._once(job.folder, "render_motion", arguments, int, f"scene{job.pack.scene_id}", subject)
 
     def compile_story(self, job: StoryJob) -> Future[str]:
         """Compile the .blend of a story or of one sequence."""
-        return self._pool.submit("compile_story", {"job": _plain(job)}, str)
+        return self._submit("compile_story", {"job": _plain(job)}, str, subject=job.out)
 
     def compile_cut(self, job: CutJob) -> Future[str]:
         """Compile the .blend of a long story, which links those of its sequences."""
-        return self._pool.submit("compile_cut", {"job": _plain(job)}, str)
+        return self._submit("compile_cut", {"job": _plain(job)}, str, subject=job.out)
 
     def export_scene(self, job: ExportJob) -> Future[str]:
         """Write one scene as glTF or USD."""
@@ -134,14 +146,36 @@ class BlenderEngine:
         return self._pool.submit("portrait", {"job": _plain(job), "out": out}, str)
 
     def _once(
-        self, output: str, tool: str, arguments: dict[str, Any], read: Callable[[Any], Result], affinity: str = ""
+        self,
+        output: str,
+        tool: str,
+        arguments: dict[str, Any],
+        read: Callable[[Any], Result],
+        affinity: str = "",
+        subject: str = "",
     ) -> Future[Result]:
         """Call a tool, or wait for the call that makes the same output already: two would write one file at once."""
         with self._starting:
             running = self._running.get(output)
             if running is None or running.done():
-                running = self._running[output] = self._pool.submit(tool, arguments, read, affinity=affinity)
+                running = self._running[output] = self._submit(tool, arguments, read, affinity, subject)
             return running
+
+    def _submit(
+        self,
+        tool: str,
+        arguments: dict[str, Any],
+        read: Callable[[Any], Result],
+        affinity: str = "",
+        subject: str = "",
+    ) -> Future[Result]:
+        """Call a tool; each step that it reports is an event about the subject."""
+
+        def report(step: int, total: int) -> None:
+            with suppress(OSError):  # a listener whose pipe was closed must not look like a broken worker
+                self._listener(Event(kind="job", role=tool, subject=subject, step=step, total=total))
+
+        return self._pool.submit(tool, arguments, read, affinity=affinity, progress=report)
 
     def _in_scene(
         self, scene_id: int, tool: str, arguments: dict[str, Any], read: Callable[[Any], Result]

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from concurrent.futures import Future
 from typing import Any, TypeVar
 
-from storyblender.engine.worker import Worker
+from storyblender.engine.worker import ProgressListener, Worker, ignore_progress
 from storyblender.errors import EngineError
 
 Result = TypeVar("Result")
@@ -67,7 +67,13 @@ class WorkerPool:
                 self._hire(worker)
 
     def submit(
-        self, tool: str, arguments: dict[str, Any], read: Callable[[Any], Result], *, affinity: str = ""
+        self,
+        tool: str,
+        arguments: dict[str, Any],
+        read: Callable[[Any], Result],
+        *,
+        affinity: str = "",
+        progress: ProgressListener = ignore_progress,
     ) -> Future[Result]:
         """Queue a call.
 
@@ -76,13 +82,14 @@ class WorkerPool:
             arguments: JSON-ready arguments.
             read: Turns the structured answer into the result.
             affinity: A call goes to the worker that had the last one of equal affinity, if that one rests.
+            progress: Hears the steps of the call that are done, and their total, on the worker's thread.
 
         Raises:
             EngineError: The pool is closed.
         """
 
         def work(worker: Worker) -> Result:
-            answer = worker.call(tool, arguments)
+            answer = worker.call(tool, arguments, progress)
             try:
                 return read(answer)
             except (TypeError, ValueError) as error:
@@ -98,14 +105,19 @@ class WorkerPool:
             self._condition.notify_all()
         return job.future
 
+    def cancel_waiting(self) -> None:
+        """Cancel the jobs not begun."""
+        with self._condition:
+            waiting, self._pending = self._pending, []
+        for job in waiting:
+            job.future.cancel()
+
     def close(self) -> None:
-        """End the workers; jobs not begun are dropped."""
+        """End the workers; jobs not begun are cancelled."""
         with self._condition:
             self._closing = True
-            for job in self._pending:
-                job.future.cancel()
-            self._pending.clear()
             self._condition.notify_all()
+        self.cancel_waiting()
         for worker in self._workers:
             worker.close()
 

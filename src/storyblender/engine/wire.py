@@ -9,6 +9,9 @@ PROTOCOL = "2025-06-18"
 """Version of the Model Context Protocol."""
 LONGEST = 1 << 26
 """Bytes of the longest line that a worker may say: an answer has some thousands."""
+PROGRESS = "notifications/progress"
+MOST_STEPS = 10**9
+"""More are no number of steps."""
 _QUOTED = 200
 """Most characters of a worker's text that an error message quotes."""
 
@@ -54,6 +57,23 @@ def answer_in(line: bytes, request: int) -> dict[str, Any] | None:
     if not isinstance(result, dict):
         raise Lost(f"an answer without a result: {line[:80]!r}")
     return result
+
+
+def progress_in(line: bytes, request: int) -> tuple[int, int] | None:
+    """Return the steps done and their total if a line reports the progress of a request, or None.
+
+    Args:
+        line: One that ``answer_in`` accepts as a message but not as the answer.
+        request: Number of the request that waits; it is its own progress token.
+    """
+    message = json.loads(line)
+    parameters = message.get("params")
+    if message.get("method") != PROGRESS or not isinstance(parameters, dict):
+        return None
+    token, step, total = (parameters.get(name) for name in ("progressToken", "progress", "total"))
+    if type(token) is not int or token != request or not isinstance(step, int | float):
+        return None
+    return (int(step), int(total)) if isinstance(total, int | float) and 0 <= step <= total < MOST_STEPS else None
 
 
 def value_in(result: dict[str, Any]) -> Any:

@@ -12,12 +12,12 @@ import os
 import subprocess
 import sys
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from io import FileIO
 from pathlib import Path
 from typing import Any
 
-from storyblender.engine.wire import LONGEST, PROTOCOL, Lost, Refused, answer_in, request_line, value_in
+from storyblender.engine.wire import LONGEST, PROTOCOL, Lost, Refused, answer_in, progress_in, request_line, value_in
 from storyblender.errors import EngineError, InputError
 from storyblender.folder import Folder
 
@@ -25,6 +25,12 @@ LOG = "build/engine.log"
 """Blender's words, in the project folder."""
 _PARTING = 5.0
 """Seconds that a process which closed its output may take to end by itself."""
+ProgressListener = Callable[[int, int], None]
+"""Hears how many steps of a job are done, and how many there are."""
+
+
+def ignore_progress(step: int, total: int) -> None:
+    """A progress listener that ignores everything."""
 
 
 class Worker:
@@ -54,8 +60,13 @@ class Worker:
             if self._closed:  # meanwhile, from another thread
                 self._end()
 
-    def call(self, tool: str, arguments: dict[str, Any]) -> Any:
+    def call(self, tool: str, arguments: dict[str, Any], progress: ProgressListener = ignore_progress) -> Any:
         """Call a tool and return its structured result.
+
+        Args:
+            tool: Its name.
+            arguments: JSON-ready.
+            progress: Hears the steps that are done; again from the first if the process had to be restarted.
 
         Raises:
             EngineError: The tool said no, the process died ``attempts`` times, or the worker was closed.
@@ -65,7 +76,7 @@ class Worker:
             if self._closed:
                 raise EngineError(f"{tool}: Blender was stopped")
             try:
-                return value_in(self._request("tools/call", {"name": tool, "arguments": arguments}))
+                return value_in(self._request("tools/call", {"name": tool, "arguments": arguments}, progress))
             except Refused as error:
                 raise EngineError(f"{tool}: {error}") from error
             except (Lost, OSError) as error:
@@ -84,7 +95,9 @@ class Worker:
             process.kill()
             process.wait()
 
-    def _request(self, method: str, parameters: dict[str, Any]) -> dict[str, Any]:
+    def _request(
+        self, method: str, parameters: dict[str, Any], progress: ProgressListener = ignore_progress
+    ) -> dict[str, Any]:
         """Initialize the server on the first request, send the request and return the answer, within the timeout."""
         self.start()
         process, late = self._process, threading.Event()
@@ -105,7 +118,7 @@ class Worker:
                 self._exchange(process, "initialize", greeting)
                 _send(process, {"method": "notifications/initialized"})
                 self._greeted = True
-            return self._exchange(process, method, parameters)
+            return self._exchange(process, method, parameters, progress)
         except (Lost, OSError) as error:
             if late.is_set():
                 raise Lost(f"no answer within {self._timeout:g} s") from error
@@ -113,15 +126,25 @@ class Worker:
         finally:
             alarm.cancel()
 
-    def _exchange(self, process: subprocess.Popen[bytes], method: str, parameters: dict[str, Any]) -> dict[str, Any]:
-        """Send a request and wait for its answer; whatever else the server says meanwhile is passed over."""
+    def _exchange(
+        self,
+        process: subprocess.Popen[bytes],
+        method: str,
+        parameters: dict[str, Any],
+        progress: ProgressListener = ignore_progress,
+    ) -> dict[str, Any]:
+        """Send a request and wait for its answer; of what else the server says only its progress is heard."""
         assert process.stdout is not None, "started with pipes"
         self._sent += 1
+        if method == "tools/call":
+            parameters = {**parameters, "_meta": {"progressToken": self._sent}}
         _send(process, {"id": self._sent, "method": method, "params": parameters})
         while line := process.stdout.readline(LONGEST + 1):
             result = answer_in(line, self._sent)
             if result is not None:
                 return result
+            if (done := progress_in(line, self._sent)) is not None:
+                progress(*done)
         try:
             raise Lost(f"exit {process.wait(_PARTING)}")
         except subprocess.TimeoutExpired as error:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
 from datetime import datetime
 from functools import cached_property
 from pathlib import Path
+from threading import Event as Signal
 from typing import ParamSpec, TypeVar
 
 from storyblender.crew import Crew
-from storyblender.errors import Rejected
+from storyblender.errors import Cancelled, Rejected
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Item, replace
 from storyblender.memory.jobs import Look, PackRef
@@ -27,27 +27,42 @@ View = TypeVar("View")
 Draft = TypeVar("Draft")
 
 
-@dataclass
 class Run:
-    """One run over one project.
+    """One call on one project.
 
-    Attributes:
+    Args:
         project: The open project; the only place where the graph lives.
         engine: Builds, measures and renders.
         crew: The roles with their policies.
         settings: As the user gave them.
         listener: Hears every event.
-        packs: Scene id to the pack in use, as the staging made them.
         sources: Where assets come from.
+        cancelled: Set from any thread to stop the run before its next step or job.
+
+    Attributes:
+        packs: Scene id to the pack in use, as the staging made them.
     """
 
-    project: Project
-    engine: Engine
-    crew: Crew
-    settings: Settings
-    listener: Listener
-    packs: dict[int, PackRef] = field(default_factory=dict)
-    sources: Sequence[AssetSource] = ()
+    def __init__(
+        self,
+        project: Project,
+        engine: Engine,
+        crew: Crew,
+        settings: Settings,
+        listener: Listener,
+        sources: Sequence[AssetSource] = (),
+        cancelled: Signal | None = None,
+    ) -> None:
+        self.sources = sources
+        self.project, self.crew, self.settings, self.listener = project, crew, settings, listener
+        self._engine, self._cancelled = engine, cancelled or Signal()
+        self.packs: dict[int, PackRef] = {}
+
+    @property
+    def engine(self) -> Engine:
+        """The engine, for the next job. Raises Cancelled once the run is cancelled."""
+        self._go_on()
+        return self._engine
 
     @cached_property
     def made_in_look(self) -> Look:
@@ -109,7 +124,8 @@ class Run:
             self.tell(Event(kind="warning", role=name, message=message))
 
     def progress(self, stage: str, step: int, total: int, subject: str = "") -> None:
-        """Say how far a stage has come."""
+        """Say how far a stage has come. Raises Cancelled once the run is cancelled."""
+        self._go_on()
         self.listener(Event(kind="stage", role=stage, subject=subject, step=step, total=total))
 
     def commit(self, author: str, reason: str, *items: Item) -> None:
@@ -138,3 +154,7 @@ class Run:
             kwargs: Likewise.
         """
         return reflect(role, subject, role.project(*args, **kwargs), self.tell)
+
+    def _go_on(self) -> None:
+        if self._cancelled.is_set():
+            raise Cancelled

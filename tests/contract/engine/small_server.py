@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 
+from storyblender.blender.progress import Progress
 from storyblender.blender.server import serve, take_wire
 from storyblender.memory.base import Frozen
 
@@ -25,5 +26,14 @@ def refuse() -> int:
     raise ValueError("the wall is in the way")
 
 
+def count(steps: int) -> int:
+    """Take so many steps, and report each."""
+    for step in range(steps):
+        progress(step + 1, steps)
+    return steps
+
+
 if __name__ == "__main__":
-    serve([scale, refuse], sys.stdin.buffer, take_wire())
+    wire = take_wire()
+    progress = Progress(wire)
+    serve([scale, refuse, count], sys.stdin.buffer, wire, progress)

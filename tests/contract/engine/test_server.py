@@ -16,6 +16,8 @@ from fastmcp.client.transports import StdioTransport
 from fastmcp.exceptions import ToolError
 
 from storyblender.blender.server import serve
+from storyblender.engine.worker import Worker
+from storyblender.folder import Folder
 
 Result = TypeVar("Result")
 SERVER = str(Path(__file__).with_name("small_server.py"))
@@ -34,7 +36,7 @@ def test_tools_are_listed_with_their_arguments() -> None:
         return await client.list_tools()
 
     tools = {tool.name: tool for tool in with_client(work)}
-    assert set(tools) == {"scale", "refuse"}
+    assert set(tools) == {"scale", "refuse", "count"}
     assert tools["scale"].description == "Multiply a size."
     assert set(tools["scale"].input_schema["properties"]) == {"size", "factor"}
 
@@ -57,6 +59,30 @@ def test_a_failure_is_an_answer_and_the_server_lives_on(tool: str, arguments: di
         return await client.call_tool("scale", {"size": {"width": 1, "height": 1}, "factor": 1})
 
     assert with_client(work).structured_content["result"]["width"] == 1
+
+
+def test_a_client_of_another_sdk_hears_the_progress_of_its_call() -> None:
+    heard: list[tuple[float, float | None]] = []
+
+    async def hear(step: float, total: float | None, _words: str | None) -> None:
+        heard.append((step, total))
+
+    async def work(client: Client[StdioTransport]) -> Any:
+        return await client.call_tool("count", {"steps": 3}, progress_handler=hear)
+
+    assert with_client(work).structured_content == {"result": 3}
+    assert heard == [(1, 3), (2, 3), (3, 3)]
+
+
+def test_our_client_hears_it_too(tmp_path: Path) -> None:
+    heard: list[tuple[int, int]] = []
+    worker = Worker([sys.executable, SERVER], Folder(tmp_path), timeout=30)
+    try:
+        assert worker.call("count", {"steps": 2}, lambda step, total: heard.append((step, total))) == 2
+        assert worker.call("count", {"steps": 2}) == 2
+    finally:
+        worker.close()
+    assert heard == [(1, 2), (2, 2)]
 
 
 def test_nonsense_is_refused_and_notifications_want_no_answer() -> None:

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from storyblender.engine.pool import WorkerPool
-from storyblender.engine.worker import Worker
+from storyblender.engine.worker import ProgressListener, Worker, ignore_progress
 from storyblender.errors import EngineError
 from storyblender.memory.measure import AssetMeasure
 
@@ -26,7 +26,7 @@ class Idler(Worker):
     def start(self) -> None:
         self.begun = True
 
-    def call(self, tool: str, arguments: dict[str, Any]) -> Any:
+    def call(self, tool: str, arguments: dict[str, Any], progress: ProgressListener = ignore_progress) -> Any:
         if tool == "fail":
             raise EngineError("no")
         assert self.gate.wait(10)
@@ -93,4 +93,16 @@ def test_an_answer_that_cannot_be_read_is_an_engine_error(pool: WorkerPool) -> N
     with pytest.raises(EngineError, match="go: Blender's answer cannot be read"):
         pool.submit("go", {}, AssetMeasure.model_validate).result(10)
     assert pool.submit("go", {}, int).result(10) == 0
+    pool.close()
+
+
+def test_cancelled_jobs_never_begin_and_the_pool_goes_on(pool: WorkerPool) -> None:
+    jobs = [pool.submit("go", {}, int) for _ in range(8)]
+    while len(pool._pending) > 6:  # until both workers have begun one
+        threading.Event().wait(0.01)
+    pool.cancel_waiting()
+    Idler.gate.set()
+    assert sum(job.cancelled() for job in jobs) == 6
+    assert {job.result(10) for job in jobs if not job.cancelled()} == {0, 1}
+    assert pool.submit("go", {}, int).result(10) in (0, 1)
     pool.close()

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.blender.measure.figures import figures
+from storyblender.blender.progress import Report, ignore
 from storyblender.blender.render.detail import in_detail_seen
 from storyblender.blender.render.flat_frames import animatic_workbench, draw_flat
 from storyblender.blender.render.frame import FrameRequest, FrameResult, PersonHead, render_frame
@@ -54,6 +55,7 @@ def render_motion(
     in_frame: Sequence[str] | None = None,
     through: str = "",
     seed: int = 0,
+    report: Report = ignore,
 ) -> tuple[Path, ...]:
     """Draw the frames of one shot, one JPEG for each, named by its number in five digits.
 
@@ -69,6 +71,7 @@ def render_motion(
         in_frame: asset_ids of the people who get lamps of their own; None is everybody.
         through: What a point of view looks through, as the shot says it.
         seed: Of the rain.
+        report: Hears how many frames are drawn.
     """
     if not frames:
         return ()
@@ -85,6 +88,7 @@ def render_motion(
         told = stack.enter_context(animatic_workbench(session, movement))
         film = zip(frames, people, movement.anew, draw_flat(session, frames, movement, told), strict=True)
         for number, heads, anew, flat in film:
+            report(len(paths), len(frames))
             paths.append(part / f"{number:05d}.jpg")
             if plan.rain > 0:
                 flat = replace(flat, changed=np.ones_like(flat.changed))

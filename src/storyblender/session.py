@@ -1,0 +1,338 @@
+"""A session: a project that stays open, with its lock, its crew, its warm Blender processes and its events.
+
+Calls are made one at a time, from any thread. ``cancel`` may be called meanwhile: the call under way then ends before
+its next step or job. The graph and the files are whole at every moment, so the next call goes on from there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import CancelledError
+from contextlib import AbstractContextManager, ExitStack, contextmanager
+from dataclasses import dataclass, field
+from functools import cached_property, partial
+from pathlib import Path
+from threading import Event as Signal
+from threading import Lock, RLock
+from types import TracebackType
+from typing import TYPE_CHECKING, Self
+
+from storyblender.crew import Crew
+from storyblender.edits import camera_decision, decide_cameras, redo_edit, shots_named, undo_edit
+from storyblender.errors import Cancelled, InputError, StoryBlenderError
+from storyblender.inspection import Inspection, inspect
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.history import Commit
+from storyblender.memory.shot_context import ShotContext
+from storyblender.pipeline.adopting import adopt_earlier_outputs
+from storyblender.pipeline.asset_files import assets_to_build
+from storyblender.pipeline.compiling import Compilation, story_files
+from storyblender.pipeline.filming import film, with_cuts_judged
+from storyblender.pipeline.packing import pack_scenes
+from storyblender.pipeline.retaking import retake_poor_frames
+from storyblender.pipeline.reviewing import FrameReview, review_frames
+from storyblender.pipeline.run import Run
+from storyblender.pipeline.shooting import damaged_frames, drawn_shots, prune, shoot_frames, shoot_motion
+from storyblender.ports import AssetSource, Engine
+from storyblender.project import Project
+from storyblender.settings import REMEMBERED, Settings
+from storyblender.trace import Event, Listener
+
+if TYPE_CHECKING:
+    from storyblender.agents.director.reader.reasons import Reason
+
+EngineMaker = Callable[[Listener], AbstractContextManager[Engine]]
+"""Opens the engine; the listener hears the progress of its jobs."""
+
+
+@dataclass(frozen=True)
+class Delivery:
+    """What a call made.
+
+    Attributes:
+        folder: The project.
+        files: Names in it, in the order people open them.
+        graph: The story as it is now.
+        reasons: Which rule read what in the script, if that was asked.
+    """
+
+    folder: Path
+    files: list[str]
+    graph: ContinuityMemoryGraph
+    reasons: list[Reason] = field(default_factory=list)
+
+
+class Session:
+    """An open project. Use as a context manager; ``Studio.open`` returns one.
+
+    Args:
+        project: Open, and so locked; the session closes it.
+        make_engine: Opens the engine at the first call that needs it.
+        crew: The roles with their policies.
+        sources: Where assets come from.
+        settings: Of every call.
+        listener: Hears every event, on the thread that causes it; one at a time.
+    """
+
+    def __init__(
+        self,
+        project: Project,
+        make_engine: EngineMaker,
+        crew: Crew,
+        sources: Sequence[AssetSource],
+        settings: Settings,
+        listener: Listener,
+    ) -> None:
+        self._project, self._crew, self._sources, self._settings = project, crew, sources, settings
+        self._make_engine = make_engine
+        self._listeners = [listener]
+        self._held = ExitStack()
+        self._held.enter_context(project)
+        self._busy, self._telling = RLock(), Lock()
+        self._cancelled = Signal()
+        self._closed = False
+        for sentence in project.notices:
+            self._tell(Event(kind="warning", role="project", subject=project.folder.name, message=sentence))
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, where: TracebackType | None
+    ) -> None:
+        self._closed = True
+        self._held.__exit__(kind, error, where)
+
+    def close(self) -> None:
+        """Cancel the call under way, wait for its end, end Blender and unlock the project."""
+        self.cancel()
+        with self._busy:
+            self.__exit__(None, None, None)
+
+    @property
+    def folder(self) -> Path:
+        """The project folder."""
+        return self._project.folder
+
+    @property
+    def graph(self) -> ContinuityMemoryGraph:
+        """The story as it is committed."""
+        return self._project.graph
+
+    @property
+    def revision(self) -> int:
+        """Number of the last commit; an undo goes back to an earlier one."""
+        return self._project.revision
+
+    def listen(self, listener: Listener) -> Callable[[], None]:
+        """Let one more listener hear the events; return what ends that."""
+        with self._telling:
+            self._listeners.append(listener)
+        return lambda: self._listeners.remove(listener)
+
+    def warm(self) -> None:
+        """Start Blender now, for a call that is sure to come."""
+        self._engine.warm()
+
+    def cancel(self) -> None:
+        """End the call under way, from any thread: it raises Cancelled before its next step or job."""
+        self._cancelled.set()
+        if "_engine" in self.__dict__:
+            self._engine.cancel_waiting()
+
+    def plan(self, script: Path, reading: Path | None = None, export: Path | None = None, *, why: bool) -> Delivery:
+        """Read a script into the graph, as ``Studio.plan``."""
+        from storyblender.pipeline.grounding import explain, export_reading, ground
+
+        if export is not None and export.exists():
+            raise InputError("is there already", mend="give --write-reading another name, or delete it", path=export)
+        with self._call() as run:
+            ground(run, script, reading)
+            if export is not None:
+                export_reading(run, script, export)
+            reasons = explain(run, script) if why else []
+            return Delivery(self.folder, ["graph.json"], run.graph, reasons)
+
+    def make(self, script: Path, reading: Path | None = None) -> Delivery:
+        """Turn a script into everything, as ``Studio.make``; of a changed script only what changed is made anew."""
+        from storyblender.pipeline.grounding import ground
+        from storyblender.pipeline.materializing import materialize
+        from storyblender.pipeline.staging import stage
+
+        with self._call() as run:
+            ground(run, script, reading)
+            run.project.files.write(REMEMBERED, self._settings.remembered(self.folder))
+            materialize(run)
+            stage(run)
+            pack_scenes(run)
+            film(run)
+            return self._draw(run, run.graph.shots)
+
+    def render(self, names: Sequence[str] = (), camera: Mapping[str, str | float] | None = None) -> Delivery:
+        """Draw again what changed, with a changed camera if one is given.
+
+        Args:
+            names: Shots to draw, such as ``SC010_SH020``; all if empty.
+            camera: ``size``, ``angle``, ``lens``, ``movement`` for the named shots.
+
+        Raises:
+            InputError: No such shot, a project that is only planned, or a camera without a shot.
+            Cancelled: ``cancel`` was called.
+        """
+        with self._call() as run:
+            shots = shots_named(run.graph, names)
+            if camera and not names:
+                raise InputError("a changed camera needs a shot", mend="name it, e.g. --shot SC010_SH020")
+            _refuse_unmade(run)
+            if camera:
+                run.engine.warm()
+                decide_cameras(run, shots, camera_decision(camera))
+            self._bring_up_to_date(run)
+            film(run)
+            return self._draw(run, [run.graph.shot(shot.scene_id, shot.shot_id) for shot in shots])
+
+    def undo(self) -> list[Commit]:
+        """Take back the last change and what followed from it; the next render draws only what that changes.
+
+        Raises:
+            InputError: Nothing to undo.
+        """
+        with self._busy:
+            return undo_edit(self._project)
+
+    def redo(self) -> list[Commit]:
+        """Make the change again that was undone last.
+
+        Raises:
+            InputError: Nothing to redo.
+        """
+        with self._busy:
+            return redo_edit(self._project)
+
+    def check(self) -> Inspection:
+        """Inspect a finished project: layout, framing, continuity, collisions, people in frame.
+
+        Raises:
+            InputError: A project that is only planned, or that was stopped before its cameras were set.
+            Cancelled: ``cancel`` was called.
+        """
+        with self._call() as run:
+            _refuse_unmade(run)
+            if any(shot.camera is None for shot in run.graph.shots):
+                mend = "run `storyblender render` first: it goes on where it was stopped"
+                raise InputError("has shots without a camera yet", mend=mend, path=self.folder)
+            self._bring_up_to_date(run)
+            reviews = review_frames(run, drawn_shots(run))
+            report = inspect(
+                with_cuts_judged(run), run.engine, list(run.packs.values()), reviews, partial(run.progress, "check")
+            )
+            return report.with_story([name for name in story_files(run.graph) if run.outputs.changed(name)])
+
+    def evaluate(self) -> list[FrameReview]:
+        """Return what the Frame Critic finds in every frame of a finished project.
+
+        Raises:
+            InputError: A project that is only planned or not finished.
+            Cancelled: ``cancel`` was called.
+        """
+        with self._call() as run:
+            _refuse_unmade(run)
+            self._bring_up_to_date(run)
+            film(run)
+            shoot_frames(run, run.graph.shots)
+            return list(review_frames(run, run.graph.shots).values())
+
+    def export(self, kinds: Sequence[str]) -> Delivery:
+        """Write scenes as glTF or USD, the timeline as EDL or FCPXML.
+
+        Raises:
+            InputError: The project has no story.blend yet, or an adapter is missing.
+            Cancelled: ``cancel`` was called.
+        """
+        from storyblender.pipeline.exporting import export
+
+        with self._call() as run:
+            return Delivery(self.folder, export(run, kinds), run.graph)
+
+    def draw_sample(self, story: ContinuityMemoryGraph, reason: str) -> None:
+        """Stage and draw a story that was written by hand into an empty project; nothing is delivered.
+
+        Args:
+            story: Scenes and shots as a Director plans them.
+            reason: For the history.
+        """
+        from storyblender.pipeline.materializing import materialize
+        from storyblender.pipeline.staging import stage
+
+        with self._call() as run:
+            run.project.commit(story, "user", reason)
+            materialize(run)
+            stage(run)
+            pack_scenes(run)
+            film(run)
+            shoot_frames(run, run.graph.shots)
+
+    @cached_property
+    def _engine(self) -> Engine:
+        return self._held.enter_context(self._make_engine(self._tell))
+
+    @contextmanager
+    def _call(self) -> Iterator[Run]:
+        """Make one call: alone, told apart from those before it, and ended by ``cancel``."""
+        with self._busy:
+            if self._closed:
+                raise StoryBlenderError("the session is closed", mend="open the project again")
+            self._cancelled = Signal()
+            first = "_engine" not in self.__dict__
+            parts = self._project, self._engine, self._crew, self._settings, self._tell, self._sources
+            run = Run(*parts, self._cancelled)
+            if first:
+                adopt_earlier_outputs(run)
+            try:
+                yield run
+            except (Cancelled, CancelledError) as error:
+                self._tell(Event(kind="cancel", role="session", message=str(Cancelled())))
+                if isinstance(error, CancelledError):
+                    raise Cancelled from error
+                raise
+
+    def _tell(self, event: Event) -> None:
+        with self._telling:
+            for listener in self._listeners:
+                listener(event)
+
+    def _bring_up_to_date(self, run: Run) -> None:
+        """Restore missing assets, in the look that the project was made in, and build the packs."""
+        staged = any(scene.lighting is not None for scene in run.graph.scenes)
+        if staged and not (self.folder / REMEMBERED).exists():
+            message = f"{REMEMBERED} is missing; look, width and lenses are the defaults"
+            run.tell(Event(kind="warning", role="project", subject=self.folder.name, message=message))
+        if assets_to_build(run, run.graph.assets):
+            from storyblender.pipeline.materializing import materialize
+
+            materialize(run)
+        pack_scenes(run)
+
+    def _draw(self, run: Run, shots: Sequence[ShotContext]) -> Delivery:
+        """Draw shots, take poor ones again, and deliver; the film has every shot moving, whichever are named."""
+        asked = {(shot.scene_id, shot.shot_id) for shot in shots}
+        others = [shot for shot in run.graph.shots if (shot.scene_id, shot.shot_id) not in asked]
+        shoot_frames(run, [*shots, *damaged_frames(run, others)])
+        retake_poor_frames(run, shots)
+        story = Compilation(run)
+        from storyblender.pipeline.delivery import deliver
+
+        clips = shoot_motion(run, run.graph.shots) if self._settings.animatic else None
+        if len(shots) == len(run.graph.shots):
+            prune(run, run.graph.shots)
+        return Delivery(self.folder, deliver(run, clips, story), run.graph)
+
+
+def _refuse_unmade(run: Run) -> None:
+    scenes = run.graph.scenes
+    if not scenes or any(
+        scene.layout is None or scene.environment is None or scene.lighting is None for scene in scenes
+    ):
+        raise InputError(
+            "is planned, not made yet", mend="run `storyblender make SCRIPT` first", path=run.project.folder
+        )
