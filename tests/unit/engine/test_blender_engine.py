@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from storyblender.engine.blender_engine import BlenderEngine
-from storyblender.engine.worker import Worker
+from storyblender.engine.worker import ProgressListener, Worker, ignore_progress
 from storyblender.errors import EngineError
 from storyblender.folder import Folder
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
@@ -43,7 +43,7 @@ class Builder(Worker):
     def __init__(self, gate: threading.Event, built: list[str]) -> None:
         self._gate, self._built = gate, built
 
-    def call(self, tool: str, arguments: dict[str, Any]) -> Any:
+    def call(self, tool: str, arguments: dict[str, Any], progress: ProgressListener = ignore_progress) -> Any:
         self._built.append(arguments["job"]["asset"]["asset_id"])
         assert self._gate.wait(30)
         return {"asset_id": "thing", "digest": "d", "geometry_hash": "g", "dimensions": (1, 1, 1), "faces": 6}
