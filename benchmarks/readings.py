@@ -12,7 +12,7 @@ from pathlib import Path
 
 from benchmarks.comparison import FACTS, Comparison, Tally
 
-from storyblender.agents.director.places_by_meaning import place_by_meaning
+from storyblender.agents.director.places_by_meaning import choose_kits_by_meaning
 from storyblender.agents.director.reader import read_script
 from storyblender.agents.director.reading import Reading
 from storyblender.agents.director.reading_file import read_reading
@@ -38,7 +38,7 @@ def compared(careful: list[Reading]) -> dict[str, Tally]:
     total = {fact: Tally() for fact in FACTS}
     for each in careful:
         reading = read_script(each.screenplay)
-        place_by_meaning(reading, load_embedder)
+        choose_kits_by_meaning(reading, load_embedder)
         for fact, tally in Comparison(reading, each).count().items():
             total[fact] += tally
     return total

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from storyblender.agents.director.crowds import crowd_told, is_emptied
+from storyblender.agents.director.crowds import background_crowd_size, is_crowd_gone
 from storyblender.agents.layout_artist.bystanders import bystanders, placed
 from storyblender.agents.layout_artist.roomier import Room, larger, until_it_fits, without_dressing
 from storyblender.agents.layout_artist.spatial_planner import ways_of
@@ -103,8 +103,8 @@ def _crowd_told(graph: ContinuityMemoryGraph, scene_id: int, area: float) -> int
     outline = next((each for each in graph.outline if each.scene_id == scene_id), None)
     lines = [line.text for shot in outline.shots for line in shot.lines if line.kind == "action"] if outline else []
     words = "\n".join(lines)
-    told = crowd_told(setup.place, words, area)
-    if told or setup.reference_scene_id is None or is_emptied(words):
+    told = background_crowd_size(setup.place, words, area)
+    if told or setup.reference_scene_id is None or is_crowd_gone(words):
         return told
     return _crowd_told(graph, setup.reference_scene_id, area)
 

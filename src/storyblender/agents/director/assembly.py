@@ -8,16 +8,16 @@ from dataclasses import replace
 from itertools import accumulate
 from string import capwords
 
-from storyblender.agents.director.casting import called, cast, describe, introduction
-from storyblender.agents.director.creatures import describe_creature, size_of
+from storyblender.agents.director.casting import age_word, cast_look, describe_person, introduction_words
+from storyblender.agents.director.creatures import describe_creature, size_in_script
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.motion_families import GETTING, PARTING
-from storyblender.agents.director.place_words import ground, lighting, walls
+from storyblender.agents.director.place_words import ground_words, light_words, wall_words
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Thing, Unit
-from storyblender.agents.director.scene_continuity import LIGHT, found_states, left_behind
+from storyblender.agents.director.scene_continuity import LIGHT, inherited_positions, inherited_states
 from storyblender.agents.director.script_notes import notes_by_scene, notes_by_shot
 from storyblender.agents.director.staging import Staging
-from storyblender.agents.director.story_assets import Company, unique
+from storyblender.agents.director.story_assets import StoryAssets, unique
 from storyblender.agents.director.wording import modifiers_of, one_line, shot_sentence
 from storyblender.agents.director.writing import writing_on
 from storyblender.catalog.homelands import homeland_of
@@ -35,17 +35,17 @@ class Assembly:
         company: Who and what is on the sheet.
     """
 
-    def __init__(self, reading: Reading, company: Company) -> None:
+    def __init__(self, reading: Reading, story: StoryAssets) -> None:
         self.reading = reading
-        self.company = company
+        self.story = story
         self.text = reading.screenplay.text
-        self.left_behind = left_behind(reading)
-        self.found = found_states(reading)
+        self.inherited_positions = inherited_positions(reading)
+        self.inherited = inherited_states(reading)
         self.handled = {thing.id for thing in reading.things if thing.handled and thing.kind == "prop"}
-        self.inanimate = company.assets - company.actors
+        self.inanimate = story.assets - story.actors
         self.starts = [scene.start for scene in reading.scenes]
         self.homelands = [homeland_of(scene.heading) for scene in reading.scenes]
-        self.reached = list(accumulate(self.homelands, lambda before, here: here or before))
+        self.latest_homelands = list(accumulate(self.homelands, lambda before, here: here or before))
         self.notes = notes_by_scene(reading.screenplay, reading.scenes)
         self.relations: dict[int, list[Relation]] = {}
         for index, relation in reading.relations:
@@ -54,42 +54,44 @@ class Assembly:
     def asset_sheet(self) -> tuple[Asset, ...]:
         """Return everybody who is ever on stage, then every thing."""
         people: list[Asset] = []
-        for person in self.company.people:
+        for person in self.story.people:
             people.append(self._person(person, [other.look.garments for other in people if other.look is not None]))
-        things = (thing for thing in self.reading.things if thing.id in self.company.assets)
+        things = (thing for thing in self.reading.things if thing.id in self.story.assets)
         return (*people, *(self._thing(thing) for thing in things))
 
     def _person(self, person: Person, worn_by_others: Sequence[tuple[Garment, ...]]) -> Asset:
-        character = person.id in self.company.actors
+        character = person.id in self.story.actors
         tags = [] if character else ["animal"]
         tags += [person.kind] if person.kind != "human" and person.kind not in tags else []
         return Asset(
             asset_id=person.id,
             asset_type="character" if character else "object",
-            description=describe(person) if character else describe_creature(person, self.reading),
-            name=self.company.names[person.id],
+            description=describe_person(person) if character else describe_creature(person, self.reading),
+            name=self.story.names[person.id],
             tags=tuple(tags),
             look=self._look(person, worn_by_others) if character else None,
-            reference_character=person.variant_of if person.variant_of in self.company.actors else None,
+            reference_character=person.variant_of if person.variant_of in self.story.actors else None,
         )
 
     def _look(self, person: Person, worn_by_others: Sequence[tuple[Garment, ...]]) -> CharacterLook:
         """How somebody looks where the story has come to when they are first named, or else begins."""
         scene = bisect_right(self.starts, person.first) - 1
-        reached = self.reached[scene] if scene >= 0 else None
+        reached = self.latest_homelands[scene] if scene >= 0 else None
         homeland = reached or next((homeland for homeland in self.homelands if homeland), None)
-        aged = person if person.age else replace(person, age=called(person, self.text))
-        return cast(aged, introduction(person, self.text), self.reading.age or "today", homeland, worn_by_others)
+        aged = person if person.age else replace(person, age=age_word(person, self.text))
+        return cast_look(
+            aged, introduction_words(person, self.text), self.reading.age or "today", homeland, worn_by_others
+        )
 
     def _thing(self, thing: Thing) -> Asset:
         return Asset(
             asset_id=thing.id,
             asset_type="object",
             description=thing.description
-            or one_line(f"{size_of(thing, self.text)} {modifiers_of(thing, self.text)} {thing.name}"),
-            name=self.company.names[thing.id],
+            or one_line(f"{size_in_script(thing, self.text)} {modifiers_of(thing, self.text)} {thing.name}"),
+            name=self.story.names[thing.id],
             writing=thing.writing or writing_on(thing.name, thing.first, self.text),
-            part_of=thing.part_of if thing.part_of in self.company.assets else None,
+            part_of=thing.part_of if thing.part_of in self.story.assets else None,
             tags=(thing.kind, *(("handled",) if thing.handled else ())),
         )
 
@@ -109,7 +111,7 @@ class Assembly:
             shots=tuple(
                 ShotOutline(
                     shot_id=index + 1,
-                    shot_description=shot_sentence(draft, self.text, self.company.names, capwords(place)),
+                    shot_description=shot_sentence(draft, self.text, self.story.names, capwords(place)),
                     lines=lines[index],
                     notes=tuple(notes.get(index, ())),
                 )
@@ -124,7 +126,7 @@ class Assembly:
             kind="dialogue" if unit.kind == "dialogue" else "action",
             text=self.text[beat.start : beat.end],
             span=SourceSpan(start=beat.start, end=beat.end),
-            speaker=unit.speaker if unit.speaker in self.company.assets else None,
+            speaker=unit.speaker if unit.speaker in self.story.assets else None,
             speaker_name=unit.speaker_name,
             parenthetical=unit.parenthetical,
             off_screen=unit.off_screen,
@@ -147,10 +149,10 @@ class Assembly:
                 *(id_ for id_, spot in unit.spots.items() for id_ in (id_, spot.anchor_id)),
                 *(id_ for tether in unit.tethers for id_ in (tether.holder, tether.held)),
             )
-            if each in self.company.assets
+            if each in self.story.assets
         )
         stated = [id_ for relation in relations for id_ in (relation.asset_id, relation.anchor_asset_id)]
-        ids = unique((*present, *(thing for thing in scene.furniture if thing in self.company.assets), *stated))
+        ids = unique((*present, *(thing for thing in scene.furniture if thing in self.story.assets), *stated))
         return SceneContext(
             scene_id=scene.id,
             setup=SceneSetup(
@@ -163,49 +165,49 @@ class Assembly:
                 time_of_day=scene.time,
                 weather=scene.weather,
                 layout_description=self._layout(scene, relations),
-                lighting_description=lighting(scene),
-                ground_description=ground(scene),
-                wall_description=walls(scene),
+                lighting_description=light_words(scene),
+                ground_description=ground_words(scene),
+                wall_description=wall_words(scene),
                 relations=tuple(relations),
-                found={each: states for each, states in self.found[scene.id].items() if self._is_known(each)},
+                found={each: states for each, states in self.inherited[scene.id].items() if self._is_known(each)},
             ),
         )
 
-    def _lying_there(self, scene: SceneReading) -> Iterator[Relation]:
+    def _inherited_relations(self, scene: SceneReading) -> Iterator[Relation]:
         """Yield where things are that an earlier scene in this place left broken, tipped over or burning."""
-        left = {thing for thing, states in self.found[scene.id].items() if LEFT & {*states} and GONE not in states}
+        left = {thing for thing, states in self.inherited[scene.id].items() if LEFT & {*states} and GONE not in states}
         for earlier in self.reading.scenes:
             same = scene.reference is not None and scene.reference in (earlier.id, earlier.reference)
             if earlier.id < scene.id and same:
                 yield from (each for each in self.relations.get(earlier.id, ()) if each.asset_id in left)
 
     def _is_known(self, id_: str) -> bool:
-        return id_ == LIGHT or id_ in self.company.assets or id_ in self.company.fixtures
+        return id_ == LIGHT or id_ in self.story.assets or id_ in self.story.fixtures
 
     def _relations(self, scene: SceneReading, units: Sequence[Unit]) -> list[Relation]:
         """The relations that hold as the scene opens; what its people bring about later is left to them."""
-        staging = Staging(units, self.company.assets)
+        staging = Staging(units, self.story.assets)
         handling = [deed for unit in units for deed in unit.deeds if deed.prop and deed.motion in GETTING | PARTING]
         first = {deed.prop: deed.motion for deed in reversed(handling)}
         placed = {prop for prop, motion in first.items() if motion in ("put_down", "throw", "drop")}
         found: dict[str, Relation] = {}
         for relation in self.relations.get(scene.id, []):
             ends = {relation.asset_id, relation.anchor_asset_id}
-            if len(ends) < 2 or not ends <= self.company.assets:
+            if len(ends) < 2 or not ends <= self.story.assets:
                 continue
-            if relation.asset_id in self.company.actors:
+            if relation.asset_id in self.story.actors:
                 holds = relation.asset_id in staging.opening and relation.anchor_asset_id not in self.handled
             else:
-                holds = relation.asset_id not in placed and relation.anchor_asset_id not in self.company.actors
+                holds = relation.asset_id not in placed and relation.anchor_asset_id not in self.story.actors
             if holds:
                 found.setdefault(relation.asset_id, relation)
-        for relation in (*self._lying_there(scene), *self.left_behind[scene.id]):
+        for relation in (*self._inherited_relations(scene), *self.inherited_positions[scene.id]):
             if {relation.asset_id, relation.anchor_asset_id} <= self.inanimate:
                 found.setdefault(relation.asset_id, relation)
         return list(found.values())
 
     def _layout(self, scene: SceneReading, relations: Sequence[Relation]) -> str:
-        names = self.company.names
+        names = self.story.names
         stated = [
             f"{names[relation.asset_id]} {relation.kind.replace('_', ' ')} {names[relation.anchor_asset_id]}"
             for relation in relations

@@ -6,18 +6,18 @@ from collections.abc import Collection
 
 from storyblender.agents.director.assembly import Assembly
 from storyblender.agents.director.coverage import Coverage
-from storyblender.agents.director.cutting import alternate, avoid_jump_cuts, breathe
-from storyblender.agents.director.directions import attach_notes
+from storyblender.agents.director.cutting import alternate_speakers, avoid_jump_cuts, push_in_on_long_speeches
+from storyblender.agents.director.directions import camera_notes_by_unit
 from storyblender.agents.director.draft import ShotDraft
 from storyblender.agents.director.economy import economise
 from storyblender.agents.director.extras import expand_groups
 from storyblender.agents.director.reading import Reading
-from storyblender.agents.director.reading_passes import hand_out
+from storyblender.agents.director.reading_passes import copy_shared_things
 from storyblender.agents.director.settings import DirectorSettings
 from storyblender.agents.director.shot_details import ScriptFlags, ShotDetails
-from storyblender.agents.director.story_assets import Company
+from storyblender.agents.director.story_assets import StoryAssets
 from storyblender.agents.director.wording import one_line
-from storyblender.agents.director.writing import note_new_writing
+from storyblender.agents.director.writing import add_writing_changes
 from storyblender.memory.camera_words import listed
 from storyblender.memory.graph import Storyboard
 
@@ -33,11 +33,11 @@ def storyboard(reading: Reading, settings: DirectorSettings | None = None) -> St
         settings: How finely to cut.
     """
     settings = settings or DirectorSettings()
-    reading = note_new_writing(hand_out(expand_groups(reading)))
-    company = Company(reading)
-    assembly = Assembly(reading, company)
+    reading = add_writing_changes(copy_shared_things(expand_groups(reading)))
+    story = StoryAssets(reading)
+    assembly = Assembly(reading, story)
     coverage = Coverage(reading)
-    notes, flags = attach_notes(reading), ScriptFlags(reading.flags)
+    notes, flags = camera_notes_by_unit(reading), ScriptFlags(reading.flags)
     units_of: dict[int, list[int]] = {}
     for number, unit in enumerate(reading.units):
         units_of.setdefault(unit.scene, []).append(number)
@@ -49,9 +49,9 @@ def storyboard(reading: Reading, settings: DirectorSettings | None = None) -> St
         drafts = cut(coverage.shots(scene, units, own_notes), coverage.names.people, reading.screenplay.text, settings)
         outline.append(assembly.scene_outline(scene, drafts))
         details.append(assembly.scene_context(scene, units))
-        shots += ShotDetails(reading.screenplay.text, company, scene, units, flags).write(drafts, settings.fps)
+        shots += ShotDetails(reading.screenplay.text, story, scene, units, flags).write(drafts, settings.fps)
     return Storyboard(
-        story_summary=_summary(reading, company),
+        story_summary=_summary(reading, story),
         age=reading.age,
         storyboard_outline=tuple(outline),
         asset_sheet=assembly.asset_sheet(),
@@ -70,19 +70,19 @@ def cut(drafts: list[ShotDraft], people: Collection[str], text: str, settings: D
         settings: How finely to cut.
     """
     kept = economise(drafts, people, text, settings)
-    alternate(kept)
+    alternate_speakers(kept)
     avoid_jump_cuts(kept)
-    breathe(kept, text)
+    push_in_on_long_speeches(kept, text)
     return kept
 
 
-def _summary(reading: Reading, company: Company) -> str:
+def _summary(reading: Reading, story: StoryAssets) -> str:
     """Return the writer's own synopses, or the title, the cast and the first sentence."""
     synopses = [one_line(element.text) for element in reading.screenplay.elements if element.kind == "synopsis"]
     if synopses:
         return " ".join(synopses[:6])
     title = one_line(reading.screenplay.title)
-    cast = listed([company.names[person.id] for person in company.people[:5] if person.id in company.actors])
+    cast = listed([story.names[person.id] for person in story.people[:5] if person.id in story.actors])
     first = next((one_line(unit.text) for unit in reading.units if unit.kind == "action"), "")
     places = len({scene.place for scene in reading.scenes})
     opening = f"{title}: " if title else ""

@@ -175,7 +175,7 @@ _ARTICLE = re.compile(r"\A(?:the|a|an|his|her|their|its)\s+", re.IGNORECASE)
 _TRAILING_JOIN = re.compile(r"[\s,;–—-]*\b(?:as|while|and|then)?[\s,;–—-]*$", re.IGNORECASE)
 
 
-def parse(sentence: str) -> tuple[CameraNote | None, Span]:
+def parse_direction(sentence: str) -> tuple[CameraNote | None, Span]:
     """Find the camera direction of a sentence.
 
     Args:
@@ -186,14 +186,14 @@ def parse(sentence: str) -> tuple[CameraNote | None, Span]:
     """
     for pattern in (_POINT_OF_VIEW, _SHOULDER, _LEAD):
         if (match := pattern.match(sentence)) and match[0].strip():
-            return _directed(sentence, match, 0)
+            return _parse_match(sentence, match, 0)
     if match := _LOOSE.match(sentence):
-        return _directed(sentence, match, 0)
+        return _parse_match(sentence, match, 0)
     match = _SPOKEN.search(sentence) or _TOLD_CAMERA.search(sentence) or _INSIDE.search(sentence)
     if match is None:
         return None, (0, len(sentence))
     before = _TRAILING_JOIN.sub("", sentence[: match.start()])
-    note, after = _directed(sentence, match, match.start())
+    note, after = _parse_match(sentence, match, match.start())
     return note, (0, len(before)) if len(before.split()) >= 2 else after
 
 
@@ -204,7 +204,7 @@ def from_behind(words: str) -> bool:
 
 def without_direction(sentence: str) -> str:
     """Return a sentence without its camera direction: its action, else the subject the camera is pointed at."""
-    note, (start, end) = parse(sentence)
+    note, (start, end) = parse_direction(sentence)
     if note is None:
         return sentence
     return sentence[start:end].strip() or note.subject
@@ -218,7 +218,7 @@ def parse_note(text: str) -> CameraNote | None:
     words = " ".join(text[prefix.end() :].split())
     loud = words.upper()
     opening = next((m for p in (_POINT_OF_VIEW, _SHOULDER, _LEAD) if (m := p.match(loud)) and m[0].strip()), None)
-    note = _read(loud, words, opening.groupdict() if opening else {})
+    note = _to_note(loud, words, opening.groupdict() if opening else {})
     if opening:
         start = re.compile(_LINK).match(loud, opening.end())
         note = replace(note, subject=_subject(words, start.end() if start else opening.end())[0])
@@ -227,13 +227,13 @@ def parse_note(text: str) -> CameraNote | None:
     return note
 
 
-def _directed(sentence: str, match: re.Match[str], start: int) -> tuple[CameraNote, Span]:
+def _parse_match(sentence: str, match: re.Match[str], start: int) -> tuple[CameraNote, Span]:
     """Read the matched phrase, what it points at, and what is left to act."""
     link = re.compile(_LINK, re.IGNORECASE).match(sentence, match.end())
     end = link.end() if link else match.end()
-    note = _read(match[0].upper(), sentence[start:end].strip(" :-–—"), match.groupdict())
+    note = _to_note(match[0].upper(), sentence[start:end].strip(" :-–—"), match.groupdict())
     if end == match.end() or sentence[match.end() : end].strip() in (".", ","):
-        return note, _left(sentence, end)
+        return note, _action_span(sentence, end)
     subject, left = _subject(sentence, end)
     return replace(note, subject=subject), left
 
@@ -253,10 +253,10 @@ def _subject(sentence: str, start: int) -> tuple[str, Span]:
     rest = join.end() if join else end
     if re.match(r"\s*\w+ing\b", sentence[rest:]) or (join is None and sentence[end:].strip()):
         rest = start
-    return subject, _left(sentence, rest)
+    return subject, _action_span(sentence, rest)
 
 
-def _left(sentence: str, start: int) -> Span:
+def _action_span(sentence: str, start: int) -> Span:
     """The span from there on, empty where only punctuation is left."""
     join = _JOIN.match(sentence, start)
     start = join.end() if join else start
@@ -266,7 +266,7 @@ def _left(sentence: str, start: int) -> Span:
     return start + len(words) - len(words.lstrip()), len(sentence)
 
 
-def _read(loud: str, phrase: str, names: dict[str, str | None]) -> CameraNote:
+def _to_note(loud: str, phrase: str, names: dict[str, str | None]) -> CameraNote:
     note = CameraNote(phrase=phrase)
     who = names.get("before") or names.get("owner") or names.get("after")
     words = loud.replace(who.upper(), "") if who else loud

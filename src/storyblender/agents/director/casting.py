@@ -28,7 +28,7 @@ _INTRODUCTION: Final = re.compile(
     r"(?:\s*\((?P<brackets>[^)]{3,200})\)|,\s+(?P<apposition>(?:an?|the|in|wearing)\s[^.;:!?]{3,120})"
     r"|\s+(?:dressed in|wearing|in)\s(?P<worn>[^.,;:!?]{3,60}))"
 )
-_EVERYDAY: Final = {
+_EVERYDAY_GARMENTS: Final = {
     "dinner_jacket trousers:black shirt:white bow_tie:black": "dinner jacket|tuxedo|white tie|black tie",
     "jacket trousers:same shirt": "suit|pinstripes|three-piece suit",
     "uniform trousers:same cap:same boots:black": "uniform",
@@ -65,7 +65,7 @@ _EVERYDAY: Final = {
     "socks": "stockings|tights|socks",
 }  # fmt: skip
 """Garments (``key:colour``, ``same`` for the colour named) and the words for them."""
-_GARMENTS: Final = _EVERYDAY | {
+_GARMENTS: Final = _EVERYDAY_GARMENTS | {
     spec.key: "|".join(re.escape(word).replace(r"\ ", "[ -]") for word in (spec.name, *spec.tags))
     for spec in (*TRADE_GARMENTS, *WORN)
 }
@@ -140,24 +140,24 @@ _DEFAULT_HAIR: Final = {
     "male": ("short", "crop", "messy"),
     "unknown": ("short",),
 }
-_FOREIGN: Final = (
+_FOREIGNER_WORDS: Final = (
     "foreigner|tourist|expatriate|expat|colonial|missionary|american|english(?:man|woman)?|british|brit|european|french"
     "|german|dutch|italian|russian|australian|swede|swedish|irish|scottish|white (?:man|woman)"
 )
 """Words that say somebody is not from where the story is set."""
-_UNKNOWN: Final = "otter"
+_UNKNOWN_SPECIES: Final = "otter"
 """Species used for an animal of unknown kind."""
-_GREYING: Final = 50.0
+_GREYING_AGE: Final = 50.0
 """Years from which hair keeps the colour of its age."""
 
 
-def called(person: Person, text: str) -> str:
+def age_word(person: Person, text: str) -> str:
     """Return the word of age that stands before a name where it is first told: ``Baby TOM``, ``little Ann``."""
     before = re.search(r"([^\W\d_]+)\s+$", text[max(0, person.first - 20) : person.first])
     return before[1].lower() if before and before[1].lower() in _AGES else ""
 
 
-def introduction(person: Person, text: str) -> str:
+def introduction_words(person: Person, text: str) -> str:
     """Return the words that introduce a person: in brackets after the name, in apposition, or after ``in``.
 
     Args:
@@ -168,7 +168,7 @@ def introduction(person: Person, text: str) -> str:
     return " ".join((match["brackets"] or match["apposition"] or match["worn"]).split()) if match else ""
 
 
-def cast(
+def cast_look(
     person: Person,
     introduced: str = "",
     era: Age = "today",
@@ -185,42 +185,43 @@ def cast(
         homeland: What is usual where the story is set; who is said to be a foreigner is not from there.
         worn_by_others: Outfits of the people cast before.
     """
-    if re.search(rf"\b(?:{_FOREIGN})\b", f"{person.role} {person.name} {introduced}".lower()):
+    if re.search(rf"\b(?:{_FOREIGNER_WORDS})\b", f"{person.role} {person.name} {introduced}".lower()):
         homeland = None
     seed = int(content_hash(person.id)[:8], 16)
-    age = years(person, seed)
+    age = age_in_years(person, seed)
     hair = ", ".join(person.hair) or _hair_words(introduced)
     everything = ", ".join((*person.build, *person.hair, *person.face, *person.outfit, introduced))
-    worn = garments(", ".join(person.outfit) or introduced)
+    worn = garments_in(", ".join(person.outfit) or introduced)
     named = f"{person.role} {person.name} {' '.join((*person.build, *person.outfit))}"
-    beast = (kind_of(person) or SPECIES[_UNKNOWN]) if person.kind == "animal" else being_of(named)
+    beast = (animal_species(person) or SPECIES[_UNKNOWN_SPECIES]) if person.kind == "animal" else being_of(named)
     if beast is None:
         worn = worn or costume(person.role, person.name, era, person.gender, age, seed, worn_by_others)
-        worn = _shod(_for_swimming(worn, person.gender), person.gender, age)
+        worn = _with_heels(_with_swimsuit(worn, person.gender), person.gender, age)
     return CharacterLook(
         gender=person.gender,
         age=age,
-        stature=_stature(person, age) if beast is None else _beast_stature(person, beast, age),
+        stature=_height(person, age) if beast is None else _animal_height(person, beast, age),
         species=beast.words[0] if beast else "",
-        build=_first(_BUILD, ", ".join(person.build) or introduced) or "average",
-        skin=_first(_SKIN, everything) or (homeland.skin if homeland else "light"),
-        hair=_hair(person, hair, age, seed, homeland),
+        build=_first_match(_BUILD, ", ".join(person.build) or introduced) or "average",
+        skin=_first_match(_SKIN, everything) or (homeland.skin if homeland else "light"),
+        hair=_hair_style(person, hair, age, seed, homeland),
         hair_color=cloth_color(" ".join((*person.build, *person.hair)))
         if beast
-        else hair_color(_without_beard(hair)) or (hair_color("black") if homeland and age < _GREYING else None),
-        facial_hair=_first(_FACIAL_HAIR, everything) or "none",
+        else hair_color(_without_facial_hair(hair))
+        or (hair_color("black") if homeland and age < _GREYING_AGE else None),
+        facial_hair=_first_match(_FACIAL_HAIR, everything) or "none",
         garments=worn,
         glasses=bool(re.search(r"(?<!sun)(?:glasses|spectacles|monocle)", everything)),
     )
 
 
-def kind_of(person: Person) -> Species | None:
+def animal_species(person: Person) -> Species | None:
     """Return the species of an animal by its role, its name or its description."""
     looks = " ".join((*person.build, *person.outfit, *person.hair, *person.face))
     return species_of(person.role) or species_of(person.name) or species_of(looks)
 
 
-def years(person: Person, seed: int = 0) -> float:
+def age_in_years(person: Person, seed: int = 0) -> float:
     """Return the age of a person: ``late 30s`` is 38, ``old`` is 72; an adult of 30 to 44 where nothing is said."""
     words = person.age.lower()
     if number := re.search(r"\d{1,3}", words):
@@ -238,7 +239,7 @@ def years(person: Person, seed: int = 0) -> float:
     return float(_AGES[named[0]]) if named else 30.0 + seed % 15
 
 
-def garments(words: str) -> tuple[Garment, ...]:
+def garments_in(words: str) -> tuple[Garment, ...]:
     """Return the garments that a description names, from the inside out; the last one named wins a place.
 
     Args:
@@ -257,7 +258,7 @@ def garments(words: str) -> tuple[Garment, ...]:
     return tuple(sorted((implied | chosen).values(), key=lambda garment: GARMENTS[garment.key].layer))
 
 
-def _shod(worn: tuple[Garment, ...], gender: str, age: float) -> tuple[Garment, ...]:
+def _with_heels(worn: tuple[Garment, ...], gender: str, age: float) -> tuple[Garment, ...]:
     """Return what is worn, with heels for a woman in a dress whose feet the script does not name."""
     keys = {garment.key for garment in worn}
     if gender != "female" or not 16 <= age < 65 or not keys & {"gown", "dress"} or keys & _FEET:
@@ -265,7 +266,7 @@ def _shod(worn: tuple[Garment, ...], gender: str, age: float) -> tuple[Garment, 
     return (*worn, Garment(key="heels"))
 
 
-def _for_swimming(worn: tuple[Garment, ...], gender: str) -> tuple[Garment, ...]:
+def _with_swimsuit(worn: tuple[Garment, ...], gender: str) -> tuple[Garment, ...]:
     """Return the outfit, with a swimsuit for a woman whose ``swimming costume`` was taken for trunks."""
     if gender != "female":
         return worn
@@ -291,10 +292,10 @@ def _named_garments(words: str) -> list[tuple[str, Color | None]]:
     return found
 
 
-def describe(person: Person) -> str:
+def describe_person(person: Person) -> str:
     """Return one sentence about a person, e.g. ``A lean woman, 35, short black hair, in a grey trench coat.``"""
     noun = person.role or {"female": "woman", "male": "man"}.get(person.gender, "person")
-    if years(person) < 14:
+    if age_in_years(person) < 14:
         noun = {"female": "girl", "male": "boy"}.get(person.gender, "child")
     build = [re.sub(r"\s*\b(?:man|woman|boy|girl|person|child)$", "", words) for words in person.build]
     adjectives = [word for word in build if word and " " not in word]
@@ -307,14 +308,14 @@ def describe(person: Person) -> str:
     return ", ".join(parts) + "."
 
 
-def _first(table: Mapping[_Key, str], words: str) -> _Key | None:
+def _first_match(table: Mapping[_Key, str], words: str) -> _Key | None:
     """Return the first key whose words occur."""
     return next((key for key, pattern in table.items() if re.search(rf"\b(?:{pattern})\b", words.lower())), None)
 
 
-def _hair(person: Person, hair: str, age: float, seed: int, homeland: Homeland | None) -> str:
-    words = _without_beard(", ".join((hair, *(face for face in person.face if "bald" in face))))
-    style = _first(_HAIR, words)
+def _hair_style(person: Person, hair: str, age: float, seed: int, homeland: Homeland | None) -> str:
+    words = _without_facial_hair(", ".join((hair, *(face for face in person.face if "bald" in face))))
+    style = _first_match(_HAIR, words)
     if style:
         return style
     if age >= 65 and person.gender == "female":
@@ -333,12 +334,12 @@ def _hair_words(introduced: str) -> str:
     )
 
 
-def _without_beard(words: str) -> str:
+def _without_facial_hair(words: str) -> str:
     """Hair words only: the colour of a beard or a moustache is not the colour of the head."""
     return ", ".join(part for part in words.split(",") if not re.search(r"beard|moustache|mustache|stubble", part))
 
 
-def _beast_stature(person: Person, beast: Species, age: float) -> float:
+def _animal_height(person: Person, beast: Species, age: float) -> float:
     """Return the height in metres of an animal on two legs: by its species, its age and words of size."""
     words = " ".join((*person.build, *person.face)).lower()
     told = next((offset for word, offset in (_TALL | _SMALL).items() if re.search(rf"\b{word}\b", words)), 0.0)
@@ -346,7 +347,7 @@ def _beast_stature(person: Person, beast: Species, age: float) -> float:
     return round(min(2.3, max(0.45, beast.height * grown * (1 + 1.4 * told))), 2)
 
 
-def _stature(person: Person, age: float) -> float | None:
+def _height(person: Person, age: float) -> float | None:
     words = ", ".join((*person.build, *person.face)).lower()
     if age < 16:
         return None

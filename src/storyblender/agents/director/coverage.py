@@ -9,8 +9,15 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Final
 
-from storyblender.agents.director.cutting import acts_apart, listener_of, middle_of_speech, seen_thing, size_of, step
-from storyblender.agents.director.directions import Names, directed_shot, is_direction_only
+from storyblender.agents.director.cutting import (
+    does_more_than_handle,
+    listener_of,
+    looked_at_prop,
+    size_for_motions,
+    size_steps,
+    split_of_speech,
+)
+from storyblender.agents.director.directions import NameFinder, directed_shot, is_direction_only
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import action_seconds, speech_seconds, word_count
 from storyblender.agents.director.fixtures import is_fixture
@@ -20,18 +27,18 @@ from storyblender.agents.director.story_assets import unique
 from storyblender.memory.shot_sizes import ShotSize
 from storyblender.memory.vocabulary import ShotKind
 
-_REPLY: Final = 3
+_REPLY_WORDS: Final = 3
 """A reply of so few words stays in the shot it answers."""
-_SPEECH: Final = 25
+_LONG_SPEECH_WORDS: Final = 25
 """A longer speech leaves room to cut to the listener."""
-_JOINED: Final = 7.0
+_JOINED_SECONDS: Final = 7.0
 """Sentences of one paragraph share a shot up to this many seconds."""
-_ESTABLISHED: Final = 7.0
+_ESTABLISHED_SECONDS: Final = 7.0
 """An establishing shot takes in what follows in its paragraph up to this many seconds."""
-_TOGETHER: Final = 5
+_MAX_FACES: Final = 5
 """No more faces than this in one group."""
 
-BESIDE = frozenset({"title", "sound", "aside"})
+ATTACHED_KINDS = frozenset({"title", "sound", "aside"})
 """Kinds of units that get no shot of their own."""
 
 
@@ -44,7 +51,7 @@ class Coverage:
 
     def __init__(self, reading: Reading) -> None:
         self.text = reading.screenplay.text
-        self.names = Names(reading)
+        self.names = NameFinder(reading)
         self.props = {thing.id for thing in reading.things if thing.kind == "prop"}
         self.things = {thing.id for thing in reading.things if not is_fixture(thing)}
         self._scenes = {scene.id: scene for scene in reading.scenes}
@@ -79,11 +86,11 @@ class _SceneCoverage:
         self.establish = story.is_new(scene)
         self.last_speech = max((index for index, unit in enumerate(units) if unit.kind == "dialogue"), default=-1)
         self.drafts: list[ShotDraft] = []
-        self.talk = 0
+        self.speeches = 0
         """Speeches since the geography was last shown."""
-        self.awaiting: ShotDraft | None = None
+        self.open_direction: ShotDraft | None = None
         """The last shot, where a direction ordered it that tells nothing itself: the line under it plays in it."""
-        self.present = -1
+        self.people_shown = -1
         self.talkers = {each for unit in units if unit.kind == "dialogue" for each in (unit.speaker, unit.to)}
         self.axes: dict[frozenset[str], tuple[str, str]] = {}
         self.waiting: list[Unit] = []
@@ -93,44 +100,44 @@ class _SceneCoverage:
         for index, unit in enumerate(self.units):
             note = self.notes.get(index)
             if self.waiting and self.waiting[0].picture not in (None, unit.picture):
-                self._show_waiting()
+                self._add_waiting_shot()
             before = len(self.drafts)
-            if unit.kind in BESIDE:
-                self._beside(unit)
+            if unit.kind in ATTACHED_KINDS:
+                self._attach(unit)
             elif note:
-                self._directed(index, unit, note)
-            elif self._plays_under_direction(unit):
-                self._play_under_direction(unit)
+                self._follow_direction(index, unit, note)
+            elif self._continues_direction(unit):
+                self._continue_direction(unit)
             else:
-                self.awaiting = None
-                self._covered(index, unit)
+                self.open_direction = None
+                self._cover(index, unit)
             if self.waiting and len(self.drafts) > before:
                 self.drafts[before].beats[:0] = [Beat.whole(each) for each in self.waiting]
                 self.waiting = []
         if self.waiting or not self.drafts:
-            self._show_waiting()
+            self._add_waiting_shot()
         for draft in self.drafts:
             if draft.kind == "action" and not draft.focus:
-                draft.look_at(*draft.on_stage[:2])
+                draft.add_focus(*draft.on_stage[:2])
         return self.drafts
 
-    def _covered(self, index: int, unit: Unit) -> None:
+    def _cover(self, index: int, unit: Unit) -> None:
         if unit.kind == "action":
             self._action(index, unit)
         else:
             self._speech(index, unit)
 
-    def _beside(self, unit: Unit) -> None:
+    def _attach(self, unit: Unit) -> None:
         """Attach on-screen text, a sound or an aside to the shot before, or to the first of the scene or picture."""
         if self._last and self._last.beats and unit.picture in (None, self._last.picture):
             self._last.beats.append(Beat.whole(unit))
         else:
             self.waiting.append(unit)
 
-    def _show_waiting(self) -> None:
+    def _add_waiting_shot(self) -> None:
         """Give on-screen text and the like a shot of the place, where there is nothing else in a scene or picture."""
         draft = self._add("action" if self.drafts else "establishing", self._widest, [], *self.waiting)
-        draft.look_at(*draft.on_stage[:2])
+        draft.add_focus(*draft.on_stage[:2])
         self.waiting = []
 
     @property
@@ -143,7 +150,7 @@ class _SceneCoverage:
 
     def _add(self, kind: ShotKind, size: ShotSize, focus: Sequence[str | None], *units: Unit) -> ShotDraft:
         draft = ShotDraft(kind, size, beats=[Beat.whole(unit) for unit in units])
-        draft.look_at(*focus)
+        draft.add_focus(*focus)
         draft.on_stage = list(units[0].on_stage) if units else list(self._last.on_stage) if self._last else []
         self.drafts.append(draft)
         return draft
@@ -154,67 +161,67 @@ class _SceneCoverage:
             return None
         return self.axes.setdefault(frozenset((one, other)), (one, other))
 
-    def _directed(self, index: int, unit: Unit, note: CameraNote) -> None:
-        default = size_of({deed.motion for deed in unit.deeds}) if unit.deeds else "MS"
+    def _follow_direction(self, index: int, unit: Unit, note: CameraNote) -> None:
+        default = size_for_motions({deed.motion for deed in unit.deeds}) if unit.deeds else "MS"
         draft = directed_shot(unit, note, self.names, default, self._last)
         if draft.kind in ("ots", "two_shot"):
             pair = [draft.over, *draft.focus] if draft.over else draft.focus
             draft.axis = self._axis(*pair[:2]) if len(pair) > 1 else None
-        alone = draft.kind == "insert" and not draft.detail and acts_apart(unit, draft.focus)
+        alone = draft.kind == "insert" and not draft.detail and does_more_than_handle(unit, draft.focus)
         if alone:
             draft.before = unit
             draft.beats, draft.on_stage = [], [person for person in unit.on_stage if person not in unit.entering]
         self.drafts.append(draft)
-        self.awaiting = draft if not unit.deeds and is_direction_only(unit.text) else None
+        self.open_direction = draft if not unit.deeds and is_direction_only(unit.text) else None
         if alone:
             self.establish = False
             self._action(index, unit)
             return
-        self.establish = self.establish and step(draft.size, "FS") > 0 and draft.kind in ("insert", "pov")
-        self.talk = max(self.talk, int(draft.kind in ("two_shot", "group")))
+        self.establish = self.establish and size_steps(draft.size, "FS") > 0 and draft.kind in ("insert", "pov")
+        self.speeches = max(self.speeches, int(draft.kind in ("two_shot", "group")))
 
-    def _plays_under_direction(self, unit: Unit) -> bool:
+    def _continues_direction(self, unit: Unit) -> bool:
         """Whether a unit is the line under a direction that tells nothing itself: ``CLOSE ON the ring.``
 
         A speech always plays in that shot, even if its speaker is not shown; an action only if the shot can show it.
         """
-        shot = self.awaiting
+        shot = self.open_direction
         if shot is None:
             return False
         under = shot.beats[1:]
         if shot.picture != unit.picture:
             return False
         if under:
-            return under[0].unit.element == unit.element and self._shows(shot, unit)
-        return unit.kind == "dialogue" or self._shows(shot, unit)
+            return under[0].unit.element == unit.element and self._can_show(shot, unit)
+        return unit.kind == "dialogue" or self._can_show(shot, unit)
 
-    def _shows(self, shot: ShotDraft, unit: Unit) -> bool:
+    def _can_show(self, shot: ShotDraft, unit: Unit) -> bool:
         """Whether a shot that was ordered can show what people do in a unit."""
         actors = {deed.actor for deed in unit.deeds}
         if shot.kind == "insert" and any(thing in self.things for thing in shot.focus):
-            return not acts_apart(unit, shot.focus)
+            return not does_more_than_handle(unit, shot.focus)
         if shot.pov in actors:
             return False
-        return actors <= {*shot.focus} or step(shot.size, "MS") <= 0
+        return actors <= {*shot.focus} or size_steps(shot.size, "MS") <= 0
 
-    def _play_under_direction(self, unit: Unit) -> None:
-        shot = self.awaiting
+    def _continue_direction(self, unit: Unit) -> None:
+        shot = self.open_direction
         assert shot is not None, "it was asked whether there is one"
         shot.beats.append(Beat.whole(unit))
         shot.on_stage = unique([*shot.on_stage, *unit.on_stage])
         if not shot.focus:
-            shot.look_at(*(deed.actor for deed in unit.deeds))
+            shot.add_focus(*(deed.actor for deed in unit.deeds))
         if unit.kind == "dialogue":
-            self.talk = max(self.talk, 1)
+            self.speeches = max(self.speeches, 1)
         self.establish = False
-        self.present = len(unit.on_stage)
+        self.people_shown = len(unit.on_stage)
 
     # -- action ----------------------------------------------------------------------------------------------------
     def _action(self, index: int, unit: Unit) -> None:
         motions = {deed.motion for deed in unit.deeds}
-        if motions & (TRAVEL | WHOLE_BODY) or len(unit.on_stage) != self.present:
-            self.talk = 0
-        self.present = len(unit.on_stage)
+        if motions & (TRAVEL | WHOLE_BODY) or len(unit.on_stage) != self.people_shown:
+            self.speeches = 0
+        self.people_shown = len(unit.on_stage)
         if self.establish:
             self.establish = False
             self._add("establishing", self._widest, unit.on_stage if unit.deeds else [], unit)
@@ -228,20 +235,20 @@ class _SceneCoverage:
     def _action_shots(self, index: int, unit: Unit, motions: set[str]) -> list[ShotDraft]:
         actors = unique(deed.actor for deed in unit.deeds)
         if not unit.deeds:
-            return [self._still(unit)]
-        seen = seen_thing(unit.deeds, self.props)
+            return [self._actionless_shot(unit)]
+        seen = looked_at_prop(unit.deeds, self.props)
         if seen and motions <= {"look", "read", "think", "idle"}:
             looker = ShotDraft("reaction", "MCU", actors[:2], [Beat.whole(unit)], on_stage=list(unit.on_stage))
             return [looker, ShotDraft("insert", "CU", [seen], on_stage=list(unit.on_stage))]
         partners = [deed.target for deed in unit.deeds if deed.target in unit.on_stage and deed.target not in actors]
         hands = bool(motions & HANDS) and not motions & (TRAVEL | WHOLE_BODY)
         props = unique(deed.prop for deed in unit.deeds if deed.prop in self.props)
-        size = size_of(motions)
+        size = size_for_motions(motions)
         kind: ShotKind = "action" if motions & (TRAVEL | WHOLE_BODY | HANDS) or len(actors) > 1 else "reaction"
         if len(actors) > 2:
             kind, size = "group", "FS" if motions & TRAVEL else "MWS"
         draft = ShotDraft(kind, size, [], [Beat.whole(unit)], on_stage=list(unit.on_stage))
-        draft.look_at(*actors[:_TOGETHER], *partners, *(props if hands else []))
+        draft.add_focus(*actors[:_MAX_FACES], *partners, *(props if hands else []))
         draft.whole_body = bool(motions & TRAVEL)
         if index and set(unit.entering) & set(actors) and draft.whole_body:
             draft.size = "FS"
@@ -255,13 +262,13 @@ class _SceneCoverage:
             draft.angle = "low angle"
         return [draft]
 
-    def _still(self, unit: Unit) -> ShotDraft:
+    def _actionless_shot(self, unit: Unit) -> ShotDraft:
         """A sentence in which nobody does anything: faces, things, weather."""
         people = [person for person in unit.people if person in unit.on_stage]
         shown = [thing for thing in unit.things if thing in self.things]
         if people:
             face = len(people) == 1 and bool(unit.expressions)
-            draft = ShotDraft("reaction" if face else "action", "MCU" if face else "MS", people[:_TOGETHER])
+            draft = ShotDraft("reaction" if face else "action", "MCU" if face else "MS", people[:_MAX_FACES])
         elif shown and shown[0] in self.props:
             draft = ShotDraft("insert", "CU", shown[:1])
         elif shown:
@@ -277,10 +284,10 @@ class _SceneCoverage:
         last = self._last
         if (
             last is None
-            or last.explicit
+            or last.has_note
             or not last.beats
             or last.kind not in ("establishing", "action", "reaction", "group")
-            or (last.strong and new.strong)
+            or (last.has_key_action and new.has_key_action)
             or last.picture != new.picture
         ):
             return False
@@ -288,13 +295,18 @@ class _SceneCoverage:
         seconds = sum(action_seconds(beat.unit.text) for beat in last.beats) + action_seconds(unit.text)
         empty = not unit.deeds and not unit.people and not unit.things
         if empty:
-            return seconds <= _JOINED and len(last.beats) < 3
+            return seconds <= _JOINED_SECONDS and len(last.beats) < 3
         if before.element != unit.element or before.kind != "action":
             return False
         if last.kind == "establishing":
-            return seconds <= _ESTABLISHED and not new.whole_body and not new.strong and new.kind != "insert"
+            return (
+                seconds <= _ESTABLISHED_SECONDS
+                and not new.whole_body
+                and not new.has_key_action
+                and new.kind != "insert"
+            )
         nested = set(new.focus) <= set(last.focus) or set(last.focus) <= set(new.focus)
-        return nested and seconds <= _JOINED and abs(step(new.size, last.size)) <= 2
+        return nested and seconds <= _JOINED_SECONDS and abs(size_steps(new.size, last.size)) <= 2
 
     def _join(self, new: ShotDraft) -> None:
         last = self.drafts[-1]
@@ -302,11 +314,11 @@ class _SceneCoverage:
         last.on_stage = unique([*last.on_stage, *new.on_stage])
         people = [each for each in new.focus if each in self.names.people]
         # A wide view shows the furniture anyway: with somebody there it is about them.
-        last.look_at(*(people if last.kind == "establishing" and last.focus else new.focus))
+        last.add_focus(*(people if last.kind == "establishing" and last.focus else new.focus))
         last.focus.sort(key=lambda each: each not in self.names.people)
         if last.kind == "establishing":
             return
-        if step(last.size, new.size) > 0 or new.whole_body:
+        if size_steps(last.size, new.size) > 0 or new.whole_body:
             last.size = new.size
         last.whole_body = last.whole_body or new.whole_body
         if last.movement == "static":
@@ -319,53 +331,55 @@ class _SceneCoverage:
             self._add("establishing", self._widest, []).on_stage = [p for p in unit.on_stage if p not in unit.entering]
         speaker = unit.speaker if unit.speaker in unit.on_stage and not unit.off_screen else None
         if speaker is None:
-            self._heard(unit)
+            self._off_screen_speech(unit)
             return
         listener = listener_of(unit, speaker)
-        if self._stays(unit, speaker):
-            self._stay(unit)
+        if self._continues_shot(unit, speaker):
+            self._continue_shot(unit)
             return
-        self.talk += 1
-        draft = self._speaking(unit, speaker, listener, final=index == self.last_speech)
+        self.speeches += 1
+        draft = self._speech_shot(unit, speaker, listener, final=index == self.last_speech)
         draft.axis = self._axis(speaker, listener)
         if draft.kind == "single" and any(deed.motion == "shout" for deed in unit.deeds):
             draft.angle = "low angle"
         self._cut_to_listener(draft, unit, listener)
 
-    def _speaking(self, unit: Unit, speaker: str, listener: str | None, *, final: bool) -> ShotDraft:
+    def _speech_shot(self, unit: Unit, speaker: str, listener: str | None, *, final: bool) -> ShotDraft:
         others = [p for p in unit.on_stage if p in self.talkers and p not in (speaker, listener)]
         crowd = bool(others) if listener else len(unit.on_stage) > 1
-        if self.talk == 1:
+        if self.speeches == 1:
             last = self._last
             if crowd and not (last and last.kind == "group"):
-                return self._add("group", "MWS", [speaker, listener, *others][:_TOGETHER], unit)
+                return self._add("group", "MWS", [speaker, listener, *others][:_MAX_FACES], unit)
             if crowd or not listener:
                 return self._add("single", "MCU" if crowd else "MS", [speaker], unit)
             return self._add("two_shot", "MS", [speaker, listener], unit)
-        if self.talk <= 4 and listener:
-            draft = self._add("ots", "MS" if self.talk == 2 else "MCU", [speaker], unit)
+        if self.speeches <= 4 and listener:
+            draft = self._add("ots", "MS" if self.speeches == 2 else "MCU", [speaker], unit)
             draft.over = listener
             return draft
-        return self._add("single", "CU" if self.talk >= 7 or (final and self.talk > 2) else "MCU", [speaker], unit)
+        return self._add(
+            "single", "CU" if self.speeches >= 7 or (final and self.speeches > 2) else "MCU", [speaker], unit
+        )
 
-    def _heard(self, unit: Unit) -> None:
+    def _off_screen_speech(self, unit: Unit) -> None:
         """A voice from outside: hold the listener, or the place."""
         last = self._last
         listeners = [person for person in unit.on_stage if person != unit.speaker]
         seen = [person for draft in reversed(self.drafts) for person in draft.focus if person in listeners]
         acting = next(iter([*seen, *listeners]), None)
-        held = last and not last.explicit and last.focus[:1] == ([acting] if acting else []) and last.beats
+        held = last and not last.has_note and last.focus[:1] == ([acting] if acting else []) and last.beats
         if last and held and last.picture == unit.picture:
             seconds = speech_seconds(unit.text) + sum(action_seconds(beat.unit.text) for beat in last.beats)
-            if seconds <= _JOINED:
+            if seconds <= _JOINED_SECONDS:
                 last.beats.append(Beat.whole(unit))
                 return
         self._add("reaction" if acting else "action", "MCU" if acting else "WS", [acting], unit)
 
-    def _stays(self, unit: Unit, speaker: str) -> bool:
+    def _continues_shot(self, unit: Unit, speaker: str) -> bool:
         """Whether a speech needs no cut: a short reply, a speech that goes on, or one of two at the same time."""
         last = self._last
-        if not last or last.explicit or not last.beats or last.beats[-1].unit.kind != "dialogue":
+        if not last or last.has_note or not last.beats or last.beats[-1].unit.kind != "dialogue":
             return False
         if last.picture != unit.picture:
             return False
@@ -374,23 +388,23 @@ class _SceneCoverage:
             return True
         seconds = sum(speech_seconds(beat.unit.text) for beat in last.beats) + speech_seconds(unit.text)
         if before.speaker == speaker and speaker in last.focus:
-            return seconds <= _JOINED
+            return seconds <= _JOINED_SECONDS
         shown = last.kind in ("two_shot", "group") and speaker in last.focus
-        return shown and word_count(unit.text) <= _REPLY and len(last.beats) < 3
+        return shown and word_count(unit.text) <= _REPLY_WORDS and len(last.beats) < 3
 
-    def _stay(self, unit: Unit) -> None:
+    def _continue_shot(self, unit: Unit) -> None:
         last = self.drafts[-1]
         if unit.dual and unit.speaker not in last.focus:
             last.kind, last.size, last.over = "two_shot", "MS", None
-            last.look_at(unit.speaker)
+            last.add_focus(unit.speaker)
             last.axis = self._axis(last.focus[0], unit.speaker)
         last.beats.append(Beat.whole(unit))
         last.on_stage = unique([*last.on_stage, *unit.on_stage])
 
     def _cut_to_listener(self, draft: ShotDraft, unit: Unit, listener: str | None) -> None:
         """Give the second half of a long speech to the one who hears it."""
-        long = listener and word_count(unit.text) > _SPEECH and unit.picture is None
-        if not long or (cut := middle_of_speech(self.text, unit)) is None:
+        long = listener and word_count(unit.text) > _LONG_SPEECH_WORDS and unit.picture is None
+        if not long or (cut := split_of_speech(self.text, unit)) is None:
             return
         draft.beats = [Beat(unit, unit.start, cut[0])]
         reaction = self._add("reaction", "MCU", [listener])

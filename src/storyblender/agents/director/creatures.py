@@ -8,19 +8,19 @@ from __future__ import annotations
 import re
 from typing import Final
 
-from storyblender.agents.director.casting import garments, introduction, kind_of
+from storyblender.agents.director.casting import animal_species, garments_in, introduction_words
 from storyblender.agents.director.lexicon import MACHINES
 from storyblender.agents.director.motion_families import HANDS
 from storyblender.agents.director.reading import Person, Reading, Thing
 from storyblender.agents.director.wording import modifiers_of, one_line
 from storyblender.catalog.props import PROPS
 
-_LIKENED: Final = re.compile(
+_COMPARED_SIZE: Final = re.compile(
     r"\b(?:the size of|as (?:big|large|small|tall|high) as|no (?:bigger|larger|taller) than)"
     r" (?:an? |the |his |her )?((?:[a-z-]+ ?){1,3})",
     re.IGNORECASE,
 )
-_HEIGHTS: Final[dict[str, float]] = {
+_CATALOG_HEIGHTS: Final[dict[str, float]] = {
     word: entry.size[2] for entry in PROPS.values() for word in (*entry.tags, entry.name)
 }
 """What the catalog builds -> metres."""
@@ -58,45 +58,45 @@ def describe_creature(person: Person, reading: Reading) -> str:
     thing = Thing(person.id, noun, first=named.start() if named else person.first)
     words = f"{modifiers_of(thing, text)} {' '.join(person.build)}"
     looks = " ".join(dict.fromkeys(word for word in words.lower().split() if word not in (noun, "a", "an", "the")))
-    return one_line(f"{likened_size(introduction(person, text))} {sleeping} {looks} {noun}")
+    return one_line(f"{compared_size(introduction_words(person, text))} {sleeping} {looks} {noun}")
 
 
-def size_of(thing: Thing, text: str) -> str:
-    """Return the size that a script gives a thing where it first names it, as in ``likened_size``.
+def size_in_script(thing: Thing, text: str) -> str:
+    """Return the size that a script gives a thing where it first names it, as in ``compared_size``.
 
     Args:
         thing: A prop or a set piece.
         text: The script.
     """
     after = text[thing.first : thing.first + _REACH]
-    return likened_size(re.split(r"[.;:!?()\n]", after)[0])
+    return compared_size(re.split(r"[.;:!?()\n]", after)[0])
 
 
-def likened_size(words: str) -> str:
+def compared_size(words: str) -> str:
     """Return a height for ``the size of a goat``: ``110 cm tall``; empty where nothing the catalog has is named."""
-    found = _LIKENED.search(words)
+    found = _COMPARED_SIZE.search(words)
     likened = found[1].lower().split() if found else []
     for count in range(len(likened), 0, -1):
-        height = _HEIGHTS.get(" ".join(likened[:count]))
+        height = _CATALOG_HEIGHTS.get(" ".join(likened[:count]))
         if height:
             return f"{100 * height:.0f} cm tall"
     return ""
 
 
-_BY_MOUTH: Final = frozenset(
+_MOUTH_MOTIONS: Final = frozenset(
     {"take", "pick_up", "hold", "catch", "drop", "give", "put_down", "touch", "search", "open"}
 )
 """Verbs of handling that a beak or a claw can do as well."""
 _PARROTS: Final = frozenset({"parrot", "macaw", "cockatoo", "parakeet", "budgie", "budgerigar"})
-_AT_HOME: Final = frozenset({"cat", "dog", "bird", "parrot", "owl", "crow", "hen", "rabbit", "mouse", "squirrel"})
+_PETS: Final = frozenset({"cat", "dog", "bird", "parrot", "owl", "crow", "hen", "rabbit", "mouse", "squirrel"})
 """Animals that lie on beds and perch on chairs as plain animals."""
 _TACK: Final = frozenset({
     "collar", "lead", "leash", "saddle", "bridle", "harness", "halter", "bell", "blanket", "reins", "muzzle", "tag",
     "bandage", "chain", "rope",
 })  # fmt: skip
 """Things that people put on animals."""
-_HELD: Final = frozenset({"right", "left", "both", "under_arm", "shoulder"})
-_SEATED: Final = frozenset({"sit", "lie", "asleep", "lean"})
+_HAND_GRIPS: Final = frozenset({"right", "left", "both", "under_arm", "shoulder"})
+_RESTING_POSTURES: Final = frozenset({"sit", "lie", "asleep", "lean"})
 
 
 def acts_like_a_person(person: Person, reading: Reading) -> bool:
@@ -110,26 +110,28 @@ def acts_like_a_person(person: Person, reading: Reading) -> bool:
         reading: The reading of the script.
     """
     handles = _uses_hands(person, reading)
-    species = kind_of(person)
+    species = animal_species(person)
     if person.speaks:
         words = {*person.role.lower().split(), *person.name.lower().split()}
         return handles or _is_dressed(person) or (species is not None and not _PARROTS & words)
-    if _is_mastered(person, reading):
+    if _is_ridden_or_led(person, reading):
         return False
     if _is_dressed(person) or handles:
         return True
     if species is None:
         return False
-    if species.words[0] not in _AT_HOME and _sits_on_furniture(person, reading):
+    if species.words[0] not in _PETS and _sits_on_furniture(person, reading):
         return True
-    fellows = [each for each in reading.people if each.kind == "animal" and each.speaks and kind_of(each) is not None]
+    fellows = [
+        each for each in reading.people if each.kind == "animal" and each.speaks and animal_species(each) is not None
+    ]
     return len(fellows) > 1 and any(deed.actor == person.id for unit in reading.units for deed in unit.deeds)
 
 
 def _is_dressed(person: Person) -> bool:
     """Whether the description of an animal names clothes, beyond its coat or collar."""
     worn = [words for words in person.outfit if not _TACK & {*words.lower().split()}]
-    return bool(garments(", ".join(worn)))
+    return bool(garments_in(", ".join(worn)))
 
 
 def _uses_hands(person: Person, reading: Reading) -> bool:
@@ -137,16 +139,16 @@ def _uses_hands(person: Person, reading: Reading) -> bool:
     names = {thing.id: thing.name for thing in reading.things}
     for unit in reading.units:
         for deed in unit.deeds:
-            if deed.actor == person.id and deed.prop and deed.motion in HANDS - _BY_MOUTH:
+            if deed.actor == person.id and deed.prop and deed.motion in HANDS - _MOUTH_MOTIONS:
                 return True
         for thing, grip in unit.grips.get(person.id, {}).items():
             tack = _TACK & {*names.get(thing, thing).lower().split()}
-            if grip in _HELD or (grip == "worn" and not tack):
+            if grip in _HAND_GRIPS or (grip == "worn" and not tack):
                 return True
     return False
 
 
-def _is_mastered(person: Person, reading: Reading) -> bool:
+def _is_ridden_or_led(person: Person, reading: Reading) -> bool:
     """Whether another character rides the animal, or leads it on a leash."""
     ridden = any(place == ("ride", person.id) for unit in reading.units for place in map(tuple, unit.posture.values()))
     ridden = ridden or any(
@@ -159,4 +161,4 @@ def _sits_on_furniture(person: Person, reading: Reading) -> bool:
     """Whether the animal sits or lies on or in a thing, as people do."""
     things = {thing.id for thing in reading.things}
     places = [unit.posture[person.id] for unit in reading.units if person.id in unit.posture]
-    return any(posture in _SEATED and support in things for posture, support in places)
+    return any(posture in _RESTING_POSTURES and support in things for posture, support in places)

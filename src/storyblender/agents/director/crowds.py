@@ -9,7 +9,7 @@ from typing import Final
 from storyblender.catalog.sets import SETS
 
 _FULL: Final = "crowded|packed|jam[- ]?packed|bustling|teeming|heaving|thronged|rammed|swarming|overflowing|jostling"
-_ALONE_TELLS: Final = (
+_FULL_ALONE: Final = (
     rf"(?:^|[.!?]\s+|,\s*)(?:it(?:['’]s| is) )?(?:{_FULL}|standing room only|full house)\s*(?:$|[.!?,;])"
 )
 _NOUNS: Final = (
@@ -25,12 +25,12 @@ _MANY: Final = (
     r"|the (?:audience|crowd|congregation)\b"
 )
 _EMPTY: Final = r"\b(?:empty|deserted|abandoned|closed|shut up|vacant|nobody (?:else )?(?:is )?(?:here|there|about))\b"
-_SEVERAL, _MANY_PEOPLE = 12, 16
-_WIDE, _WIDE_MORE = 80.0, 8
+_BUSY_SIZE, _FULL_SIZE = 12, 16
+_LARGE_AREA, _LARGE_EXTRA = 80.0, 8
 """Square metres above which a place holds more people, and how many more."""
 
 
-def crowd_told(place: str, words: str, area: float) -> int:
+def background_crowd_size(place: str, words: str, area: float) -> int:
     """Return how many people of the background a scene has; 0 where none are told.
 
     Args:
@@ -39,22 +39,22 @@ def crowd_told(place: str, words: str, area: float) -> int:
         area: Square metres of the place.
     """
     told = f"{place}. {words}".lower()
-    if re.search(_MANY, told) or re.search(_ALONE_TELLS, told) or _place_is(_FULL).search(told):
-        most = _MANY_PEOPLE
-    elif _place_is("busy|lively|bustling|crowded").search(told):
-        most = _SEVERAL
+    if re.search(_MANY, told) or re.search(_FULL_ALONE, told) or _place_pattern(_FULL).search(told):
+        most = _FULL_SIZE
+    elif _place_pattern("busy|lively|bustling|crowded").search(told):
+        most = _BUSY_SIZE
     else:
         return 0
-    return most + (_WIDE_MORE if area > _WIDE else 0)
+    return most + (_LARGE_EXTRA if area > _LARGE_AREA else 0)
 
 
-def is_emptied(words: str) -> bool:
+def is_crowd_gone(words: str) -> bool:
     """Return whether a scene says that the crowd of its place is gone."""
     return re.search(_EMPTY, words.lower()) is not None
 
 
 @cache
-def _place_is(adjectives: str) -> re.Pattern[str]:
+def _place_pattern(adjectives: str) -> re.Pattern[str]:
     """Return what finds such a place: ``a packed bar``, ``the busy little market``, ``the bar is packed``."""
     nouns = {tag.split()[-1].lower() for kit in SETS.values() for tag in (*kit.tags, kit.name)} | {
         "place",

@@ -13,7 +13,7 @@ from storyblender.agents.director.motion_families import HANDS, TRAVEL, WHOLE_BO
 from storyblender.agents.director.reading import Deed, Unit
 from storyblender.memory.shot_sizes import SHOT_SIZES, ShotSize
 
-_RANGE: Final[dict[str, tuple[ShotSize, ShotSize]]] = {
+_SIZE_RANGES: Final[dict[str, tuple[ShotSize, ShotSize]]] = {
     "insert": ("MCU", "ECU"),
     "group": ("WS", "MS"),
     "two_shot": ("FS", "MCU"),
@@ -23,16 +23,16 @@ _RANGE: Final[dict[str, tuple[ShotSize, ShotSize]]] = {
     "action": ("WS", "CU"),
 }
 """Sizes a kind of shot may take."""
-_SLOW: Final = 9.0
+_LONG_SPEECH_SECONDS: Final = 9.0
 """Seconds of one speaker after which a still shot breathes: a slow push in."""
 
 
-def step(tighter: ShotSize, wider: ShotSize) -> int:
+def size_steps(tighter: ShotSize, wider: ShotSize) -> int:
     """Return how many sizes ``tighter`` is tighter than ``wider``; negative where it is wider."""
     return SHOT_SIZES.index(tighter) - SHOT_SIZES.index(wider)
 
 
-def alternate(drafts: list[ShotDraft]) -> None:
+def alternate_speakers(drafts: list[ShotDraft]) -> None:
     """Let a long conversation turn from face to face: after the master, who speaks most; the last word is close.
 
     When somebody has moved, the master comes back: the audience must see the new geography.
@@ -42,18 +42,18 @@ def alternate(drafts: list[ShotDraft]) -> None:
     for draft in drafts:
         if draft.whole_body or draft.kind == "establishing":
             before, turns = None, 0
-        if not draft.speech or draft.kind not in ("two_shot", "ots", "group", "single"):
+        if not draft.speech_only or draft.kind not in ("two_shot", "ots", "group", "single"):
             continue
-        if before and not draft.explicit:
+        if before and not draft.has_note:
             turns += 1
-            _turn(draft, before, "MS" if turns < 3 else "MCU")
+            _narrow_master(draft, before, "MS" if turns < 3 else "MCU")
         before = draft
-    last_word = before and turns and not before.explicit and before.kind in ("ots", "single")
-    if before and last_word and step(before.size, "MCU") < 0:
+    last_word = before and turns and not before.has_note and before.kind in ("ots", "single")
+    if before and last_word and size_steps(before.size, "MCU") < 0:
         before.size = "MCU"
 
 
-def _turn(draft: ShotDraft, before: ShotDraft, size: ShotSize) -> None:
+def _narrow_master(draft: ShotDraft, before: ShotDraft, size: ShotSize) -> None:
     """Make a master narrower: a group becomes its speakers, a two-shot the one the shot before did not favour."""
     speakers = [speaker for speaker in _speakers(draft) if speaker in draft.on_stage]
     if draft.kind == "group" and 0 < len(speakers) < 3:
@@ -71,24 +71,29 @@ def avoid_jump_cuts(drafts: list[ShotDraft]) -> None:
     """Put two sizes between neighbours with the same subject (the 30-degree rule), without touching ordered shots."""
     for index in range(1, len(drafts)):
         before, draft = drafts[index - 1], drafts[index]
-        if not _jumps(before, draft):
+        if not _is_jump_cut(before, draft):
             continue
-        if _turns(draft, before):
+        if _fits_over_shoulder(draft, before):
             # Two people again: the angle changes instead of the size, over the shoulder on the one who acts.
             draft.kind, draft.size, draft.axis = "ots", "MCU", before.axis
             draft.focus, draft.over = draft.focus[:1], draft.focus[1]
-        elif not draft.explicit:
+        elif not draft.has_note:
             following = drafts[index + 1] if index + 1 < len(drafts) else None
-            _resize(draft, before, following if following and following.explicit else None)
-        elif not before.explicit:
+            _resize(draft, before, following if following and following.has_note else None)
+        elif not before.has_note:
             _resize(before, draft, drafts[index - 2] if index > 1 else None)
 
 
-def breathe(drafts: list[ShotDraft], text: str) -> None:
+def push_in_on_long_speeches(drafts: list[ShotDraft], text: str) -> None:
     """Push in slowly while one person speaks at length."""
     for draft in drafts:
-        still = draft.movement == "static" and not draft.explicit and draft.kind in ("single", "ots")
-        if still and draft.speech and len(_speakers(draft)) == 1 and shot_seconds(draft, text) > _SLOW:
+        still = draft.movement == "static" and not draft.has_note and draft.kind in ("single", "ots")
+        if (
+            still
+            and draft.speech_only
+            and len(_speakers(draft)) == 1
+            and shot_seconds(draft, text) > _LONG_SPEECH_SECONDS
+        ):
             draft.movement = "push in"
 
 
@@ -100,36 +105,36 @@ def _speakers(draft: ShotDraft) -> list[str]:
     return [speaker for speaker, _ in words.most_common()]
 
 
-def _jumps(before: ShotDraft, draft: ShotDraft) -> bool:
+def _is_jump_cut(before: ShotDraft, draft: ShotDraft) -> bool:
     same = set(before.focus) == set(draft.focus) and (before.kind == "pov") == (draft.kind == "pov")
     cut_in = before.kind == "establishing" and draft.whole_body
-    return same and not cut_in and abs(step(draft.size, before.size)) < 2
+    return same and not cut_in and abs(size_steps(draft.size, before.size)) < 2
 
 
-def _turns(draft: ShotDraft, before: ShotDraft) -> bool:
+def _fits_over_shoulder(draft: ShotDraft, before: ShotDraft) -> bool:
     """Whether a small action of two people who talk can be told over a shoulder."""
     talkers = (
         before.axis is not None and set(draft.focus) == set(before.axis) and set(draft.focus) <= set(draft.on_stage)
     )
-    return talkers and draft.kind == "action" and not draft.explicit and not draft.motions & (TRAVEL | WHOLE_BODY)
+    return talkers and draft.kind == "action" and not draft.has_note and not draft.motions & (TRAVEL | WHOLE_BODY)
 
 
 def _resize(draft: ShotDraft, *neighbours: ShotDraft | None) -> None:
     """Take the nearest size that is two steps from every neighbour with the same subject; tighter is better."""
-    limits = _RANGE.get(draft.kind, ("EWS", "CU"))
+    limits = _SIZE_RANGES.get(draft.kind, ("EWS", "CU"))
     widest = SHOT_SIZES.index(limits[0])
     tightest = SHOT_SIZES.index("MWS" if draft.motions & (TRAVEL | WHOLE_BODY) else limits[1])
     others: list[ShotSize] = [other.size for other in neighbours if other and set(other.focus) == set(draft.focus)]
     if len(draft.focus) > 1 and draft.kind != "insert":
         tightest = min(tightest, SHOT_SIZES.index("MS"))
     allowed: list[ShotSize] = [
-        size for size in SHOT_SIZES[widest : tightest + 1] if all(abs(step(size, other)) >= 2 for other in others)
+        size for size in SHOT_SIZES[widest : tightest + 1] if all(abs(size_steps(size, other)) >= 2 for other in others)
     ]
     if allowed:
-        draft.size = min(allowed, key=lambda size: (abs(step(size, draft.size)), step(draft.size, size)))
+        draft.size = min(allowed, key=lambda size: (abs(size_steps(size, draft.size)), size_steps(draft.size, size)))
 
 
-def middle_of_speech(text: str, unit: Unit) -> tuple[int, int] | None:
+def split_of_speech(text: str, unit: Unit) -> tuple[int, int] | None:
     """Return where to cut a speech: the end of the first part and the start of the second, near the middle.
 
     A sentence end is best, a comma will do; each part keeps at least a quarter of the speech.
@@ -144,7 +149,7 @@ def middle_of_speech(text: str, unit: Unit) -> tuple[int, int] | None:
     return None
 
 
-def size_of(motions: Collection[str]) -> ShotSize:
+def size_for_motions(motions: Collection[str]) -> ShotSize:
     """Return the shot size for motions: the whole body while it travels, both hands while they work."""
     if TRAVEL & set(motions):
         return "FS"
@@ -153,7 +158,7 @@ def size_of(motions: Collection[str]) -> ShotSize:
     return "MS" if HANDS & set(motions) else "MCU"
 
 
-def acts_apart(unit: Unit, things: Sequence[str]) -> bool:
+def does_more_than_handle(unit: Unit, things: Sequence[str]) -> bool:
     """Return whether people in a unit do more than handle the things of an insert."""
     return any(deed.motion not in HANDS or not {deed.prop, deed.target} & {*things} for deed in unit.deeds)
 
@@ -166,7 +171,7 @@ def listener_of(unit: Unit, speaker: str) -> str | None:
     return others[0] if len(others) == 1 else None
 
 
-def seen_thing(deeds: Sequence[Deed], props: Collection[str]) -> str | None:
+def looked_at_prop(deeds: Sequence[Deed], props: Collection[str]) -> str | None:
     """Return the prop that a character points at, glances at or reads."""
     for deed in deeds:
         if deed.motion in ("look", "read"):

@@ -7,7 +7,7 @@ from bisect import bisect_left
 from dataclasses import replace
 from typing import cast, get_args
 
-from storyblender.agents.director.camera_phrases import parse, parse_note
+from storyblender.agents.director.camera_phrases import parse_direction, parse_note
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.reading import CameraNote, Reading, Unit
 from storyblender.memory.shot_sizes import ShotSize
@@ -27,7 +27,7 @@ _PARTS: dict[BodyPart, str] = {
 """Words that make a direction on somebody an insert of a part of them."""
 
 
-class Names:
+class NameFinder:
     """Finds people and things by the words of a direction."""
 
     def __init__(self, reading: Reading) -> None:
@@ -54,14 +54,18 @@ class Names:
 
     def find(self, words: str) -> list[str]:
         """Return the ids named in ``words``, in order: by id or whole name, else by the longest names they hold."""
-        found = [id_ for item in words.split(",") for id_ in self._meant(item.strip().lower()) or self._within(item)]
+        found = [
+            id_
+            for item in words.split(",")
+            for id_ in self._exactly_named(item.strip().lower()) or self._named_inside(item)
+        ]
         return list(dict.fromkeys(found))
 
-    def _meant(self, name: str) -> list[str]:
+    def _exactly_named(self, name: str) -> list[str]:
         """Return the ids with that id or whole name, else the first one that the name may refer to."""
         return self._whole.get(name, self._ids.get(name, []))[:1]
 
-    def _within(self, words: str) -> list[str]:
+    def _named_inside(self, words: str) -> list[str]:
         found: list[tuple[int, str]] = []
         rest = words
         words_in = {"", *re.findall(r"\w+", words.lower())}
@@ -74,7 +78,7 @@ class Names:
         return [id_ for _, id_ in sorted(found)]
 
 
-def attach_notes(reading: Reading) -> dict[int, CameraNote]:
+def camera_notes_by_unit(reading: Reading) -> dict[int, CameraNote]:
     """Return the camera direction of every unit by its index: its own, or the ``SHOT`` note that stands before it.
 
     A note after the last unit of a scene belongs to that unit.
@@ -99,7 +103,7 @@ def attach_notes(reading: Reading) -> dict[int, CameraNote]:
 
 def is_direction_only(words: str) -> bool:
     """Whether words are a camera direction and tell nothing else: ``CLOSE ON the ring.``"""
-    note, (start, end) = parse(words)
+    note, (start, end) = parse_direction(words)
     return note is not None and not words[start:end].strip()
 
 
@@ -110,7 +114,7 @@ def _first_word(name: str) -> str:
 
 
 def directed_shot(
-    unit: Unit, note: CameraNote, names: Names, default_size: ShotSize, last: ShotDraft | None
+    unit: Unit, note: CameraNote, names: NameFinder, default_size: ShotSize, last: ShotDraft | None
 ) -> ShotDraft:
     """Return the shot that a direction orders for a unit.
 
@@ -122,7 +126,7 @@ def directed_shot(
         last: The shot before, for POV and reverse angles that name nobody.
     """
     if note.kind == "pov" and not note.through:
-        note = replace(note, through=_looked_through(f"{note.phrase} {note.subject} {unit.text}"))
+        note = replace(note, through=_optical_device(f"{note.phrase} {note.subject} {unit.text}"))
     named = names.find(note.subject)
     acting = [deed.actor for deed in unit.deeds] or ([unit.speaker] if unit.speaker in unit.on_stage else [])
     focus = (
@@ -130,7 +134,7 @@ def directed_shot(
     )
     size = cast(ShotSize, note.size) if note.size else _SIZE_OF_KIND.get(note.kind, default_size)
     shot = ShotDraft(
-        kind=_kind(note, focus, names, unit),
+        kind=_shot_kind(note, focus, names, unit),
         size=size,
         focus=list(focus),
         beats=[Beat.whole(unit)],
@@ -145,7 +149,7 @@ def directed_shot(
         shot.pov = who or next((each for each in (last.focus if last else []) if each in names.people), None)
         shot.focus = [each for each in focus if each != shot.pov] or [e for e in unit.on_stage if e != shot.pov]
     if shot.kind not in ("pov", "ots") and shot.focus and shot.focus[0] in names.people:
-        shot.detail = _part(note.subject)
+        shot.detail = _body_part(note.subject)
     if shot.detail:
         shot.kind, shot.size, shot.focus = "insert", "ECU" if note.size == "ECU" else "CU", shot.focus[:1]
     if shot.kind == "ots":
@@ -153,13 +157,13 @@ def directed_shot(
     return shot
 
 
-def _looked_through(words: str) -> str:
+def _optical_device(words: str) -> str:
     """Return the optical device of a point of view as written: ``THROUGH THE BINOCULARS``."""
     match = re.search(r"\bthrough (?:the |an? |his |her |its |their )?([\w' -]{3,30})", words, re.IGNORECASE)
     return match[1].strip().lower() if match else ""
 
 
-def _part(subject: str) -> BodyPart | None:
+def _body_part(subject: str) -> BodyPart | None:
     """Return the part of a body that a direction ends on: ``Rick's hand``, ``the eyes of the guard``."""
     head = re.split(r"\b(?:of|on|as|in|with)\b", subject, maxsplit=1, flags=re.IGNORECASE)[0].strip()
     for part, words in _PARTS.items():
@@ -181,7 +185,7 @@ def _over_shoulder(shot: ShotDraft, who: str | None, unit: Unit, last: ShotDraft
         shot.focus = shot.focus or ([who] if who else [])
 
 
-def _kind(note: CameraNote, focus: list[str], names: Names, unit: Unit) -> ShotKind:
+def _shot_kind(note: CameraNote, focus: list[str], names: NameFinder, unit: Unit) -> ShotKind:
     if note.through:
         return "pov"
     if note.kind in get_args(ShotKind):

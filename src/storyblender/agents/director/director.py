@@ -12,8 +12,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from storyblender.agents.director.breakdown import storyboard
-from storyblender.agents.director.directions import attach_notes
-from storyblender.agents.director.places_by_meaning import place_by_meaning
+from storyblender.agents.director.directions import camera_notes_by_unit
+from storyblender.agents.director.places_by_meaning import choose_kits_by_meaning
 from storyblender.agents.director.reader.reader import read_script
 from storyblender.agents.director.reading import Reading, Unit
 from storyblender.agents.director.reading_file import unknown_names
@@ -40,7 +40,7 @@ class RulesDirector:
     def propose(self, view: Screenplay) -> Reading:
         """Return the reading of a script."""
         reading = read_script(view)
-        place_by_meaning(reading, self._embedder)
+        choose_kits_by_meaning(reading, self._embedder)
         return reading
 
     def refine(self, draft: Reading, critique: Critique, view: Screenplay) -> Reading:
@@ -53,10 +53,12 @@ class DirectorCritic:
 
     def judge(self, draft: Reading, view: Screenplay) -> Critique:
         """Score ten less one for each unit or element that is wrong."""
-        return Critique.of((*_uncovered(draft, view), *(fault for unit in _numbered(draft) for fault in unit)))
+        return Critique.of(
+            (*_uncovered_lines(draft, view), *(fault for unit in _faults_of_units(draft) for fault in unit))
+        )
 
 
-def _uncovered(reading: Reading, script: Screenplay) -> Iterator[Fault]:
+def _uncovered_lines(reading: Reading, script: Screenplay) -> Iterator[Fault]:
     """Yield lines of action and speech of the script that no unit has, and units that are out of order."""
     covered = {unit.element for unit in reading.units}
     first = min((scene.start for scene in reading.scenes), default=0)
@@ -70,7 +72,7 @@ def _uncovered(reading: Reading, script: Screenplay) -> Iterator[Fault]:
             yield Fault(kind="order", subject=f"unit {number}", message=f"unit {number} comes before the one above it")
 
 
-def _numbered(reading: Reading) -> Iterator[Iterator[Fault]]:
+def _faults_of_units(reading: Reading) -> Iterator[Iterator[Fault]]:
     people = {person.id for person in reading.people}
     known = people | {thing.id for thing in reading.things}
     for number, unit in enumerate(reading.units, start=1):
@@ -118,7 +120,13 @@ class ShotDirectorCritic:
 
     def judge(self, draft: Storyboard, view: ShotDirectorView) -> Critique:
         """Score ten less one for each fault."""
-        return Critique.of((*_lost_words(draft, view.reading), *_unheard(draft), *_disobeyed(draft, view.reading)))
+        return Critique.of(
+            (
+                *_uncovered_units(draft, view.reading),
+                *_unmarked_speakers(draft),
+                *_ignored_directions(draft, view.reading),
+            )
+        )
 
 
 def _lines(board: Storyboard) -> Iterator[tuple[str, ScriptLine]]:
@@ -128,7 +136,7 @@ def _lines(board: Storyboard) -> Iterator[tuple[str, ScriptLine]]:
                 yield shot_name(scene.scene_id, shot.shot_id), line
 
 
-def _lost_words(board: Storyboard, reading: Reading) -> Iterator[Fault]:
+def _uncovered_units(board: Storyboard, reading: Reading) -> Iterator[Fault]:
     """Yield units of the script that no shot covers."""
     spans = sorted((line.span.start, line.span.end) for _, line in _lines(board))
     for number, unit in enumerate(reading.units, start=1):
@@ -137,7 +145,7 @@ def _lost_words(board: Storyboard, reading: Reading) -> Iterator[Fault]:
             yield Fault(kind="uncovered", subject=f"unit {number}", message=f"no shot covers unit {number}")
 
 
-def _unheard(board: Storyboard) -> Iterator[Fault]:
+def _unmarked_speakers(board: Storyboard) -> Iterator[Fault]:
     """Yield speakers who are neither on stage nor marked off screen."""
     on_stage = {shot_name(shot.scene_id, shot.shot_id): shot.on_stage for shot in board.shot_details}
     for name, line in _lines(board):
@@ -146,11 +154,11 @@ def _unheard(board: Storyboard) -> Iterator[Fault]:
             yield Fault(kind="speaker", subject=name, message=message)
 
 
-def _disobeyed(board: Storyboard, reading: Reading) -> Iterator[Fault]:
+def _ignored_directions(board: Storyboard, reading: Reading) -> Iterator[Fault]:
     """Yield sizes and angles that the script asks for and no shot of those words has."""
     cameras = {shot_name(shot.scene_id, shot.shot_id): shot.camera_instruction for shot in board.shot_details}
     lines = list(_lines(board))
-    for index, note in attach_notes(reading).items():
+    for index, note in camera_notes_by_unit(reading).items():
         unit = reading.units[index]
         shots = {name for name, line in lines if line.span.start < unit.end and unit.start < line.span.end}
         for field in ("size", "angle"):

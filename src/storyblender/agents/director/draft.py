@@ -51,12 +51,12 @@ class ShotDraft:
     """The unit that begins when it ends, where it has no line of its own: a thing it shows is in that hand already."""
 
     @property
-    def explicit(self) -> bool:
+    def has_note(self) -> bool:
         """Whether it is a picture of its own: a direction asks for it."""
         return self.note is not None
 
     @property
-    def ordered(self) -> bool:
+    def script_directed(self) -> bool:
         """Whether the script itself says how the camera sees it; a careful reader only advises."""
         return self.note is not None and bool(self.note.phrase)
 
@@ -66,7 +66,7 @@ class ShotDraft:
         return self.beats[0].unit.picture if self.beats else None
 
     @property
-    def speech(self) -> bool:
+    def speech_only(self) -> bool:
         """Whether it covers speech and nothing else."""
         told = [beat.unit.kind for beat in self.beats if beat.unit.kind in ("action", "dialogue")]
         return bool(told) and all(kind == "dialogue" for kind in told)
@@ -77,10 +77,10 @@ class ShotDraft:
         return {deed.motion for beat in self.beats for deed in beat.unit.deeds}
 
     @property
-    def strong(self) -> bool:
+    def has_key_action(self) -> bool:
         """Whether something is done in it that wants to be seen."""
         return bool(self.motions & STRONG)
 
-    def look_at(self, *ids: str | None) -> None:
+    def add_focus(self, *ids: str | None) -> None:
         """Add to the focus, each once."""
         self.focus += [each for each in dict.fromkeys(ids) if each and each not in self.focus]

@@ -9,9 +9,9 @@ from typing import Final
 from storyblender.agents.director.draft import ShotDraft
 
 WORDS_PER_SECOND: Final = 2.5
-SHORTEST: Final = 1.5
+SHORTEST_SHOT: Final = 1.5
 LONGEST_ACTION: Final = 8.0
-ESTABLISHING: Final = 3.0
+SHORTEST_ESTABLISHING: Final = 3.0
 """An establishing shot stays at least this long: the eye needs it to read a place."""
 _PAUSE: Final = re.compile(r"\b(?:beat|pause|silence|long)\b", re.IGNORECASE)
 _BRACKETS: Final = re.compile(r"\([^)]*\)")
@@ -29,13 +29,13 @@ def word_count(text: str) -> int:
 def speech_seconds(text: str, parenthetical: str = "") -> float:
     """Return how long a speech takes to say; ``(beat)`` adds a second."""
     pause = 1.0 if _PAUSE.search(parenthetical) else 0.0
-    return max(SHORTEST, word_count(text) / WORDS_PER_SECOND + 0.4 + pause)
+    return max(SHORTEST_SHOT, word_count(text) / WORDS_PER_SECOND + 0.4 + pause)
 
 
 @lru_cache(maxsize=8192)
 def action_seconds(text: str) -> float:
     """Return how long a sentence of action takes to play; looks in brackets take no time."""
-    return min(LONGEST_ACTION, max(SHORTEST, 0.2 * word_count(_BRACKETS.sub(" ", text)) + 0.5))
+    return min(LONGEST_ACTION, max(SHORTEST_SHOT, 0.2 * word_count(_BRACKETS.sub(" ", text)) + 0.5))
 
 
 def shot_seconds(shot: ShotDraft, text: str) -> float:
@@ -55,9 +55,9 @@ def shot_seconds(shot: ShotDraft, text: str) -> float:
             if beat.unit.dual:
                 total -= min(previous, last)
         total += last
-    return max(total, ESTABLISHING if shot.kind == "establishing" else SHORTEST)
+    return max(total, SHORTEST_ESTABLISHING if shot.kind == "establishing" else SHORTEST_SHOT)
 
 
-def frames(seconds: float, fps: int) -> int:
+def frame_count(seconds: float, fps: int) -> int:
     """Round seconds to whole frames, at least one."""
     return max(1, round(seconds * fps))

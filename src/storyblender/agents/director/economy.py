@@ -11,7 +11,7 @@ from collections.abc import Callable, Collection
 from dataclasses import replace
 from heapq import heappop, heappush
 
-from storyblender.agents.director.cutting import step
+from storyblender.agents.director.cutting import size_steps
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import shot_seconds
 from storyblender.agents.director.settings import DirectorSettings
@@ -33,7 +33,14 @@ def economise(
     scene.pictures()
     if settings.shots_per_scene is None:
         return scene.drafts
-    for give_up in (scene.inserts, scene.split_speeches, scene.reactions, scene.talk, scene.actor, scene.neighbours):
+    for give_up in (
+        scene.inserts,
+        scene.split_speeches,
+        scene.reactions,
+        scene._join_talk,
+        scene.actor,
+        scene.neighbours,
+    ):
         give_up()
     return scene.drafts
 
@@ -55,7 +62,7 @@ class _Economy:
         kept: list[ShotDraft] = []
         for index, draft in enumerate(self.drafts):
             following = next((later.picture for later in self.drafts[index:] if later.beats), None)
-            if not draft.beats and not draft.explicit and following is not None:
+            if not draft.beats and not draft.has_note and following is not None:
                 continue
             if kept and draft.picture is not None and kept[-1].picture == draft.picture:
                 self._join(kept[-1], draft)
@@ -68,12 +75,12 @@ class _Economy:
         kept: list[ShotDraft] = []
         surplus = len(self.drafts) - self.target
         for draft in self.drafts:
-            if surplus <= 0 or draft.kind != "insert" or draft.beats or draft.explicit or not kept:
+            if surplus <= 0 or draft.kind != "insert" or draft.beats or draft.has_note or not kept:
                 kept.append(draft)
                 continue
             surplus -= 1
-            if not kept[-1].explicit:
-                kept[-1].look_at(*draft.focus)
+            if not kept[-1].has_note:
+                kept[-1].add_focus(*draft.focus)
                 kept[-1].size, kept[-1].kind = _wider(kept[-1].size, "MS"), "action"
         self.drafts = kept
 
@@ -84,7 +91,7 @@ class _Economy:
         for draft in self.drafts:
             before = kept[-1].beats if kept else []
             goes_on = draft.beats and before and before[-1].unit is draft.beats[0].unit
-            if surplus <= 0 or draft.kind != "reaction" or draft.explicit or not goes_on:
+            if surplus <= 0 or draft.kind != "reaction" or draft.has_note or not goes_on:
                 kept.append(draft)
                 continue
             surplus -= 1
@@ -96,9 +103,9 @@ class _Economy:
         """Fold a reaction into the shot beside it."""
         self._join_closest(lambda a, b: a.kind == "reaction" or b.kind == "reaction", self._distance)
 
-    def talk(self) -> None:
+    def _join_talk(self) -> None:
         """Join neighbouring speeches of one conversation into the two-shot; the last word is kept longest."""
-        last = next((draft for draft in reversed(self.drafts) if draft.speech), None)
+        last = next((draft for draft in reversed(self.drafts) if draft.speech_only), None)
 
         def cost(a: ShotDraft, b: ShotDraft) -> float:
             return self._seconds(a, b) + (3.0 if b is last else 0.0)
@@ -107,13 +114,13 @@ class _Economy:
             nonlocal last
             last = a if b is last else last
 
-        self._join_closest(lambda a, b: a.speech and b.speech and _one_conversation(a, b), cost, joined)
+        self._join_closest(lambda a, b: a.speech_only and b.speech_only and _one_conversation(a, b), cost, joined)
 
     def actor(self) -> None:
         """Join what one actor does, and says right after it."""
 
         def fits(a: ShotDraft, b: ShotDraft) -> bool:
-            return a.kind != "establishing" and _nested(self._faces(a), self._faces(b))
+            return a.kind != "establishing" and _is_subset(self._faces(a), self._faces(b))
 
         self._join_closest(fits, self._distance)
 
@@ -169,11 +176,17 @@ class _Economy:
 
     def _may_share(self, a: ShotDraft, b: ShotDraft) -> bool:
         """Whether neighbours are short enough together, and only one of them wants a picture of its own."""
-        ordered = a.explicit or b.explicit or (a.strong and b.strong) or a.picture is not None or b.picture is not None
+        ordered = (
+            a.has_note
+            or b.has_note
+            or (a.has_key_action and b.has_key_action)
+            or a.picture is not None
+            or b.picture is not None
+        )
         return not ordered and bool(a.beats and b.beats) and self._seconds(a, b) <= self._limit(a, b)
 
     def _limit(self, a: ShotDraft, b: ShotDraft) -> float:
-        return self.settings.longest_talk if a.speech and b.speech else self.settings.longest_action
+        return self.settings.longest_talk if a.speech_only and b.speech_only else self.settings.longest_action
 
     def _seconds(self, a: ShotDraft, b: ShotDraft) -> float:
         return shot_seconds(a, self.text) + shot_seconds(b, self.text)
@@ -184,25 +197,25 @@ class _Economy:
         alone = sum(4.0 for draft in (a, b) if draft.kind in ("establishing", "insert"))
         strangers = 0.0 if set(a.focus) & set(b.focus) else 2.0
         strangers += 4.0 if len({*self._faces(a), *self._faces(b)}) > 2 else 0.0
-        mixed = 4.0 if a.speech != b.speech and (a.whole_body or b.whole_body) else 0.0
-        return self._seconds(a, b) + abs(step(a.size, b.size)) + apart + alone + strangers + mixed
+        mixed = 4.0 if a.speech_only != b.speech_only and (a.whole_body or b.whole_body) else 0.0
+        return self._seconds(a, b) + abs(size_steps(a.size, b.size)) + apart + alone + strangers + mixed
 
     def _faces(self, draft: ShotDraft) -> list[str]:
         return [each for each in draft.focus if each in self.people]
 
     def _join(self, a: ShotDraft, b: ShotDraft) -> None:
         """Merge shot ``b`` into ``a``: keep the framing of the one the script orders, else widen to hold both."""
-        if b.explicit and not a.explicit:
+        if b.has_note and not a.has_note:
             ordered = replace(b, beats=a.beats + b.beats, on_stage=list(dict.fromkeys([*a.on_stage, *b.on_stage])))
             vars(a).update(vars(ordered))
             return
-        if a.explicit:
+        if a.has_note:
             a.beats += b.beats
             a.on_stage = list(dict.fromkeys([*a.on_stage, *b.on_stage]))
             return
-        talk = a.speech and b.speech
+        talk = a.speech_only and b.speech_only
         a.size = a.size if a.kind == "establishing" else _wider(a.size, b.size, "MS" if talk else a.size)
-        a.look_at(*([b.over] if b.over else []), *b.focus)
+        a.add_focus(*([b.over] if b.over else []), *b.focus)
         a.focus.sort(key=lambda each: each not in self.people)
         a.beats += b.beats
         a.on_stage = list(dict.fromkeys([*a.on_stage, *b.on_stage]))
@@ -213,7 +226,7 @@ class _Economy:
         a.movement = b.movement if a.movement == "static" else a.movement
         a.angle = a.angle if a.angle == b.angle else "eye-level"
         if a.over:
-            a.look_at(a.over)
+            a.add_focus(a.over)
         a.over = None
         faces = self._faces(a)
         if talk and a.axis and len(faces) == 2:
@@ -229,7 +242,7 @@ def _wider(*sizes: ShotSize) -> ShotSize:
     return min(sizes, key=SHOT_SIZES.index)
 
 
-def _nested(one: list[str], other: list[str]) -> bool:
+def _is_subset(one: list[str], other: list[str]) -> bool:
     return bool(one and other) and (set(one) <= set(other) or set(other) <= set(one))
 
 

@@ -11,7 +11,7 @@ from storyblender.catalog.props.variants import singular
 from storyblender.memory.scene_context import Relation, Spot
 from storyblender.memory.vocabulary import Gender
 
-MOST = 40
+MAX_GROUP = 40
 """Most bodies for one group."""
 
 _AGES = ("30s", "50s", "20s", "40s", "60s", "30s", "70s")
@@ -36,7 +36,7 @@ def expand_groups(reading: Reading) -> Reading:
     people: list[Person] = []
     members: dict[str, list[str]] = {}
     for person in reading.people:
-        count = min(MOST, _count(person, reading.screenplay.text)) if person.kind != "animal" else 1
+        count = min(MAX_GROUP, _count(person, reading.screenplay.text)) if person.kind != "animal" else 1
         if count < 2:
             people.append(person)
             continue
@@ -48,7 +48,7 @@ def expand_groups(reading: Reading) -> Reading:
     return replace(
         reading,
         people=people,
-        units=[_expand(unit, members) for unit in reading.units],
+        units=[_expand_unit(unit, members) for unit in reading.units],
         relations=[
             (scene, single) for scene, relation in reading.relations for single in _expand_relation(relation, members)
         ],
@@ -73,59 +73,64 @@ def _member(group: Person, number: int) -> Person:
     )  # fmt: skip
 
 
-def _expand(unit: Unit, members: dict[str, list[str]]) -> Unit:
+def _expand_unit(unit: Unit, members: dict[str, list[str]]) -> Unit:
     return replace(
         unit,
         deeds=[
-            replace(deed, actor=actor, target=_maybe(deed.target, members))
+            replace(deed, actor=actor, target=_expand_optional(deed.target, members))
             for deed in unit.deeds
             for actor in members.get(deed.actor, [deed.actor])
         ],
-        on_stage=_all(unit.on_stage, members),
-        entering=_all(unit.entering, members),
-        leaving=_all(unit.leaving, members),
-        people=_all(unit.people, members),
-        posture=_each(unit.posture, members),
-        held={_one(person, members): things for person, things in unit.held.items()},
-        expressions=_each(unit.expressions, members),
-        gaze=_each({person: _one(where, members) for person, where in unit.gaze.items()}, members),
-        grips={_one(person, members): grips for person, grips in unit.grips.items()},
-        activities=_each(unit.activities, members),
-        spots=_each({each: _spot(spot, members) for each, spot in unit.spots.items()}, members),
+        on_stage=_expand_ids(unit.on_stage, members),
+        entering=_expand_ids(unit.entering, members),
+        leaving=_expand_ids(unit.leaving, members),
+        people=_expand_ids(unit.people, members),
+        posture=_expand_values(unit.posture, members),
+        held={_first_member(person, members): things for person, things in unit.held.items()},
+        expressions=_expand_values(unit.expressions, members),
+        gaze=_expand_values({person: _first_member(where, members) for person, where in unit.gaze.items()}, members),
+        grips={_first_member(person, members): grips for person, grips in unit.grips.items()},
+        activities=_expand_values(unit.activities, members),
+        spots=_expand_values({each: _expand_spot(spot, members) for each, spot in unit.spots.items()}, members),
         tethers=[
-            tether.model_copy(update={"holder": _one(tether.holder, members), "held": _one(tether.held, members)})
+            tether.model_copy(
+                update={"holder": _first_member(tether.holder, members), "held": _first_member(tether.held, members)}
+            )
             for tether in unit.tethers
         ],
-        speaker=_maybe(unit.speaker, members),
-        to=_maybe(unit.to, members),
+        speaker=_expand_optional(unit.speaker, members),
+        to=_expand_optional(unit.to, members),
     )
 
 
-def _spot(spot: Spot, members: dict[str, list[str]]) -> Spot:
+def _expand_spot(spot: Spot, members: dict[str, list[str]]) -> Spot:
     return spot.model_copy(
-        update={"anchor_id": _maybe(spot.anchor_id, members), "facing": _maybe(spot.facing, members)}
+        update={
+            "anchor_id": _expand_optional(spot.anchor_id, members),
+            "facing": _expand_optional(spot.facing, members),
+        }
     )
 
 
 def _expand_relation(relation: Relation, members: dict[str, list[str]]) -> list[Relation]:
-    anchor = _one(relation.anchor_asset_id, members)
+    anchor = _first_member(relation.anchor_asset_id, members)
     return [
         relation.model_copy(update={"asset_id": member, "anchor_asset_id": anchor})
         for member in members.get(relation.asset_id, [relation.asset_id])
     ]
 
 
-def _all(ids: list[str], members: dict[str, list[str]]) -> list[str]:
+def _expand_ids(ids: list[str], members: dict[str, list[str]]) -> list[str]:
     return [member for id_ in ids for member in members.get(id_, [id_])]
 
 
-def _each(values: dict[str, _Value], members: dict[str, list[str]]) -> dict[str, _Value]:
+def _expand_values(values: dict[str, _Value], members: dict[str, list[str]]) -> dict[str, _Value]:
     return {member: value for person, value in values.items() for member in members.get(person, [person])}
 
 
-def _one(id_: str, members: dict[str, list[str]]) -> str:
+def _first_member(id_: str, members: dict[str, list[str]]) -> str:
     return members[id_][0] if id_ in members else id_
 
 
-def _maybe(id_: str | None, members: dict[str, list[str]]) -> str | None:
-    return _one(id_, members) if id_ else None
+def _expand_optional(id_: str | None, members: dict[str, list[str]]) -> str | None:
+    return _first_member(id_, members) if id_ else None

@@ -41,7 +41,7 @@ def _any_or(cell: str) -> frozenset[str]:
     return frozenset() if cell == "*" else frozenset(cell.split(" "))
 
 
-def finer(motion: str, verb: str, words: str) -> str:
+def fine_motion(motion: str, verb: str, words: str) -> str:
     """Return the finest motion of the catalogue for an action.
 
     Args:
@@ -51,7 +51,9 @@ def finer(motion: str, verb: str, words: str) -> str:
     """
     said, lemma = words.lower(), verb.lower().split(" ")[0]
     for row in _rows():
-        done = not row.verbs or lemma in row.verbs or (not lemma and any(_told(each, said) for each in row.verbs))
+        done = (
+            not row.verbs or lemma in row.verbs or (not lemma and any(_has_form_of(each, said) for each in row.verbs))
+        )
         known = motion == UNREAD or not row.coarse or motion in row.coarse
         if motion == UNREAD:
             telling = bool(row.verbs) and (row.words is not None or bool(row.verbs & _PLAIN))
@@ -63,6 +65,6 @@ def finer(motion: str, verb: str, words: str) -> str:
     return motion
 
 
-def _told(verb: str, words: str) -> bool:
+def _has_form_of(verb: str, words: str) -> bool:
     """Tell whether a verb occurs in the words, in one of its regular forms."""
     return re.search(rf"\b{verb.removesuffix('e')}(e|es|s|ed|ing|{verb[-1]}ed|{verb[-1]}ing)?\b", words) is not None

@@ -40,10 +40,10 @@ def is_fixture(thing: Thing) -> bool:
     if heads & FIXTURES:
         return True
     head = head_of(thing.name)
-    return lexicon.noun_class(head) == "scenery" and head not in _built()
+    return lexicon.noun_class(head) == "scenery" and head not in _catalog_nouns()
 
 
-def telling_ids(things: Iterable[tuple[str, str]]) -> dict[str, str]:
+def fixture_ids(things: Iterable[tuple[str, str]]) -> dict[str, str]:
     """Return the ids to use for parts of the set whose own ids do not end with the noun, which finds them in the set.
 
     Args:
@@ -58,6 +58,6 @@ def telling_ids(things: Iterable[tuple[str, str]]) -> dict[str, str]:
 
 
 @cache
-def _built() -> frozenset[str]:
+def _catalog_nouns() -> frozenset[str]:
     """Return the nouns of all things that the catalog builds."""
     return frozenset(head_of(word) for entry in PROPS.values() for word in (entry.name, *entry.tags))

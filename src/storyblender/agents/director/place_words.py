@@ -62,7 +62,7 @@ _WALLS: Final = {
 }  # fmt: skip
 
 
-def lighting(scene: SceneReading) -> str:
+def light_words(scene: SceneReading) -> str:
     """Return the light of a scene in words."""
     indoor, outdoor = _LIGHT[scene.time]
     weather = _WEATHER[scene.weather]
@@ -71,13 +71,13 @@ def lighting(scene: SceneReading) -> str:
     return f"{outdoor}; {weather}" if weather else outdoor
 
 
-def ground(scene: SceneReading) -> str:
+def ground_words(scene: SceneReading) -> str:
     """Return the ground of a scene in words."""
     plain = _GROUND.get(scene.place_kind, "boards" if scene.scene_type == "indoor" else "trodden earth")
     cover = {"rain": ", wet", "storm": ", wet", "snow": " under snow"}.get(scene.weather, "")
     return plain + (cover if scene.scene_type == "outdoor" else "")
 
 
-def walls(scene: SceneReading) -> str | None:
+def wall_words(scene: SceneReading) -> str | None:
     """Return the walls of a scene in words; None outdoors."""
     return _WALLS.get(scene.place_kind, "painted plaster") if scene.scene_type == "indoor" else None

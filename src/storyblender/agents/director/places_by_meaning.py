@@ -15,7 +15,7 @@ from storyblender.catalog.sets.places import FALLBACK, is_told
 from storyblender.memory.shot_context import Flag
 from storyblender.ports import Embedder
 
-_LIKE: Final = 0.43
+_MIN_SIMILARITY: Final = 0.43
 """Least similarity of a place to a kit; below it the plain room or open ground stays."""
 _MARGIN: Final = 0.03
 """Least lead in similarity of the best kit over the second."""
@@ -27,7 +27,7 @@ _WEIGHTS: Final = (0.5, 0.2, 0.5)
 """Weights of: place to nearest tag, place to kit, and scene text to kit."""
 
 
-def place_by_meaning(reading: Reading, load: Callable[[], Embedder]) -> None:
+def choose_kits_by_meaning(reading: Reading, load: Callable[[], Embedder]) -> None:
     """Give each scene of unknown place the most similar set kit, and flag the guess.
 
     Args:
@@ -39,36 +39,38 @@ def place_by_meaning(reading: Reading, load: Callable[[], Embedder]) -> None:
         for index, scene in enumerate(reading.scenes)
         if scene.reference is None and not is_told(scene.place_kind, scene.place, scene.scene_type)
     ]
-    by_meaning = [(index, scene) for index, scene in unknown if not _by_things(reading, index, scene)]
+    by_meaning = [(index, scene) for index, scene in unknown if not _choose_by_things(reading, index, scene)]
     named = [(index, scene) for index, scene in by_meaning if scene.place]
     if not named:
         return
     kits = [kit for kit in SETS.values()]
-    scores = _likeness(kits, [scene.place for _, scene in named], [_text(reading, i) for i, _ in named], load())
+    scores = _similarities(
+        kits, [scene.place for _, scene in named], [_meaning_text(reading, i) for i, _ in named], load()
+    )
     for (_, scene), row in zip(named, scores, strict=True):
         indoor = scene.scene_type == "indoor"
         ranked = sorted((-score, kit.key) for score, kit in zip(row, kits, strict=True) if kit.indoor == indoor)
         (best, key), (second, _) = ranked[0], ranked[1]
-        sure = -best >= _LIKE and second - best >= _MARGIN
+        sure = -best >= _MIN_SIMILARITY and second - best >= _MARGIN
         chosen = key if sure else FALLBACK[scene.scene_type]
         if sure:
             scene.place_kind = key
         reason = f"“{scene.place}” is no place that the library knows; {SETS[chosen].name.lower()} stands in"
         reading.flags.append(Flag(topic="place", choice=chosen, reason=reason, start=scene.start, end=scene.end))
-    _follow(reading)
+    _copy_to_same_place(reading)
 
 
 @rule("place.kit_by_things", without=False)
-def _by_things(reading: Reading, index: int, scene: SceneReading) -> bool:
+def _choose_by_things(reading: Reading, index: int, scene: SceneReading) -> bool:
     """Choose a scene's kit by the things in it; False if they are too few."""
     indoor = scene.scene_type == "indoor"
-    told = told_by_things([_text(reading, index)], [kit.key for kit in SETS.values() if kit.indoor == indoor])
+    told = told_by_things([_meaning_text(reading, index)], [kit.key for kit in SETS.values() if kit.indoor == indoor])
     if told is not None and not scene.place_kind:
         scene.place_kind = told
     return told is not None
 
 
-def _follow(reading: Reading) -> None:
+def _copy_to_same_place(reading: Reading) -> None:
     """Copy the kind of a place to all scenes in the same place."""
     kinds = {scene.id: scene.place_kind for scene in reading.scenes}
     for scene in reading.scenes:
@@ -77,12 +79,12 @@ def _follow(reading: Reading) -> None:
             scene.place_kind = first
 
 
-def _text(reading: Reading, index: int) -> str:
+def _meaning_text(reading: Reading, index: int) -> str:
     told = [unit.text for unit in reading.units if unit.scene == index and unit.kind == "action"]
     return " ".join(" ".join(told).split())[:_TEXT] or reading.scenes[index].place
 
 
-def _likeness(kits: list[SetKit], places: list[str], texts: list[str], embedder: Embedder) -> np.ndarray:
+def _similarities(kits: list[SetKit], places: list[str], texts: list[str], embedder: Embedder) -> np.ndarray:
     """Return the similarity of each place (row) to each kit (column)."""
     words = [(index, tag) for index, kit in enumerate(kits) for tag in (kit.name.lower(), *kit.tags[:_TAGS])]
     owners = np.array([index for index, _ in words])

@@ -17,10 +17,10 @@ from typing import Annotated, Any, get_args
 
 from pydantic import Field, TypeAdapter, ValidationError, model_validator
 
-from storyblender.agents.director.fixtures import telling_ids
+from storyblender.agents.director.fixtures import fixture_ids
 from storyblender.agents.director.reader.era import age_of
 from storyblender.agents.director.reading import CameraNote, Person, Reading, SceneReading, Thing, Unit
-from storyblender.agents.director.reading_passes import in_story_order
+from storyblender.agents.director.reading_passes import order_scenes_by_units
 from storyblender.catalog.motions import CLIP_OF, MOTIONS
 from storyblender.catalog.sets import SETS
 from storyblender.errors import InputError
@@ -132,7 +132,7 @@ def read_reading(path: Path, screenplay: Screenplay) -> Reading:
         raise InputError("is a reading of other words than this script's", mend=mend, path=path)
     _check_units(file, screenplay, path)
     _check_ids(file, path)
-    if ids := telling_ids((thing.id, thing.name) for thing in file.things if thing.part_of is None):
+    if ids := fixture_ids((thing.id, thing.name) for thing in file.things if thing.part_of is None):
         file = ReadingFile.model_validate(_with_ids(file.model_dump(mode="json", exclude_defaults=True), ids))
     reading = Reading(
         screenplay,
@@ -144,7 +144,7 @@ def read_reading(path: Path, screenplay: Screenplay) -> Reading:
         flags=list(file.flags),
         age=file.age or age_of(screenplay),
     )
-    return in_story_order(reading)
+    return order_scenes_by_units(reading)
 
 
 def _with_ids(plain: object, ids: Mapping[str, str]) -> object:

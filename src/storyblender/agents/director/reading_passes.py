@@ -13,7 +13,7 @@ Owners = dict[tuple[str, str], str]
 """Person and thing -> the copy that is theirs."""
 
 
-def hand_out(reading: Reading) -> Reading:
+def copy_shared_things(reading: Reading) -> Reading:
     """Return the reading with a copy of a thing for each of those who use it in one sentence, if it is in the plural.
 
     Args:
@@ -22,7 +22,7 @@ def hand_out(reading: Reading) -> Reading:
     copies: list[Thing] = []
     owners: Owners = {}
     taken = {each.id for each in (*reading.people, *reading.things)}
-    shared = _shared(reading.units)
+    shared = _shared_uses(reading.units)
     for thing in reading.things:
         sharing = [(unit, who) for unit, who in shared.get(thing.id, ()) if thing.kind == "prop"]
         users = list(dict.fromkeys(each for unit, who in sharing if _is_plural(thing, unit) for each in who))
@@ -38,7 +38,7 @@ def hand_out(reading: Reading) -> Reading:
     )
 
 
-def _shared(units: Sequence[Unit]) -> dict[str, list[tuple[Unit, list[str]]]]:
+def _shared_uses(units: Sequence[Unit]) -> dict[str, list[tuple[Unit, list[str]]]]:
     """The units in which several people use a thing, and who they are, by thing."""
     found: dict[str, list[tuple[Unit, list[str]]]] = {}
     for unit in units:
@@ -76,7 +76,7 @@ def _with_copies(unit: Unit, owners: Owners) -> Unit:
     )
 
 
-def in_story_order(reading: Reading) -> Reading:
+def order_scenes_by_units(reading: Reading) -> Reading:
     """Return the reading with its scenes in the order of its units, a scene that is cut away from in several parts.
 
     The parts keep the number that the script gives their scene, and share its set.
@@ -95,7 +95,7 @@ def in_story_order(reading: Reading) -> Reading:
         scene = reading.scenes[run[0].scene]
         end = runs[index + 1][0].start if index + 1 < len(runs) else max(scene.end, run[-1].end)
         earlier = first.get(scene.id)
-        reference = scenes[earlier].id if earlier is not None else _moved(scene.reference, first)
+        reference = scenes[earlier].id if earlier is not None else _new_reference(scene.reference, first)
         first.setdefault(scene.id, index)
         scenes.append(replace(scene, id=index + 1, start=run[0].start, end=end, reference=reference))
         units += [replace(unit, scene=index) for unit in run]
@@ -104,6 +104,6 @@ def in_story_order(reading: Reading) -> Reading:
     return replace(reading, scenes=scenes, units=units, relations=relations)
 
 
-def _moved(reference: int | None, first: dict[int, int]) -> int | None:
+def _new_reference(reference: int | None, first: dict[int, int]) -> int | None:
     """Return the new id of the earlier scene in the same place."""
     return first[reference] + 1 if reference in first else None

@@ -12,7 +12,7 @@ from storyblender.memory.scene_context import Relation
 
 _LASTING = frozenset({"broken", "smashed", "shattered", "cracked", "torn", "burnt", GONE})
 """States that time does not undo."""
-_MUCH_LATER = re.compile(
+_LATER_DAY = re.compile(
     r"\b(next|following|morning after|days?|weeks?|months?|years?) (later|after|day|morning|night|evening|week)\b"
     r"|\b(next|following) \w+\b|\b(weeks|months|years|days)\b",
     re.IGNORECASE,
@@ -22,7 +22,7 @@ LIGHT = "light"
 """Subject of what happens to the light of a whole place."""
 
 
-def found_states(reading: Reading) -> dict[int, dict[str, Condition]]:
+def inherited_states(reading: Reading) -> dict[int, dict[str, Condition]]:
     """Return, for each scene id, the states that earlier scenes left things and doors in.
 
     A thing that can be carried is in its state wherever it is; a part of a place, and what is gone from it, only there.
@@ -42,7 +42,7 @@ def found_states(reading: Reading) -> dict[int, dict[str, Condition]]:
     for index, scene in enumerate(reading.scenes):
         root = roots[scene.id] = roots.get(scene.reference or scene.id, scene.id)
         units = units_of.get(index, [])
-        here = _shown(units)
+        here = _things_in_action(units)
         for key in list(now):
             since = before if key[0] is None else last.get(root)
             if key[0] in (None, root) and since is not None and _time_passes(since, scene):
@@ -58,7 +58,7 @@ def found_states(reading: Reading) -> dict[int, dict[str, Condition]]:
     return found
 
 
-def _shown(units: Iterable[Unit]) -> set[str]:
+def _things_in_action(units: Iterable[Unit]) -> set[str]:
     """Return the things that the words of a scene show or use."""
     told = {thing for unit in units for thing in unit.things if unit.kind == "action" and thing not in unit.absent}
     used = {name for unit in units for deed in unit.deeds for name in (deed.prop, deed.target) if name}
@@ -67,13 +67,13 @@ def _shown(units: Iterable[Unit]) -> set[str]:
 
 def _time_passes(since: SceneReading, scene: SceneReading) -> bool:
     words = f"{scene.heading} {scene.time_written}"
-    return since.time != scene.time or _MUCH_LATER.search(words) is not None
+    return since.time != scene.time or _LATER_DAY.search(words) is not None
 
 
-_LYING = ("on", "in", "under")
+_RESTING_KINDS = ("on", "in", "under")
 
 
-def left_behind(reading: Reading) -> dict[int, list[Relation]]:
+def inherited_positions(reading: Reading) -> dict[int, list[Relation]]:
     """Return, for each scene id, where things lie that an earlier scene in the same place left there.
 
     Args:
@@ -95,7 +95,7 @@ def left_behind(reading: Reading) -> dict[int, list[Relation]]:
         here = lying.setdefault(root, {})
         found[scene.id] = list(here.values())
         for relation in stated_in.get(index, ()):
-            if relation.asset_id in props and _place(relation, here):
+            if relation.asset_id in props and _update_positions(relation, here):
                 where.setdefault(relation.asset_id, set()).add(root)
         last = {deed.prop: deed.motion for unit in units_of.get(index, ()) for deed in unit.deeds if deed.prop}
         for thing, motion in last.items():
@@ -106,10 +106,10 @@ def left_behind(reading: Reading) -> dict[int, list[Relation]]:
     return found
 
 
-def _place(relation: Relation, here: dict[str, Relation]) -> bool:
+def _update_positions(relation: Relation, here: dict[str, Relation]) -> bool:
     """Note where a thing lies; what is put beside another lies where that lies. Return whether it lies somewhere."""
     beside = here.get(relation.anchor_asset_id)
-    if relation.kind in _LYING:
+    if relation.kind in _RESTING_KINDS:
         here[relation.asset_id] = relation
     elif relation.kind == "next_to" and beside:
         here[relation.asset_id] = beside.model_copy(update={"asset_id": relation.asset_id})
@@ -118,17 +118,17 @@ def _place(relation: Relation, here: dict[str, Relation]) -> bool:
     return True
 
 
-_BRINGING = frozenset({
+_BRINGING_VERBS = frozenset({
     "bring", "deliver", "fetch", "wheel", "haul", "drag", "carry", "serve", "produce", "lug", "bear", "roll", "push",
 })  # fmt: skip
 """Verbs of people who come in with a thing."""
-_BROUGHT_AT_ONCE = frozenset({"bring", "deliver", "fetch", "serve"})
+_DELIVERY_VERBS = frozenset({"bring", "deliver", "fetch", "serve"})
 """Verbs that say by themselves that the thing was elsewhere."""
-_DRIVEN = frozenset({"drive", "ride"})
-_WITH = frozenset({"carry", "hold", "push", "pull"})
+_TRAVEL_MOTIONS = frozenset({"drive", "ride"})
+_CARRYING_MOTIONS = frozenset({"carry", "hold", "push", "pull"})
 
 
-def not_there_yet(units: Sequence[Unit], things: Collection[str]) -> dict[int, set[str]]:
+def absent_until_brought(units: Sequence[Unit], things: Collection[str]) -> dict[int, set[str]]:
     """Return, for each unit of a scene by its start, the things that come only later.
 
     A reading that says itself when a thing is absent is left alone, and so is a thing that was told before.
@@ -141,7 +141,7 @@ def not_there_yet(units: Sequence[Unit], things: Collection[str]) -> dict[int, s
     known: set[str] = set()
     missing: dict[int, set[str]] = {}
     for index, unit in enumerate(units):
-        for thing in sorted(_coming(unit) & {*things} - known - told):
+        for thing in sorted(_arriving_things(unit) & {*things} - known - told):
             for earlier in units[:index]:
                 missing.setdefault(earlier.start, set()).add(thing)
         if unit.kind == "action":
@@ -150,7 +150,7 @@ def not_there_yet(units: Sequence[Unit], things: Collection[str]) -> dict[int, s
     return missing
 
 
-def _coming(unit: Unit) -> set[str]:
+def _arriving_things(unit: Unit) -> set[str]:
     """Return what comes into the scene in a unit."""
     found = {change.subject for change in unit.changes if change.state == "there"}
     for person in unit.entering:
@@ -159,8 +159,8 @@ def _coming(unit: Unit) -> set[str]:
         names = {name for name in (deed.prop, deed.target) if name}
         verb = deed.verb.split()[0] if deed.verb else ""
         comes_in = deed.actor in unit.entering
-        if comes_in and deed.motion in _DRIVEN:
+        if comes_in and deed.motion in _TRAVEL_MOTIONS:
             found |= names
-        elif (comes_in and (deed.motion in _WITH or verb in _BRINGING)) or verb in _BROUGHT_AT_ONCE:
+        elif (comes_in and (deed.motion in _CARRYING_MOTIONS or verb in _BRINGING_VERBS)) or verb in _DELIVERY_VERBS:
             found |= {deed.prop} if deed.prop else names
     return found

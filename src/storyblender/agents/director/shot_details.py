@@ -9,13 +9,13 @@ from string import capwords
 
 from storyblender.agents.director.camera_phrases import from_behind
 from storyblender.agents.director.draft import Beat, ShotDraft
-from storyblender.agents.director.durations import frames, shot_seconds
-from storyblender.agents.director.fine_motions import UNREAD, finer
+from storyblender.agents.director.durations import frame_count, shot_seconds
+from storyblender.agents.director.fine_motions import UNREAD, fine_motion
 from storyblender.agents.director.motion_families import GETTING, SPOKEN, TRAVEL
 from storyblender.agents.director.reading import Deed, SceneReading, Unit
-from storyblender.agents.director.scene_continuity import not_there_yet
+from storyblender.agents.director.scene_continuity import absent_until_brought
 from storyblender.agents.director.staging import Staging
-from storyblender.agents.director.story_assets import Company, unique
+from storyblender.agents.director.story_assets import StoryAssets, unique
 from storyblender.agents.director.wording import deed_words, mood_of, wanted_camera
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.places import find_kit
@@ -75,15 +75,15 @@ class ShotDetails:
     """
 
     def __init__(
-        self, text: str, company: Company, scene: SceneReading, units: Sequence[Unit], flags: ScriptFlags
+        self, text: str, story: StoryAssets, scene: SceneReading, units: Sequence[Unit], flags: ScriptFlags
     ) -> None:
-        self.company = company
+        self.story = story
         self.scene = scene
         self.text = text
         self.flags = flags
         kit = SETS[scene.kit or find_kit(scene.place_kind, scene.place, scene.scene_type)]
-        self.staging = Staging(units, company.assets, company.fixtures, seated=kit.seated, on_foot=kit.on_foot)
-        self.later = not_there_yet(units, company.assets - company.actors - company.creatures)
+        self.staging = Staging(units, story.assets, story.fixtures, seated=kit.seated, on_foot=kit.on_foot)
+        self.later = absent_until_brought(units, story.assets - story.actors - story.creatures)
         self.told: set[int] = set()
         """Starts of the units that a shot has played."""
         self.seen: set[str] = set()
@@ -103,7 +103,7 @@ class ShotDetails:
         units = [beat.unit for beat in draft.beats] or ([draft.before] if draft.before else [])
         fresh = [beat.unit for beat in draft.beats if beat.unit.start not in self.told]
         self.told |= {unit.start for unit in fresh}
-        on_stage = [person for person in draft.on_stage if person in self.company.actors]
+        on_stage = [person for person in draft.on_stage if person in self.story.actors]
         # A thing in somebody's hands is not shown without them.
         holders = [state.asset_id for state in states if draft.kind == "insert" and {*state.held} & {*draft.focus}]
         line = max((index for index, unit in enumerate(units) if unit.moment), default=None)
@@ -113,8 +113,8 @@ class ShotDetails:
             shot_id=number,
             on_stage=tuple(on_stage),
             in_frame=tuple(unique([*self._in_frame(draft, on_stage), *holders])),
-            states=tuple(state for state in states if state.asset_id in self.company.actors),
-            end_states=tuple(state for state in end_states if state.asset_id in self.company.actors),
+            states=tuple(state for state in states if state.asset_id in self.story.actors),
+            end_states=tuple(state for state in end_states if state.asset_id in self.story.actors),
             thing_spots=self._thing_spots(units),
             absent=self._absent(units),
             tethers=self._tethers(units),
@@ -125,7 +125,7 @@ class ShotDetails:
             new_lighting_description=light,
             sound_effect=", ".join(unique(sound for unit in fresh for sound in unit.sounds)) or None,
             camera_instruction=self._camera(draft),
-            duration=frames(shot_seconds(draft, self.text), fps),
+            duration=frame_count(shot_seconds(draft, self.text), fps),
             flags=tuple(self._flags(draft, fresh)),
         )
 
@@ -140,7 +140,7 @@ class ShotDetails:
 
     def _in_frame(self, draft: ShotDraft, on_stage: Sequence[str]) -> list[str]:
         shown = [*draft.focus, *([draft.over] if draft.over else [])]
-        if draft.kind == "establishing" and not draft.explicit:
+        if draft.kind == "establishing" and not draft.has_note:
             shown += on_stage
         if draft.size not in TIGHT:
             shown += _walking_along(draft)
@@ -151,22 +151,22 @@ class ShotDetails:
     def _thing_spots(self, units: Sequence[Unit]) -> dict[str, Spot]:
         """Return the spots of things, and of animals outside the cast, at the end of these units."""
         told = {each: spot for unit in units for each, spot in unit.spots.items()}
-        placed = self.company.assets - self.company.actors
+        placed = self.story.assets - self.story.actors
         return {each: self.staging.known_spot(spot) for each, spot in told.items() if each in placed}
 
     def _absent(self, units: Sequence[Unit]) -> tuple[str, ...]:
         """Return the things missing in all of these units; a thing that comes or goes in between is shown."""
         missing = [{*unit.absent} | self.later.get(unit.start, set()) for unit in units]
-        return tuple(sorted(set[str].intersection(*missing) & self.company.assets)) if missing else ()
+        return tuple(sorted(set[str].intersection(*missing) & self.story.assets)) if missing else ()
 
     def _tethers(self, units: Sequence[Unit]) -> tuple[Tether, ...]:
         told = {(tether.holder, tether.held): tether for unit in units for tether in unit.tethers}
-        return tuple(tether for ends, tether in told.items() if self.company.assets.issuperset(ends))
+        return tuple(tether for ends, tether in told.items() if self.story.assets.issuperset(ends))
 
     def _camera(self, draft: ShotDraft) -> CameraInstruction:
         return CameraInstruction(
             focus_on_ids=tuple(
-                unique(each for part in draft.focus if (each := self.company.shown(part)) in self.company.assets)
+                unique(each for part in draft.focus if (each := self.story.visible_id(part)) in self.story.assets)
             ),
             kind=draft.kind,
             size=draft.size,
@@ -176,11 +176,11 @@ class ShotDetails:
             movement=draft.movement,
             direction=draft.direction,
             over_id=draft.over,
-            pov_id=draft.pov if draft.pov in self.company.actors else None,
+            pov_id=draft.pov if draft.pov in self.story.actors else None,
             lens=_POV_LENS if draft.kind == "pov" else None,
             axis=draft.axis,
-            description=wanted_camera(draft, self.company.names, capwords(self.scene.place)),
-            explicit=draft.ordered,
+            description=wanted_camera(draft, self.story.names, capwords(self.scene.place)),
+            explicit=draft.script_directed,
             through=draft.note.through if draft.note and draft.kind == "pov" else "",
             behind=draft.kind in _SHOWS_FACES
             and any(from_behind(self.text[beat.start : beat.end]) for beat in draft.beats),
@@ -192,20 +192,20 @@ class ShotDetails:
         for unit in units:
             for deed in unit.deeds:
                 if (
-                    deed.prop in self.company.assets
+                    deed.prop in self.story.assets
                     and deed.prop not in self.seen
                     and _brought_out(deed, unit, self.text)
                 ):
-                    hand = f"in the hand of {self.company.names.get(deed.actor, deed.actor)}"
+                    hand = f"in the hand of {self.story.names.get(deed.actor, deed.actor)}"
                     found.append(AssetModification(asset_id=deed.prop, modification_type="add", description=hand))
             for change in unit.changes:
-                subject = self.company.shown(change.subject)
-                if subject in self.company.assets or subject in self.company.fixtures:
+                subject = self.story.visible_id(change.subject)
+                if subject in self.story.assets or subject in self.story.fixtures:
                     found.append(
                         AssetModification(
                             asset_id=subject,
                             modification_type="remove" if change.state == "gone" else "transform",
-                            description=f"{self.company.names[change.subject]}: {change.state}",
+                            description=f"{self.story.names[change.subject]}: {change.state}",
                             state=change.state,
                         )
                     )
@@ -226,13 +226,13 @@ class ShotDetails:
         for person in self._in_frame(draft, on_stage):
             if person in busy:
                 continue
-            heard = speaker if speaker in self.company.names else None
+            heard = speaker if speaker in self.story.names else None
             actions.append(
                 CharacterAction(
                     asset_id=person,
-                    action_description=f"listens to {self.company.names[heard]}" if heard else "waits",
+                    action_description=f"listens to {self.story.names[heard]}" if heard else "waits",
                     motion="listen" if heard else "idle",
-                    target_id=heard if heard in self.company.assets else None,
+                    target_id=heard if heard in self.story.assets else None,
                 )
             )
         return actions
@@ -243,9 +243,9 @@ class ShotDetails:
         for index, beat in enumerate(draft.beats):
             unit = beat.unit
             person = unit.people[0] if len(unit.people) == 1 and unit.kind == "action" and not unit.deeds else ""
-            if person not in self.company.actors or person in busy:
+            if person not in self.story.actors or person in busy:
                 continue
-            act = finer(UNREAD, "", unit.text)
+            act = fine_motion(UNREAD, "", unit.text)
             if act != UNREAD:
                 found.append(
                     CharacterAction(asset_id=person, action_description=unit.text, motion=act, line_index=index)
@@ -256,19 +256,19 @@ class ShotDetails:
         unit = beat.unit
         found: list[CharacterAction] = []
         for deed in unit.deeds:
-            acts = deed.actor in self.company.actors | self.company.creatures
+            acts = deed.actor in self.story.actors | self.story.creatures
             if not acts or (unit.kind == "dialogue" and deed.motion in SPOKEN):
                 continue
             face = unit.expressions.get(deed.actor, "")
             words = deed_words(deed, unit, self.text)
-            target, prop = (self.company.wholes.get(each or "", each) for each in (deed.target, deed.prop))
+            target, prop = (self.story.wholes.get(each or "", each) for each in (deed.target, deed.prop))
             found.append(
                 CharacterAction(
                     asset_id=deed.actor,
                     action_description=words,
-                    motion="idle" if self.staging.already(deed, unit) else finer(deed.motion, deed.verb, words),
-                    target_id=target if target in self.company.assets | self.company.fixtures else None,
-                    prop_id=prop if prop in self.company.assets else None,
+                    motion="idle" if self.staging.already(deed, unit) else fine_motion(deed.motion, deed.verb, words),
+                    target_id=target if target in self.story.assets | self.story.fixtures else None,
+                    prop_id=prop if prop in self.story.assets else None,
                     distance=deed.distance,
                     mood=deed.mood if deed.mood != "neutral" else mood_of(face),
                     line_index=index,
@@ -276,7 +276,7 @@ class ShotDetails:
             )
         acting = {action.asset_id for action in found}
         for person, face in unit.expressions.items():
-            if person in self.company.actors and person not in acting and person != unit.speaker:
+            if person in self.story.actors and person not in acting and person != unit.speaker:
                 found.append(
                     CharacterAction(asset_id=person, action_description=face, mood=mood_of(face), line_index=index)
                 )
@@ -284,16 +284,16 @@ class ShotDetails:
 
     def _speech(self, beat: Beat, index: int) -> list[CharacterAction]:
         unit = beat.unit
-        if unit.speaker not in self.company.actors or unit.speaker not in unit.on_stage or unit.off_screen:
+        if unit.speaker not in self.story.actors or unit.speaker not in unit.on_stage or unit.off_screen:
             return []
         spoken = next((deed for deed in unit.deeds if deed.actor == unit.speaker and deed.motion in SPOKEN), None)
         motion = spoken.motion if spoken else "talk"
-        to = unit.to if unit.to in self.company.assets else None
+        to = unit.to if unit.to in self.story.assets else None
         words = " ".join((unit.parenthetical, unit.expressions.get(unit.speaker, "")))
         return [
             CharacterAction(
                 asset_id=unit.speaker,
-                action_description=f"speaks to {self.company.names[to]}" if to else "speaks",
+                action_description=f"speaks to {self.story.names[to]}" if to else "speaks",
                 motion=motion,
                 target_id=to,
                 mood=spoken.mood if spoken and spoken.mood != "neutral" else mood_of(words),

@@ -13,7 +13,7 @@ _TAPS = frozenset({"tap", "taps", "faucet", "faucets"})
 _BASINS = frozenset({"sink", "basin", "washbasin", "bath", "bathtub", "tub"})
 
 
-class Company:
+class StoryAssets:
     """All people and things that appear on stage in the story.
 
     Args:
@@ -34,45 +34,45 @@ class Company:
         self.people = [person for person in reading.people if person.id in staged]
         self.actors = {person.id for person in self.people if not is_creature(person, reading)}
         self.creatures = {person.id for person in self.people} - self.actors
-        in_hand = _in_hand(reading)
+        in_hand = _held_things(reading)
         self.fixtures = {thing.id for thing in reading.things if thing.id not in in_hand and is_fixture(thing)}
-        self.wholes = _mere_parts(reading) | _outlets(reading)
+        self.wholes = _fixed_parts(reading) | _taps_of_basins(reading)
         self.fixtures |= set(self.wholes)
         things = {thing.id for thing in reading.things} - self.fixtures
         self.assets = {person.id for person in self.people} | things
-        self.names = {each.id: _shown_name(each) for each in (*reading.people, *reading.things)}
+        self.names = {each.id: _display_name(each) for each in (*reading.people, *reading.things)}
 
-    def shown(self, id_: str) -> str:
+    def visible_id(self, id_: str) -> str:
         """Return the id of the thing that shows a part, or the id itself."""
         while id_ in self.wholes:
             id_ = self.wholes[id_]
         return id_
 
 
-def _in_hand(reading: Reading) -> set[str]:
+def _held_things(reading: Reading) -> set[str]:
     """Return the ids of all things that are ever held: a held lid is no part of the set."""
     held = {id_ for unit in reading.units for things in unit.held.values() for id_ in things}
     return held | {id_ for unit in reading.units for things in unit.grips.values() for id_ in things}
 
 
-def _mere_parts(reading: Reading) -> dict[str, str]:
+def _fixed_parts(reading: Reading) -> dict[str, str]:
     """Return part -> whole of the parts that never come off: never held, and without a place of their own."""
-    loose = _in_hand(reading) | {id_ for unit in reading.units for id_ in unit.spots}
+    loose = _held_things(reading) | {id_ for unit in reading.units for id_ in unit.spots}
     loose |= {deed.prop for unit in reading.units for deed in unit.deeds if deed.prop}
     loose |= {change.subject for unit in reading.units for change in unit.changes}
     known = {thing.id for thing in reading.things}
     wholes = {thing.id: thing.part_of for thing in reading.things if thing.part_of in known and thing.id not in loose}
-    return {part: whole for part, whole in wholes.items() if whole and not _circular(part, wholes)}
+    return {part: whole for part, whole in wholes.items() if whole and not _is_circular(part, wholes)}
 
 
-def _outlets(reading: Reading) -> dict[str, str]:
+def _taps_of_basins(reading: Reading) -> dict[str, str]:
     """Return tap -> sink or bath: of what runs from it, the first that the story names."""
     basins = [thing.id for thing in reading.things if head_of(thing.name) in _BASINS]
     taps = [thing.id for thing in reading.things if head_of(thing.name) in _TAPS and thing.part_of is None]
     return dict.fromkeys(taps, basins[0]) if basins else {}
 
 
-def _circular(part: str, wholes: Mapping[str, str | None]) -> bool:
+def _is_circular(part: str, wholes: Mapping[str, str | None]) -> bool:
     seen, at = {part}, wholes.get(part)
     while at is not None and at in wholes:
         if at in seen:
@@ -87,5 +87,5 @@ def unique(items: Iterable[str | None]) -> list[str]:
     return list(dict.fromkeys(item for item in items if item))
 
 
-def _shown_name(each: Person | Thing) -> str:
+def _display_name(each: Person | Thing) -> str:
     return capwords(each.name) if each.name.isupper() else each.name

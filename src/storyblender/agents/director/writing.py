@@ -9,16 +9,16 @@ from typing import Final
 from storyblender.agents.director.reading import Reading, StateChange, Unit
 from storyblender.catalog.states import READS
 
-_READS: Final = (
+_READING_VERBS: Final = (
     r"(?:reads?|reading|says?|saying|marked|labell?ed|titled|entitled|bearing|spells?(?: out)?|spelling|written|printed"
     r"|scrawled|stencill?ed|lettered|inscribed|with the words?|the words?|stamped|embroidered|painted)"
 )
 _QUOTED: Final = r"[\"“‘'](?P<quoted>[^\"”\n]{1,90}?)[\"”’'](?![^\W\d_])"
 _CAPITALS: Final = r"(?P<capitals>[A-Z0-9][A-Z0-9'’&!?-]*(?: [A-Z0-9'’&!?-]+){0,7})\b(?![a-z])"
-_SAID, _BIG = _QUOTED.replace("quoted", "said"), _CAPITALS.replace("capitals", "big")
+_QUOTED_AFTER_COLON, _CAPITALS_AFTER_COLON = _QUOTED.replace("quoted", "said"), _CAPITALS.replace("capitals", "big")
 _WRITTEN: Final = re.compile(
-    rf"^[^.!?\n\"“”]{{0,60}}?\b{_READS}\b[^.!?\n\"“”‘]{{0,24}}?[:,]?\s*(?:{_QUOTED}|{_CAPITALS})"
-    rf"|^[^.!?\n\"“”,;]{{0,30}}?(?::|—|--)\s*(?:{_SAID}|{_BIG})"
+    rf"^[^.!?\n\"“”]{{0,60}}?\b{_READING_VERBS}\b[^.!?\n\"“”‘]{{0,24}}?[:,]?\s*(?:{_QUOTED}|{_CAPITALS})"
+    rf"|^[^.!?\n\"“”,;]{{0,30}}?(?::|—|--)\s*(?:{_QUOTED_AFTER_COLON}|{_CAPITALS_AFTER_COLON})"
 )
 _REACH: Final = 170
 """Characters after a thing's name that are searched for its writing."""
@@ -40,7 +40,7 @@ def writing_on(name: str, first: int, text: str) -> str:
     return words.strip(" ,.") if len(words.strip(" ,.")) > 1 else ""
 
 
-def note_new_writing(reading: Reading) -> Reading:
+def add_writing_changes(reading: Reading) -> Reading:
     """Return a reading in which a change says so wherever other words are read on a thing than before.
 
     Args:

@@ -12,7 +12,7 @@ import pytest
 from handmade import Script
 
 from storyblender.agents.director.breakdown import storyboard
-from storyblender.agents.director.durations import action_seconds, frames, speech_seconds, word_count
+from storyblender.agents.director.durations import action_seconds, frame_count, speech_seconds, word_count
 from storyblender.agents.director.fixtures import FIXTURES
 from storyblender.agents.director.reader import read_script
 from storyblender.agents.director.reading import CameraNote, Person, Reading, StateChange
@@ -65,7 +65,7 @@ def test_the_examples_lose_no_word(path: Path, budget: int | None) -> None:
         assert {*shot.on_stage, *shot.in_frame, *shot.camera_instruction.focus_on_ids} <= known
         assert set(shot.in_frame) <= set(shot.on_stage)
         assert {state.asset_id for state in shot.states} == set(shot.on_stage)
-        assert shot.duration >= frames(1.5, 24)
+        assert shot.duration >= frame_count(1.5, 24)
         for action in shot.character_actions:
             assert {action.asset_id, action.prop_id or action.asset_id} <= known
             target = action.target_id or action.asset_id
@@ -82,7 +82,7 @@ def test_a_budget_gives_fewer_and_longer_shots_without_touching_orders() -> None
     full, tight = board_of(script), board_of(script, DirectorSettings(shots_per_scene=3))
     assert len(tight.shot_details) < len(full.shot_details)
     assert len(tight.shot_details) <= 5
-    assert [shot.camera_instruction.size for shot in tight.shot_details if shot.camera_instruction.explicit] == ["CU"]
+    assert [shot.camera_instruction.size for shot in tight.shot_details if shot.camera_instruction.has_note] == ["CU"]
     assert_covers(tight, script.read())
 
 
@@ -106,7 +106,7 @@ def test_talk_is_not_joined_beyond_its_limit() -> None:
         )
     settings = DirectorSettings(shots_per_scene=1)
     board = board_of(script, settings)
-    assert max(shot.duration for shot in board.shot_details) <= frames(settings.longest_talk, settings.fps)
+    assert max(shot.duration for shot in board.shot_details) <= frame_count(settings.longest_talk, settings.fps)
     assert len(board.shot_details) >= 10
 
 
@@ -234,7 +234,7 @@ def test_shot_notes_reach_the_next_unit_and_the_script_words_stay() -> None:
     reading = read_script(read(script))
     board = storyboard(reading)
     last = board.shot_details[-1].camera_instruction
-    assert (last.explicit, last.angle, last.size) == (True, "low angle", "CU")
+    assert (last.has_note, last.angle, last.size) == (True, "low angle", "CU")
     assert re.search(r"never", board.storyboard_outline[0].shots[-1].lines[0].text, re.IGNORECASE)
 
 

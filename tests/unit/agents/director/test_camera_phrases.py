@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from storyblender.agents.director.camera_phrases import parse, parse_note
+from storyblender.agents.director.camera_phrases import parse_direction, parse_note
 
 
 def said(note: object) -> dict[str, object]:
@@ -55,7 +55,7 @@ FOUND = [
 
 @pytest.mark.parametrize(("sentence", "fields", "left"), FOUND, ids=[row[0] for row in FOUND])
 def test_reads_a_direction_and_leaves_the_action(sentence: str, fields: dict[str, object], left: str) -> None:
-    note, (start, end) = parse(sentence)
+    note, (start, end) = parse_direction(sentence)
     assert note is not None
     assert said(note) == fields
     assert sentence[start:end] == left
@@ -71,7 +71,7 @@ def test_reads_a_direction_and_leaves_the_action(sentence: str, fields: dict[str
     ],
 )  # fmt: skip
 def test_leaves_plain_action_alone(sentence: str) -> None:
-    assert parse(sentence) == (None, (0, len(sentence)))
+    assert parse_direction(sentence) == (None, (0, len(sentence)))
 
 
 @pytest.mark.parametrize(

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from handmade import Script
 
-from storyblender.agents.director.directions import Names
+from storyblender.agents.director.directions import NameFinder
 from storyblender.agents.director.reading import Thing
-from storyblender.agents.director.story_assets import Company
+from storyblender.agents.director.story_assets import StoryAssets
 
 
 def test_an_id_or_a_whole_name_wins_over_a_last_word() -> None:
     reading = Script("Otis").action("Otis waits.").read()
     reading.things = [Thing("snow_moose", "snow moose"), Thing("moose", "moose"), Thing("lid", "red lid")]
-    names = Names(reading)
+    names = NameFinder(reading)
     assert names.find("moose, Otis") == ["moose", "otis"]
     assert names.find("snow moose") == ["snow_moose"]
     assert names.find("lid") == names.find("red lid") == ["lid"]
@@ -28,6 +28,6 @@ def test_a_part_that_stays_on_is_shown_by_its_whole() -> None:
         Thing("kettle", "kettle"),
         Thing("lid", "lid", part_of="kettle"),
     ]
-    company = Company(script.read())
+    company = StoryAssets(script.read())
     assert company.shown("message") == "laptop" and "message" not in company.assets
     assert company.shown("lid") == "lid" and "lid" in company.assets, "somebody holds it: it comes off"

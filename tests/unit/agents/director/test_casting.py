@@ -4,7 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from storyblender.agents.director.casting import called, cast, describe, garments, introduction, years
+from storyblender.agents.director.casting import (
+    age_in_years,
+    age_word,
+    cast_look,
+    describe_person,
+    garments_in,
+    introduction_words,
+)
 from storyblender.agents.director.reading import Person
 from storyblender.catalog.homelands import homeland_of
 
@@ -15,12 +22,12 @@ from storyblender.catalog.homelands import homeland_of
      ("forties", 45), ("age 7", 7), ("young", 25)],
 )  # fmt: skip
 def test_years(age: str, number: float) -> None:
-    assert years(Person("x", "X", age=age)) == number
+    assert age_in_years(Person("x", "X", age=age)) == number
 
 
 def test_an_age_that_is_not_said_is_an_adults_and_always_the_same() -> None:
-    look = cast(Person("bob", "BOB"))
-    assert 30 <= look.age < 45 and look == cast(Person("bob", "BOB"))
+    look = cast_look(Person("bob", "BOB"))
+    assert 30 <= look.age < 45 and look == cast_look(Person("bob", "BOB"))
 
 
 @pytest.mark.parametrize(
@@ -48,21 +55,21 @@ def test_an_age_that_is_not_said_is_an_adults_and_always_the_same() -> None:
     ],
 )
 def test_garments(words: str, keys: str) -> None:
-    assert {garment.key for garment in garments(words)} == {*keys.split()}
+    assert {garment.key for garment in garments_in(words)} == {*keys.split()}
 
 
 def test_colours_belong_to_their_garment() -> None:
     coat, dress = (
-        next(g for g in garments("dark green coat over a red dress") if g.key == key) for key in ("coat", "dress")
+        next(g for g in garments_in("dark green coat over a red dress") if g.key == key) for key in ("coat", "dress")
     )
     assert coat.color and coat.color[1] > coat.color[0]
     assert dress.color and dress.color[0] > 5 * dress.color[1]
-    brown = garments("brown leather jacket")[0].color
+    brown = garments_in("brown leather jacket")[0].color
     assert brown and brown[0] > brown[2]
 
 
 def test_looks() -> None:
-    look = cast(
+    look = cast_look(
         Person(
             "x",
             "X",
@@ -85,12 +92,12 @@ def test_looks() -> None:
      ("a shaved head", "shaved"), ("a blonde bob", "bob"), ("curly hair", "curly")],
 )  # fmt: skip
 def test_hair(words: str, style: str) -> None:
-    assert cast(Person("x", "X", gender="male", hair=(words,))).hair == style
+    assert cast_look(Person("x", "X", gender="male", hair=(words,))).hair == style
 
 
 def test_a_woman_in_a_dress_wears_heels_unless_it_is_said() -> None:
     def keys(gender: str, words: str) -> set[str]:
-        look = cast(Person("x", "X", gender=gender, age="30", outfit=(words,)))  # type: ignore[arg-type]
+        look = cast_look(Person("x", "X", gender=gender, age="30", outfit=(words,)))  # type: ignore[arg-type]
         return {garment.key for garment in look.garments}
 
     assert "heels" in keys("female", "red dress")
@@ -98,13 +105,13 @@ def test_a_woman_in_a_dress_wears_heels_unless_it_is_said() -> None:
 
 
 def test_blonde_hair_is_not_yellow() -> None:
-    color = cast(Person("x", "X", hair=("blonde hair",))).hair_color
+    color = cast_look(Person("x", "X", hair=("blonde hair",))).hair_color
     assert color and color[0] / color[2] < 3.5
 
 
 def test_skin_only_where_it_is_said() -> None:
-    assert cast(Person("x", "X", hair=("dark hair",))).skin == "light"
-    assert cast(Person("x", "X"), "40s, broad, dark-skinned, blue suit").skin == "dark"
+    assert cast_look(Person("x", "X", hair=("dark hair",))).skin == "light"
+    assert cast_look(Person("x", "X"), "40s, broad, dark-skinned, blue suit").skin == "dark"
 
 
 @pytest.mark.parametrize(
@@ -117,21 +124,21 @@ def test_skin_only_where_it_is_said() -> None:
     ],
 )
 def test_introductions(text: str, words: str) -> None:
-    assert introduction(Person("x", "X"), text) == words
+    assert introduction_words(Person("x", "X"), text) == words
 
 
 def test_a_description_is_one_sentence() -> None:
     person = Person(
         "x", "X", gender="female", age="35", build=("lean",), hair=("short black hair",), outfit=("a grey coat",)
     )
-    assert describe(person) == "A lean woman, 35, short black hair, in grey coat."
+    assert describe_person(person) == "A lean woman, 35, short black hair, in grey coat."
 
 
 def test_who_is_not_dressed_by_the_script_is_dressed_by_trade_and_age() -> None:
     sheriff = Person(id="cole", name="Cole", role="sheriff", gender="male")
-    assert "cowboy_hat" in {garment.key for garment in cast(sheriff, era="west").garments}
+    assert "cowboy_hat" in {garment.key for garment in cast_look(sheriff, era="west").garments}
     in_red = Person(id="cole", name="Cole", role="sheriff", gender="male", outfit=("red sweater",))
-    assert {garment.key for garment in cast(in_red, era="west").garments} == {"sweater"}
+    assert {garment.key for garment in cast_look(in_red, era="west").garments} == {"sweater"}
 
 
 @pytest.mark.parametrize(
@@ -144,30 +151,30 @@ def test_who_is_not_dressed_by_the_script_is_dressed_by_trade_and_age() -> None:
     ],
 )
 def test_people_look_as_most_do_where_the_story_is_set(heading: str, skin: str) -> None:
-    look = cast(Person("ade", "ADE", gender="male", age="30"), homeland=homeland_of(heading))
+    look = cast_look(Person("ade", "ADE", gender="male", age="30"), homeland=homeland_of(heading))
     assert look.skin == skin
     assert look.hair_color is not None and max(look.hair_color) < 0.05
 
 
 def test_the_script_and_foreigners_go_before_the_place() -> None:
     lagos = homeland_of("LAGOS")
-    assert cast(Person("ann", "ANN", build=("pale",)), homeland=lagos).skin == "pale"
-    assert cast(Person("bob", "BOB", role="tourist"), homeland=lagos).skin == "light"
+    assert cast_look(Person("ann", "ANN", build=("pale",)), homeland=lagos).skin == "pale"
+    assert cast_look(Person("bob", "BOB", role="tourist"), homeland=lagos).skin == "light"
     assert homeland_of("INT. KITCHEN - NIGHT") is None
 
 
 def test_a_word_of_age_before_the_name_is_its_age() -> None:
     text = "Baby TOM sleeps. Inspector RAO waits."
-    assert called(Person("tom", "TOM", first=5), text) == "baby"
-    assert called(Person("rao", "RAO", first=text.index("RAO")), text) == ""
+    assert age_word(Person("tom", "TOM", first=5), text) == "baby"
+    assert age_word(Person("rao", "RAO", first=text.index("RAO")), text) == ""
 
 
 def test_a_womans_swimming_costume_is_no_trunks() -> None:
     for gender, key in (("female", "swimsuit"), ("male", "swim_trunks")):
-        look = cast(Person("kim", "Kim", gender=gender, outfit=("green swimming costume",)))
+        look = cast_look(Person("kim", "Kim", gender=gender, outfit=("green swimming costume",)))
         assert [garment.key for garment in look.garments] == [key]
 
 
 def test_a_garment_named_again_without_a_colour_is_the_same_garment() -> None:
-    (jacket,) = (garment for garment in garments("cream linen suit, jacket") if garment.key == "jacket")
-    assert jacket.color == next(each.color for each in garments("cream linen suit") if each.key == "jacket")
+    (jacket,) = (garment for garment in garments_in("cream linen suit, jacket") if garment.key == "jacket")
+    assert jacket.color == next(each.color for each in garments_in("cream linen suit") if each.key == "jacket")

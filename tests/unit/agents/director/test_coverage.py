@@ -9,8 +9,8 @@ from handmade import Script
 
 from storyblender.agents.director.breakdown import storyboard
 from storyblender.agents.director.coverage import Coverage
-from storyblender.agents.director.cutting import alternate, avoid_jump_cuts, step
-from storyblender.agents.director.directions import attach_notes
+from storyblender.agents.director.cutting import alternate_speakers, avoid_jump_cuts, size_steps
+from storyblender.agents.director.directions import camera_notes_by_unit
 from storyblender.agents.director.draft import ShotDraft
 from storyblender.agents.director.reader import read_script
 from storyblender.agents.director.reading import CameraNote, Reading, SceneReading
@@ -24,7 +24,7 @@ def shots(script: Script, *, known: bool = True) -> list[ShotDraft]:
     if known:
         reading.scenes.insert(0, SceneReading(9, "", "ROOM", "", "indoor", "day"))
         scene.reference = 9
-    return Coverage(reading).shots(scene, reading.units, attach_notes(reading))
+    return Coverage(reading).shots(scene, reading.units, camera_notes_by_unit(reading))
 
 
 def forms(drafts: list[ShotDraft]) -> list[tuple[str, str]]:
@@ -122,7 +122,7 @@ def test_directions_are_obeyed() -> None:
     script.action("CLOSE ON the key.", camera=CameraNote("CLOSE ON", size="CU", subject="key"))
     script.action("Bob waves.", ("bob", "wave"), camera=CameraNote("POV", kind="pov", who="Ann"))
     low, over, insert, pov = shots(script)
-    assert (low.size, low.angle, low.focus, low.explicit) == ("ECU", "low angle", ["ann"], True)
+    assert (low.size, low.angle, low.focus, low.has_note) == ("ECU", "low angle", ["ann"], True)
     assert (over.kind, over.over, over.focus) == ("ots", "ann", ["bob"])
     assert (insert.kind, insert.size, insert.focus) == ("insert", "CU", ["key"])
     assert (pov.kind, pov.pov, pov.focus) == ("pov", "ann", ["bob"])
@@ -173,7 +173,7 @@ def test_the_same_subject_is_cut_two_sizes_apart_and_orders_stay() -> None:
     avoid_jump_cuts(drafts)
     sizes = [draft.size for draft in drafts]
     assert len(drafts) == 5 and sizes[-1] == "CU"
-    assert all(abs(step(a, b)) >= 2 for a, b in pairwise(sizes))
+    assert all(abs(size_steps(a, b)) >= 2 for a, b in pairwise(sizes))
 
 
 def test_joined_talk_turns_from_face_to_face() -> None:
@@ -182,7 +182,7 @@ def test_joined_talk_turns_from_face_to_face() -> None:
     drafts = shots(script)
     for draft in drafts:
         draft.kind, draft.over, draft.focus = "two_shot", None, ["ann", "bob"]
-    alternate(drafts)
+    alternate_speakers(drafts)
     assert [(draft.kind, draft.focus[0]) for draft in drafts] == [("two_shot", "ann"), ("ots", "bob"), ("ots", "ann")]
 
 
@@ -214,5 +214,5 @@ def test_only_words_of_the_script_order_a_camera() -> None:
     script.action("Ann waves.", ("ann", "wave"), camera=CameraNote("CLOSE ON", size="CU", subject="Ann"))
     script.action("Bob waves.", ("bob", "wave"), camera=CameraNote(size="CU", subject="Bob"))
     written, advised = shots(script)
-    assert (written.ordered, advised.ordered) == (True, False)
-    assert written.explicit and advised.explicit, "both are pictures of their own"
+    assert (written.script_directed, advised.script_directed) == (True, False)
+    assert written.has_note and advised.has_note, "both are pictures of their own"

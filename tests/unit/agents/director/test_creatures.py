@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from storyblender.agents.director.breakdown import storyboard
-from storyblender.agents.director.creatures import likened_size
+from storyblender.agents.director.creatures import compared_size
 from storyblender.agents.director.reader import read_script
 from storyblender.memory.asset_sheet import Asset
 from storyblender.screenplay.source import read
@@ -70,13 +70,13 @@ def test_an_animal_called_by_a_name_is_an_animal() -> None:
     ("words", "size"),
     [
         ("a robot the size of a goat", "110 cm tall"),
-        ("as big as a park bench", likened_size("the size of a park bench")),
+        ("as big as a park bench", compared_size("the size of a park bench")),
         ("the size of a grudge", ""),
         ("a robot", ""),
     ],
 )
 def test_a_size_that_is_likened_to_something_known(words: str, size: str) -> None:
-    assert likened_size(words) == size
+    assert compared_size(words) == size
 
 
 def test_a_thing_has_the_size_it_is_likened_to() -> None:

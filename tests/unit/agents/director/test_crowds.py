@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from storyblender.agents.director.crowds import crowd_told, is_emptied
+from storyblender.agents.director.crowds import background_crowd_size, is_crowd_gone
 
 
 @pytest.mark.parametrize(
@@ -21,8 +21,8 @@ from storyblender.agents.director.crowds import crowd_told, is_emptied
     ],
 )
 def test_a_full_place_is_told(place: str, words: str) -> None:
-    assert 12 <= crowd_told(place, words, 60.0) <= 40
-    assert crowd_told(place, words, 120.0) > crowd_told(place, words, 60.0)
+    assert 12 <= background_crowd_size(place, words, 60.0) <= 40
+    assert background_crowd_size(place, words, 120.0) > background_crowd_size(place, words, 60.0)
 
 
 @pytest.mark.parametrize(
@@ -36,8 +36,8 @@ def test_a_full_place_is_told(place: str, words: str) -> None:
     ],
 )
 def test_what_is_packed_or_busy_otherwise_is_no_crowd(place: str, words: str) -> None:
-    assert crowd_told(place, words, 60.0) == 0
+    assert background_crowd_size(place, words, 60.0) == 0
 
 
 def test_a_place_is_emptied() -> None:
-    assert is_emptied("The bar is closed. Chairs on tables.") and not is_emptied("She empties a glass.")
+    assert is_crowd_gone("The bar is closed. Chairs on tables.") and not is_crowd_gone("She empties a glass.")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from storyblender.agents.director.fine_motions import UNREAD, finer
+from storyblender.agents.director.fine_motions import UNREAD, fine_motion
 
 
 @pytest.mark.parametrize(
@@ -24,7 +24,7 @@ from storyblender.agents.director.fine_motions import UNREAD, finer
     ],
 )
 def test_words_make_a_motion_finer(motion: str, verb: str, words: str, act: str) -> None:
-    assert finer(motion, verb, words) == act
+    assert fine_motion(motion, verb, words) == act
 
 
 @pytest.mark.parametrize(
@@ -36,4 +36,4 @@ def test_words_make_a_motion_finer(motion: str, verb: str, words: str, act: str)
     ],
 )
 def test_what_has_no_motion_is_an_act_where_its_verb_tells(words: str, act: str) -> None:
-    assert finer(UNREAD, "", words) == act
+    assert fine_motion(UNREAD, "", words) == act

@@ -9,7 +9,7 @@ import pytest
 from storyblender.agents.director.breakdown import storyboard
 from storyblender.agents.director.reader import read_script
 from storyblender.agents.director.reading import Reading
-from storyblender.agents.director.reading_passes import in_story_order
+from storyblender.agents.director.reading_passes import order_scenes_by_units
 from storyblender.screenplay.source import read
 
 SCRIPT = """INT. SHED - DAY
@@ -26,7 +26,7 @@ def split(places: list[int]) -> Reading:
 
 
 def test_units_in_two_places_are_cut_in_the_order_of_the_script() -> None:
-    reading = in_story_order(split([0, 1, 0, 1]))
+    reading = order_scenes_by_units(split([0, 1, 0, 1]))
     assert [scene.id for scene in reading.scenes] == [1, 2, 3, 4]
     assert [scene.kit for scene in reading.scenes] == ["", "kitchen", "", "kitchen"]
     assert [scene.reference for scene in reading.scenes] == [None, None, 1, 2]
@@ -38,4 +38,4 @@ def test_units_in_two_places_are_cut_in_the_order_of_the_script() -> None:
 @pytest.mark.parametrize("places", [[0, 0, 0, 0], [0, 0, 1, 1]])
 def test_a_reading_in_order_stays_as_it_is(places: list[int]) -> None:
     reading = split(places)
-    assert in_story_order(reading) is reading
+    assert order_scenes_by_units(reading) is reading

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from storyblender.agents.director.casting import cast
+from storyblender.agents.director.casting import cast_look
 from storyblender.agents.director.creatures import is_creature
 from storyblender.agents.director.reading import Deed, Person, Reading, Unit
 from storyblender.catalog.species import SPECIES, species_of
@@ -29,10 +29,10 @@ def test_an_animal_that_speaks_is_a_character_and_one_that_does_not_is_none() ->
 
 
 def test_a_mouse_is_smaller_than_a_bear_and_both_have_their_heads() -> None:
-    mouse, bear = (cast(Person(word, word, kind="animal", role=word)) for word in ("mouse", "bear"))
+    mouse, bear = (cast_look(Person(word, word, kind="animal", role=word)) for word in ("mouse", "bear"))
     assert (mouse.species, bear.species) == ("mouse", "bear")
     assert mouse.stature and bear.stature and mouse.stature < 0.5 * bear.stature
-    assert not cast(Person("fox", "Mr Fox", role="lawyer")).species, "a name makes no animal"
+    assert not cast_look(Person("fox", "Mr Fox", role="lawyer")).species, "a name makes no animal"
 
 
 def test_every_kind_has_a_height_that_a_person_can_have() -> None:
@@ -72,6 +72,6 @@ def test_among_animals_that_talk_everyone_who_acts_is_one_of_them() -> None:
 
 
 def test_an_animal_wears_only_what_is_told() -> None:
-    assert not cast(Person("b", "Brock", kind="animal", role="badger")).garments
-    told = cast(Person("b", "Brock", kind="animal", role="badger", outfit=("waistcoat",)))
+    assert not cast_look(Person("b", "Brock", kind="animal", role="badger")).garments
+    told = cast_look(Person("b", "Brock", kind="animal", role="badger", outfit=("waistcoat",)))
     assert [garment.key for garment in told.garments] == ["vest"]

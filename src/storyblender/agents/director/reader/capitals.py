@@ -138,7 +138,7 @@ def _lowered(text: str, names: _Names, page: bool) -> str:
         words = text[start:end]
         if any(letter.islower() for letter in _QUOTED.sub("", words)) or not (page or _tells(words)):
             continue
-        camera = camera_phrases.parse(words)[0]
+        camera = camera_phrases.parse_direction(words)[0]
         begins = _OPENING.match(words).end()  # pyright: ignore[reportOptionalMemberAccess]
         filmed = camera is not None and words.startswith(camera.phrase, begins)
         if filmed and not page:

@@ -149,7 +149,7 @@ def _take_out_cameras(paragraph: Paragraph) -> None:
     """Move the camera directions of a paragraph from its body to its notes."""
     body = list(paragraph.raw)
     for start, end in _sentence_spans(paragraph.raw):
-        camera, span = camera_phrases.parse(paragraph.raw[start:end])
+        camera, span = camera_phrases.parse_direction(paragraph.raw[start:end])
         if camera:
             camera, (first, last) = _without_action(camera, span, paragraph.raw[start:end])
             paragraph.cameras.append((paragraph.start + start, camera))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from storyblender.agents.director.breakdown import storyboard
-from storyblender.agents.director.places_by_meaning import place_by_meaning
+from storyblender.agents.director.places_by_meaning import choose_kits_by_meaning
 from storyblender.agents.director.reader.page.named_places import place_set_down
 from storyblender.agents.director.reader.reader import read_script
 from storyblender.agents.director.reading import Reading
@@ -132,12 +132,12 @@ class _Likes:
 def test_a_place_that_no_list_knows_gets_the_set_it_is_like_and_a_flag() -> None:
     reading = page("INT. ZORBARIUM - DAY\n\nROOK waits.\n")
     embedder = _Likes("zorbarium", "greenhouse")
-    place_by_meaning(reading, lambda: embedder)
+    choose_kits_by_meaning(reading, lambda: embedder)
     assert reading.scenes[0].place_kind == "greenhouse"
     assert [flag.choice for flag in reading.flags if flag.topic == "place"] == ["greenhouse"]
 
 
 def test_a_known_place_asks_nobody() -> None:
     embedder = _Likes("kitchen")
-    place_by_meaning(page("INT. KITCHEN - DAY\n\nROOK waits.\n"), lambda: embedder)
+    choose_kits_by_meaning(page("INT. KITCHEN - DAY\n\nROOK waits.\n"), lambda: embedder)
     assert embedder.asked == 0
