@@ -50,13 +50,10 @@ def helicopter(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b,
             body,
             [
-                (-0.6, 0.85, 0.5, 1.0),
-                (0.3, 0.85, 0.85, 1.4),
-                (1.2, 0.7, 0.75, 1.5),
-                (2.0, 0.3, 0.34, 1.75),
+                (-0.6, 0.85, 0.5, 1.0), (0.3, 0.85, 0.85, 1.4), (1.2, 0.7, 0.75, 1.5), (2.0, 0.3, 0.34, 1.75),
                 (5.4, 0.12, 0.14, 2.0),
             ],
-        )
+        )  # fmt: skip
         _fuselage(
             b, body, [(-1.9, 0.3, 0.14, 0.8), (-1.5, 0.7, 0.3, 0.84), (-0.6, 0.85, 0.42, 0.92), (0.0, 0.85, 0.42, 0.92)]
         )
@@ -123,21 +120,15 @@ def jet(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b,
             body,
             [
-                (-16.5, 0.2, 0.2, 3.3),
-                (-16, 0.8, 0.7, 3.4),
-                (-14.5, 1.6, 1.5, 3.6),
-                (-12, 1.95, 1.95, 3.7),
-                (8, 1.95, 1.95, 3.7),
-                (13, 1.1, 1.1, 4.3),
-                (16.5, 0.25, 0.3, 4.8),
+                (-16.5, 0.2, 0.2, 3.3), (-16, 0.8, 0.7, 3.4), (-14.5, 1.6, 1.5, 3.6), (-12, 1.95, 1.95, 3.7),
+                (8, 1.95, 1.95, 3.7), (13, 1.1, 1.1, 4.3), (16.5, 0.25, 0.3, 4.8),
             ],
-        )
+        )  # fmt: skip
         for x in (-1, 1):
             _blade(b, body, (x * 1.2, -4.5, 2.7), (x * 16, 4.5, 4.0), (7.0, 1.8), 0.22)
             _blade(b, body, (x * 0.4, 13, 4.6), (x * 6, 16, 5.1), (3.2, 1.2), 0.1)
-            b.lathe(
-                trim, [(0.75, -2), (0.95, -0.6), (0.95, 1.0), (0.8, 1.6)], origin=(x * 5.2, -2.6, 1.75), axis=(0, -1, 0)
-            )
+            profile = [(0.75, -2), (0.95, -0.6), (0.95, 1.0), (0.8, 1.6)]
+            b.lathe(trim, profile, origin=(x * 5.2, -2.6, 1.75), axis=(0, -1, 0))
             b.lathe(DARK, [(0.72, 0), (0.72, 0.02)], origin=(x * 5.2, -4.22, 1.75), axis=(0, -1, 0))
             b.box(body, (x * 5.2, -1.4, 2.6), (0.2, 1.8, 0.7))
             for k in range(22):
@@ -175,11 +166,8 @@ def flying_saucer(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a flying saucer on three legs, with its dome and ring of lamps."""
     body = spec.material("body")
     with b.at(scale=np.array(spec.size) / spec.entry.size):
-        b.lathe(
-            body,
-            bent([(0.9, 1.1), (2.4, 1.35), (3.9, 1.9), (4.0, 2.0), (3.6, 2.15), (1.9, 2.6), (1.5, 2.65)], 4),
-            segments=40,
-        )
+        profile = [(0.9, 1.1), (2.4, 1.35), (3.9, 1.9), (4.0, 2.0), (3.6, 2.15), (1.9, 2.6), (1.5, 2.65)]
+        b.lathe(body, bent(profile, 4), segments=40)
         b.lathe("glass", bent([(1.5, 2.6), (1.4, 3.1), (0.9, 3.5), (0.02, 3.65)], 4), segments=32)
         for turn in range(0, 360, 30):
             x, y = 3.2 * np.sin(np.radians(turn)), 3.2 * np.cos(np.radians(turn))
@@ -268,13 +256,8 @@ def locomotive(b: MeshBuilder, spec: PropSpec) -> Anchors:
     with b.at(scale=np.array(spec.size) / spec.entry.size):
         b.box(DARK, (0, 0, 1.15), (2.3, 9.0, 0.3), bevel=0.03)
         b.lathe(body, [(0.85, 0), (0.92, 0.1), (0.92, 5.6)], origin=(0, 1.4, 2.3), axis=(0, -1, 0), segments=32)
-        b.lathe(
-            DARK,
-            [(0.96, 0), (0.96, 0.7), (0.8, 0.76), (0.2, 0.84)],
-            origin=(0, -3.6, 2.3),
-            axis=(0, -1, 0),
-            segments=32,
-        )
+        profile = [(0.96, 0), (0.96, 0.7), (0.8, 0.76), (0.2, 0.84)]
+        b.lathe(DARK, profile, origin=(0, -3.6, 2.3), axis=(0, -1, 0), segments=32)
         for y in (-2.6, -0.9, 0.6):
             b.lathe(trim, [(0.94, 0), (0.94, 0.1)], origin=(0, y, 2.3), axis=(0, -1, 0), segments=32, caps=False)
         b.lathe(DARK, bent([(0.26, 0), (0.22, 0.5), (0.34, 0.95), (0.36, 1.0)]), origin=(0, -3.9, 3.1))

@@ -17,9 +17,8 @@ def washing_machine(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a washing machine; its door may be ``open``."""
     (w, d, h), body = spec.size, spec.material("body")
     b.rounded_box(body, (0, 0, h / 2), (w, d, h), 0.02)
-    b.lathe(
-        "chrome", [(0.21, 0), (0.21, 0.02), (0.17, 0.03)], origin=(0, -d / 2, h * 0.45), axis=(0, -1, 0), segments=28
-    )
+    profile = [(0.21, 0), (0.21, 0.02), (0.17, 0.03)]
+    b.lathe("chrome", profile, origin=(0, -d / 2, h * 0.45), axis=(0, -1, 0), segments=28)
     glass = (-0.2, -d / 2 - 0.17, h * 0.45) if spec.flag("open") else (0, -d / 2 - 0.028, h * 0.45)
     b.lathe(
         "glass_dark",
@@ -212,12 +211,8 @@ def roast(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.cushion("porcelain", (0, 0, 0.012), (0.44, 0.32, 0.024), softness=0.8)
     b.sphere(skin, (0, 0.01, 0.095), 0.085, scale=(1.3, 1.0, 0.9), segments=20, rings=12)
     for x in (-1, 1):
-        b.tube(
-            skin,
-            bent([(x * 0.07, -0.05, 0.09), (x * 0.12, -0.09, 0.1), (x * 0.15, -0.1, 0.14)]),
-            (0.045, 0.045, 0.042, 0.036, 0.03, 0.024, 0.018, 0.014, 0.012),
-            segments=10,
-        )
+        path = [(x * 0.07, -0.05, 0.09), (x * 0.12, -0.09, 0.1), (x * 0.15, -0.1, 0.14)]
+        b.tube(skin, bent(path), (0.045, 0.045, 0.042, 0.036, 0.03, 0.024, 0.018, 0.014, 0.012), segments=10)
         b.sphere("linen", (x * 0.155, -0.102, 0.148), 0.013, segments=8, rings=5)
         b.cushion("leaves", (x * 0.16, 0.06, 0.03), (0.08, 0.07, 0.02), softness=0.8)
     return under(0.15)

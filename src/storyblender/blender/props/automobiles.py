@@ -141,13 +141,8 @@ def _ends(b: MeshBuilder, spec: PropSpec, style: Style, front: float, back: floa
         b.box(DARK, (0, r + 0.002, h / 2 + 0.1), (0.014, 0.012, h - 0.75))
     else:
         b.box(paint, (0, r - 0.06, (SILL + style.belt) / 2), (w - 0.08, 0.12, style.belt - SILL), bevel=0.03)
-        b.lathe(
-            spec.material("tyre"),
-            [(0.2, -0.09), (0.33, -0.09), (0.33, 0.09), (0.2, 0.09)],
-            origin=(0, r + 0.06, 0.85),
-            axis=(0, 1, 0),
-            segments=22,
-        )
+        profile = [(0.2, -0.09), (0.33, -0.09), (0.33, 0.09), (0.2, 0.09)]
+        b.lathe(spec.material("tyre"), profile, origin=(0, r + 0.06, 0.85), axis=(0, 1, 0), segments=22)
     for x in (-1, 1):
         z = style.bonnet - 0.16
         b.rounded_box(spec.material("lamp"), (x * half * 0.64, f + 0.02, z), (half * 0.38, 0.12, 0.13), 0.04)
@@ -175,12 +170,8 @@ def _roof(b: MeshBuilder, spec: PropSpec, style: Style, front: float, middle: fl
         x = wide * reach
         rings.append(
             [
-                (-x, y, top + z - 0.05),
-                (x, y, top + z - 0.05),
-                (x * 0.95, y, top + z - 0.01),
-                (x * 0.7, y, top + z + 0.01),
-                (-x * 0.7, y, top + z + 0.01),
-                (-x * 0.95, y, top + z - 0.01),
+                (x * s, y, top + z + up)
+                for s, up in ((-1, -0.05), (1, -0.05), (0.95, -0.01), (0.7, 0.01), (-0.7, 0.01), (-0.95, -0.01))
             ]
         )
     b.loft(paint, [np.array(ring) for ring in rings])
@@ -250,13 +241,8 @@ def car(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b.cushion(paint, (x * (half - 0.06), y, 0.58), (0.36, length, 0.6), softness=0.75)
         b.box(paint, (x * (half - 0.02), 0.05, 0.3), (0.26, d * 0.42, 0.05), bevel=0.012)
         b.lathe(chrome, [(0.15, -0.12), (0.15, 0.0)], origin=(x * half * 0.66, f + 0.04, 0.86), axis=(0, -1, 0))
-        b.lathe(
-            spec.material("lamp"),
-            [(0.13, 0.0), (0.08, 0.03), (0.003, 0.045)],
-            origin=(x * half * 0.66, f + 0.04, 0.86),
-            axis=(0, -1, 0),
-            caps=False,
-        )
+        profile = [(0.13, 0.0), (0.08, 0.03), (0.003, 0.045)]
+        b.lathe(spec.material("lamp"), profile, origin=(x * half * 0.66, f + 0.04, 0.86), axis=(0, -1, 0), caps=False)
     for k in range(8):
         b.rounded_box(chrome, (0, f - 0.01, 0.56 + 0.055 * k), (half * 0.6, 0.05, 0.022), 0.01)
     return anchors

@@ -64,28 +64,18 @@ def beast(b: MeshBuilder, coat: MaterialRef, plan: Plan) -> None:
     """Add a standing beast of one coat, with eyes and a nose."""
     length, chest, z = plan.trunk, plan.chest, plan.middle
     outline = (
-        (-0.6, 0.3),
-        (-0.54, 0.78),
-        (-0.4, 1.0),
-        (-0.1, 1.02),
-        (0.2, plan.waist),
-        (0.42, 0.9),
-        (0.54, 0.68),
+        (-0.6, 0.3), (-0.54, 0.78), (-0.4, 1.0), (-0.1, 1.02), (0.2, plan.waist), (0.42, 0.9), (0.54, 0.68),
         (0.6, 0.25),
-    )
+    )  # fmt: skip
     limb(b, coat, [(0, y * length, z, t * chest * plan.broad, t * chest) for y, t in outline], 18)
     y, top = plan.skull
     throat = max(chest * 0.62, plan.head * 0.8)
-    limb(
-        b,
-        coat,
-        [
-            (0, -length * 0.36, z + chest * 0.1, chest * plan.broad * 0.75, chest * 0.75),
-            (0, (-length * 0.4 + y) / 2, (z + chest * 0.3 + top) / 2, throat * 0.9, throat),
-            (0, y + plan.head * 0.5, top, plan.head * 0.75, plan.head * 0.8),
-        ],
-        16,
-    )
+    rings = [
+        (0, -length * 0.36, z + chest * 0.1, chest * plan.broad * 0.75, chest * 0.75),
+        (0, (-length * 0.4 + y) / 2, (z + chest * 0.3 + top) / 2, throat * 0.9, throat),
+        (0, y + plan.head * 0.5, top, plan.head * 0.75, plan.head * 0.8),
+    ]
+    limb(b, coat, rings, 16)
     _head(b, coat, plan)
     _legs(b, coat, plan)
     rump = (length * 0.55, z + chest * 0.35)
@@ -99,16 +89,13 @@ def _head(b: MeshBuilder, coat: MaterialRef, plan: Plan) -> None:
     (y, z), r, (long, nose) = plan.skull, plan.head, plan.snout
     b.sphere(coat, (0, y, z), r, scale=(0.92, 1.05, 0.95), segments=18, rings=11)
     tip = y - r * 0.7 - long
-    limb(
-        b,
-        coat,
-        [
-            (0, y - r * 0.3, z - r * 0.15, r * 0.72, r * 0.7),
-            (0, y - r * 0.8, z - r * 0.28, (r * 0.55 + nose) / 2, (r * 0.62 + nose) / 2),
-            (0, tip + nose * 0.4, z - r * 0.4, nose * 1.05, nose),
-            (0, tip, z - r * 0.42, nose * 0.6, nose * 0.6),
-        ],
-    )
+    rings = [
+        (0, y - r * 0.3, z - r * 0.15, r * 0.72, r * 0.7),
+        (0, y - r * 0.8, z - r * 0.28, (r * 0.55 + nose) / 2, (r * 0.62 + nose) / 2),
+        (0, tip + nose * 0.4, z - r * 0.4, nose * 1.05, nose),
+        (0, tip, z - r * 0.42, nose * 0.6, nose * 0.6),
+    ]
+    limb(b, coat, rings)
     b.sphere(
         DARK,
         (0, tip + nose * 0.05, z - r * 0.42 + nose * 0.5),
@@ -321,13 +308,7 @@ def elephant(b: MeshBuilder, spec: PropSpec) -> Anchors:
     with b.at(scale=scaled(spec)):
         beast(b, skin, ELEPHANT)
         y, z = ELEPHANT.skull
-        trunk = [
-            (0, y - 0.45, z - 0.1),
-            (0, y - 0.72, z - 0.5),
-            (0, y - 0.74, z - 1.1),
-            (0, y - 0.78, z - 1.55),
-            (0, y - 0.98, z - 1.75),
-        ]
+        trunk = [(0, y - t, z - up) for t, up in ((0.45, 0.1), (0.72, 0.5), (0.74, 1.1), (0.78, 1.55), (0.98, 1.75))]
         b.tube(skin, bent(trunk), tuple(bent((0.25, 0.19, 0.13, 0.09, 0.07))), segments=14)
         for x in (-1, 1):
             b.cushion(skin, (x * 0.66, y + 0.3, z - 0.1), (0.7, 0.1, 1.05), softness=0.9, rotation=(0, x * 12, x * -32))

@@ -135,11 +135,7 @@ def _legs(b: MeshBuilder, plan: Bird, beak: MaterialRef) -> None:
             tip = (x * apart + reach * np.sin(turn), y - reach * np.cos(turn), thin * 0.7)
             b.cylinder(beak, (x * apart, y, thin), tip, thin * 0.8, thin * 0.4, segments=6)
         if plan.webbed:
-            foot = [
-                (x * apart, y),
-                (x * apart + reach * 0.5, y - reach * 0.9),
-                (x * apart - reach * 0.5, y - reach * 0.9),
-            ]
+            foot = [(x * apart + reach * s, y - reach * z) for s, z in ((0, 0), (0.5, 0.9), (-0.5, 0.9))]
             b.extrude(beak, foot, thin * 0.8)
 
 
@@ -167,14 +163,13 @@ def _plumes(b: MeshBuilder, spec: PropSpec, plan: Bird) -> None:
     (long, thick), z = plan.body, plan.middle
     for k in range(5):
         side = (k - 2) * thick * 0.18
-        path = bent(
-            [
-                (side * 0.5, long * 0.8, z + thick * 0.3),
-                (side, long * 1.25, z + thick * (2.6 - 0.2 * k)),
-                (side * 1.6, long * 1.95, z + thick * (2.3 - 0.3 * k)),
-                (side * 1.8, long * 2.1, z + thick * 1.1),
-            ]
-        )
+        curve = [
+            (side * 0.5, long * 0.8, z + thick * 0.3),
+            (side, long * 1.25, z + thick * (2.6 - 0.2 * k)),
+            (side * 1.6, long * 1.95, z + thick * (2.3 - 0.3 * k)),
+            (side * 1.8, long * 2.1, z + thick * 1.1),
+        ]
+        path = bent(curve)
         b.tube("plastic_black", path, tuple(np.linspace(thick * 0.16, thick * 0.04, len(path))), segments=7)
 
 

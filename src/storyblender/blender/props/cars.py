@@ -20,15 +20,9 @@ def _shell(b: MeshBuilder, material: MaterialRef, sections: list[Section], round
         tall = high - low
         r = min(round_top, tall * 0.45)
         outline = [
-            (0.9, low),
-            (0.985, low + tall * 0.12),
-            (1.0, low + tall * 0.45),
-            (0.97, high - r),
-            (0.93, high - r * 0.45),
-            (0.84, high - r * 0.1),
-            (0.6, high),
-            (0.0, high + 0.012),
-        ]
+            (0.9, low), (0.985, low + tall * 0.12), (1.0, low + tall * 0.45), (0.97, high - r), (0.93, high - r * 0.45),
+            (0.84, high - r * 0.1), (0.6, high), (0.0, high + 0.012),
+        ]  # fmt: skip
         right = [(half * x, y, z) for x, z in outline]
         left = [(-x, y_, z) for x, y_, z in reversed(right[:-1])]
         rings.append(np.array(right + left))
@@ -56,12 +50,8 @@ def _greenhouse(b: MeshBuilder, paint: MaterialRef, glass: MaterialRef, sections
         crown.append(
             np.array(
                 [
-                    (-half, y, z - 0.05),
-                    (half, y, z - 0.05),
-                    (half * 0.96, y, z - 0.01),
-                    (half * 0.7, y, z + 0.02),
-                    (-half * 0.7, y, z + 0.02),
-                    (-half * 0.96, y, z - 0.01),
+                    (half * x, y, z + up)
+                    for x, up in ((-1, -0.05), (1, -0.05), (0.96, -0.01), (0.7, 0.02), (-0.7, 0.02), (-0.96, -0.01))
                 ]
             )
         )
@@ -83,21 +73,10 @@ def _wheels(b: MeshBuilder, spec: PropSpec, half: float, radius: float, axles: t
 
 def _lamps(b: MeshBuilder, spec: PropSpec, x: float, front: float, back: float, z: float, radius: float) -> None:
     for side in (-1, 1):
-        b.lathe(
-            spec.material("chrome"),
-            [(radius * 1.15, -0.06), (radius * 1.15, 0.01), (radius, 0.015)],
-            origin=(side * x, front, z),
-            axis=(0, -1, 0),
-            segments=18,
-        )
-        b.lathe(
-            spec.material("lamp"),
-            [(radius, 0.012), (radius * 0.6, 0.035), (0.003, 0.045)],
-            origin=(side * x, front, z),
-            axis=(0, -1, 0),
-            segments=18,
-            caps=False,
-        )
+        outline = [(radius * 1.15, -0.06), (radius * 1.15, 0.01), (radius, 0.015)]
+        b.lathe(spec.material("chrome"), outline, origin=(side * x, front, z), axis=(0, -1, 0), segments=18)
+        profile = [(radius, 0.012), (radius * 0.6, 0.035), (0.003, 0.045)]
+        b.lathe(spec.material("lamp"), profile, origin=(side * x, front, z), axis=(0, -1, 0), segments=18, caps=False)
         b.rounded_box("neon_red", (side * x, back, z), (radius * 1.6, 0.05, radius * 1.3), 0.018)
 
 
@@ -119,13 +98,10 @@ def truck(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b,
         paint,
         [
-            (f + 0.1, cab * 0.62, 0.6, 1.2),
-            (f + 0.2, cab * 0.72, 0.55, 1.34),
-            (f + 1.0, cab * 0.8, 0.55, 1.4),
-            (f + 1.15, cab * 0.98, 0.5, 1.42),
-            (f + 2.3, cab, 0.5, 1.42),
+            (f + 0.1, cab * 0.62, 0.6, 1.2), (f + 0.2, cab * 0.72, 0.55, 1.34), (f + 1.0, cab * 0.8, 0.55, 1.4),
+            (f + 1.15, cab * 0.98, 0.5, 1.42), (f + 2.3, cab, 0.5, 1.42),
         ],
-    )
+    )  # fmt: skip
     _greenhouse(
         b,
         paint,

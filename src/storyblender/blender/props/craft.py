@@ -13,18 +13,9 @@ from storyblender.blender.props.registry import Anchors, PropSpec, grip, handle,
 PITCH = 9.0
 """Degrees a tail-dragger sits nose-up."""
 AEROFOIL = (
-    (0.0, 0.0),
-    (0.03, 0.45),
-    (0.12, 0.85),
-    (0.3, 1.0),
-    (0.6, 0.72),
-    (1.0, 0.04),
-    (1.0, -0.04),
-    (0.6, -0.4),
-    (0.3, -0.6),
-    (0.12, -0.5),
-    (0.03, -0.3),
-)
+    (0.0, 0.0), (0.03, 0.45), (0.12, 0.85), (0.3, 1.0), (0.6, 0.72), (1.0, 0.04), (1.0, -0.04), (0.6, -0.4),
+    (0.3, -0.6), (0.12, -0.5), (0.03, -0.3),
+)  # fmt: skip
 """Chord fraction from the leading edge, half-thickness fraction."""
 
 
@@ -50,17 +41,9 @@ def airliner(b: MeshBuilder, spec: PropSpec) -> Anchors:
     scale = np.array(spec.size) / (29.0, 19.6, 5.2)
     with b.at(scale=scale), b.at((0, 0, 3.0), (-PITCH, 0, 0)):
         stations = [
-            (11.0, 0.1, 0.95),
-            (9.0, 0.42, 0.62),
-            (6.5, 0.82, 0.3),
-            (3.0, 1.18, 0.05),
-            (-1.0, 1.25, 0.0),
-            (-4.0, 1.22, 0.0),
-            (-5.8, 1.05, -0.02),
-            (-7.0, 0.78, -0.12),
-            (-7.9, 0.42, -0.22),
-            (-8.25, 0.06, -0.26),
-        ]
+            (11.0, 0.1, 0.95), (9.0, 0.42, 0.62), (6.5, 0.82, 0.3), (3.0, 1.18, 0.05), (-1.0, 1.25, 0.0),
+            (-4.0, 1.22, 0.0), (-5.8, 1.05, -0.02), (-7.0, 0.78, -0.12), (-7.9, 0.42, -0.22), (-8.25, 0.06, -0.26),
+        ]  # fmt: skip
         angle = np.linspace(0, math.tau, 28, endpoint=False)
         b.loft(body, [np.c_[r * np.sin(angle), np.full(28, y), z + r * 1.08 * np.cos(angle)] for y, r, z in stations])
         for s in (-1, 1):
@@ -116,9 +99,8 @@ def _engine(b: MeshBuilder, body: MaterialRef, dark: MaterialRef, chrome: Materi
             for at, r in ((2.8, 0.25), (1.2, 0.6), (-0.2, 0.72), (-1.3, 0.74), (-1.75, 0.66))
         ],
     )
-    b.lathe(
-        dark, [(0.64, 0), (0.6, -0.05), (0.3, 0.0), (0.2, 0.14)], origin=(x, y - 1.72, z), axis=(0, -1, 0), segments=24
-    )
+    profile = [(0.64, 0), (0.6, -0.05), (0.3, 0.0), (0.2, 0.14)]
+    b.lathe(dark, profile, origin=(x, y - 1.72, z), axis=(0, -1, 0), segments=24)
     for k in range(9):
         turn = math.tau * k / 9
         b.cylinder(
@@ -184,11 +166,8 @@ def rowing_boat(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 def _handlebars(b: MeshBuilder, metal: MaterialRef, y: float, z: float, width: float) -> Anchors:
     bar = [
-        (-width / 2, y + 0.16, z),
-        (-width * 0.4, y + 0.02, z + 0.02),
-        (0, y, z - 0.02),
-        (width * 0.4, y + 0.02, z + 0.02),
-        (width / 2, y + 0.16, z),
+        (width * x, y + t, z + up)
+        for x, t, up in ((-0.5, 0.16, 0), (-0.4, 0.02, 0.02), (0, 0, -0.02), (0.4, 0.02, 0.02), (0.5, 0.16, 0))
     ]
     b.tube(metal, bar, 0.012)
     grips: list = []
@@ -253,20 +232,12 @@ def motorcycle(b: MeshBuilder, spec: PropSpec) -> Anchors:
             for k in range(5):
                 b.rounded_box("iron", (0, 0, 0.035 * k), (0.16, 0.15, 0.022), 0.008)
     for x in (-1, 1):
-        b.tube(
-            metal,
-            [(x * 0.08, -0.2, 0.5), (x * 0.16, -0.26, 0.3), (x * 0.18, 0.2, 0.26), (x * 0.18, d / 2 - 0.05, 0.3)],
-            (0.025, 0.03, 0.04, 0.045),
-        )
+        path = [(x * 0.08, -0.2, 0.5), (x * 0.16, -0.26, 0.3), (x * 0.18, 0.2, 0.26), (x * 0.18, d / 2 - 0.05, 0.3)]
+        b.tube(metal, path, (0.025, 0.03, 0.04, 0.045))
         b.cylinder(metal, (x * 0.09, front, r), (x * 0.08, front + 0.32, 0.98), 0.022, segments=10)
         b.cylinder("iron", (x * 0.1, rear, r), (x * 0.12, 0.44, 0.74), 0.022, segments=10)
-    b.lathe(
-        metal,
-        [(0.05, -0.1), (0.1, -0.04), (0.105, 0.02), (0.09, 0.03)],
-        origin=(0, front + 0.16, 0.92),
-        axis=(0, -1, 0),
-        segments=20,
-    )
+    profile = [(0.05, -0.1), (0.1, -0.04), (0.105, 0.02), (0.09, 0.03)]
+    b.lathe(metal, profile, origin=(0, front + 0.16, 0.92), axis=(0, -1, 0), segments=20)
     b.lathe(
         spec.material("lamp"),
         [(0.09, 0.028), (0.003, 0.05)],
@@ -301,16 +272,12 @@ def cart(b: MeshBuilder, spec: PropSpec) -> Anchors:
                 (0.05, 0.07, h - floor - 0.08),
                 bevel=0.008,
             )
-        b.tube(
-            body,
-            [
-                (x * wide * 0.42, rear - 0.2, floor - 0.08),
-                (x * wide * 0.42, middle - bed / 2, floor - 0.05),
-                (x * wide * 0.36, -d / 2, floor + 0.1),
-            ],
-            0.035,
-            segments=8,
-        )
+        path = [
+            (x * wide * 0.42, rear - 0.2, floor - 0.08),
+            (x * wide * 0.42, middle - bed / 2, floor - 0.05),
+            (x * wide * 0.36, -d / 2, floor + 0.1),
+        ]
+        b.tube(body, path, 0.035, segments=8)
     for y in (rear - 0.02, rear - bed + 0.02):
         for k in range(2):
             b.box(body, (0, y, floor + 0.14 + 0.2 * k), (wide - 0.06, 0.035, 0.15), bevel=0.006)
@@ -344,14 +311,10 @@ def pram(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for x in (-1, 1):
         for y in (-d * 0.3, d * 0.18):
             spoked_wheel(b, tyre, metal, (x * (w / 2 - 0.02), y, 0.19), 0.175, 0.014, 8)
-        b.tube(
-            metal, [(x * w * 0.36, -d * 0.3, 0.19), (x * w * 0.36, -0.06, 0.4), (x * w * 0.36, d * 0.18, 0.19)], 0.01
-        )
-        b.tube(
-            metal,
-            [(x * w * 0.38, 0.1, 0.6), (x * w * 0.38, d * 0.36, 0.9), (x * w * 0.3, d / 2 - 0.02, h - 0.02)],
-            0.011,
-        )
+        line = [(x * w * 0.36, -d * 0.3, 0.19), (x * w * 0.36, -0.06, 0.4), (x * w * 0.36, d * 0.18, 0.19)]
+        b.tube(metal, line, 0.01)
+        path = [(x * w * 0.38, 0.1, 0.6), (x * w * 0.38, d * 0.36, 0.9), (x * w * 0.3, d / 2 - 0.02, h - 0.02)]
+        b.tube(metal, path, 0.011)
     b.cylinder("rubber", (-w * 0.3, d / 2 - 0.02, h - 0.02), (w * 0.3, d / 2 - 0.02, h - 0.02), 0.016, segments=10)
     right = grip("grip_r", (-w * 0.2, d / 2, h), (0.0, -0.6, -0.8), (0, -0.5, -0.85), (0.85, 0.85, 0.5))
     left = grip("grip_l", (w * 0.2, d / 2, h), (0.0, -0.6, -0.8), (0, -0.5, -0.85), (0.85, 0.85, 0.5))

@@ -22,12 +22,8 @@ def rabbit(b: MeshBuilder, spec: PropSpec) -> Anchors:
     coat = spec.material("coat")
     with b.at(scale=scaled(spec)):
         trunk = [
-            (0.15, 0.06, 0.03),
-            (0.13, 0.085, 0.075),
-            (0.05, 0.105, 0.09),
-            (-0.05, 0.11, 0.066),
-            (-0.1, 0.125, 0.04),
-        ]
+            (0.15, 0.06, 0.03), (0.13, 0.085, 0.075), (0.05, 0.105, 0.09), (-0.05, 0.11, 0.066), (-0.1, 0.125, 0.04),
+        ]  # fmt: skip
         limb(b, coat, [(0, y, z, r * 0.82, r) for y, z, r in trunk], 16)
         b.sphere(coat, (0, -0.13, 0.165), 0.05, scale=(0.85, 1.15, 0.92))
         b.sphere(coat, (0, -0.175, 0.15), 0.026, scale=(1.1, 0.9, 0.9), segments=12, rings=8)
@@ -101,12 +97,7 @@ def _spike(b: MeshBuilder, material: MaterialRef, foot: np.ndarray, height: floa
             material,
             [
                 [(-0.04, -0.1, 0), (0.04, -0.1, 0), (0.04, 0.1, 0), (-0.04, 0.1, 0)],
-                [
-                    (-0.005, 0.06, height + 0.1),
-                    (0.005, 0.06, height + 0.1),
-                    (0.005, 0.08, height + 0.1),
-                    (-0.005, 0.08, height + 0.1),
-                ],
+                [(x, y, height + 0.1) for x, y in ((-0.005, 0.06), (0.005, 0.06), (0.005, 0.08), (-0.005, 0.08))],
             ],
         )
 

@@ -33,20 +33,11 @@ def rug(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def hat_stand(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a hat stand; ``hung`` puts a hat and a coat on it."""
     (w, _, h), wood = spec.size, spec.material("wood")
-    b.lathe(
-        wood,
-        [
-            (0.03, 0.1),
-            (0.022, 0.3),
-            (0.026, h * 0.55),
-            (0.02, h * 0.56),
-            (0.022, h - 0.14),
-            (0.035, h - 0.1),
-            (0.012, h - 0.03),
-            (0.004, h),
-        ],
-        segments=16,
-    )
+    outline = [
+        (0.03, 0.1), (0.022, 0.3), (0.026, h * 0.55), (0.02, h * 0.56), (0.022, h - 0.14), (0.035, h - 0.1),
+        (0.012, h - 0.03), (0.004, h),
+    ]  # fmt: skip
+    b.lathe(wood, outline, segments=16)
     for k in range(4):
         with b.at(rotation=(0, 0, 90 * k + 45)):
             b.tube(wood, [(0.02, 0, 0.2), (w * 0.3, 0, 0.12), (w * 0.48, 0, 0.015)], (0.02, 0.017, 0.02))
@@ -55,9 +46,8 @@ def hat_stand(b: MeshBuilder, spec: PropSpec) -> Anchors:
     if spec.flag("hung"):
         hat, coat = spec.material("hat"), spec.material("coat")
         with b.at((-0.12, -0.12, h - 0.14), (18, -14, 0)):
-            b.lathe(
-                hat, [(0.15, 0), (0.155, 0.006), (0.095, 0.012), (0.09, 0.08), (0.07, 0.11), (0.02, 0.1)], segments=24
-            )
+            profile = [(0.15, 0), (0.155, 0.006), (0.095, 0.012), (0.09, 0.08), (0.07, 0.11), (0.02, 0.1)]
+            b.lathe(hat, profile, segments=24)
         angle = np.linspace(0, math.tau, 28, endpoint=False)
         rings = []
         for z, wide, deep, fold in (
@@ -77,16 +67,12 @@ def hat_stand(b: MeshBuilder, spec: PropSpec) -> Anchors:
             )
         b.loft(coat, rings)
         for x in (-1, 1):
-            b.tube(
-                coat,
-                [
-                    (0.15 + x * 0.15, -0.16, 1.38 * h / 1.82),
-                    (0.15 + x * 0.22, -0.18, 1.0 * h / 1.82),
-                    (0.15 + x * 0.22, -0.2, 0.78 * h / 1.82),
-                ],
-                (0.055, 0.055, 0.05),
-                segments=12,
-            )
+            path = [
+                (0.15 + x * 0.15, -0.16, 1.38 * h / 1.82),
+                (0.15 + x * 0.22, -0.18, 1.0 * h / 1.82),
+                (0.15 + x * 0.22, -0.2, 0.78 * h / 1.82),
+            ]
+            b.tube(coat, path, (0.055, 0.055, 0.05), segments=12)
     return ()
 
 
@@ -125,11 +111,8 @@ def potted_plant(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, _, h), leaf = spec.size, spec.material("leaf")
     r = min(0.2, w * 0.24)
     pot = r * 1.7
-    b.lathe(
-        spec.material("pot"),
-        [(r * 0.66, 0), (r * 0.92, pot * 0.8), (r, pot * 0.8), (r, pot), (r * 0.9, pot), (r * 0.86, pot * 0.9)],
-        segments=26,
-    )
+    profile = [(r * 0.66, 0), (r * 0.92, pot * 0.8), (r, pot * 0.8), (r, pot), (r * 0.9, pot), (r * 0.86, pot * 0.9)]
+    b.lathe(spec.material("pot"), profile, segments=26)
     b.lathe("dirt", [(r * 0.88, pot * 0.9), (0.002, pot * 0.94)], segments=20)
     for k in range(22):
         turn = 137.5 * k
@@ -155,20 +138,11 @@ def potted_plant(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def vase(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a vase of flowers."""
     (w, _, h), leaf = spec.size, spec.material("leaf")
-    b.lathe(
-        spec.material("vase"),
-        [
-            (0.045, 0),
-            (0.05, 0.01),
-            (0.075, h * 0.2),
-            (0.06, h * 0.36),
-            (0.035, h * 0.44),
-            (0.05, h * 0.5),
-            (0.044, h * 0.5),
-            (0.03, h * 0.44),
-        ],
-        segments=26,
-    )
+    profile = [
+        (0.045, 0), (0.05, 0.01), (0.075, h * 0.2), (0.06, h * 0.36), (0.035, h * 0.44), (0.05, h * 0.5),
+        (0.044, h * 0.5), (0.03, h * 0.44),
+    ]  # fmt: skip
+    b.lathe(spec.material("vase"), profile, segments=26)
     for k in range(7):
         turn = 2.4 * k
         reach = w * 0.4 * math.sqrt((k + 0.3) / 7)
@@ -222,14 +196,9 @@ def chessboard(b: MeshBuilder, spec: PropSpec) -> Anchors:
             for row, tall in ((3.5, 0.5 + 0.5 * math.sin(math.pi * (k + 0.5) / 8)), (2.5 - (k % 3 == 1), 0.5)):
                 r, t = cell * 0.3, (h - 0.023) * tall
                 profile = [
-                    (r, 0),
-                    (r * 0.9, t * 0.12),
-                    (r * 0.4, t * 0.3),
-                    (r * 0.35, t * 0.65),
-                    (r * 0.65, t * 0.72),
-                    (r * 0.5, t * 0.9),
-                    (0.001, t),
-                ]
+                    (r, 0), (r * 0.9, t * 0.12), (r * 0.4, t * 0.3), (r * 0.35, t * 0.65), (r * 0.65, t * 0.72),
+                    (r * 0.5, t * 0.9), (0.001, t),
+                ]  # fmt: skip
                 b.lathe(kind, profile, origin=((k - 3.5) * cell, side * row * cell, 0.023), segments=12)
     return ()
 

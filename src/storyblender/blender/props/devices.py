@@ -79,23 +79,12 @@ def photo_camera(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.box(metal, (0, back - 0.025, h * 0.82), (w * 0.96, 0.046, h * 0.12), bevel=0.004)
     b.box(metal, (0, back - 0.025, h * 0.92), (w * 0.3, 0.04, h * 0.16), bevel=0.005, taper=0.7)
     lens = [
-        (0.036, 0),
-        (0.036, 0.02),
-        (0.031, 0.022),
-        (0.031, 0.045),
-        (0.034, 0.05),
-        (0.034, 0.06),
-        (0.026, 0.06),
+        (0.036, 0), (0.036, 0.02), (0.031, 0.022), (0.031, 0.045), (0.034, 0.05), (0.034, 0.06), (0.026, 0.06),
         (0.02, 0.05),
-    ]
+    ]  # fmt: skip
     b.lathe(body, lens, origin=(0, back - 0.05, h * 0.42), axis=(0, -1, 0), segments=24)
-    b.lathe(
-        "glass_dark",
-        [(0.022, 0), (0.012, 0.006), (0.001, 0.008)],
-        origin=(0, -d / 2 + 0.01, h * 0.42),
-        axis=(0, -1, 0),
-        segments=20,
-    )
+    profile = [(0.022, 0), (0.012, 0.006), (0.001, 0.008)]
+    b.lathe("glass_dark", profile, origin=(0, -d / 2 + 0.01, h * 0.42), axis=(0, -1, 0), segments=20)
     b.cylinder(metal, (-w * 0.36, back - 0.025, h * 0.88), (-w * 0.36, back - 0.025, h * 0.95), 0.008, segments=10)
     return two_hands((-w / 2, back - 0.025, h * 0.4), (0.3, -0.95, 0.1), (0.95, 0.3, 0), (0.6, 0.7, 0.3))
 
@@ -106,16 +95,9 @@ def binoculars(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, d, h), body, brass = spec.size, spec.material("body"), spec.material("metal")
     r = h / 2
     for x in (-1, 1):
-        outline = [
-            (r * 0.55, 0),
-            (r * 0.6, d * 0.15),
-            (r * 0.6, d * 0.3),
-            (r * 0.95, d * 0.45),
-            (r * 0.95, d * 0.92),
-            (r, d),
-            (r * 0.8, d),
-            (r * 0.75, d * 0.95),
-        ]
+        outline = np.multiply(
+            [(0.55, 0), (0.6, 0.15), (0.6, 0.3), (0.95, 0.45), (0.95, 0.92), (1, 1), (0.8, 1), (0.75, 0.95)], (r, d)
+        )
         b.lathe(body, outline, origin=(x * (w / 2 - r), d / 2, r), axis=(0, -1, 0), segments=20)
         b.lathe(
             "glass_dark",
@@ -136,20 +118,11 @@ def flashlight(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, d, _), body = spec.size, spec.material("body")
     r = w / 2
     place = {"origin": (0, d / 2, r), "axis": (0, -1, 0), "segments": 20}
-    b.lathe(
-        body,
-        [
-            (r * 0.6, 0),
-            (r * 0.68, 0.006),
-            (r * 0.66, d * 0.66),
-            (r * 0.95, d * 0.8),
-            (r, d * 0.84),
-            (r, d),
-            (r * 0.9, d),
-            (r * 0.8, d * 0.92),
-        ],
-        **place,
-    )
+    profile = [
+        (r * 0.6, 0), (r * 0.68, 0.006), (r * 0.66, d * 0.66), (r * 0.95, d * 0.8), (r, d * 0.84), (r, d), (r * 0.9, d),
+        (r * 0.8, d * 0.92),
+    ]  # fmt: skip
+    b.lathe(body, profile, **place)
     b.lathe(spec.material("glass"), [(r * 0.88, d * 0.95), (0.001, d * 0.96)], **place)
     b.box("plastic_black", (0, 0.0, r * 1.66), (0.012, 0.03, 0.008), bevel=0.002)
     return two_hands((-r * 0.8, d * 0.18, r), (0.2, -0.5, -0.8), (1, 0.1, 0), FIST)
@@ -164,13 +137,8 @@ def magnifying_glass(b: MeshBuilder, spec: PropSpec) -> Anchors:
         (r * math.cos(a), -d / 2 + w / 2 + r * math.sin(a), h / 2) for a in np.linspace(0, math.tau, 32, endpoint=False)
     ]
     b.tube(body, ring, 0.006, closed=True)
-    b.lathe(
-        spec.material("glass"),
-        [(0.001, -0.004), (r, 0), (0.001, 0.004)],
-        origin=(0, -d / 2 + w / 2, h / 2),
-        segments=28,
-        caps=False,
-    )
+    profile = [(0.001, -0.004), (r, 0), (0.001, 0.004)]
+    b.lathe(spec.material("glass"), profile, origin=(0, -d / 2 + w / 2, h / 2), segments=28, caps=False)
     b.cylinder("wood_dark", (0, d / 2, h / 2), (0, -d / 2 + w, h / 2), 0.008, 0.006, segments=12)
     return two_hands((-0.012, d * 0.36, h * 0.5), (0.3, -0.9, -0.3), (0.9, 0.3, 0), PINCH)
 
@@ -194,20 +162,10 @@ def key(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def coin(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a coin."""
     h, r = spec.size[2], spec.size[0] / 2
-    b.lathe(
-        spec.material("body"),
-        [
-            (r * 0.96, 0),
-            (r, h * 0.2),
-            (r, h * 0.9),
-            (r * 0.95, h),
-            (r * 0.86, h),
-            (r * 0.84, h * 0.8),
-            (r * 0.4, h * 0.8),
-            (r * 0.3, h),
-        ],
-        segments=28,
+    profile = np.multiply(
+        [(0.96, 0), (1, 0.2), (1, 0.9), (0.95, 1), (0.86, 1), (0.84, 0.8), (0.4, 0.8), (0.3, 1)], (r, h)
     )
+    b.lathe(spec.material("body"), profile, segments=28)
     return pinch(0.0, 0.0)
 
 
@@ -226,12 +184,8 @@ def cigarette(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def pipe(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a tobacco pipe; its bowl is at -Y."""
     (w, d, h), body, r = spec.size, spec.material("body"), spec.size[0] / 2
-    b.lathe(
-        body,
-        [(r * 0.5, 0), (r * 0.95, h * 0.25), (r, h * 0.6), (r * 0.9, h), (r * 0.65, h), (r * 0.6, h * 0.7)],
-        origin=(0, -d / 2 + r, 0),
-        segments=18,
-    )
+    profile = [(r * 0.5, 0), (r * 0.95, h * 0.25), (r, h * 0.6), (r * 0.9, h), (r * 0.65, h), (r * 0.6, h * 0.7)]
+    b.lathe(body, profile, origin=(0, -d / 2 + r, 0), segments=18)
     b.tube(body, [(0, -d / 2 + w * 0.8, h * 0.25), (0, 0.0, h * 0.55), (0, d * 0.3, h * 0.85)], (0.009, 0.006, 0.005))
     b.tube("plastic_black", [(0, d * 0.28, h * 0.83), (0, d / 2, h * 0.95)], (0.006, 0.004))
     return pinch(-d / 2 + r, h * 0.4)
@@ -252,11 +206,8 @@ def lighter(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def ashtray(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build an ashtray with a burning end."""
     h, r = spec.size[2], spec.size[0] / 2
-    b.lathe(
-        spec.material("body"),
-        [(r * 0.9, 0), (r, h * 0.6), (r, h * 0.75), (r * 0.85, h * 0.75), (r * 0.75, h * 0.25)],
-        segments=28,
-    )
+    profile = [(r * 0.9, 0), (r, h * 0.6), (r, h * 0.75), (r * 0.85, h * 0.75), (r * 0.75, h * 0.25)]
+    b.lathe(spec.material("body"), profile, segments=28)
     b.sphere(spec.material("ash"), (0.01, 0, h * 0.25), r * 0.4, scale=(1, 0.8, 0.25), segments=10, rings=5)
     b.cylinder("paper", (r * 0.2, 0.01, h * 0.45), (r * 0.95, 0.02, h * 0.85), 0.004, segments=8)
     return under(r * 0.8)
@@ -275,23 +226,15 @@ def glasses(b: MeshBuilder, spec: PropSpec) -> Anchors:
         ]
         b.tube(body, rim, 0.0025, segments=6, closed=True)
         b.polygon(spec.material("glass"), rim)
-        b.tube(
-            body,
-            [
-                (x * w * 0.45, front, h * 0.7),
-                (x * w * 0.5, 0.0, h * 0.72),
-                (x * w * 0.49, d * 0.35, h * 0.7),
-                (x * w * 0.47, d / 2, h * 0.2),
-            ],
-            0.0022,
-            segments=6,
-        )
-    b.tube(
-        body,
-        [(-w * 0.06, front, h * 0.6), (0, front - 0.002, h * 0.68), (w * 0.06, front, h * 0.6)],
-        0.0025,
-        segments=6,
-    )
+        line = [
+            (x * w * 0.45, front, h * 0.7),
+            (x * w * 0.5, 0.0, h * 0.72),
+            (x * w * 0.49, d * 0.35, h * 0.7),
+            (x * w * 0.47, d / 2, h * 0.2),
+        ]
+        b.tube(body, line, 0.0022, segments=6)
+    path = [(-w * 0.06, front, h * 0.6), (0, front - 0.002, h * 0.68), (w * 0.06, front, h * 0.6)]
+    b.tube(body, path, 0.0025, segments=6)
     return two_hands((-w / 2 - 0.005, 0.02, h * 0.6), (0.3, -0.95, 0), (1, 0.2, 0), PINCH)
 
 
@@ -300,9 +243,8 @@ def watch(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a pocket watch that lies on its back, its crown at -Y."""
     (w, d, h), body, r = spec.size, spec.material("body"), spec.size[0] / 2
     middle = d / 2 - r
-    b.lathe(
-        body, [(r * 0.9, 0), (r, h * 0.4), (r * 0.98, h * 0.8), (r * 0.86, h * 0.9)], origin=(0, middle, 0), segments=32
-    )
+    profile = [(r * 0.9, 0), (r, h * 0.4), (r * 0.98, h * 0.8), (r * 0.86, h * 0.9)]
+    b.lathe(body, profile, origin=(0, middle, 0), segments=32)
     angle = np.linspace(0, math.tau, 32, endpoint=False)
     ring = np.c_[np.cos(angle), np.sin(angle)]
     b.polygon(spec.material("face"), np.c_[r * 0.85 * ring + (0, middle), np.full(32, h * 0.92)], uv=0.5 - 0.5 * ring)
@@ -359,11 +301,8 @@ def bell(b: MeshBuilder, spec: PropSpec) -> Anchors:
         [(r, 0), (r * 0.94, 0.008), (r * 0.66, h * 0.18), (r * 0.55, h * 0.36), (r * 0.3, h * 0.45), (0.004, h * 0.46)],
         segments=28,
     )
-    b.lathe(
-        spec.material("handle"),
-        [(0.008, h * 0.45), (0.012, h * 0.52), (0.009, h * 0.6), (0.015, h * 0.8), (0.012, h * 0.96), (0.004, h)],
-        segments=14,
-    )
+    profile = [(0.008, h * 0.45), (0.012, h * 0.52), (0.009, h * 0.6), (0.015, h * 0.8), (0.012, h * 0.96), (0.004, h)]
+    b.lathe(spec.material("handle"), profile, segments=14)
     return around(0.014, h * 0.75, FIST)
 
 
@@ -379,21 +318,12 @@ def bomb(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b.tube("linen", [(x, y, h * 0.9), (x * 0.5, y * 0.5, h * 0.97), (0, 0, h)], 0.002, segments=5)
     for z in (0.18, 0.72):
         b.rounded_box(band, (0, 0, h * z), (w * 0.99, 4.1 * r, 0.025), 0.01)
-    b.lathe(
-        "plastic_black",
-        [(r * 1.5, 0), (r * 1.5, 0.014), (r * 1.3, 0.018)],
-        origin=(0, -2 * r, h * 0.46),
-        axis=(0, -1, 0),
-        segments=24,
-    )
+    profile = [(r * 1.5, 0), (r * 1.5, 0.014), (r * 1.3, 0.018)]
+    b.lathe("plastic_black", profile, origin=(0, -2 * r, h * 0.46), axis=(0, -1, 0), segments=24)
     angle = np.linspace(0, math.tau, 24, endpoint=False)
     ring = np.c_[np.cos(angle), np.sin(angle)]
     face = np.c_[r * 1.3 * ring[:, 0], np.full(24, -2 * r - 0.019), h * 0.46 + r * 1.3 * ring[:, 1]]
     b.polygon(spec.material("face"), face, uv=0.5 + 0.5 * ring)
-    b.tube(
-        "neon_red",
-        [(0.03, -2 * r - 0.01, h * 0.6), (0.05, -2 * r - 0.01, h * 0.8), (0.02, -r, h * 0.95)],
-        0.003,
-        segments=6,
-    )
+    path = [(0.03, -2 * r - 0.01, h * 0.6), (0.05, -2 * r - 0.01, h * 0.8), (0.02, -r, h * 0.95)]
+    b.tube("neon_red", path, 0.003, segments=6)
     return two_hands((-w / 2, 0, h * 0.45), (0.1, -1, -0.1), (1, 0.1, 0), (0.3, 0.35, 0.2))

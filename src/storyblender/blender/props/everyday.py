@@ -39,16 +39,8 @@ def bollard(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a turned iron post with a mushroom head."""
     r, h = spec.size[0] / 2, spec.size[2]
     outline = [
-        (1, 0),
-        (1, 0.06),
-        (0.62, 0.12),
-        (0.56, 0.5),
-        (0.6, 0.68),
-        (0.88, 0.78),
-        (0.92, 0.88),
-        (0.7, 0.97),
-        (0, 1),
-    ]
+        (1, 0), (1, 0.06), (0.62, 0.12), (0.56, 0.5), (0.6, 0.68), (0.88, 0.78), (0.92, 0.88), (0.7, 0.97), (0, 1),
+    ]  # fmt: skip
     b.lathe(spec.material("metal"), [(x * r, z * h) for x, z in outline], segments=24)
     return (seat((0, -0.6 * r, h), (2 * r, 1.2 * r)),)
 

@@ -82,9 +82,8 @@ def well(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a stone well with a winch under a little roof."""
     (w, d, h), stone, wood, roof = spec.size, spec.material("stone"), spec.material("wood"), spec.material("roof")
     r = w / 2 - 0.05
-    b.lathe(
-        stone, [(r, 0), (r, 0.75), (r + 0.05, 0.76), (r + 0.05, 0.86), (r - 0.16, 0.86), (r - 0.16, 0.1)], segments=28
-    )
+    profile = [(r, 0), (r, 0.75), (r + 0.05, 0.76), (r + 0.05, 0.86), (r - 0.16, 0.86), (r - 0.16, 0.1)]
+    b.lathe(stone, profile, segments=28)
     b.lathe("water", [(r - 0.16, 0.3)] * 2, segments=24)
     for x in (-1, 1):
         b.box(wood, (x * (r - 0.02), 0, h * 0.46), (0.1, 0.1, h * 0.92), bevel=0.01)
@@ -215,21 +214,9 @@ def cannon(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.cylinder(iron, (-w / 2 + 0.05, -d * 0.1, 0.55), (w / 2 - 0.05, -d * 0.1, 0.55), 0.04)
     axis = np.array([0, -math.cos(0.14), math.sin(0.14)])
     barrel = [
-        (0.03, -0.12),
-        (0.05, -0.08),
-        (0.03, -0.04),
-        (0.17, 0),
-        (0.18, 0.1),
-        (0.16, 0.14),
-        (0.14, 0.7),
-        (0.16, 0.72),
-        (0.12, 0.8),
-        (0.1, 1.3),
-        (0.13, 1.36),
-        (0.13, 1.42),
-        (0.07, 1.42),
-        (0.065, 1.2),
-    ]
+        (0.03, -0.12), (0.05, -0.08), (0.03, -0.04), (0.17, 0), (0.18, 0.1), (0.16, 0.14), (0.14, 0.7), (0.16, 0.72),
+        (0.12, 0.8), (0.1, 1.3), (0.13, 1.36), (0.13, 1.42), (0.07, 1.42), (0.065, 1.2),
+    ]  # fmt: skip
     b.lathe(iron, barrel, origin=(0, d * 0.18, h * 0.62), axis=axis, segments=24)
     return ()
 
@@ -238,15 +225,7 @@ def cannon(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def control_console(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a console of screens and buttons; the operator is at -Y."""
     (w, d, h), body, screen, light = spec.size, spec.material("body"), spec.material("screen"), spec.material("light")
-    side = [
-        (-d * 0.2, 0),
-        (d / 2, 0),
-        (d / 2, h),
-        (d * 0.26, h),
-        (d * 0.02, h * 0.72),
-        (-d / 2, h * 0.62),
-        (-d / 2, h * 0.54),
-    ]
+    side = np.multiply([(-0.2, 0), (0.5, 0), (0.5, 1), (0.26, 1), (0.02, 0.72), (-0.5, 0.62), (-0.5, 0.54)], (d, h))
     with b.at((-w / 2, 0, 0), (90, 0, 90)):
         b.extrude(body, side, w)
     slope = math.degrees(math.atan2(h * 0.28, d * 0.24))

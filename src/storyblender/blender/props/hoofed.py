@@ -74,13 +74,8 @@ def pig(b: MeshBuilder, spec: PropSpec) -> Anchors:
         beast(b, coat, PIG)
         (y, z), r, (long, nose) = PIG.skull, PIG.head, PIG.snout
         tip = (0, y - r * 0.7 - long, z - r * 0.42)
-        b.lathe(
-            coat,
-            [(nose * 0.95, -0.03), (nose * 1.08, 0.0), (nose * 0.9, 0.014)],
-            origin=tip,
-            axis=(0, -1, 0.1),
-            segments=18,
-        )
+        profile = [(nose * 0.95, -0.03), (nose * 1.08, 0.0), (nose * 0.9, 0.014)]
+        b.lathe(coat, profile, origin=tip, axis=(0, -1, 0.1), segments=18)
         for x in (-1, 1):
             b.sphere(DARK, (x * nose * 0.4, tip[1] - 0.012, tip[2]), nose * 0.18, segments=8, rings=5)
     return ()
@@ -95,10 +90,8 @@ def goat(b: MeshBuilder, spec: PropSpec) -> Anchors:
         y, z = GOAT.skull
         for x in (-1, 1):
             path = [
-                (x * 0.04, y + 0.0, z + 0.07),
-                (x * 0.06, y + 0.03, z + 0.2),
-                (x * 0.1, y + 0.13, z + 0.26),
-                (x * 0.12, y + 0.2, z + 0.22),
+                (x * s, y + t, z + up)
+                for s, t, up in ((0.04, 0, 0.07), (0.06, 0.03, 0.2), (0.1, 0.13, 0.26), (0.12, 0.2, 0.22))
             ]
             b.tube(horn, bent(path), tuple(bent((0.026, 0.022, 0.015, 0.005))), segments=8)
         b.cushion(coat, (0, y - 0.13, z - 0.15), (0.045, 0.05, 0.15), softness=0.9, rotation=(-10, 0, 0))
@@ -131,14 +124,11 @@ def deer(b: MeshBuilder, spec: PropSpec) -> Anchors:
         beast(b, spec.material("coat"), DEER)
         y, z = DEER.skull
         for x in (-1, 1) if spec.flag("antlers") else ():
-            stem = bent(
-                [
-                    (x * 0.04, y + 0.02, z + 0.08),
-                    (x * 0.1, y + 0.1, z + 0.3),
-                    (x * 0.28, y + 0.12, z + 0.46),
-                    (x * 0.26, y + 0.02, z + 0.66),
-                ]
-            )
+            curve = [
+                (x * s, y + t, z + up)
+                for s, t, up in ((0.04, 0.02, 0.08), (0.1, 0.1, 0.3), (0.28, 0.12, 0.46), (0.26, 0.02, 0.66))
+            ]
+            stem = bent(curve)
             b.tube("wax", stem, tuple(np.linspace(0.02, 0.006, len(stem))), segments=7)
             for at, way in ((4, (0.0, -0.14, 0.06)), (8, (0.06 * x, -0.06, 0.14)), (10, (0.1 * x, 0.04, 0.1))):
                 b.cylinder("wax", stem[at], stem[at] + way, 0.011, 0.003, segments=6)

@@ -103,12 +103,9 @@ def boots(b: MeshBuilder, spec: PropSpec) -> Anchors:
         with b.at((x * w * 0.27, 0, 0), (0, 0, x * 5)):
             half = w * 0.19
             sections = [
-                (-0.5, 0.06, 0.4, 0.05),
-                (-0.46, 0.11, 0.85, 0.1),
-                (-0.3, 0.14, 1.0, 0.14),
-                (-0.12, 0.2, 0.9, 0.2),
+                (-0.5, 0.06, 0.4, 0.05), (-0.46, 0.11, 0.85, 0.1), (-0.3, 0.14, 1.0, 0.14), (-0.12, 0.2, 0.9, 0.2),
                 (0.1, 0.27, 0.85, 0.27),
-            ]
+            ]  # fmt: skip
             angle = np.linspace(0, math.tau, 16, endpoint=False)
             foot = [
                 np.c_[
@@ -119,17 +116,8 @@ def boots(b: MeshBuilder, spec: PropSpec) -> Anchors:
                 for y, z, k, _ in [*sections, (0.3, 0.24, 0.85, 0.2), (0.42, 0.15, 0.6, 0.1)]
             ]
             b.loft(skin, foot)
-            shaft = bent(
-                [
-                    (half * 0.82, h * 0.1),
-                    (half * 0.8, h * 0.3),
-                    (half * 0.92, h * 0.7),
-                    (half * 0.98, h),
-                    (half * 0.86, h),
-                    (half * 0.8, h * 0.8),
-                ],
-                3,
-            )
+            curve = np.multiply([(0.82, 0.1), (0.8, 0.3), (0.92, 0.7), (0.98, 1), (0.86, 1), (0.8, 0.8)], (half, h))
+            shaft = bent(curve, 3)
             b.lathe(skin, shaft, origin=(0, d * 0.2, 0), segments=18)
             b.cushion(sole, (0, -d * 0.2, 0.009), (half * 2.1, d * 0.6, 0.018), softness=0.5)
             b.box(sole, (0, d * 0.28, 0.016), (half * 1.6, d * 0.26, 0.032), bevel=0.004)
@@ -186,18 +174,13 @@ def laundry_basket(b: MeshBuilder, spec: PropSpec) -> Anchors:
             rotation=(14 * math.sin(k), 16 * math.cos(k), 50 * k),
         )
     for x in (-1, 1):
-        b.tube(
-            wicker,
-            bent(
-                [
-                    (x * w * 0.485, -0.09, body),
-                    (x * w * 0.5, -0.06, h * 0.95),
-                    (x * w * 0.5, 0.06, h * 0.95),
-                    (x * w * 0.485, 0.09, body),
-                ]
-            ),
-            0.013,
-        )
+        path = [
+            (x * w * 0.485, -0.09, body),
+            (x * w * 0.5, -0.06, h * 0.95),
+            (x * w * 0.5, 0.06, h * 0.95),
+            (x * w * 0.485, 0.09, body),
+        ]
+        b.tube(wicker, bent(path), 0.013)
     return two_hands((-w / 2, 0.0, h * 0.9), (0.1, -0.9, -0.2), (0.9, 0, -0.4), FIST)
 
 
@@ -206,26 +189,15 @@ def candle(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a burning candle with wax that has run down it."""
     (_, _, h), wax, r = spec.size, spec.material("wax"), spec.size[0] / 2
     stand, top = h * 0.04, h * 0.74
-    b.lathe(
-        wax,
-        [
-            (r, 0),
-            (r * 0.9, stand),
-            (r * 0.62, stand * 1.6),
-            (r * 0.58, top),
-            (r * 0.5, top + 0.002),
-            (r * 0.3, top - 0.004),
-        ],
-        segments=20,
-    )
+    profile = [
+        (r, 0), (r * 0.9, stand), (r * 0.62, stand * 1.6), (r * 0.58, top), (r * 0.5, top + 0.002),
+        (r * 0.3, top - 0.004),
+    ]  # fmt: skip
+    b.lathe(wax, profile, segments=20)
     for k, long in enumerate((0.3, 0.16, 0.22, 0.1)):
         x, y = r * 0.58 * math.cos(1.7 * k), r * 0.58 * math.sin(1.7 * k)
-        b.tube(
-            wax,
-            [(x * 0.9, y * 0.9, top), (x, y, top - h * 0.03), (x * 1.04, y * 1.04, top - h * long)],
-            (0.003, 0.0035, 0.0045),
-            segments=6,
-        )
+        path = [(x * 0.9, y * 0.9, top), (x, y, top - h * 0.03), (x * 1.04, y * 1.04, top - h * long)]
+        b.tube(wax, path, (0.003, 0.0035, 0.0045), segments=6)
     b.cylinder("plastic_black", (0, 0, top), (0, 0, top + h * 0.04), 0.0012, segments=5)
     flame(b, spec.material("flame"), 0, 0, top + h * 0.02, h * 0.24)
     return around(r * 0.6, h * 0.35, (0.75, 0.8, 0.6))
@@ -265,16 +237,10 @@ def scissors(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, d, h), steel, grip = spec.size, spec.material("steel"), spec.material("grip")
     for side in (-1, 1):
         with b.at((0, -d * 0.05, h * (0.3 if side < 0 else 0.65)), (0, 0, side * 9)):
-            b.extrude(
-                steel,
-                [(-0.006, 0.03), (0.006, 0.03), (0.007, -d * 0.1), (0.001, -d * 0.45), (-0.004, -d * 0.1)],
-                h * 0.25,
-            )
-            b.tube(
-                grip,
-                bent([(0, 0.02, 0.001), (side * -0.006, d * 0.16, 0.001), (side * -0.012, d * 0.24, 0.001)]),
-                h * 0.35,
-            )
+            outline = [(-0.006, 0.03), (0.006, 0.03), (0.007, -d * 0.1), (0.001, -d * 0.45), (-0.004, -d * 0.1)]
+            b.extrude(steel, outline, h * 0.25)
+            path = [(0, 0.02, 0.001), (side * -0.006, d * 0.16, 0.001), (side * -0.012, d * 0.24, 0.001)]
+            b.tube(grip, bent(path), h * 0.35)
             loop = [
                 (side * -w * 0.18 + w * 0.19 * math.cos(a), d * 0.37 + d * 0.14 * math.sin(a), 0.001)
                 for a in np.linspace(0, math.tau, 22, endpoint=False)

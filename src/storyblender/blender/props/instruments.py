@@ -71,16 +71,8 @@ def violin(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.box(neck, (0, -d * 0.02, bout * 0.16), (0.035, 0.014, bout * 0.3), bevel=0.004, taper=0.6)
     b.box("wood_light", (0, -d * 0.05, bout * 0.42), (0.05, 0.006, 0.02), rotation=(0, 0, 0))
     for x in (-1, 1):
-        b.tube(
-            "plastic_black",
-            [
-                (x * w * 0.17, d * 0.09, bout * 0.32),
-                (x * w * 0.15, d * 0.09, bout * 0.42),
-                (x * w * 0.12, d * 0.09, bout * 0.5),
-            ],
-            0.004,
-            segments=5,
-        )
+        path = np.multiply([(0.17, 0.09, 0.32), (0.15, 0.09, 0.42), (0.12, 0.09, 0.5)], (x * w, d, bout))
+        b.tube("plastic_black", path, 0.004, segments=5)
         for k in range(2):
             b.cylinder(neck, (0, 0, h * (0.9 + 0.03 * k)), (x * 0.035, 0, h * (0.9 + 0.03 * k)), 0.004, segments=6)
     b.lathe(body, [(0.014, -0.015), (0.014, 0.015)], origin=(0, d * 0.02, h - 0.015), axis=(1, 0, 0), segments=14)
@@ -95,20 +87,11 @@ def trumpet(b: MeshBuilder, spec: PropSpec) -> Anchors:
     z, r = h * 0.55, w / 2
     bell = [(r, 0), (r * 0.97, 0.004), (r * 0.62, 0.03), (r * 0.35, 0.08), (r * 0.2, 0.16), (r * 0.16, d * 0.5)]
     b.lathe(body, bell, origin=(0, -d / 2, z), axis=(0, 1, 0), segments=28, caps=False)
-    b.tube(
-        body,
-        [
-            (0, 0, z),
-            (0, d * 0.28, z),
-            (0, d * 0.34, z - 0.03),
-            (0, d * 0.28, z - 0.06),
-            (0, -d * 0.2, z - 0.06),
-            (0, -d * 0.26, z - 0.03),
-            (0, -d * 0.2, z),
-            (0, d / 2 - 0.02, z),
-        ],
-        0.0075,
-    )
+    path = [
+        (0, 0, z), (0, d * 0.28, z), (0, d * 0.34, z - 0.03), (0, d * 0.28, z - 0.06), (0, -d * 0.2, z - 0.06),
+        (0, -d * 0.26, z - 0.03), (0, -d * 0.2, z), (0, d / 2 - 0.02, z),
+    ]  # fmt: skip
+    b.tube(body, path, 0.0075)
     b.lathe(body, [(0.006, 0), (0.012, 0.015), (0.012, 0.02)], origin=(0, d / 2 - 0.02, z), axis=(0, 1, 0), segments=14)
     for k in range(3):
         y = -0.02 + 0.028 * k

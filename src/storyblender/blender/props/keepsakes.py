@@ -60,12 +60,8 @@ def gift(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for turn in (35, 145, 215, 325):
         with b.at((0, 0, case), (0, 0, turn)):
             loop = [
-                (0, 0, 0),
-                (w * 0.16, 0, h * 0.14),
-                (w * 0.3, 0, h * 0.17),
-                (w * 0.3, 0, h * 0.06),
-                (0.01, 0, 0.005),
-            ]
+                (0, 0, 0), (w * 0.16, 0, h * 0.14), (w * 0.3, 0, h * 0.17), (w * 0.3, 0, h * 0.06), (0.01, 0, 0.005),
+            ]  # fmt: skip
             b.tube(ribbon, loop, 0.012, segments=6)
     b.sphere(ribbon, (0, 0, case + 0.015), 0.022, segments=10, rings=6)
     return two_hands((-w / 2, 0.0, case * 0.4), (0.1, -0.9, -0.4), (1, 0, 0), (0.15, 0.2, 0.15))
@@ -76,23 +72,15 @@ def candle_holder(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a lit candle in a dish with a ring to hold it by."""
     (w, d, h), metal = spec.size, spec.material("metal")
     r = d / 2
-    b.lathe(
-        metal,
-        [(r * 0.8, 0), (r, 0.014), (r, 0.018), (r * 0.78, 0.007), (0.02, 0.009), (0.018, 0.03), (0.024, 0.034)],
-        origin=(w / 2 - r, 0, 0),
-        segments=26,
-    )
+    outline = [(r * 0.8, 0), (r, 0.014), (r, 0.018), (r * 0.78, 0.007), (0.02, 0.009), (0.018, 0.03), (0.024, 0.034)]
+    b.lathe(metal, outline, origin=(w / 2 - r, 0, 0), segments=26)
     loop = [
         (-w / 2 + 0.012 + 0.02 * math.cos(a), 0, 0.024 + 0.018 * math.sin(a))
         for a in np.linspace(0, math.tau, 16, endpoint=False)
     ]
     b.tube(metal, loop, 0.0035, segments=6, closed=True)
-    b.lathe(
-        spec.material("wax"),
-        [(0.012, 0.02), (0.012, h * 0.68), (0.008, h * 0.7)],
-        origin=(w / 2 - r, 0, 0),
-        segments=12,
-    )
+    profile = [(0.012, 0.02), (0.012, h * 0.68), (0.008, h * 0.7)]
+    b.lathe(spec.material("wax"), profile, origin=(w / 2 - r, 0, 0), segments=12)
     flame(b, spec.material("flame"), w / 2 - r, 0, h * 0.7, h * 0.3)
     return two_hands((-w / 2 - 0.01, 0.01, 0.024), (0.4, -0.9, 0), (0.95, 0.3, 0), (0.8, 0.85, 0.6))
 

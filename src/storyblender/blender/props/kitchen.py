@@ -24,16 +24,8 @@ def stove(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.box(body, (0, d / 2 - 0.03, top + 0.06), (w, 0.05, 0.12), bevel=0.01)
     b.box(body, (0, -d / 2 + 0.02, top * 0.45), (w - 0.06, 0.03, top * 0.56), bevel=0.01)
     b.box("glass_dark", (0, -d / 2 + 0.005, top * 0.47), (w * 0.56, 0.01, top * 0.28), bevel=0.006)
-    b.tube(
-        metal,
-        [
-            (-w * 0.36, -d / 2, top * 0.7),
-            (-w * 0.36, -d / 2 - 0.04, top * 0.7),
-            (w * 0.36, -d / 2 - 0.04, top * 0.7),
-            (w * 0.36, -d / 2, top * 0.7),
-        ],
-        0.01,
-    )
+    path = [(w * x, -d / 2 - y, 0.7 * top) for x, y in ((-0.36, 0), (-0.36, 0.04), (0.36, 0.04), (0.36, 0))]
+    b.tube(metal, path, 0.01)
     for k in range(5):
         b.lathe(
             iron,
@@ -58,22 +50,11 @@ def wood_stove(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a pot-bellied stove with its pipe."""
     (w, d, h), iron = spec.size, spec.material("body")
     r = w / 2
-    b.lathe(
-        iron,
-        [
-            (r * 0.7, 0.16),
-            (r * 0.8, 0.2),
-            (r * 0.7, 0.26),
-            (r * 0.96, 0.42),
-            (r, 0.52),
-            (r * 0.9, 0.66),
-            (r * 0.62, 0.8),
-            (r * 0.8, 0.84),
-            (r * 0.8, 0.88),
-            (r * 0.3, 0.92),
-        ],
-        segments=28,
-    )
+    profile = [
+        (r * 0.7, 0.16), (r * 0.8, 0.2), (r * 0.7, 0.26), (r * 0.96, 0.42), (r, 0.52), (r * 0.9, 0.66), (r * 0.62, 0.8),
+        (r * 0.8, 0.84), (r * 0.8, 0.88), (r * 0.3, 0.92),
+    ]  # fmt: skip
+    b.lathe(iron, profile, segments=28)
     for k in range(3):
         with b.at(rotation=(0, 0, 120 * k + 90)):
             b.tube(iron, [(r * 0.6, 0, 0.2), (r * 0.75, 0, 0.1), (r * 0.85, 0, 0.0)], (0.03, 0.022, 0.03))
@@ -98,16 +79,10 @@ def fridge(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.rounded_box(body, (0, -d / 2 + 0.06, h * 0.4), (w - 0.02, 0.1, h * 0.66), 0.04)
     b.rounded_box(body, (0, -d / 2 + 0.06, h * 0.86), (w - 0.02, 0.1, h * 0.23), 0.04)
     for z, tall in ((h * 0.55, 0.2), (h * 0.8, 0.12)):
-        b.tube(
-            metal,
-            [
-                (-w * 0.38, -d / 2 + 0.01, z - tall / 2),
-                (-w * 0.38, -d / 2 - 0.03, z - tall / 2),
-                (-w * 0.38, -d / 2 - 0.03, z + tall / 2),
-                (-w * 0.38, -d / 2 + 0.01, z + tall / 2),
-            ],
-            0.011,
-        )
+        path = [
+            (-0.38 * w, -d / 2 + y, z + tall * up) for y, up in ((0.01, -0.5), (-0.03, -0.5), (-0.03, 0.5), (0.01, 0.5))
+        ]
+        b.tube(metal, path, 0.011)
     b.box("iron", (0, 0, 0.03), (w - 0.08, d - 0.14, 0.06))
     b.box(metal, (w * 0.2, -d / 2 + 0.008, h * 0.86), (0.16, 0.01, 0.03), bevel=0.004)
     return (handle((-w * 0.38, -d / 2 - 0.03, h * 0.55), name="door"),)
@@ -131,23 +106,13 @@ def sink(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for x in (-1, 1):
         b.box(basin, (x * w * 0.3, 0, top - 0.09), (0.02, d - 0.2, 0.14))
         b.box(basin, (0, x * (d / 2 - 0.11), top - 0.09), (w * 0.6, 0.02, 0.14))
-        b.lathe(
-            metal,
-            [(0.016, 0), (0.016, 0.05), (0.03, 0.055), (0.03, 0.07)],
-            origin=(x * 0.1, d / 2 - 0.06, top),
-            segments=12,
-        )
-    b.tube(
-        metal,
-        [
-            (0, d / 2 - 0.06, top),
-            (0, d / 2 - 0.06, h - 0.04),
-            (0, d / 2 - 0.1, h),
-            (0, d / 2 - 0.2, h - 0.02),
-            (0, d / 2 - 0.22, h - 0.08),
-        ],
-        0.014,
-    )
+        profile = [(0.016, 0), (0.016, 0.05), (0.03, 0.055), (0.03, 0.07)]
+        b.lathe(metal, profile, origin=(x * 0.1, d / 2 - 0.06, top), segments=12)
+    path = [
+        (0, d / 2 - 0.06, top), (0, d / 2 - 0.06, h - 0.04), (0, d / 2 - 0.1, h), (0, d / 2 - 0.2, h - 0.02),
+        (0, d / 2 - 0.22, h - 0.08),
+    ]  # fmt: skip
+    b.tube(metal, path, 0.014)
     return (lean((0, -d / 2, top), w),)
 
 
@@ -206,7 +171,6 @@ def ceiling_fan(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for k in range(4):
         with b.at((0, 0, 0.07), (0, 0, 90 * k + 20)), b.at(rotation=(9, 0, 0)):
             b.box(metal, (0.13, 0, 0), (0.12, 0.035, 0.008))
-            b.extrude(
-                blade, [(0.17, -0.05), (w / 2 - 0.02, -0.075), (w / 2, 0.0), (w / 2 - 0.02, 0.075), (0.17, 0.05)], 0.01
-            )
+            outline = [(0.17, -0.05), (w / 2 - 0.02, -0.075), (w / 2, 0.0), (w / 2 - 0.02, 0.075), (0.17, 0.05)]
+            b.extrude(blade, outline, 0.01)
     return ()

@@ -12,43 +12,26 @@ from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_han
 
 def _shade(b: MeshBuilder, material: MaterialRef, radius: float, top: float, low: float, high: float) -> None:
     """Add an open cone of cloth with some thickness."""
-    b.lathe(
-        material,
-        [(radius, low), (top, high), (top - 0.006, high), (radius - 0.006, low), (radius, low)],
-        segments=28,
-        caps=False,
-    )
+    profile = [(radius, low), (top, high), (top - 0.006, high), (radius - 0.006, low), (radius, low)]
+    b.lathe(material, profile, segments=28, caps=False)
 
 
 def flame(b: MeshBuilder, material: MaterialRef, x: float, y: float, z: float, height: float) -> None:
     """Add a flame whose foot is at z."""
     h = height
-    b.lathe(
-        material,
-        [(0.001, 0), (h * 0.2, h * 0.2), (h * 0.22, h * 0.35), (h * 0.12, h * 0.65), (0.001, h)],
-        origin=(x, y, z),
-        segments=10,
-    )
+    profile = [(0.001, 0), (h * 0.2, h * 0.2), (h * 0.22, h * 0.35), (h * 0.12, h * 0.65), (0.001, h)]
+    b.lathe(material, profile, origin=(x, y, z), segments=10)
 
 
 @prop("floor_lamp")
 def floor_lamp(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a standing lamp."""
     (w, _, h), shade, metal = spec.size, spec.material("shade"), spec.material("metal")
-    b.lathe(
-        metal,
-        [
-            (w * 0.36, 0),
-            (w * 0.35, 0.02),
-            (0.05, 0.05),
-            (0.014, 0.09),
-            (0.014, h * 0.5),
-            (0.024, h * 0.52),
-            (0.014, h * 0.54),
-            (0.012, h - 0.3),
-        ],
-        segments=24,
-    )
+    profile = [
+        (w * 0.36, 0), (w * 0.35, 0.02), (0.05, 0.05), (0.014, 0.09), (0.014, h * 0.5), (0.024, h * 0.52),
+        (0.014, h * 0.54), (0.012, h - 0.3),
+    ]  # fmt: skip
+    b.lathe(metal, profile, segments=24)
     b.cylinder(metal, (0, 0, h - 0.3), (0, 0, h - 0.02), 0.006)
     b.sphere("lamp_warm", (0, 0, h - 0.18), 0.035)
     _shade(b, shade, w / 2, w * 0.3, h - 0.32, h)
@@ -59,20 +42,11 @@ def floor_lamp(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def table_lamp(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a table lamp with a bellied foot."""
     (w, _, h), shade, metal = spec.size, spec.material("shade"), spec.material("metal")
-    b.lathe(
-        metal,
-        [
-            (0.07, 0),
-            (0.07, 0.015),
-            (0.03, 0.03),
-            (0.055, h * 0.2),
-            (0.06, h * 0.3),
-            (0.03, h * 0.45),
-            (0.014, h * 0.5),
-            (0.01, h * 0.56),
-        ],
-        segments=20,
-    )
+    profile = [
+        (0.07, 0), (0.07, 0.015), (0.03, 0.03), (0.055, h * 0.2), (0.06, h * 0.3), (0.03, h * 0.45), (0.014, h * 0.5),
+        (0.01, h * 0.56),
+    ]  # fmt: skip
+    b.lathe(metal, profile, segments=20)
     b.cylinder(metal, (0, 0, h * 0.5), (0, 0, h - 0.005), 0.005)
     b.sphere("lamp_warm", (0, 0, h * 0.74), 0.03)
     _shade(b, shade, w / 2, w * 0.3, h * 0.56, h)
@@ -84,17 +58,8 @@ def bankers_lamp(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a banker's lamp."""
     (w, d, h), shade, metal = spec.size, spec.material("shade"), spec.material("metal")
     b.lathe(metal, [(0.08, 0), (0.08, 0.018), (0.05, 0.03), (0.012, 0.05), (0.01, h - 0.1)], segments=20)
-    b.tube(
-        metal,
-        [
-            (-w * 0.36, 0, h - 0.06),
-            (-w * 0.3, 0, h - 0.12),
-            (0, 0, h - 0.13),
-            (w * 0.3, 0, h - 0.12),
-            (w * 0.36, 0, h - 0.06),
-        ],
-        0.007,
-    )
+    path = [(w * x, 0, h - z) for x, z in ((-0.36, 0.06), (-0.3, 0.12), (0, 0.13), (0.3, 0.12), (0.36, 0.06))]
+    b.tube(metal, path, 0.007)
     arch = np.linspace(math.radians(15), math.radians(165), 13)
     for inner, flip in ((1.0, 1), (0.94, -1)):
         rows = [
@@ -111,23 +76,11 @@ def pendant_lamp(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build an enamelled shade with a bulb on a cord."""
     (w, _, h), shade, metal = spec.size, spec.material("shade"), spec.material("metal")
     r = w / 2
-    b.lathe(
-        shade,
-        [
-            (r, 0.0),
-            (r * 0.98, 0.03),
-            (r * 0.55, 0.1),
-            (0.05, 0.16),
-            (0.03, 0.2),
-            (0.03, 0.2),
-            (0.045, 0.15),
-            (r * 0.5, 0.09),
-            (r * 0.95, 0.02),
-            (r, 0),
-        ],
-        segments=32,
-        caps=False,
-    )
+    profile = [
+        (r, 0.0), (r * 0.98, 0.03), (r * 0.55, 0.1), (0.05, 0.16), (0.03, 0.2), (0.03, 0.2), (0.045, 0.15),
+        (r * 0.5, 0.09), (r * 0.95, 0.02), (r, 0),
+    ]  # fmt: skip
+    b.lathe(shade, profile, segments=32, caps=False)
     b.sphere(spec.material("bulb"), (0, 0, 0.05), 0.045)
     b.cylinder(metal, (0, 0, 0.17), (0, 0, 0.26), 0.022)
     b.cylinder(metal, (0, 0, 0.2), (0, 0, h), 0.006, segments=6)
@@ -177,9 +130,8 @@ def fluorescent_light(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def wall_lamp(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a wall lamp on a bracket."""
     (w, d, h), shade, metal = spec.size, spec.material("shade"), spec.material("metal")
-    b.lathe(
-        metal, [(0.05, 0), (0.045, 0.015), (0.015, 0.025)], origin=(0, d / 2, h * 0.34), axis=(0, -1, 0), segments=16
-    )
+    profile = [(0.05, 0), (0.045, 0.015), (0.015, 0.025)]
+    b.lathe(metal, profile, origin=(0, d / 2, h * 0.34), axis=(0, -1, 0), segments=16)
     b.tube(metal, [(0, d / 2 - 0.02, h * 0.34), (0, 0.04, h * 0.12), (0, -0.03, h * 0.2), (0, -0.03, h * 0.5)], 0.009)
     with b.at((0, -d / 2 + w / 2, 0)):
         _shade(b, shade, w / 2, w * 0.3, h * 0.5, h)
@@ -194,34 +146,23 @@ def lantern(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, _, h), metal = spec.size, spec.material("metal")
     r = w / 2
     b.lathe(metal, [(r, 0), (r, 0.03), (r * 0.7, 0.06), (r * 0.5, 0.075)], segments=20)
-    b.lathe(
-        spec.material("glass"), [(r * 0.46, 0.075), (r * 0.68, 0.13), (r * 0.62, 0.18), (r * 0.44, 0.22)], segments=18
-    )
+    profile = [(r * 0.46, 0.075), (r * 0.68, 0.13), (r * 0.62, 0.18), (r * 0.44, 0.22)]
+    b.lathe(spec.material("glass"), profile, segments=18)
     b.lathe(metal, [(r * 0.5, 0.21), (r * 0.6, 0.23), (r * 0.4, 0.25), (r * 0.4, 0.28), (r * 0.2, 0.29)], segments=18)
     for x in (-1, 1):
-        b.tube(
-            metal, [(x * r * 0.9, 0, 0.03), (x * r, 0, 0.12), (x * r * 0.85, 0, 0.23), (x * r * 0.4, 0, 0.26)], 0.008
-        )
+        b.tube(metal, [(x * r * s, 0, z) for s, z in ((0.9, 0.03), (1, 0.12), (0.85, 0.23), (0.4, 0.26))], 0.008)
     bail = [(r * 0.95 * math.cos(a), 0, 0.24 + (h - 0.25) * math.sin(a)) for a in np.linspace(0, math.pi, 13)]
     b.tube(metal, bail, 0.004, segments=6)
     flame(b, spec.material("flame"), 0, 0, 0.085, 0.08)
-    return two_hands(
-        (0, 0, h + 0.005),
-        (0, -0.3, -0.95),
-        (0.0, -0.95, 0.3),
-        (0.9, 0.9, 0.5),
-    )
+    return two_hands((0, 0, h + 0.005), (0, -0.3, -0.95), (0.0, -0.95, 0.3), (0.9, 0.9, 0.5))
 
 
 @prop("candelabra")
 def candelabra(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a three-armed candlestick."""
     (w, _, h), metal, wax = spec.size, spec.material("metal"), spec.material("wax")
-    b.lathe(
-        metal,
-        [(0.065, 0), (0.06, 0.015), (0.02, 0.035), (0.012, 0.1), (0.02, 0.13), (0.011, 0.16), (0.012, h * 0.55)],
-        segments=18,
-    )
+    profile = [(0.065, 0), (0.06, 0.015), (0.02, 0.035), (0.012, 0.1), (0.02, 0.13), (0.011, 0.16), (0.012, h * 0.55)]
+    b.lathe(metal, profile, segments=18)
     for k, x in enumerate((-w / 2 + 0.03, 0.0, w / 2 - 0.03)):
         cup = h * (0.6 if k == 1 else 0.54)
         if x:
@@ -237,9 +178,8 @@ def torch(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a burning torch."""
     h, wood = spec.size[2], spec.material("wood")
     b.cylinder(wood, (0, 0, 0), (0, 0, h * 0.68), 0.014, 0.022, segments=10)
-    b.lathe(
-        spec.material("wrap"), [(0.026, h * 0.6), (0.045, h * 0.66), (0.05, h * 0.74), (0.03, h * 0.79)], segments=12
-    )
+    profile = [(0.026, h * 0.6), (0.045, h * 0.66), (0.05, h * 0.74), (0.03, h * 0.79)]
+    b.lathe(spec.material("wrap"), profile, segments=12)
     flame(b, spec.material("flame"), 0, 0, h * 0.7, h * 0.3)
     for k in range(3):
         turn = 2.1 * k

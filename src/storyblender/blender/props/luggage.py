@@ -22,12 +22,8 @@ def hanging(height: float) -> Anchors:
 def _bail(b: MeshBuilder, material: MaterialRef, width: float, foot: float, rise: float, radius: float) -> None:
     """Add a handle over the top, along X."""
     arc = [
-        (-width / 2, 0, foot),
-        (-width / 2, 0, foot + rise * 0.6),
-        (-width * 0.36, 0, foot + rise),
-        (width * 0.36, 0, foot + rise),
-        (width / 2, 0, foot + rise * 0.6),
-        (width / 2, 0, foot),
+        (width * x, 0, foot + rise * z)
+        for x, z in ((-0.5, 0), (-0.5, 0.6), (-0.36, 1), (0.36, 1), (0.5, 0.6), (0.5, 0))
     ]
     b.tube(material, bent(arc), radius)
 
@@ -105,16 +101,8 @@ def backpack(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for x in (-1, 1):
         b.rounded_box(body, (x * w * 0.44, 0.02, h * 0.28), (w * 0.14, d * 0.5, h * 0.34), 0.03)
         b.box(strap, (x * w * 0.18, -d * 0.42, h * 0.62), (0.022, 0.012, h * 0.3), bevel=0.003, rotation=(8, 0, 0))
-        b.tube(
-            strap,
-            [
-                (x * w * 0.18, d * 0.38, h * 0.86),
-                (x * w * 0.24, d * 0.52, h * 0.7),
-                (x * w * 0.28, d * 0.5, h * 0.3),
-                (x * w * 0.3, d * 0.36, h * 0.1),
-            ],
-            0.016,
-        )
+        path = np.multiply([(0.18, 0.38, 0.86), (0.24, 0.52, 0.7), (0.28, 0.5, 0.3), (0.3, 0.36, 0.1)], (x * w, d, h))
+        b.tube(strap, path, 0.016)
     loop = [(0.04 * math.cos(a), d * 0.3, h * 0.92 + 0.045 * math.sin(a)) for a in np.linspace(0, math.pi, 9)]
     b.tube(strap, loop, 0.009)
     return hanging(h - 0.01)
@@ -170,19 +158,11 @@ def bucket(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a bucket with its bail up."""
     (w, _, h), body, r = spec.size, spec.material("body"), spec.size[0] / 2
     pail = h * 0.62
-    b.lathe(
-        body,
-        [
-            (r * 0.7, 0),
-            (r * 0.72, 0.012),
-            (r * 0.96, pail - 0.015),
-            (r, pail - 0.006),
-            (r * 0.96, pail),
-            (r * 0.93, pail - 0.01),
-            (r * 0.69, 0.03),
-        ],
-        segments=30,
-    )
+    profile = [
+        (r * 0.7, 0), (r * 0.72, 0.012), (r * 0.96, pail - 0.015), (r, pail - 0.006), (r * 0.96, pail),
+        (r * 0.93, pail - 0.01), (r * 0.69, 0.03),
+    ]  # fmt: skip
+    b.lathe(body, profile, segments=30)
     b.lathe("water", [(r * 0.9, pail * 0.85)] * 2, segments=30)
     arc = [
         (w * 0.49 * math.cos(a), 0, pail - 0.02 + (h - pail + 0.015) * math.sin(a)) for a in np.linspace(0, math.pi, 15)

@@ -27,13 +27,8 @@ def radio(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.box(wood, (x, -d / 2 + 0.004, h * 0.64), (0.014, 0.012, h * 0.44), bevel=0.003)
     b.box(spec.material("dial"), (0, -d / 2 + 0.006, h * 0.3), (w * 0.5, 0.01, h * 0.16), bevel=0.003)
     for x in (-1, 0, 1):
-        b.lathe(
-            "plastic_black",
-            [(0.024, 0), (0.022, 0.02), (0.016, 0.022)],
-            origin=(x * w * 0.3, -d / 2 + 0.01, h * 0.13),
-            axis=(0, -1, 0),
-            segments=18,
-        )
+        profile = [(0.024, 0), (0.022, 0.02), (0.016, 0.022)]
+        b.lathe("plastic_black", profile, origin=(x * w * 0.3, -d / 2 + 0.01, h * 0.13), axis=(0, -1, 0), segments=18)
     return ()
 
 
@@ -43,35 +38,19 @@ def gramophone(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, d, _), wood, brass = spec.size, spec.material("body"), spec.material("horn")
     b.box(wood, (0, d * 0.12, 0.09), (w * 0.8, d * 0.72, 0.16), bevel=0.01)
     b.box(wood, (0, d * 0.12, 0.02), (w * 0.88, d * 0.76, 0.04), bevel=0.01)
-    b.lathe(
-        spec.material("record"), [(0.15, 0.175), (0.15, 0.182), (0.045, 0.184)], origin=(0, d * 0.1, 0), segments=32
-    )
+    profile = [(0.15, 0.175), (0.15, 0.182), (0.045, 0.184)]
+    b.lathe(spec.material("record"), profile, origin=(0, d * 0.1, 0), segments=32)
     b.lathe("fabric_red", [(0.045, 0.184), (0.044, 0.186), (0.002, 0.188)], origin=(0, d * 0.1, 0), segments=20)
-    neck = [
-        (0.06, d * 0.16, 0.2),
-        (0.14, d * 0.3, 0.24),
-        (0.12, d * 0.42, 0.32),
-        (0.04, d * 0.4, 0.42),
-        (0.0, d * 0.22, 0.46),
-    ]
+    neck = np.multiply(
+        [(0.06, 0.16, 0.2), (0.14, 0.3, 0.24), (0.12, 0.42, 0.32), (0.04, 0.4, 0.42), (0, 0.22, 0.46)], (1, d, 1)
+    )
     b.tube(brass, neck, (0.012, 0.014, 0.018, 0.024, 0.035))
     outline = [
-        (0.034, 0),
-        (0.05, 0.1),
-        (0.09, 0.2),
-        (0.16, 0.29),
-        (0.25, 0.34),
-        (0.255, 0.342),
-        (0.245, 0.342),
-        (0.15, 0.28),
+        (0.034, 0), (0.05, 0.1), (0.09, 0.2), (0.16, 0.29), (0.25, 0.34), (0.255, 0.342), (0.245, 0.342), (0.15, 0.28),
         (0.08, 0.19),
-    ]
+    ]  # fmt: skip
     b.lathe(brass, outline, origin=(0, d * 0.24, 0.455), axis=(0, -0.97, 0.14), segments=12, caps=False)
-    b.tube(
-        "iron",
-        [(w * 0.4, d * 0.1, 0.1), (w * 0.46, d * 0.1, 0.1), (w * 0.46, d * 0.1, 0.04), (w / 2, d * 0.1, 0.04)],
-        0.006,
-    )
+    b.tube("iron", [(w * x, 0.1 * d, z) for x, z in ((0.4, 0.1), (0.46, 0.1), (0.46, 0.04), (0.5, 0.04))], 0.006)
     return ()
 
 
@@ -102,24 +81,15 @@ def telephone(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.lathe(body, [(0.013, 0.013), (0.012, 0.016)], segments=14)
     for x in (-1, 1):
         b.box(body, (x * 0.045, d * 0.2, h * 0.68), (0.018, 0.08, 0.03), bevel=0.005)
-        b.lathe(
-            body,
-            [(0.022, -0.012), (0.03, 0), (0.03, 0.016), (0.02, 0.02)],
-            origin=(x * (w / 2 - 0.03), d * 0.2, h * 0.78),
-            axis=(0, 0, -1),
-            segments=18,
-        )
-    b.tube(
-        body,
-        [
-            (-w / 2 + 0.03, d * 0.2, h * 0.8),
-            (-0.05, d * 0.2, h - 0.014),
-            (0.05, d * 0.2, h - 0.014),
-            (w / 2 - 0.03, d * 0.2, h * 0.8),
-        ],
-        0.014,
-        segments=12,
-    )
+        profile = [(0.022, -0.012), (0.03, 0), (0.03, 0.016), (0.02, 0.02)]
+        b.lathe(body, profile, origin=(x * (w / 2 - 0.03), d * 0.2, h * 0.78), axis=(0, 0, -1), segments=18)
+    path = [
+        (-w / 2 + 0.03, d * 0.2, h * 0.8),
+        (-0.05, d * 0.2, h - 0.014),
+        (0.05, d * 0.2, h - 0.014),
+        (w / 2 - 0.03, d * 0.2, h * 0.8),
+    ]
+    b.tube(body, path, 0.014, segments=12)
     cord = [
         (
             -w * 0.44 - 0.012 * math.cos(t * 7),
@@ -255,14 +225,7 @@ def cash_register(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, d, h), body, cap, drawer = spec.size, spec.material("body"), spec.material("key"), spec.material("drawer")
     b.box(drawer, (0, 0, h * 0.14), (w, d, h * 0.28), bevel=0.01)
     b.box(body, (0, -d / 2, h * 0.14), (w * 0.9, 0.012, h * 0.2), bevel=0.004)
-    side = [
-        (-d * 0.48, h * 0.28),
-        (d * 0.46, h * 0.28),
-        (d * 0.46, h * 0.76),
-        (d * 0.16, h * 0.8),
-        (-d * 0.04, h * 0.66),
-        (-d * 0.44, h * 0.42),
-    ]
+    side = np.multiply([(-0.48, 0.28), (0.46, 0.28), (0.46, 0.76), (0.16, 0.8), (-0.04, 0.66), (-0.44, 0.42)], (d, h))
     with b.at((-w * 0.46, 0, 0), (90, 0, 90)):
         b.extrude(body, side, w * 0.92)
     for row in range(4):
@@ -290,13 +253,8 @@ def sewing_machine(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.rounded_box(body, (-w * 0.02, 0, h * 0.78), (w * 0.72, d * 0.36, h * 0.2), 0.03)
     b.rounded_box(body, (-w * 0.34, 0, h * 0.64), (w * 0.12, d * 0.36, h * 0.44), 0.025)
     b.cylinder("steel", (-w * 0.34, 0, h * 0.16), (-w * 0.34, 0, h * 0.46), 0.004, segments=8)
-    b.lathe(
-        "steel",
-        [(0.03, -0.012), (0.062, -0.01), (0.062, 0.01), (0.03, 0.012)],
-        origin=(w * 0.42, 0, h * 0.74),
-        axis=(1, 0, 0),
-        segments=26,
-    )
+    profile = [(0.03, -0.012), (0.062, -0.01), (0.062, 0.01), (0.03, 0.012)]
+    b.lathe("steel", profile, origin=(w * 0.42, 0, h * 0.74), axis=(1, 0, 0), segments=26)
     b.cylinder("fabric_red", (0.02, 0, h * 0.88), (0.02, 0, h), 0.016, segments=14)
     return ()
 
@@ -337,17 +295,13 @@ def fan_head(b: MeshBuilder, metal: MaterialRef, base: MaterialRef, r: float, d:
     for k in range(16):
         turn = math.tau * k / 16
         c, s = math.cos(turn), math.sin(turn)
-        b.tube(
-            metal,
-            [
-                (0.02 * c, -d * 0.42, z + 0.02 * s),
-                (r * c, -d * 0.3, z + r * s),
-                (r * c, -d * 0.02, z + r * s),
-                (0.03 * c, d * 0.06, z + 0.03 * s),
-            ],
-            0.0022,
-            segments=4,
-        )
+        path = [
+            (0.02 * c, -d * 0.42, z + 0.02 * s),
+            (r * c, -d * 0.3, z + r * s),
+            (r * c, -d * 0.02, z + r * s),
+            (0.03 * c, d * 0.06, z + 0.03 * s),
+        ]
+        b.tube(metal, path, 0.0022, segments=4)
     for k in range(4):
         with b.at((0, -d * 0.14, z), (0, 90 * k, 0)), b.at(rotation=(0, 0, 30)):
             b.cushion("paint", (0, 0, r * 0.5), (r * 0.5, 0.006, r * 0.75), softness=0.8)

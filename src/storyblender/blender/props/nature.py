@@ -163,12 +163,8 @@ def stump(b: MeshBuilder, spec: PropSpec) -> Anchors:
     _cut_trunk(b, bark, spec.material("cut"), h, w * 0.38, spec.rng)
     for k in range(6):
         with b.at(rotation=(0, 0, 60 * k + 11)):
-            b.tube(
-                bark,
-                [(w * 0.3, 0, h * 0.34), (w * 0.38, 0, h * 0.12), (w * 0.5, 0, 0.0)],
-                (0.05, 0.06, 0.02),
-                segments=8,
-            )
+            path = [(w * 0.3, 0, h * 0.34), (w * 0.38, 0, h * 0.12), (w * 0.5, 0, 0.0)]
+            b.tube(bark, path, (0.05, 0.06, 0.02), segments=8)
     return (seat((0, -w * 0.34, h), (w * 0.66, w * 0.66)),)
 
 
@@ -181,13 +177,9 @@ def _tongue(
     line = [
         out * reach * share + side * sway * bend + (0.0, 0.0, 0.04 + rise * (height - 0.04))
         for share, bend, rise in (
-            (0.9, 0.0, 0.0),
-            (1.1, 0.4, 0.22),
-            (0.75, 1.0, 0.5),
-            (0.7, 0.2, 0.76),
-            (0.5, 0.9, 1.0),
+            (0.9, 0.0, 0.0), (1.1, 0.4, 0.22), (0.75, 1.0, 0.5), (0.7, 0.2, 0.76), (0.5, 0.9, 1.0),
         )
-    ]
+    ]  # fmt: skip
     wide = 0.3 * height * min(1.0, 0.35 + reach / 0.3)
     b.tube(fire, line, [share * wide for share in (0.22, 0.36, 0.27, 0.13, 0.01)], segments=9)
 
@@ -275,12 +267,8 @@ def snowman(b: MeshBuilder, spec: PropSpec) -> Anchors:
     head = h * 0.84
     for x in (-1, 1):
         b.sphere(coal, (x * 0.07, -r * 0.46, head + 0.05), 0.025, segments=10, rings=6)
-        b.tube(
-            "bark",
-            [(x * r * 0.6, 0, h * 0.6), (x * r * 0.9, -0.1, h * 0.7), (x * r * 1.1, -0.12, h * 0.8)],
-            (0.018, 0.014, 0.008),
-            segments=6,
-        )
+        path = [(x * r * 0.6, 0, h * 0.6), (x * r * 0.9, -0.1, h * 0.7), (x * r * 1.1, -0.12, h * 0.8)]
+        b.tube("bark", path, (0.018, 0.014, 0.008), segments=6)
     b.cylinder(spec.material("nose"), (0, -r * 0.46, head), (0, -r * 0.46 - 0.2, head - 0.01), 0.03, 0.003, segments=10)
     for k in range(3):
         b.sphere(coal, (0, -r * 0.7, h * (0.48 + 0.07 * k)), 0.026, segments=10, rings=6)

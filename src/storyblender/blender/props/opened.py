@@ -43,17 +43,8 @@ def open_case(
         tray(b, skin, lining, (w, h, d * 0.35))
     for x in (-0.28, 0.28):
         b.box(metal, (x * w, -h / 2 - 0.006, d * 0.5), (0.05, 0.012, 0.04), bevel=0.003)
-    b.tube(
-        metal,
-        [
-            (-0.07, -h / 2, d * 0.3),
-            (-0.07, -h / 2 - 0.035, d * 0.3),
-            (0.07, -h / 2 - 0.035, d * 0.3),
-            (0.07, -h / 2, d * 0.3),
-        ],
-        0.009,
-        segments=6,
-    )
+    path = [(x, -h / 2 - y, 0.3 * d) for x, y in ((-0.07, 0), (-0.07, 0.035), (0.07, 0.035), (0.07, 0))]
+    b.tube(metal, path, 0.009, segments=6)
 
 
 def open_fridge(b: MeshBuilder, skin: MaterialRef, metal: MaterialRef, size: tuple[float, float, float]) -> None:

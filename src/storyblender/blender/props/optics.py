@@ -28,13 +28,8 @@ def camera(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for y in (-0.1, 0.12):
         b.cylinder(body, (-0.05, y, top + 0.34), (0.05, y, top + 0.34), 0.115, segments=28)
         b.cylinder("steel", (-0.055, y, top + 0.34), (0.055, y, top + 0.34), 0.03, segments=14)
-    b.lathe(
-        body,
-        [(0.045, 0), (0.045, 0.06), (0.06, 0.07), (0.06, 0.12), (0.05, 0.12), (0.04, 0.1)],
-        origin=(0, -0.16, top + 0.13),
-        axis=(0, -1, 0),
-        segments=24,
-    )
+    profile = [(0.045, 0), (0.045, 0.06), (0.06, 0.07), (0.06, 0.12), (0.05, 0.12), (0.04, 0.1)]
+    b.lathe(body, profile, origin=(0, -0.16, top + 0.13), axis=(0, -1, 0), segments=24)
     b.lathe("glass_dark", [(0.048, 0.105), (0.002, 0.115)], origin=(0, -0.16, top + 0.13), axis=(0, -1, 0), segments=20)
     b.cylinder(body, (0.1, 0.1, top + 0.18), (0.1, 0.24, top + 0.18), 0.022, segments=12)
     b.cylinder("steel", (0.02, 0.1, top), (0.12, 0.38, top - 0.14), 0.008, segments=8)
@@ -45,21 +40,11 @@ def camera(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def microphone(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a microphone on a stand."""
     (w, _, h), metal = spec.size, spec.material("metal")
-    b.lathe(
-        metal,
-        [
-            (w / 2, 0),
-            (w * 0.48, 0.02),
-            (w * 0.16, 0.045),
-            (0.014, 0.06),
-            (0.012, h * 0.6),
-            (0.016, h * 0.6),
-            (0.016, h * 0.64),
-            (0.009, h * 0.65),
-            (0.009, h - 0.13),
-        ],
-        segments=28,
-    )
+    profile = [
+        (w / 2, 0), (w * 0.48, 0.02), (w * 0.16, 0.045), (0.014, 0.06), (0.012, h * 0.6), (0.016, h * 0.6),
+        (0.016, h * 0.64), (0.009, h * 0.65), (0.009, h - 0.13),
+    ]  # fmt: skip
+    b.lathe(metal, profile, segments=28)
     with b.at((0, -0.01, h - 0.08), (14, 0, 0)):
         b.rounded_box(metal, (0, 0, 0), (0.075, 0.06, 0.15), 0.028)
         for k in range(7):
@@ -78,17 +63,9 @@ def telescope(b: MeshBuilder, spec: PropSpec) -> Anchors:
     axis = np.array([0, -0.9, 0.42]) / math.hypot(0.9, 0.42)
     start = np.array([0, 0, top + 0.08]) - axis * d * 0.42
     outline = [
-        (0.02, 0),
-        (0.026, 0.03),
-        (0.026, 0.14),
-        (0.038, 0.15),
-        (0.04, d * 0.45),
-        (0.05, d * 0.46),
-        (0.052, d * 0.86),
-        (0.062, d * 0.87),
-        (0.062, d * 0.94),
-        (0.05, d * 0.94),
-    ]
+        (0.02, 0), (0.026, 0.03), (0.026, 0.14), (0.038, 0.15), (0.04, d * 0.45), (0.05, d * 0.46), (0.052, d * 0.86),
+        (0.062, d * 0.87), (0.062, d * 0.94), (0.05, d * 0.94),
+    ]  # fmt: skip
     b.lathe(brass, outline, origin=start, axis=axis, segments=22)
     b.lathe("glass_dark", [(0.05, d * 0.942), (0.001, d * 0.944)], origin=start, axis=axis, segments=18)
     return ()

@@ -97,12 +97,8 @@ def tissue_box(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def toilet_roll(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a roll of toilet paper that stands, its end hanging at the front."""
     r, h, paper = spec.size[0] / 2, spec.size[2], spec.material("paper")
-    b.lathe(
-        paper,
-        [(0.36 * r, 0), (0.98 * r, 0), (r, 0.02 * h), (r, 0.98 * h), (0.98 * r, h), (0.36 * r, h)],
-        segments=32,
-        caps=False,
-    )
+    profile = [(0.36 * r, 0), (0.98 * r, 0), (r, 0.02 * h), (r, 0.98 * h), (0.98 * r, h), (0.36 * r, h)]
+    b.lathe(paper, profile, segments=32, caps=False)
     b.lathe("cardboard", [(0.36 * r, h), (0.32 * r, h), (0.32 * r, 0), (0.36 * r, 0)], segments=24, caps=False)
     for share in (0.5, 0.64, 0.78, 0.9):
         b.tube(paper, np.c_[circle(share * r, 32), np.full(32, h)], 0.0006, segments=4, closed=True)

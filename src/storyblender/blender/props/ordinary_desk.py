@@ -76,13 +76,8 @@ def ticket(b: MeshBuilder, spec: PropSpec) -> Anchors:
     notch = [(math.cos(a) * 0.09 * d, math.sin(a) * 0.09 * d) for a in np.linspace(math.pi, 0, 5)]
     top = [(0.24 * w + x, d / 2 - y) for x, y in notch]
     outline = [
-        (-w / 2, -d / 2),
-        *((x, -y) for x, y in top),
-        (w / 2, -d / 2),
-        (w / 2, d / 2),
-        *top[::-1],
-        (-w / 2, d / 2),
-    ]
+        (-w / 2, -d / 2), *((x, -y) for x, y in top), (w / 2, -d / 2), (w / 2, d / 2), *top[::-1], (-w / 2, d / 2),
+    ]  # fmt: skip
     b.extrude(paper, outline, h)
     for k in range(7):
         b.box("plastic_black", (0.24 * w, (k - 3) * 0.11 * d, h), (0.004, 0.05 * d, 0.0004))

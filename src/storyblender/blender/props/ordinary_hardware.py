@@ -34,15 +34,8 @@ def light_bulb(b: MeshBuilder, spec: PropSpec) -> Anchors:
     ribs = [((0.42 + 0.05 * (k % 2)) * r, (0.04 + 0.028 * k) * h) for k in range(10)]
     b.lathe(cap, [(0.3 * r, 0.04 * h), *ribs], segments=20)
     outline = [
-        (0.42, 0.29),
-        (0.5, 0.38),
-        (0.84, 0.54),
-        (1.0, 0.7),
-        (0.92, 0.84),
-        (0.68, 0.94),
-        (0.36, 0.99),
-        (0.0, 1.0),
-    ]
+        (0.42, 0.29), (0.5, 0.38), (0.84, 0.54), (1.0, 0.7), (0.92, 0.84), (0.68, 0.94), (0.36, 0.99), (0.0, 1.0),
+    ]  # fmt: skip
     b.lathe(spec.material("glass"), bent([(x * r, z * h) for x, z in outline], 3), segments=24)
     return around(0.45 * r, 0.2 * h, (0.7, 0.8, 0.6))
 

@@ -24,12 +24,9 @@ def ice_cream_scoop(b: MeshBuilder, spec: PropSpec) -> Anchors:
     shell = [*half, *((x * 0.92, z + 0.06 * r) for x, z in half[::-1])]
     b.lathe(metal, shell, origin=(0, r - d / 2, 0), segments=24)
     b.tube(metal, [(0, 2 * r - d / 2 - 0.004, 0.8 * r), (0, 0, 0.7 * h), (0, 0.1 * d, 0.7 * h)], 0.006)
+    curve = [(0.2, 0), (0.36, 0.1), (0.3, 0.5), (0.4, 0.9), (0.1, 1.0)]
     b.lathe(
-        spec.material("handle"),
-        bent([(0.2, 0), (0.36, 0.1), (0.3, 0.5), (0.4, 0.9), (0.1, 1.0)]) * (w, 0.42 * d),
-        origin=(0, 0.08 * d, 0.7 * h),
-        axis=(0, 1, 0),
-        segments=16,
+        spec.material("handle"), bent(curve) * (w, 0.42 * d), origin=(0, 0.08 * d, 0.7 * h), axis=(0, 1, 0), segments=16
     )
     b.box(metal, (0, 0.02 * d, 0.94 * h), (0.012, 0.12 * d, 0.004), rotation=(-12, 0, 0))
     return two_hands((-0.016, 0.28 * d, 0.7 * h), (0.2, -0.6, -0.75), (1, 0.1, 0), FIST)

@@ -19,11 +19,7 @@ from storyblender.blender.props.weapons import FIST
 def necktie(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a necktie laid flat, its knot and loop at +Y, striped."""
     (w, d, h), silk, stripe = spec.size, spec.material("silk"), spec.material("stripe")
-    b.extrude(
-        silk,
-        [(0, -d / 2), (w / 2, -0.43 * d), (0.24 * w, 0.24 * d), (-0.24 * w, 0.24 * d), (-w / 2, -0.43 * d)],
-        0.4 * h,
-    )
+    b.extrude(silk, np.multiply([(0, -0.5), (0.5, -0.43), (0.24, 0.24), (-0.24, 0.24), (-0.5, -0.43)], (w, d)), 0.4 * h)
     for k in range(6):
         y = (-0.4 + 0.1 * k) * d
         half = (0.5 - 0.26 * (y / d + 0.43) / 0.67) * w
@@ -136,16 +132,8 @@ def drumstick(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (_, d, h), wood = spec.size, spec.material("wood")
     r = h / 2
     outline = [
-        (0.5, 0),
-        (0.9, 0.01),
-        (1, 0.03),
-        (1, 0.7),
-        (0.5, 0.93),
-        (0.42, 0.955),
-        (0.7, 0.975),
-        (0.6, 0.992),
-        (0, 1),
-    ]
+        (0.5, 0), (0.9, 0.01), (1, 0.03), (1, 0.7), (0.5, 0.93), (0.42, 0.955), (0.7, 0.975), (0.6, 0.992), (0, 1),
+    ]  # fmt: skip
     turns = (-14, 14) if spec.flag("pair") else (0,)
     for k, turn in enumerate(turns):
         with b.at((0, 0, r + k * h), (0, 0, turn)):
@@ -194,15 +182,9 @@ def megaphone(b: MeshBuilder, spec: PropSpec) -> Anchors:
     bell = bent([(0.34, 0.3), (0.42, 0.5), (0.62, 0.75), (0.94, 0.97), (1.0, 1.0)], 4)
     inside = bell[::-1] * (0.94, 1) - (0, 0.01)
     b.lathe(horn, np.concatenate([bell, inside]) * (r, d), origin=(0, d / 2, z), axis=(0, -1, 0), segments=32)
-    b.lathe(
-        grip,
-        [(0.4 * r, 0), (0.44 * r, 0.02 * d), (0.44 * r, 0.3 * d), (0.36 * r, 0.33 * d)],
-        origin=(0, d / 2, z),
-        axis=(0, -1, 0),
-    )
-    b.lathe(
-        grip, [(0.22 * r, 0.5 * d), (0.22 * r, 0.8 * d), (0.1 * r, 0.84 * d)], origin=(0, d / 2, z), axis=(0, -1, 0)
-    )
+    profile = [(0.4 * r, 0), (0.44 * r, 0.02 * d), (0.44 * r, 0.3 * d), (0.36 * r, 0.33 * d)]
+    b.lathe(grip, profile, origin=(0, d / 2, z), axis=(0, -1, 0))
+    b.lathe(grip, np.multiply([(0.22, 0.5), (0.22, 0.8), (0.1, 0.84)], (r, d)), origin=(0, d / 2, z), axis=(0, -1, 0))
     b.rounded_box(grip, (0, 0.34 * d, 0.5 * z), (0.032, 0.04, z), 0.012, rotation=(8, 0, 0))
     b.box("fabric_red", (0, 0.34 * d - 0.026, 0.74 * z), (0.014, 0.012, 0.03))
     return two_hands((-0.016, 0.34 * d, 0.5 * z), (0.1, -1, -0.1), (1, 0.1, 0), FIST)
@@ -212,12 +194,8 @@ def megaphone(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def toothbrush(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a toothbrush that lies on its back, its bristles at -Y pointing up."""
     (w, d, h), body = spec.size, spec.material("body")
-    b.tube(
-        body,
-        bent([(0, 0.49, 0.24), (0, 0.2, 0.3), (0, -0.1, 0.22), (0, -0.28, 0.2)]) * (w, d, h),
-        [0.3 * w] * 5 + [0.42 * w] * 4 + [0.22 * w] * 4,
-        segments=10,
-    )
+    curve = [(0, 0.49, 0.24), (0, 0.2, 0.3), (0, -0.1, 0.22), (0, -0.28, 0.2)]
+    b.tube(body, bent(curve) * (w, d, h), [0.3 * w] * 5 + [0.42 * w] * 4 + [0.22 * w] * 4, segments=10)
     b.rounded_box(body, (0, -0.4 * d, 0.22 * h), (0.9 * w, 0.2 * d, 0.3 * h), 0.0025)
     for row in range(8):
         for x in (-0.27, 0, 0.27):

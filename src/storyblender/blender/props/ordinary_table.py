@@ -35,15 +35,7 @@ def paper_cup(b: MeshBuilder, spec: PropSpec) -> Anchors:
     r, h = spec.size[0] / 2, spec.size[2]
     b.lathe(spec.material("paper"), [(0.7 * r, 0), (0.95 * r, 0.9 * h)], segments=28)
     b.lathe(spec.material("sleeve"), [(0.785 * r, 0.24 * h), (0.905 * r, 0.68 * h)], segments=28, caps=False)
-    lid = [
-        (0.97 * r, 0.88 * h),
-        (r, 0.89 * h),
-        (r, 0.92 * h),
-        (0.9 * r, 0.93 * h),
-        (0.84 * r, h),
-        (0.76 * r, h),
-        (0.74 * r, 0.97 * h),
-    ]
+    lid = np.multiply([(0.97, 0.88), (1, 0.89), (1, 0.92), (0.9, 0.93), (0.84, 1), (0.76, 1), (0.74, 0.97)], (r, h))
     b.lathe(spec.material("lid"), lid, segments=28)
     b.box("plastic_black", (0, -0.6 * r, 0.972 * h), (0.2 * r, 0.08 * r, 0.004 * h))
     return around(0.82 * r, 0.45 * h, (0.45, 0.5, 0.4))
@@ -117,13 +109,12 @@ def carrot(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe(root, outline, origin=(0, 0.18 * d, r), axis=(0, -1, 0), segments=16)
     for k in range(6):
         side, up = 0.9 * math.cos(2.4 * k), 0.5 + 0.5 * math.sin(2.4 * k)
-        path = bent(
-            [
-                (0, 0.17 * d, r),
-                (side * 0.5 * r, 0.3 * d, r * (1 + 0.3 * up)),
-                (side * 1.6 * r, 0.48 * d, r * (0.3 + 1.2 * up)),
-            ]
-        )
+        curve = [
+            (0, 0.17 * d, r),
+            (side * 0.5 * r, 0.3 * d, r * (1 + 0.3 * up)),
+            (side * 1.6 * r, 0.48 * d, r * (0.3 + 1.2 * up)),
+        ]
+        path = bent(curve)
         b.tube(leaf, path, list(np.linspace(0.0022, 0.0008, len(path))), segments=5)
         for at in path[4::2]:
             b.sphere(leaf, at, 0.007, scale=(1.2, 1, 0.4), segments=7, rings=4)

@@ -131,20 +131,9 @@ def chainsaw(b: MeshBuilder, spec: PropSpec) -> Anchors:
         y = 0.06 * d - 0.5 * d * k / 23
         for z in (-half, half):
             b.box("iron", (-0.3 * w, y, 0.3 * h + z), (0.012, 0.012, 0.012), taper=0.7)
-    hoop = [
-        (-0.42 * w, 0.1 * d, 0.12 * h),
-        (-0.44 * w, 0.06 * d, 0.8 * h),
-        (0, 0.04 * d, 0.98 * h),
-        (0.42 * w, 0.08 * d, 0.7 * h),
-    ]
+    hoop = np.multiply([(-0.42, 0.1, 0.12), (-0.44, 0.06, 0.8), (0, 0.04, 0.98), (0.42, 0.08, 0.7)], (w, d, h))
     b.tube("plastic_black", bent(hoop, 5), 0.011)
-    rear = [
-        (0, 0.3 * d, 0.6 * h),
-        (0, 0.44 * d, 0.58 * h),
-        (0, 0.48 * d, 0.4 * h),
-        (0, 0.44 * d, 0.18 * h),
-        (0, 0.3 * d, 0.16 * h),
-    ]
+    rear = np.multiply([(0, 0.3, 0.6), (0, 0.44, 0.58), (0, 0.48, 0.4), (0, 0.44, 0.18), (0, 0.3, 0.16)], (1, d, h))
     b.tube(body, bent(rear, 5), 0.016)
     b.tube("plastic_black", ring_of(0.02, 12) + np.array((0.3 * w, 0.16 * d, 0.72 * h)), 0.004, closed=True)
     return two_hands((-0.016, 0.4 * d, 0.58 * h), (0.15, -0.6, -0.75), (1, 0.1, 0), FIST)

@@ -93,10 +93,8 @@ def shoe(b: MeshBuilder, spec: PropSpec) -> Anchors:
             y = (-0.18 + 0.06 * k) * d
             z = thick + (0.74 * h - thick) * math.sqrt(1 - ((0.05 * d - y) / (0.55 * d)) ** 2)
             lace = [
-                (-0.2, y, z - 0.06 * h),
-                (-0.1, y, z + 0.02 * h),
-                (0.1, y + 0.03 * d, z + 0.03 * h),
-                (0.2, y + 0.03 * d, z - 0.05 * h),
+                (x, y + d * t, z + h * up)
+                for x, t, up in ((-0.2, 0, -0.06), (-0.1, 0, 0.02), (0.1, 0.03, 0.03), (0.2, 0.03, -0.05))
             ]
             b.tube("linen", [(x * w, *rest) for x, *rest in lace], 0.0024, segments=6)
         for x in (-1, 1):

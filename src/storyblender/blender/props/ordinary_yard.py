@@ -187,9 +187,7 @@ def skis(b: MeshBuilder, spec: PropSpec) -> Anchors:
         wide = np.interp(curve[:, 1] / h, (0, 0.5, 0.9, 0.97, 1), (0.2, 0.17, 0.22, 0.16, 0.04)) * w
         rings = []
         for (y, z), half in zip(curve, wide, strict=True):
-            rings.append(
-                [(x * w - half, y, z), (x * w + half, y, z), (x * w + half, y + 0.012, z), (x * w - half, y + 0.012, z)]
-            )
+            rings.append([(x * w + half * s, y + t, z) for s, t in ((-1, 0), (1, 0), (1, 0.012), (-1, 0.012))])
         b.loft(board, [np.array(ring) for ring in rings])
         for z in (0.4, 0.55):
             b.rounded_box(DARK, (x * w, -0.025, z * h), (0.3 * w, 0.05, 0.09), 0.012)

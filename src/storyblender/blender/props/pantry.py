@@ -34,16 +34,10 @@ def jar(b: MeshBuilder, spec: PropSpec) -> Anchors:
     )
     b.lathe("paper", [(r * 1.005, h * 0.28), (r * 1.005, h * 0.56)], segments=28, caps=False)
     if not tipped:
-        b.lathe(
-            spec.material("lid"),
-            [(r * 0.86, h * 0.88), (r * 0.88, h * 0.9), (r * 0.88, h * 0.98), (r * 0.8, h)],
-            segments=28,
-        )
-        b.lathe(
-            spec.material("filling"),
-            [(r * 0.88, h * 0.07), (r * 0.9, h * 0.1), (r * 0.9, h * 0.62), (0.003, h * 0.65)],
-            segments=24,
-        )
+        outline = [(r * 0.86, h * 0.88), (r * 0.88, h * 0.9), (r * 0.88, h * 0.98), (r * 0.8, h)]
+        b.lathe(spec.material("lid"), outline, segments=28)
+        profile = [(r * 0.88, h * 0.07), (r * 0.9, h * 0.1), (r * 0.9, h * 0.62), (0.003, h * 0.65)]
+        b.lathe(spec.material("filling"), profile, segments=24)
         return around(r, h * 0.45)
     for k in range(26):
         turn, reach = 2.4 * k, r * 0.7 * math.sqrt((k % 13 + 0.5) / 13)
@@ -66,11 +60,8 @@ def jar(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def tin_can(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a tin with a paper label."""
     (_, _, h), tin, r = spec.size, spec.material("tin"), spec.size[0] / 2
-    b.lathe(
-        tin,
-        [(r * 0.94, 0), (r, 0.002), (r, h - 0.002), (r * 0.97, h), (r * 0.94, h - 0.004), (0.003, h - 0.004)],
-        segments=28,
-    )
+    profile = [(r * 0.94, 0), (r, 0.002), (r, h - 0.002), (r * 0.97, h), (r * 0.94, h - 0.004), (0.003, h - 0.004)]
+    b.lathe(tin, profile, segments=28)
     b.lathe(spec.material("label"), [(r * 1.012, h * 0.1), (r * 1.012, h * 0.9)], segments=28, caps=False)
     return around(r, h * 0.5)
 
@@ -80,13 +71,8 @@ def canteen(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a flat round flask in a cloth cover, on its strap."""
     (w, d, h), cover, metal = spec.size, spec.material("cover"), spec.material("metal")
     r = w / 2
-    b.lathe(
-        cover,
-        [(r * 0.6, -d / 2), (r * 0.93, -d * 0.36), (r, 0), (r * 0.93, d * 0.36), (r * 0.6, d / 2)],
-        origin=(0, 0, r),
-        axis=(0, 1, 0),
-        segments=28,
-    )
+    profile = [(r * 0.6, -d / 2), (r * 0.93, -d * 0.36), (r, 0), (r * 0.93, d * 0.36), (r * 0.6, d / 2)]
+    b.lathe(cover, profile, origin=(0, 0, r), axis=(0, 1, 0), segments=28)
     b.cylinder(metal, (0, 0, 2 * r - 0.01), (0, 0, h - 0.02), d * 0.26)
     b.lathe(metal, [(d * 0.34, h - 0.028), (d * 0.34, h - 0.004), (d * 0.28, h)], segments=16)
     angle = np.linspace(-0.35, math.pi + 0.35, 26)
@@ -104,27 +90,19 @@ def jug(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a jug with a lip at +X and its handle at -X."""
     (w, d, h), body = spec.size, spec.material("body")
     r = d / 2
-    outer = bent(
-        [(r * 0.62, 0), (r * 0.95, h * 0.18), (r, h * 0.36), (r * 0.72, h * 0.66), (r * 0.58, h * 0.8), (r * 0.7, h)], 4
-    )
+    outer = bent(np.multiply([(0.62, 0), (0.95, 0.18), (1, 0.36), (0.72, 0.66), (0.58, 0.8), (0.7, 1)], (r, h)), 4)
     inner = bent([(r * 0.64, h * 0.99), (r * 0.5, h * 0.8), (r * 0.62, h * 0.66)], 3)
     rings, angle = [], np.linspace(0, math.tau, 28, endpoint=False)
     for radius, z in [*outer, *inner]:
         lip = 1 + 0.32 * np.exp(-((np.minimum(angle, math.tau - angle) / 0.4) ** 2)) * max(0.0, (z / h - 0.82) / 0.18)
         rings.append(np.c_[radius * lip * np.cos(angle), radius * np.sin(angle), np.full(28, z)])
     b.loft(body, rings)
-    b.lathe(
-        spec.material("drink"),
-        [(0.003, h * 0.66), (r * 0.68, h * 0.66), (r * 0.6, h * 0.7), (0.003, h * 0.7)],
-        segments=24,
-    )
+    profile = [(0.003, h * 0.66), (r * 0.68, h * 0.66), (r * 0.6, h * 0.7), (0.003, h * 0.7)]
+    b.lathe(spec.material("drink"), profile, segments=24)
     bow = [
-        (-r * 0.6, 0, h * 0.88),
-        (-w * 0.42, 0, h * 0.9),
-        (-w * 0.5, 0, h * 0.66),
-        (-w * 0.44, 0, h * 0.38),
+        (-r * 0.6, 0, h * 0.88), (-w * 0.42, 0, h * 0.9), (-w * 0.5, 0, h * 0.66), (-w * 0.44, 0, h * 0.38),
         (-r * 0.95, 0, h * 0.32),
-    ]
+    ]  # fmt: skip
     b.tube(body, bent(bow), 0.011)
     return two_hands((-w * 0.5, 0.0, h * 0.62), (0.2, -1, 0), (1, 0.1, 0), (0.85, 0.85, 0.5))
 
@@ -158,18 +136,10 @@ def cauldron(b: MeshBuilder, spec: PropSpec) -> Anchors:
         spec,
         "iron",
         [
-            (0.3, 0.1),
-            (0.72, 0.16),
-            (0.93, 0.4),
-            (0.92, 0.6),
-            (0.74, 0.8),
-            (0.72, 0.86),
-            (0.86, 0.93),
-            (0.86, 0.95),
-            (0.7, 0.88),
-            (0.7, 0.7),
+            (0.3, 0.1), (0.72, 0.16), (0.93, 0.4), (0.92, 0.6), (0.74, 0.8), (0.72, 0.86), (0.86, 0.93), (0.86, 0.95),
+            (0.7, 0.88), (0.7, 0.7),
         ],
-    )
+    )  # fmt: skip
     b.lathe(spec.material("brew"), [(r * 0.76, h * 0.7), (r * 0.73, h * 0.84), (0.004, h * 0.85)], segments=28)
     for k, (x, y) in enumerate(((0.3, 0.1), (-0.25, 0.3), (-0.1, -0.4), (0.2, -0.25))):
         b.sphere(
@@ -182,11 +152,8 @@ def cauldron(b: MeshBuilder, spec: PropSpec) -> Anchors:
         )
     for k in range(3):
         with b.at(rotation=(0, 0, 120 * k + 30)):
-            b.tube(
-                iron,
-                bent([(r * 0.6, 0, h * 0.2), (r * 0.82, 0, h * 0.1), (r * 0.85, 0, 0.0)]),
-                tuple(bent((0.045, 0.03, 0.02))),
-            )
+            path = [(r * 0.6, 0, h * 0.2), (r * 0.82, 0, h * 0.1), (r * 0.85, 0, 0.0)]
+            b.tube(iron, bent(path), tuple(bent((0.045, 0.03, 0.02))))
     for x in (-1, 1):
         with b.at((x * r * 0.92, 0, h * 0.74), (90, 0, 90)):
             ring = [(0.05 * math.cos(a), 0.05 * math.sin(a), 0) for a in np.linspace(0, math.tau, 18, endpoint=False)]
@@ -200,19 +167,11 @@ def ladle(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, d, h), body = spec.size, spec.material("body")
     r = w / 2
     bowl = [
-        (0.004, 0.0),
-        (r * 0.7, h * 0.12),
-        (r, h * 0.55),
-        (r * 0.93, h * 0.55),
-        (r * 0.64, h * 0.2),
-        (0.004, h * 0.08),
-    ]
+        (0.004, 0.0), (r * 0.7, h * 0.12), (r, h * 0.55), (r * 0.93, h * 0.55), (r * 0.64, h * 0.2), (0.004, h * 0.08),
+    ]  # fmt: skip
     b.lathe(body, bent(bowl, 2), origin=(0, -d / 2 + r, 0), segments=22)
-    b.tube(
-        body,
-        bent([(0, -d / 2 + 1.95 * r, h * 0.5), (0, -d * 0.2, h * 0.85), (0, d * 0.3, h * 0.6), (0, d / 2, h * 0.5)]),
-        0.006,
-    )
+    path = [(0, -d / 2 + 1.95 * r, h * 0.5), (0, -d * 0.2, h * 0.85), (0, d * 0.3, h * 0.6), (0, d / 2, h * 0.5)]
+    b.tube(body, bent(path), 0.006)
     return two_hands((-0.014, d * 0.28, h * 0.6), (0.2, -1, 0), (1, 0.2, 0), (0.9, 0.9, 0.5))
 
 
@@ -221,14 +180,9 @@ def rolling_pin(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a rolling pin along X."""
     (w, _, h), wood, r = spec.size, spec.material("wood"), spec.size[2] / 2
     outline = [
-        (r * 0.3, 0),
-        (r * 0.5, 0.01),
-        (r * 0.5, w * 0.14),
-        (r * 0.34, w * 0.19),
-        (r, w * 0.2),
-        (r, w * 0.8),
+        (r * 0.3, 0), (r * 0.5, 0.01), (r * 0.5, w * 0.14), (r * 0.34, w * 0.19), (r, w * 0.2), (r, w * 0.8),
         (r * 0.34, w * 0.81),
-    ]
+    ]  # fmt: skip
     b.lathe(
         wood, [*outline, (r * 0.5, w * 0.86), (r * 0.5, w - 0.01), (r * 0.3, w)], origin=(-w / 2, 0, r), axis=(1, 0, 0)
     )
@@ -283,15 +237,11 @@ def banana(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (_, d, h), skin = spec.size, spec.material("skin")
     for k, turn in enumerate((-16, 0, 16)):
         with b.at((0.012 * (k - 1), d * 0.4, h * 0.55), (0, 0, turn)):
-            path = bent(
-                [
-                    (0, 0.03, 0.02),
-                    (0, -d * 0.15, h * 0.02),
-                    (0, -d * 0.5, -h * 0.22),
-                    (0, -d * 0.82, h * 0.02),
-                    (0, -d * 0.93, h * 0.2),
-                ]
-            )
+            curve = [
+                (0, 0.03, 0.02), (0, -d * 0.15, h * 0.02), (0, -d * 0.5, -h * 0.22), (0, -d * 0.82, h * 0.02),
+                (0, -d * 0.93, h * 0.2),
+            ]  # fmt: skip
+            path = bent(curve)
             thick = np.interp(
                 np.linspace(0, 1, len(path)), (0, 0.12, 0.3, 0.75, 0.95, 1), (0.007, 0.009, 0.018, 0.018, 0.007, 0.004)
             )

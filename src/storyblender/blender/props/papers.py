@@ -80,9 +80,8 @@ def envelope(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.box(page, (0, 0, h * 0.35), (w, d, h * 0.7), bevel=0.0008)
     with b.at((0, 0, h * 0.7)):
         b.extrude(page, [(-w / 2, -d / 2), (w / 2, -d / 2), (0, d * 0.12)], 0.0008)
-    b.lathe(
-        spec.material("seal"), [(0.013, h * 0.7), (0.013, h * 0.9), (0.01, h)], origin=(0, d * 0.06, 0), segments=14
-    )
+    profile = [(0.013, h * 0.7), (0.013, h * 0.9), (0.01, h)]
+    b.lathe(spec.material("seal"), profile, origin=(0, d * 0.06, 0), segments=14)
     return under(d * 0.38)
 
 
@@ -147,20 +146,10 @@ def pen(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a fountain pen; its nib is at -Y."""
     w, d, _ = spec.size
     r = w / 2
-    b.lathe(
-        spec.material("body"),
-        [(r * 0.6, 0), (r * 0.95, d * 0.06), (r, d * 0.5), (r * 0.8, d * 0.84), (r * 0.6, d * 0.86)],
-        origin=(0, d / 2, r),
-        axis=(0, -1, 0),
-        segments=12,
-    )
-    b.lathe(
-        spec.material("metal"),
-        [(r * 0.45, d * 0.86), (r * 0.4, d * 0.92), (0.0004, d)],
-        origin=(0, d / 2, r),
-        axis=(0, -1, 0),
-        segments=8,
-    )
+    outline = [(r * 0.6, 0), (r * 0.95, d * 0.06), (r, d * 0.5), (r * 0.8, d * 0.84), (r * 0.6, d * 0.86)]
+    b.lathe(spec.material("body"), outline, origin=(0, d / 2, r), axis=(0, -1, 0), segments=12)
+    profile = [(r * 0.45, d * 0.86), (r * 0.4, d * 0.92), (0.0004, d)]
+    b.lathe(spec.material("metal"), profile, origin=(0, d / 2, r), axis=(0, -1, 0), segments=8)
     b.box(spec.material("metal"), (0, d * 0.32, 2 * r), (0.002, d * 0.28, 0.002))
     return two_hands((-0.02, d * 0.02, 0.02), (0.5, -0.85, -0.2), (0.75, 0.4, -0.5), (0.6, 0.7, 0.6))
 

@@ -41,18 +41,9 @@ def turned_leg(b: MeshBuilder, material: MaterialRef, x: float, y: float, height
     """Add a leg turned on a lathe, with a ring and a bulb."""
     r, h = radius, height
     profile = [
-        (r * 0.55, 0),
-        (r * 0.7, h * 0.04),
-        (r * 0.45, h * 0.08),
-        (r * 0.75, h * 0.4),
-        (r, h * 0.62),
-        (r * 0.6, h * 0.72),
-        (r * 0.95, h * 0.76),
-        (r * 0.95, h * 0.8),
-        (r * 0.6, h * 0.82),
-        (r, h * 0.86),
-        (r, h),
-    ]
+        (r * 0.55, 0), (r * 0.7, h * 0.04), (r * 0.45, h * 0.08), (r * 0.75, h * 0.4), (r, h * 0.62),
+        (r * 0.6, h * 0.72), (r * 0.95, h * 0.76), (r * 0.95, h * 0.8), (r * 0.6, h * 0.82), (r, h * 0.86), (r, h),
+    ]  # fmt: skip
     b.lathe(material, profile, origin=(x, y, 0), segments=12)
 
 
@@ -79,17 +70,8 @@ def drawer(
             b.sphere(handle, (x + side * width, y - 0.026, z), 0.016, segments=10, rings=6)
         return
     length = min(0.14, width * 0.35)
-    b.tube(
-        handle,
-        [
-            (x - length / 2, y - 0.01, z),
-            (x - length / 2, y - 0.035, z),
-            (x + length / 2, y - 0.035, z),
-            (x + length / 2, y - 0.01, z),
-        ],
-        0.006,
-        segments=6,
-    )
+    path = [(x + length * s, y - t, z) for s, t in ((-0.5, 0.01), (-0.5, 0.035), (0.5, 0.035), (0.5, 0.01))]
+    b.tube(handle, path, 0.006, segments=6)
 
 
 def panel_door(
@@ -186,22 +168,12 @@ def wheel(
     """Add a tyred disc wheel whose axle runs along X; its hub shows on the side away from x = 0."""
     side = 1.0 if center[0] >= 0 else -1.0
     half, r = width / 2, radius
-    outline = [
-        (r * 0.58, -half),
-        (r * 0.94, -half),
-        (r, -half * 0.45),
-        (r, half * 0.45),
-        (r * 0.94, half),
-        (r * 0.58, half),
-    ]
+    outline = np.multiply([(0.58, -1), (0.94, -1), (1, -0.45), (1, 0.45), (0.94, 1), (0.58, 1)], (r, half))
     b.lathe(tyre, outline, origin=center, axis=(side, 0, 0), segments=24)
     hubcap = [
-        (r * 0.58, half * 0.55),
-        (r * 0.52, half * 0.8),
-        (r * 0.34, half * 0.72),
-        (r * 0.22, half * 1.1),
+        (r * 0.58, half * 0.55), (r * 0.52, half * 0.8), (r * 0.34, half * 0.72), (r * 0.22, half * 1.1),
         (0.004, half * 1.2),
-    ]
+    ]  # fmt: skip
     b.lathe(hub, hubcap, origin=center, axis=(side, 0, 0), segments=20, caps=False)
 
 
@@ -229,16 +201,9 @@ def spoked_wheel(
 def bottle_profile(radius: float, height: float) -> Profile:
     """Return the outline of a bottle for ``lathe``."""
     r, h = radius, height
-    return [
-        (r * 0.92, 0),
-        (r, h * 0.03),
-        (r, h * 0.58),
-        (r * 0.85, h * 0.66),
-        (r * 0.4, h * 0.76),
-        (r * 0.34, h * 0.94),
-        (r * 0.42, h * 0.95),
-        (r * 0.42, h),
-    ]
+    return np.multiply(
+        [(0.92, 0), (1, 0.03), (1, 0.58), (0.85, 0.66), (0.4, 0.76), (0.34, 0.94), (0.42, 0.95), (0.42, 1)], (r, h)
+    )
 
 
 def book_row(
@@ -262,10 +227,5 @@ def book_row(
         deep = depth * float(rng.uniform(0.72, 0.95))
         cover = covers[int(rng.integers(len(covers)))]
         if rng.random() < fill:
-            b.box(
-                cover,
-                (x + thick / 2, y + (depth - deep) / 2, z + tall / 2),
-                (thick * 0.94, deep, tall),
-                bevel=0.004,
-            )
+            b.box(cover, (x + thick / 2, y + (depth - deep) / 2, z + tall / 2), (thick * 0.94, deep, tall), bevel=0.004)
         x += thick

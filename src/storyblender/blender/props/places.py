@@ -118,9 +118,8 @@ def boiler(b: MeshBuilder, spec: PropSpec) -> Anchors:
         segments=28,
     )
     for z in (0.26, top * 0.55, top - 0.04):
-        b.lathe(
-            iron, [(radius, z), (radius + 0.015, z + 0.01), (radius + 0.015, z + 0.05), (radius, z + 0.06)], segments=28
-        )
+        profile = [(radius, z), (radius + 0.015, z + 0.01), (radius + 0.015, z + 0.05), (radius, z + 0.06)]
+        b.lathe(iron, profile, segments=28)
     b.box(iron, (0, -radius, 0.5), (0.36, 0.09, 0.3), bevel=0.02)
     b.box(spec.material("iron"), (0.0, -radius - 0.05, 0.5), (0.28, 0.03, 0.22), bevel=0.01)
     for k in range(4):
@@ -130,12 +129,8 @@ def boiler(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.cylinder("paper", (x, -radius - 0.035, top * 0.78), (x, -radius - 0.037, top * 0.78), 0.058, segments=18)
     for x, y, bent in ((-0.22, 0.1, 0.3), (0.2, 0.16, 0.12), (0.0, -0.06, 0.0)):
         knee = h - 0.1 - bent
-        b.tube(
-            pipe,
-            [(x, y, top), (x, y, knee), (x * 1.2, y + 0.02, knee + 0.08), (x * 1.5, y + 0.05, h)],
-            0.04,
-            segments=10,
-        )
+        path = [(x, y, top), (x, y, knee), (x * 1.2, y + 0.02, knee + 0.08), (x * 1.5, y + 0.05, h)]
+        b.tube(pipe, path, 0.04, segments=10)
     return (handle((0.12, -radius - 0.06, 0.5), name="door"),)
 
 

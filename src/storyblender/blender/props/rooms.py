@@ -96,9 +96,8 @@ def heart_monitor(b: MeshBuilder, spec: PropSpec) -> Anchors:
     wave = [(-0.15, 0), (-0.07, 0), (-0.045, 0.05), (-0.02, -0.05), (0.0, 0), (0.08, 0), (0.105, 0.06), (0.15, 0)]
     b.tube(spec.material("body"), [(x, -0.128, h - 0.17 + z) for x, z in wave], 0.004, segments=6)
     b.box(metal, (0, -0.02, h * 0.62), (w * 0.7, 0.24, 0.02))
-    b.tube(
-        spec.material("wheel"), bent([(0.12, 0.1, h - 0.3), (0.16, 0.14, h * 0.5), (0.1, 0.1, 0.3)]), 0.008, segments=6
-    )
+    path = [(0.12, 0.1, h - 0.3), (0.16, 0.14, h * 0.5), (0.1, 0.1, 0.3)]
+    b.tube(spec.material("wheel"), bent(path), 0.008, segments=6)
     return ()
 
 
@@ -233,17 +232,9 @@ def hanging_scroll(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.cylinder(rod, (-w / 2, y, z), (w / 2, y, z), 0.015, segments=10)
     for row in range(3):
         z = h * (0.74 - 0.19 * row)
-        b.tube(
-            ink,
-            bent([(-0.07, y - 0.009, z), (0.0, y - 0.009, z + 0.02), (0.07, y - 0.009, z + 0.005)]),
-            0.009,
-            segments=6,
-        )
-        b.tube(
-            ink,
-            bent([(0.0, y - 0.009, z + 0.06), (-0.01, y - 0.009, z), (-0.06, y - 0.009, z - 0.07)]),
-            0.008,
-            segments=6,
-        )
+        line = [(-0.07, y - 0.009, z), (0.0, y - 0.009, z + 0.02), (0.07, y - 0.009, z + 0.005)]
+        b.tube(ink, bent(line), 0.009, segments=6)
+        path = [(0.0, y - 0.009, z + 0.06), (-0.01, y - 0.009, z), (-0.06, y - 0.009, z - 0.07)]
+        b.tube(ink, bent(path), 0.008, segments=6)
         b.tube(ink, [(0.01, y - 0.009, z), (0.06, y - 0.009, z - 0.06)], 0.007, segments=6)
     return ()

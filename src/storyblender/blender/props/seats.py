@@ -19,18 +19,12 @@ def chair(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for x in (-1, 1):
         inner = x * (w / 2 - 0.03)
         b.cylinder(wood, (inner * 1.03, front + 0.03, 0), (inner, front + 0.04, sit - 0.02), 0.014, 0.021, segments=10)
-        post = [
-            (inner, back - 0.0, 0),
-            (inner * 0.97, back - 0.07, sit * 0.95),
-            (inner * 0.95, back - 0.06, sit * 1.25),
-        ]
+        post = [(inner * x, back - y, sit * z) for x, y, z in ((1, 0, 0), (0.97, 0.07, 0.95), (0.95, 0.06, 1.25))]
         b.tube(wood, [*post, (inner * 0.9, back - 0.02, h - 0.03)], (0.018, 0.021, 0.02, 0.016), segments=10)
         b.cylinder(wood, (inner, front + 0.04, sit * 0.42), (inner, back - 0.04, sit * 0.42), 0.011, segments=8)
     b.cylinder(wood, (-w / 2 + 0.04, 0, sit * 0.42), (w / 2 - 0.04, 0, sit * 0.42), 0.011, segments=8)
     if spec.word("style") == "bent":
-        b.lathe(
-            top, [(w * 0.44, sit - 0.03), (w * 0.48, sit - 0.02), (w * 0.48, sit - 0.005), (w * 0.42, sit)], segments=28
-        )
+        b.lathe(top, [(w * x, sit - z) for x, z in ((0.44, 0.03), (0.48, 0.02), (0.48, 0.005), (0.42, 0))], segments=28)
         for reach, low, rise in ((0.42, h - 0.17, 0.15), (0.24, h - 0.3, 0.2)):
             arc = [
                 (w * reach * math.cos(a), back - 0.035, low + rise * math.sin(a)) for a in np.linspace(0, math.pi, 11)
@@ -188,14 +182,9 @@ def pew(b: MeshBuilder, spec: PropSpec) -> Anchors:
     sit = h * 0.48
     for x in (-1, 1):
         outline = [
-            (-d / 2, 0),
-            (d / 2, 0),
-            (d / 2, h),
-            (d / 2 - 0.1, h),
-            (d / 2 - 0.16, sit + 0.2),
-            (-d / 2 + 0.05, sit + 0.16),
-            (-d / 2, sit),
-        ]
+            (-d / 2, 0), (d / 2, 0), (d / 2, h), (d / 2 - 0.1, h), (d / 2 - 0.16, sit + 0.2),
+            (-d / 2 + 0.05, sit + 0.16), (-d / 2, sit),
+        ]  # fmt: skip
         with b.at((x * (w / 2 - 0.025) - 0.025, 0, 0), (90, 0, 90)):
             b.extrude(wood, outline, 0.05)
     b.box(top, (0, -0.04, sit - 0.02), (w - 0.1, d * 0.8, 0.04), bevel=0.008)
@@ -257,11 +246,8 @@ def wheelchair(b: MeshBuilder, spec: PropSpec) -> Anchors:
         spoked_wheel(b, tyre, metal, (x * (half - 0.02), 0.16, 0.3), 0.28, 0.018, 12)
         spoked_wheel(b, tyre, metal, (side, -d / 2 + 0.2, 0.1), 0.085, 0.014, 5)
         b.tube(metal, [(side, -0.22, sit), (side, 0.2, sit), (side, 0.27, h - 0.02), (side, 0.4, h)], 0.012)
-        b.tube(
-            metal,
-            [(side, 0.22, sit + 0.22), (side, -0.16, sit + 0.22), (side, -0.22, sit), (side, -d / 2 + 0.12, 0.12)],
-            0.012,
-        )
+        path = [(side, 0.22, sit + 0.22), (side, -0.16, sit + 0.22), (side, -0.22, sit), (side, -d / 2 + 0.12, 0.12)]
+        b.tube(metal, path, 0.012)
         b.rounded_box(cover, (side, 0.02, sit + 0.235), (0.05, 0.3, 0.03), 0.012)
         b.box(metal, (x * 0.17, -d / 2 + 0.09, 0.1), (0.2, 0.16, 0.012), rotation=(-15, 0, 0))
     return (seat((0, -0.22, sit), (w - 0.18, 0.44)),)

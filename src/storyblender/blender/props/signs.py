@@ -27,16 +27,7 @@ def banner(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for t in np.linspace(0, 1, 13):
         sag = 0.05 * np.sin(np.pi * t)
         x = (t - 0.5) * w
-        rows.append(
-            np.array(
-                [
-                    (x, 0.0, h * 0.98 - sag),
-                    (x, 0.006, h * 0.98 - sag),
-                    (x, 0.006, h * 0.62 - sag),
-                    (x, 0.0, h * 0.62 - sag),
-                ]
-            )
-        )
+        rows.append(np.array([(x, y, -sag + h * z) for y, z in ((0, 0.98), (0.006, 0.98), (0.006, 0.62), (0, 0.62))]))
     b.loft(spec.material("cloth"), rows)
     return ()
 

@@ -40,17 +40,13 @@ def squirrel(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a squirrel that sits up with its tail over its back."""
     coat = spec.material("coat")
     with b.at(scale=scaled(spec)):
-        limb(
-            b,
-            coat,
-            [
-                (0, 0.05, 0.02, 0.035, 0.03),
-                (0, 0.035, 0.06, 0.052, 0.05),
-                (0, 0.0, 0.12, 0.042, 0.042),
-                (0, -0.025, 0.165, 0.028, 0.028),
-            ],
-            16,
-        )
+        rings = [
+            (0, 0.05, 0.02, 0.035, 0.03),
+            (0, 0.035, 0.06, 0.052, 0.05),
+            (0, 0.0, 0.12, 0.042, 0.042),
+            (0, -0.025, 0.165, 0.028, 0.028),
+        ]
+        limb(b, coat, rings, 16)
         b.sphere(coat, (0, -0.04, 0.19), 0.034, scale=(0.92, 1.1, 0.95), segments=14, rings=9)
         b.sphere(WHITE, (0, -0.018, 0.1), 0.034, scale=(0.8, 0.8, 1.4), segments=12, rings=8)
         b.sphere(coat, (0, -0.07, 0.182), 0.018, segments=10, rings=7)
@@ -60,48 +56,31 @@ def squirrel(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b.cushion(coat, (x * 0.022, -0.03, 0.232), (0.018, 0.012, 0.04), softness=0.9, rotation=(0, x * 12, 0))
             b.cushion(coat, (x * 0.05, 0.03, 0.035), (0.045, 0.09, 0.07), softness=0.9)
             b.cushion(coat, (x * 0.045, -0.03, 0.012), (0.024, 0.07, 0.022), softness=0.8)
-            b.tube(
-                coat,
-                [(x * 0.035, -0.015, 0.135), (x * 0.035, -0.06, 0.12), (x * 0.014, -0.085, 0.135)],
-                0.011,
-                segments=8,
-            )
-        tail = bent(
-            [(0, 0.07, 0.03), (0, 0.14, 0.05), (0, 0.165, 0.15), (0, 0.13, 0.25), (0, 0.17, 0.31), (0, 0.21, 0.3)]
-        )
+            path = [(x * 0.035, -0.015, 0.135), (x * 0.035, -0.06, 0.12), (x * 0.014, -0.085, 0.135)]
+            b.tube(coat, path, 0.011, segments=8)
+        curve = [(0, 0.07, 0.03), (0, 0.14, 0.05), (0, 0.165, 0.15), (0, 0.13, 0.25), (0, 0.17, 0.31), (0, 0.21, 0.3)]
+        tail = bent(curve)
         radii = np.interp(np.linspace(0, 1, len(tail)), (0, 0.3, 0.7, 1), (0.015, 0.045, 0.05, 0.015))
         b.tube(coat, tail, tuple(float(r) for r in radii), segments=12)
     return ()
 
 
 def _frog(b: MeshBuilder, skin: MaterialRef, *, warts: bool) -> None:
-    limb(
-        b,
-        skin,
-        [
-            (0, 0.07, 0.02, 0.025, 0.015),
-            (0, 0.04, 0.035, 0.05, 0.032),
-            (0, -0.015, 0.055, 0.054, 0.04),
-            (0, -0.06, 0.07, 0.045, 0.03),
-            (0, -0.085, 0.068, 0.022, 0.014),
-        ],
-        16,
-    )
+    rings = [
+        (0, 0.07, 0.02, 0.025, 0.015), (0, 0.04, 0.035, 0.05, 0.032), (0, -0.015, 0.055, 0.054, 0.04),
+        (0, -0.06, 0.07, 0.045, 0.03), (0, -0.085, 0.068, 0.022, 0.014),
+    ]  # fmt: skip
+    limb(b, skin, rings, 16)
     b.cushion("linen", (0, -0.03, 0.04), (0.08, 0.09, 0.05), softness=0.9)
     for x in (-1, 1):
         b.sphere(skin, (x * 0.03, -0.05, 0.1), 0.019, segments=12, rings=8)
         b.sphere("brass", (x * 0.035, -0.062, 0.103), 0.011, segments=10, rings=6)
         b.sphere(DARK, (x * 0.037, -0.07, 0.103), 0.006, segments=8, rings=5)
-        b.tube(
-            skin,
-            bent([(x * 0.03, 0.06, 0.03), (x * 0.085, 0.0, 0.06), (x * 0.08, 0.07, 0.02), (x * 0.1, 0.02, 0.008)]),
-            0.014,
-            segments=8,
-        )
+        line = [(x * 0.03, 0.06, 0.03), (x * 0.085, 0.0, 0.06), (x * 0.08, 0.07, 0.02), (x * 0.1, 0.02, 0.008)]
+        b.tube(skin, bent(line), 0.014, segments=8)
         b.cushion(skin, (x * 0.105, -0.01, 0.006), (0.04, 0.07, 0.012), softness=0.8)
-        b.tube(
-            skin, bent([(x * 0.04, -0.045, 0.05), (x * 0.06, -0.06, 0.03), (x * 0.05, -0.075, 0.008)]), 0.01, segments=8
-        )
+        path = [(x * 0.04, -0.045, 0.05), (x * 0.06, -0.06, 0.03), (x * 0.05, -0.075, 0.008)]
+        b.tube(skin, bent(path), 0.01, segments=8)
         b.cushion(skin, (x * 0.052, -0.09, 0.006), (0.034, 0.04, 0.01), softness=0.8)
     if warts:
         for k in range(24):
@@ -158,18 +137,14 @@ def tortoise(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 def _ape(b: MeshBuilder, coat: MaterialRef, bare: MaterialRef, *, tail: bool, bulk: float) -> None:
     """Add an ape that sits on its haunches, a metre tall."""
-    limb(
-        b,
-        coat,
-        [
-            (0, 0.12, 0.04, 0.13 * bulk, 0.1),
-            (0, 0.1, 0.2, 0.19 * bulk, 0.17 * bulk),
-            (0, 0.04, 0.45, 0.19 * bulk, 0.15 * bulk),
-            (0, -0.02, 0.64, 0.13 * bulk, 0.11 * bulk),
-            (0, -0.04, 0.72, 0.07 * bulk, 0.07 * bulk),
-        ],
-        18,
-    )
+    rings = [
+        (0, 0.12, 0.04, 0.13 * bulk, 0.1),
+        (0, 0.1, 0.2, 0.19 * bulk, 0.17 * bulk),
+        (0, 0.04, 0.45, 0.19 * bulk, 0.15 * bulk),
+        (0, -0.02, 0.64, 0.13 * bulk, 0.11 * bulk),
+        (0, -0.04, 0.72, 0.07 * bulk, 0.07 * bulk),
+    ]
+    limb(b, coat, rings, 18)
     b.sphere(coat, (0, -0.07, 0.83), 0.15, scale=(0.95, 1, 1), segments=18, rings=11)
     b.sphere(bare, (0, -0.17, 0.79), 0.085, scale=(1.05, 0.8, 0.8), segments=14, rings=9)
     b.cushion(bare, (0, -0.17, 0.865), (0.19, 0.09, 0.1), softness=0.9)
@@ -177,14 +152,10 @@ def _ape(b: MeshBuilder, coat: MaterialRef, bare: MaterialRef, *, tail: bool, bu
         b.sphere(bare, (x * 0.15, -0.05, 0.83), 0.05, scale=(0.5, 0.8, 1), segments=12, rings=8)
         b.sphere(DARK, (x * 0.05, -0.21, 0.875), 0.018, segments=10, rings=6)
         b.sphere(DARK, (x * 0.018, -0.238, 0.8), 0.009, segments=8, rings=5)
-        arm = bent(
-            [
-                (x * 0.15 * bulk, -0.02, 0.6),
-                (x * 0.28 * bulk, -0.04, 0.36),
-                (x * 0.22 * bulk, -0.16, 0.14),
-                (x * 0.2 * bulk, -0.2, 0.05),
-            ]
+        curve = np.multiply(
+            [(0.15, -0.02, 0.6), (0.28, -0.04, 0.36), (0.22, -0.16, 0.14), (0.2, -0.2, 0.05)], (x * bulk, 1, 1)
         )
+        arm = bent(curve)
         b.tube(coat, arm, tuple(np.linspace(0.07 * bulk, 0.045 * bulk, len(arm))), segments=10)
         b.cushion(bare, (x * 0.2 * bulk, -0.22, 0.03), (0.09, 0.12, 0.06), softness=0.8)
         b.cushion(coat, (x * 0.2 * bulk, 0.0, 0.14), (0.17 * bulk, 0.34, 0.22), softness=0.9, rotation=(-20, 0, 0))
@@ -216,31 +187,22 @@ def kangaroo(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a kangaroo that stands on its hind legs."""
     coat = spec.material("coat")
     with b.at(scale=scaled(spec)):
-        limb(
-            b,
-            coat,
-            [
-                (0, 0.3, 0.5, 0.1, 0.1),
-                (0, 0.16, 0.58, 0.2, 0.22),
-                (0, -0.02, 0.85, 0.16, 0.16),
-                (0, -0.12, 1.1, 0.11, 0.11),
-                (0, -0.18, 1.28, 0.07, 0.075),
-            ],
-            16,
-        )
+        rings = [
+            (0, 0.3, 0.5, 0.1, 0.1), (0, 0.16, 0.58, 0.2, 0.22), (0, -0.02, 0.85, 0.16, 0.16),
+            (0, -0.12, 1.1, 0.11, 0.11), (0, -0.18, 1.28, 0.07, 0.075),
+        ]  # fmt: skip
+        limb(b, coat, rings, 16)
         b.sphere(coat, (0, -0.24, 1.38), 0.09, scale=(0.85, 1.25, 0.95), segments=14, rings=9)
         limb(b, coat, [(0, -0.28, 1.36, 0.06, 0.06), (0, -0.4, 1.31, 0.035, 0.035)], 10)
         b.sphere(DARK, (0, -0.41, 1.33), 0.018, segments=8, rings=5)
         eyes(b, 0.06, -0.3, 1.42, 0.014)
         for x in (-1, 1):
             b.cushion(coat, (x * 0.055, -0.19, 1.53), (0.05, 0.03, 0.2), softness=0.9, rotation=(0, x * 12, 0))
-            b.tube(
-                coat, bent([(x * 0.1, -0.14, 1.05), (x * 0.13, -0.25, 0.9), (x * 0.1, -0.33, 0.98)]), 0.03, segments=8
-            )
+            line = [(x * 0.1, -0.14, 1.05), (x * 0.13, -0.25, 0.9), (x * 0.1, -0.33, 0.98)]
+            b.tube(coat, bent(line), 0.03, segments=8)
             b.cushion(coat, (x * 0.17, 0.12, 0.46), (0.14, 0.34, 0.42), softness=0.9, rotation=(-24, 0, 0))
-            b.tube(
-                coat, bent([(x * 0.18, -0.02, 0.36), (x * 0.18, 0.18, 0.2), (x * 0.18, 0.1, 0.05)]), 0.045, segments=8
-            )
+            path = [(x * 0.18, -0.02, 0.36), (x * 0.18, 0.18, 0.2), (x * 0.18, 0.1, 0.05)]
+            b.tube(coat, bent(path), 0.045, segments=8)
             b.cushion(coat, (x * 0.18, -0.1, 0.03), (0.09, 0.44, 0.06), softness=0.8)
         tail = bent([(0, 0.28, 0.52), (0, 0.55, 0.3), (0, 0.85, 0.09), (0, 1.1, 0.05)])
         b.tube(coat, tail, tuple(np.linspace(0.12, 0.025, len(tail))), segments=10)

@@ -42,11 +42,7 @@ def _body(b: MeshBuilder, entry: StandIn) -> None:
             r = w / 2
             b.lathe(skin, [(r - edge, 0), (r, edge), (r, h - edge), (r - edge, h)], segments=32)
         case "rod":
-            b.lathe(
-                skin,
-                [(w * 0.3, 0), (w * 0.5, h * 0.02), (w * 0.4, h * 0.5), (w * 0.5, h * 0.98), (w * 0.3, h)],
-                segments=16,
-            )
+            b.lathe(skin, np.multiply([(0.3, 0), (0.5, 0.02), (0.4, 0.5), (0.5, 0.98), (0.3, 1)], (w, h)), segments=16)
         case "ball":
             r = w / 2
             arc = [(r * math.cos(a), r + r * math.sin(a)) for a in np.linspace(-1.2, math.pi / 2, 14)]

@@ -119,12 +119,8 @@ def safe(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.box(body, (0, 0.02, h / 2 + 0.03), (w, d - 0.1, h - 0.06), bevel=0.02)
     b.box(body, (0, -d / 2 + 0.06, h / 2 + 0.03), (w - 0.1, 0.05, h - 0.16), bevel=0.015)
     four_legs(b, body, w - 0.04, d - 0.14, 0.05, 0.07)
-    b.lathe(
-        brass,
-        [(0.055, 0), (0.055, 0.012), (0.03, 0.02), (0.026, 0.045)],
-        origin=(0.1, -d / 2 + 0.04, h * 0.6),
-        axis=(0, -1, 0),
-    )
+    profile = [(0.055, 0), (0.055, 0.012), (0.03, 0.02), (0.026, 0.045)]
+    b.lathe(brass, profile, origin=(0.1, -d / 2 + 0.04, h * 0.6), axis=(0, -1, 0))
     center = (-0.08, -d / 2 + 0.03, h * 0.5)
     b.cylinder(brass, (center[0], center[1] + 0.02, center[2]), (center[0], center[1] - 0.02, center[2]), 0.022)
     for k in range(4):
@@ -249,9 +245,8 @@ def barrel(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe(body, [*outline, (bulge[-1] - 0.025, h), (bulge[-1] - 0.03, h - 0.03)], segments=28)
     for z in (0.06, 0.27, 0.73, 0.94):
         reach = r * (0.84 + 0.16 * math.sin(math.pi * z)) + 0.004
-        b.lathe(
-            hoop, [(reach, (z - 0.022) * h), (reach + 0.004, z * h), (reach, (z + 0.022) * h)], segments=28, caps=False
-        )
+        profile = [(reach, (z - 0.022) * h), (reach + 0.004, z * h), (reach, (z + 0.022) * h)]
+        b.lathe(hoop, profile, segments=28, caps=False)
     return ()
 
 
@@ -283,16 +278,13 @@ def chest(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.box(trim, (0, -d / 2 - 0.012, base - 0.03), (0.11, 0.02, 0.14), bevel=0.006)
     b.cylinder("brass", (0, -d / 2 - 0.03, base - 0.05), (0, -d / 2, base - 0.05), 0.016)
     for x in (-1, 1):
-        b.tube(
-            trim,
-            [
-                (x * w / 2, -0.09, base * 0.6),
-                (x * (w / 2 + 0.03), -0.07, base * 0.55),
-                (x * (w / 2 + 0.03), 0.07, base * 0.55),
-                (x * w / 2, 0.09, base * 0.6),
-            ],
-            0.01,
-        )
+        path = [
+            (x * w / 2, -0.09, base * 0.6),
+            (x * (w / 2 + 0.03), -0.07, base * 0.55),
+            (x * (w / 2 + 0.03), 0.07, base * 0.55),
+            (x * w / 2, 0.09, base * 0.6),
+        ]
+        b.tube(trim, path, 0.01)
     return (handle((0, -d / 2, base), (0, -0.4, 0.9), "lid"),)
 
 
@@ -310,14 +302,9 @@ def coffin(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for x in (-1, 1):
         for y in (-0.28, 0.05, 0.33):
             side = x * float(np.interp(y, [-0.5, 0.24, 0.5], [0.26, 0.5, 0.3])) * (w - 0.06) * 0.97
-            b.tube(
-                brass,
-                [
-                    (side, y * d - 0.07, h * 0.45),
-                    (side + x * 0.035, y * d - 0.06, h * 0.42),
-                    (side + x * 0.035, y * d + 0.06, h * 0.42),
-                    (side, y * d + 0.07, h * 0.45),
-                ],
-                0.009,
-            )
+            path = [
+                (side + x * s, y * d + t, h * z)
+                for s, t, z in ((0, -0.07, 0.45), (0.035, -0.06, 0.42), (0.035, 0.06, 0.42), (0, 0.07, 0.45))
+            ]
+            b.tube(brass, path, 0.009)
     return ()

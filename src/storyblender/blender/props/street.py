@@ -14,21 +14,11 @@ from storyblender.blender.props.registry import Anchors, PropSpec, handle, lean,
 def lamppost(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a cast-iron lamp post with a four-sided lantern."""
     (w, _, h), metal = spec.size, spec.material("metal")
-    b.lathe(
-        metal,
-        [
-            (0.17, 0),
-            (0.16, 0.1),
-            (0.11, 0.25),
-            (0.085, 0.7),
-            (0.1, 0.74),
-            (0.06, 0.82),
-            (0.045, h - 0.62),
-            (0.07, h - 0.58),
-            (0.05, h - 0.52),
-        ],
-        segments=16,
-    )
+    profile = [
+        (0.17, 0), (0.16, 0.1), (0.11, 0.25), (0.085, 0.7), (0.1, 0.74), (0.06, 0.82), (0.045, h - 0.62),
+        (0.07, h - 0.58), (0.05, h - 0.52),
+    ]  # fmt: skip
+    b.lathe(metal, profile, segments=16)
     b.tube(metal, [(-w * 0.46, 0, h - 0.8), (w * 0.46, 0, h - 0.8)], 0.018)
     for x in (-1, 1):
         b.sphere(metal, (x * w * 0.46, 0, h - 0.8), 0.035, segments=12, rings=8)
@@ -50,25 +40,11 @@ def _ring4(half: float, z: float) -> np.ndarray:
 def hydrant(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a fire hydrant."""
     h, body, metal = spec.size[2], spec.material("body"), spec.material("metal")
-    b.lathe(
-        body,
-        [
-            (0.15, 0),
-            (0.15, 0.04),
-            (0.11, 0.06),
-            (0.11, h * 0.58),
-            (0.14, h * 0.6),
-            (0.14, h * 0.66),
-            (0.11, h * 0.7),
-            (0.11, h * 0.76),
-            (0.13, h * 0.77),
-            (0.12, h * 0.86),
-            (0.06, h * 0.95),
-            (0.03, h * 0.96),
-            (0.03, h),
-        ],
-        segments=22,
-    )
+    profile = [
+        (0.15, 0), (0.15, 0.04), (0.11, 0.06), (0.11, h * 0.58), (0.14, h * 0.6), (0.14, h * 0.66), (0.11, h * 0.7),
+        (0.11, h * 0.76), (0.13, h * 0.77), (0.12, h * 0.86), (0.06, h * 0.95), (0.03, h * 0.96), (0.03, h),
+    ]  # fmt: skip
+    b.lathe(body, profile, segments=22)
     for turn in (0, 90, 180):
         with b.at((0, 0, h * 0.48), (0, 0, turn)):
             b.cylinder(body, (0.08, 0, 0), (0.15, 0, 0), 0.05, segments=16)
@@ -126,16 +102,13 @@ def trash_can(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe(body, [(r, h * 0.85), (r, h * 0.89), (r * 0.8, h * 0.93), (0.05, h * 0.96)], segments=30)
     b.tube(body, [(-0.06, 0, h * 0.95), (-0.05, 0, h * 0.99), (0.05, 0, h * 0.99), (0.06, 0, h * 0.95)], 0.01)
     for x in (-1, 1):
-        b.tube(
-            body,
-            [
-                (x * r * 0.88, -0.08, h * 0.66),
-                (x * w * 0.5, -0.07, h * 0.62),
-                (x * w * 0.5, 0.07, h * 0.62),
-                (x * r * 0.88, 0.08, h * 0.66),
-            ],
-            0.009,
-        )
+        path = [
+            (x * r * 0.88, -0.08, h * 0.66),
+            (x * w * 0.5, -0.07, h * 0.62),
+            (x * w * 0.5, 0.07, h * 0.62),
+            (x * r * 0.88, 0.08, h * 0.66),
+        ]
+        b.tube(body, path, 0.009)
     return (handle((0, 0, h), (0, 0, 1), "lid"),)
 
 
@@ -204,14 +177,8 @@ def traffic_light(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.rounded_box(body, (0, 0, h - 0.48), (w * 0.9, 0.24, 0.96), 0.05)
     for k, kind in enumerate(("leaves", "brass", "neon_red")):
         z = h - 0.78 + 0.3 * k
-        b.lathe(
-            kind,
-            [(0.1, 0), (0.06, 0.03), (0.003, 0.04)],
-            origin=(0, -0.115, z),
-            axis=(0, -1, 0),
-            segments=20,
-            caps=False,
-        )
+        profile = [(0.1, 0), (0.06, 0.03), (0.003, 0.04)]
+        b.lathe(kind, profile, origin=(0, -0.115, z), axis=(0, -1, 0), segments=20, caps=False)
         visor = [(0.12 * math.cos(a), 0.12 * math.sin(a)) for a in np.linspace(-0.3, math.pi + 0.3, 13)]
         for order in (1, -1):
             b.loft(
@@ -251,29 +218,20 @@ def park_bench(b: MeshBuilder, spec: PropSpec) -> Anchors:
         )
     for x in (-1, 0, 1):
         at = x * (w / 2 - 0.1)
-        b.tube(
-            iron,
-            [
-                (at, front + 0.02, 0),
-                (at, front + 0.08, sit * 0.5),
-                (at, front + 0.05, sit - 0.04),
-                (at, back - 0.16, sit - 0.06),
-                (at, back - 0.02, h),
-            ],
-            0.022,
-        )
+        line = [
+            (at, front + 0.02, 0), (at, front + 0.08, sit * 0.5), (at, front + 0.05, sit - 0.04),
+            (at, back - 0.16, sit - 0.06), (at, back - 0.02, h),
+        ]  # fmt: skip
+        b.tube(iron, line, 0.022)
         b.tube(iron, [(at, back - 0.02, 0), (at, back - 0.14, sit * 0.5), (at, back - 0.15, sit - 0.05)], 0.022)
         if x:
-            b.tube(
-                iron,
-                [
-                    (at, front + 0.05, sit - 0.02),
-                    (at, front + 0.04, sit + 0.2),
-                    (at, front + 0.14, sit + 0.23),
-                    (at, back - 0.1, sit + 0.2),
-                ],
-                0.018,
-            )
+            path = [
+                (at, front + 0.05, sit - 0.02),
+                (at, front + 0.04, sit + 0.2),
+                (at, front + 0.14, sit + 0.23),
+                (at, back - 0.1, sit + 0.2),
+            ]
+            b.tube(iron, path, 0.018)
     return seats_in_row(spec.entry.seats, w - 0.16, front + 0.03, sit, d - 0.18)
 
 
@@ -282,11 +240,8 @@ def mailbox(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a pillar box."""
     (w, _, h), body, iron, r = spec.size, spec.material("body"), spec.material("metal"), spec.size[0] / 2
     b.lathe(iron, [(r * 0.96, 0), (r * 0.96, 0.12)], segments=30)
-    b.lathe(
-        body,
-        [(r * 0.9, 0.12), (r * 0.9, h * 0.82), (r, h * 0.84), (r, h * 0.9), (r * 0.9, h * 0.94), (r * 0.3, h)],
-        segments=30,
-    )
+    profile = [(r * 0.9, 0.12), (r * 0.9, h * 0.82), (r, h * 0.84), (r, h * 0.9), (r * 0.9, h * 0.94), (r * 0.3, h)]
+    b.lathe(body, profile, segments=30)
     b.box(iron, (0, -r * 0.9, h * 0.76), (w * 0.5, 0.03, 0.035), bevel=0.006)
     b.box("porcelain", (0, -r * 0.88, h * 0.6), (w * 0.36, 0.03, 0.18), bevel=0.006)
     b.box(body, (0, -r * 0.86, h * 0.38), (w * 0.56, 0.06, h * 0.4), bevel=0.012)
@@ -310,10 +265,6 @@ def phone_booth(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.box(body, (0, d / 2 - 0.04, h * 0.12), (w - 0.14, 0.04, h * 0.14))
     b.box("plastic_black", (0, d / 2 - 0.12, h * 0.6), (0.3, 0.14, 0.46), bevel=0.01)
     b.cylinder("chrome", (0.05, d / 2 - 0.2, h * 0.62), (0.05, d / 2 - 0.18, h * 0.62), 0.06, segments=20)
-    b.tube(
-        "plastic_black",
-        [(-0.12, d / 2 - 0.22, h * 0.53), (-0.12, d / 2 - 0.25, h * 0.6), (-0.12, d / 2 - 0.22, h * 0.68)],
-        0.022,
-    )
+    b.tube("plastic_black", [(-0.12, d / 2 - y, h * z) for y, z in ((0.22, 0.53), (0.25, 0.6), (0.22, 0.68))], 0.022)
     b.box("wood", (0, d / 2 - 0.18, h * 0.46), (0.5, 0.24, 0.03), bevel=0.006)
     return (handle((-0.12, d / 2 - 0.25, h * 0.6), name="receiver"),)

@@ -7,15 +7,7 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
-from storyblender.blender.props.parts import (
-    circle,
-    draped_cloth,
-    drawer,
-    four_legs,
-    rectangle,
-    table_top,
-    turned_leg,
-)
+from storyblender.blender.props.parts import circle, draped_cloth, drawer, four_legs, rectangle, table_top, turned_leg
 from storyblender.blender.props.registry import Anchors, PropSpec, handle, lean, prop
 
 
@@ -24,19 +16,11 @@ def round_table(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a pedestal table, with a cloth if wanted."""
     h, r = spec.size[2], spec.size[0] / 2
     b.lathe(spec.material("top"), [(r * 0.96, h - 0.035), (r, h - 0.025), (r, h - 0.008), (r * 0.985, h)], segments=40)
-    b.lathe(
-        spec.material("frame"),
-        [
-            (r * 0.62, 0),
-            (r * 0.6, 0.025),
-            (0.06, 0.07),
-            (0.035, 0.14),
-            (0.032, h - 0.14),
-            (0.05, h - 0.08),
-            (r * 0.4, h - 0.036),
-        ],
-        segments=20,
-    )
+    profile = [
+        (r * 0.62, 0), (r * 0.6, 0.025), (0.06, 0.07), (0.035, 0.14), (0.032, h - 0.14), (0.05, h - 0.08),
+        (r * 0.4, h - 0.036),
+    ]  # fmt: skip
+    b.lathe(spec.material("frame"), profile, segments=20)
     if spec.flag("cloth"):
         draped_cloth(b, spec.material("cloth"), circle(r, 64), h + 0.006, 0.3, 9)
     return ()
@@ -74,14 +58,12 @@ def side_table(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, _, h), top, leg = spec.size, spec.material("top"), spec.material("leg")
     r = w / 2
     b.lathe(top, [(r * 0.95, h - 0.03), (r, h - 0.02), (r, h), (r * 0.94, h), (r * 0.92, h - 0.01)], segments=32)
-    b.lathe(
-        leg, [(0.03, 0.16), (0.04, 0.2), (0.025, 0.26), (0.045, 0.36), (0.022, 0.46), (0.05, h - 0.03)], segments=14
-    )
+    profile = [(0.03, 0.16), (0.04, 0.2), (0.025, 0.26), (0.045, 0.36), (0.022, 0.46), (0.05, h - 0.03)]
+    b.lathe(leg, profile, segments=14)
     for k in range(3):
         with b.at(rotation=(0, 0, 120 * k + 90)):
-            b.tube(
-                leg, [(0.02, 0, 0.2), (0.1, 0, 0.16), (0.18, 0, 0.05), (0.21, 0, 0.015)], (0.02, 0.018, 0.014, 0.015)
-            )
+            path = [(0.02, 0, 0.2), (0.1, 0, 0.16), (0.18, 0, 0.05), (0.21, 0, 0.015)]
+            b.tube(leg, path, (0.02, 0.018, 0.014, 0.015))
     return ()
 
 

@@ -63,11 +63,8 @@ def wine_glass(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe(body, [(r * 0.9, 0), (r * 0.86, 0.005), (0.008, 0.014), (0.004, 0.05), *bowl], segments=24, caps=False)
     if spec.number("fill") > 0:
         level = h * (0.5 + 0.4 * spec.number("fill"))
-        b.lathe(
-            spec.material("drink"),
-            [(0.009, h * 0.47), (r * 0.77, h * 0.562), (r * 1.015, min(level, h * 0.72))],
-            segments=24,
-        )
+        profile = [(0.009, h * 0.47), (r * 0.77, h * 0.562), (r * 1.015, min(level, h * 0.72))]
+        b.lathe(spec.material("drink"), profile, segments=24)
     return around(0.012, h * 0.36, (0.7, 0.75, 0.45))
 
 
@@ -98,9 +95,8 @@ def bottle(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def plate(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a plate, with a meal if wanted."""
     r = spec.size[0] / 2
-    b.lathe(
-        spec.material("body"), [(r * 0.6, 0), (r * 0.66, 0.006), (r, 0.022), (r, 0.026), (r * 0.66, 0.011)], segments=32
-    )
+    profile = [(r * 0.6, 0), (r * 0.66, 0.006), (r, 0.022), (r, 0.026), (r * 0.66, 0.011)]
+    b.lathe(spec.material("body"), profile, segments=32)
     if spec.flag("food"):
         b.cushion(spec.material("food"), (-0.02, 0.02, 0.027), (r * 0.7, r * 0.5, 0.04), softness=0.7)
         for k in range(7):
@@ -119,11 +115,8 @@ def plate(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def bowl(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a bowl of soup."""
     h, r = spec.size[2], spec.size[0] / 2
-    b.lathe(
-        spec.material("body"),
-        [(r * 0.45, 0), (r * 0.42, 0.01), (r * 0.75, h * 0.4), (r, h), (r * 0.95, h), (r * 0.7, h * 0.45)],
-        segments=28,
-    )
+    profile = [(r * 0.45, 0), (r * 0.42, 0.01), (r * 0.75, h * 0.4), (r, h), (r * 0.95, h), (r * 0.7, h * 0.45)]
+    b.lathe(spec.material("body"), profile, segments=28)
     b.lathe(spec.material("food"), [(r * 0.7, h * 0.5), (r * 0.86, h * 0.75)], segments=28)
     return under(r * 0.7, (0.3, 0.35, 0.0))
 
@@ -133,34 +126,17 @@ def teapot(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a teapot; its spout is at +X."""
     (w, d, h), body = spec.size, spec.material("body")
     r = d / 2
-    b.lathe(
-        body,
-        bent(
-            [
-                (r * 0.6, 0),
-                (r * 0.9, h * 0.15),
-                (r, h * 0.38),
-                (r * 0.85, h * 0.62),
-                (r * 0.5, h * 0.72),
-                (r * 0.48, h * 0.76),
-                (r * 0.2, h * 0.86),
-                (r * 0.08, h * 0.88),
-                (r * 0.14, h * 0.95),
-                (0.003, h),
-            ],
-            3,
-        ),
-        segments=24,
-    )
+    profile = [
+        (r * 0.6, 0), (r * 0.9, h * 0.15), (r, h * 0.38), (r * 0.85, h * 0.62), (r * 0.5, h * 0.72),
+        (r * 0.48, h * 0.76), (r * 0.2, h * 0.86), (r * 0.08, h * 0.88), (r * 0.14, h * 0.95), (0.003, h),
+    ]  # fmt: skip
+    b.lathe(body, bent(profile, 3), segments=24)
     spout = [(r * 0.8, 0, h * 0.3), (w * 0.42, 0, h * 0.42), (w * 0.5, 0, h * 0.72)]
     b.tube(body, bent(spout), tuple(bent((0.024, 0.016, 0.011))))
     handle = [
-        (-r * 0.75, 0, h * 0.62),
-        (-w * 0.42, 0, h * 0.64),
-        (-w * 0.47, 0, h * 0.45),
-        (-w * 0.4, 0, h * 0.25),
+        (-r * 0.75, 0, h * 0.62), (-w * 0.42, 0, h * 0.64), (-w * 0.47, 0, h * 0.45), (-w * 0.4, 0, h * 0.25),
         (-r * 0.9, 0, h * 0.24),
-    ]
+    ]  # fmt: skip
     b.tube(body, bent(handle), 0.009)
     return two_hands((-w * 0.47, 0.0, h * 0.45), (0.2, -1, 0), (1, 0.1, 0), (0.85, 0.85, 0.5))
 
@@ -173,16 +149,13 @@ def tray(b: MeshBuilder, spec: PropSpec) -> Anchors:
     rim = [(x * (w / 2 - 0.02), y * d / 2, h * 0.55) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     b.tube(body, rim, 0.007, closed=True)
     for x in (-1, 1):
-        b.tube(
-            body,
-            [
-                (x * (w / 2 - 0.02), -0.06, h * 0.5),
-                (x * w / 2, -0.05, h * 0.9),
-                (x * w / 2, 0.05, h * 0.9),
-                (x * (w / 2 - 0.02), 0.06, h * 0.5),
-            ],
-            0.006,
-        )
+        path = [
+            (x * (w / 2 - 0.02), -0.06, h * 0.5),
+            (x * w / 2, -0.05, h * 0.9),
+            (x * w / 2, 0.05, h * 0.9),
+            (x * (w / 2 - 0.02), 0.06, h * 0.5),
+        ]
+        b.tube(body, path, 0.006)
     side = two_hands((-w / 2, 0.0, -0.002), (0.2, -1, 0), (0.5, 0, 0.87), (0.35, 0.4, 0.1))
     return side + under(d * 0.2)
 
@@ -203,9 +176,8 @@ def cake(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, _, h), r = spec.size, spec.size[0] / 2
     b.lathe("porcelain", [(r, 0), (r, 0.01), (r * 0.9, 0.014)], segments=32)
     top = h * 0.55
-    b.lathe(
-        spec.material("body"), [(r * 0.82, 0.012), (r * 0.82, top - 0.015), (r * 0.78, top), (0.003, top)], segments=32
-    )
+    profile = [(r * 0.82, 0.012), (r * 0.82, top - 0.015), (r * 0.78, top), (0.003, top)]
+    b.lathe(spec.material("body"), profile, segments=32)
     for z in (0.024, top - 0.012):
         for k in range(20):
             turn = math.tau * k / 20
@@ -228,21 +200,11 @@ def cake(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def apple(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build an apple."""
     h, r = spec.size[2], spec.size[0] / 2
-    b.lathe(
-        spec.material("body"),
-        bent(
-            [
-                (0.004, 0.006),
-                (r * 0.5, 0),
-                (r * 0.92, h * 0.3),
-                (r, h * 0.55),
-                (r * 0.8, h * 0.82),
-                (r * 0.4, h * 0.88),
-                (0.003, h * 0.8),
-            ]
-        ),
-        segments=20,
-    )
+    profile = [
+        (0.004, 0.006), (r * 0.5, 0), (r * 0.92, h * 0.3), (r, h * 0.55), (r * 0.8, h * 0.82), (r * 0.4, h * 0.88),
+        (0.003, h * 0.8),
+    ]  # fmt: skip
+    b.lathe(spec.material("body"), bent(profile), segments=20)
     b.tube(spec.material("stem"), [(0, 0, h * 0.78), (0.002, 0, h * 0.92), (0.006, 0, h)], 0.0022, segments=6)
     return around(r, h * 0.45, (0.45, 0.5, 0.35))
 
@@ -265,7 +227,6 @@ def pan(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (_, d, h), body, r = spec.size, spec.material("body"), spec.size[0] / 2
     middle = (0, -d / 2 + r, 0)
     b.lathe(body, [(r * 0.8, 0), (r, h * 0.75), (r * 0.97, h * 0.75), (r * 0.77, 0.006)], origin=middle, segments=32)
-    b.tube(
-        body, [(0, -d / 2 + 2 * r - 0.01, h * 0.6), (0, d * 0.2, h * 0.8), (0, d / 2, h * 0.85)], (0.009, 0.01, 0.014)
-    )
+    path = [(0, -d / 2 + 2 * r - 0.01, h * 0.6), (0, d * 0.2, h * 0.8), (0, d / 2, h * 0.85)]
+    b.tube(body, path, (0.009, 0.01, 0.014))
     return two_hands((-0.016, d * 0.38, h * 0.8), (0.2, -1, 0), (1, 0.2, 0), (0.9, 0.9, 0.5))

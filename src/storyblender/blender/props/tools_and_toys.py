@@ -24,12 +24,8 @@ def saw(b: MeshBuilder, spec: PropSpec) -> Anchors:
     blade = [(-0.04, -0.25), (0.05, -0.25), (0.07, 0.18), (-0.05, 0.18)]
     b.extrude("steel", blade, 0.003, base=0.008)
     for k in range(26):
-        b.extrude(
-            "steel",
-            [(-0.041, -0.24 + 0.016 * k), (-0.05, -0.232 + 0.016 * k), (-0.041, -0.224 + 0.016 * k)],
-            0.003,
-            base=0.008,
-        )
+        outline = [(-0.041, -0.24 + 0.016 * k), (-0.05, -0.232 + 0.016 * k), (-0.041, -0.224 + 0.016 * k)]
+        b.extrude("steel", outline, 0.003, base=0.008)
     ring = bent([(-0.05, 0.18), (-0.055, 0.3), (0.03, 0.33), (0.075, 0.28), (0.07, 0.18)], 4)
     b.tube(spec.material("handle"), np.c_[ring, np.full(len(ring), 0.011)], 0.011, segments=8)
     return two_hands((-0.03, 0.26, 0.012), (0.2, -1, 0), (0, 0, -1), (0.8, 0.8, 0.5))
@@ -38,12 +34,8 @@ def saw(b: MeshBuilder, spec: PropSpec) -> Anchors:
 @prop("screwdriver")
 def screwdriver(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a screwdriver on its side."""
-    b.lathe(
-        spec.material("handle"),
-        bent([(0.010, 0.0), (0.015, 0.02), (0.012, 0.06), (0.015, 0.09), (0.006, 0.1)]),
-        origin=(0, 0.11, 0.015),
-        axis=(0, -1, 0),
-    )
+    profile = [(0.010, 0.0), (0.015, 0.02), (0.012, 0.06), (0.015, 0.09), (0.006, 0.1)]
+    b.lathe(spec.material("handle"), bent(profile), origin=(0, 0.11, 0.015), axis=(0, -1, 0))
     b.cylinder("steel", (0, 0.01, 0.015), (0, -0.11, 0.015), 0.0035, segments=8)
     return two_hands((0.0, 0.06, 0.028), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0), (0.7, 0.75, 0.5))
 
@@ -105,12 +97,8 @@ def pitchfork(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def crowbar(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a crowbar that stands, its hook up."""
     h = spec.size[2]
-    b.tube(
-        "iron",
-        bent([(0, 0, 0), (0, 0, h * 0.85), (0, -0.03, h), (0, -0.09, h * 0.97), (0, -0.11, h * 0.9)]),
-        0.011,
-        segments=8,
-    )
+    path = [(0, 0, 0), (0, 0, h * 0.85), (0, -0.03, h), (0, -0.09, h * 0.97), (0, -0.11, h * 0.9)]
+    b.tube("iron", bent(path), 0.011, segments=8)
     return _upright(h * 0.3, 0.011)
 
 
@@ -130,13 +118,8 @@ def paintbrush(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build an artist's brush with paint on it."""
     b.lathe("wood", [(0.002, 0), (0.005, 0.06), (0.0035, 0.16)], origin=(0, 0.11, 0.006), axis=(0, -1, 0), segments=8)
     b.cylinder("steel", (0, -0.05, 0.006), (0, -0.075, 0.006), 0.0045, segments=8)
-    b.lathe(
-        spec.material("paint"),
-        [(0.0045, 0), (0.006, 0.015), (0.001, 0.035)],
-        origin=(0, -0.075, 0.006),
-        axis=(0, -1, 0),
-        segments=8,
-    )
+    profile = [(0.0045, 0), (0.006, 0.015), (0.001, 0.035)]
+    b.lathe(spec.material("paint"), profile, origin=(0, -0.075, 0.006), axis=(0, -1, 0), segments=8)
     return two_hands((0.0, 0.0, 0.014), (0.1, -1.0, -0.2), (0.0, 0.0, -1.0), (0.6, 0.65, 0.5))
 
 
@@ -194,11 +177,8 @@ def kite(b: MeshBuilder, spec: PropSpec) -> Anchors:
 @prop("doll")
 def doll(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a doll in a dress."""
-    b.lathe(
-        spec.material("dress"),
-        bent([(0.085, 0.06), (0.05, 0.15), (0.032, 0.19), (0.04, 0.23), (0.02, 0.25)]),
-        segments=20,
-    )
+    profile = [(0.085, 0.06), (0.05, 0.15), (0.032, 0.19), (0.04, 0.23), (0.02, 0.25)]
+    b.lathe(spec.material("dress"), bent(profile), segments=20)
     b.sphere("wax", (0, 0, 0.295), 0.05, segments=16, rings=10)
     b.sphere("leather", (0, 0.012, 0.305), 0.052, scale=(1.02, 0.95, 1), segments=16, rings=10)
     for x in (-1, 1):
@@ -230,18 +210,11 @@ def harmonica(b: MeshBuilder, spec: PropSpec) -> Anchors:
 @prop("saxophone")
 def saxophone(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a saxophone that stands."""
-    path = bent(
-        [
-            (0, 0.1, 0.62),
-            (0, 0.02, 0.66),
-            (0, 0.0, 0.56),
-            (0, 0.0, 0.12),
-            (0, -0.06, 0.03),
-            (0, -0.13, 0.1),
-            (0, -0.17, 0.3),
-        ],
-        5,
-    )
+    curve = [
+        (0, y, z)
+        for y, z in ((0.1, 0.62), (0.02, 0.66), (0, 0.56), (0, 0.12), (-0.06, 0.03), (-0.13, 0.1), (-0.17, 0.3))
+    ]
+    path = bent(curve, 5)
     radii = np.interp(np.linspace(0, 1, len(path)), (0, 0.15, 0.6, 0.85, 1), (0.008, 0.012, 0.032, 0.045, 0.085))
     b.tube("brass", path, tuple(float(r) for r in radii), segments=16)
     for k in range(8):
@@ -299,12 +272,8 @@ def climbing_rope(b: MeshBuilder, spec: PropSpec) -> Anchors:
             closed=True,
         )
     b.tube("fabric_red", bent([(-0.17, -0.2, 0.03), (0, -0.15, 0.05), (0.17, -0.2, 0.03)]), 0.016, segments=6)
-    b.tube(
-        "steel",
-        bent([(0, -0.18, 0.04), (0.03, -0.22, 0.05), (0, -0.27, 0.05), (-0.03, -0.22, 0.05), (0, -0.18, 0.04)]),
-        0.005,
-        segments=6,
-    )
+    path = [(0, -0.18, 0.04), (0.03, -0.22, 0.05), (0, -0.27, 0.05), (-0.03, -0.22, 0.05), (0, -0.18, 0.04)]
+    b.tube("steel", bent(path), 0.005, segments=6)
     return two_hands((-0.17, 0.0, 0.06), (0.25, -1, 0), (1, 0.2, 0), (0.7, 0.7, 0.5))
 
 

@@ -125,13 +125,8 @@ def grandfather_clock(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.box("plastic_black", (0, -d * 0.38, h * 0.46), (w * 0.36, 0.01, h * 0.38))
     b.cylinder(brass, (0.02, -d * 0.4, h * 0.34), (0, -d * 0.4, h * 0.6), 0.006)
     b.lathe(brass, [(0.06, 0), (0.055, 0.012), (0.02, 0.016)], origin=(0.02, -d * 0.385, h * 0.34), axis=(0, -1, 0))
-    b.lathe(
-        brass,
-        [(w * 0.38, 0), (w * 0.38, 0.012), (w * 0.35, 0.014)],
-        origin=(0, -d * 0.46, h * 0.85),
-        axis=(0, -1, 0),
-        segments=32,
-    )
+    profile = [(w * 0.38, 0), (w * 0.38, 0.012), (w * 0.35, 0.014)]
+    b.lathe(brass, profile, origin=(0, -d * 0.46, h * 0.85), axis=(0, -1, 0), segments=32)
     dial(b, spec.material("face"), w * 0.35, -d * 0.46 - 0.016, h * 0.85)
     for x in (-1, 0, 1):
         b.lathe(brass, [(0.015, 0), (0.03, 0.03), (0.004, 0.08)], origin=(x * w * 0.4, 0, h - 0.02), segments=12)
@@ -146,13 +141,8 @@ def mantel_clock(b: MeshBuilder, spec: PropSpec) -> Anchors:
     arch = [(w * 0.34 * math.cos(a), h - w * 0.34 + w * 0.34 * math.sin(a)) for a in np.linspace(0, math.pi, 17)]
     with b.at((0, d * 0.4, 0), (90, 0, 0)):
         b.extrude(wood, [(w * 0.34, 0.03), *arch, (-w * 0.34, 0.03)], d * 0.8)
-    b.lathe(
-        "brass",
-        [(w * 0.29, 0), (w * 0.29, 0.01), (w * 0.26, 0.012)],
-        origin=(0, -d * 0.4, h - w * 0.34),
-        axis=(0, -1, 0),
-        segments=28,
-    )
+    profile = [(w * 0.29, 0), (w * 0.29, 0.01), (w * 0.26, 0.012)]
+    b.lathe("brass", profile, origin=(0, -d * 0.4, h - w * 0.34), axis=(0, -1, 0), segments=28)
     dial(b, spec.material("face"), w * 0.26, -d * 0.4 - 0.014, h - w * 0.34)
     return ()
 
@@ -222,11 +212,8 @@ def curtain(b: MeshBuilder, spec: PropSpec) -> Anchors:
         for lift, order in ((0.0, 1), (0.012, -1)):
             b.loft(cloth, [(row + np.array([0, lift, 0]))[:: order * x] for row in rows], closed=False)
         for k in range(folds):
+            profile = [(0.02, -0.004), (0.024, 0.0), (0.02, 0.004)]
             b.lathe(
-                rod,
-                [(0.02, -0.004), (0.024, 0.0), (0.02, 0.004)],
-                origin=(x * (w / 2 - 0.04 - span * k / folds), 0, h - 0.03),
-                axis=(1, 0, 0),
-                segments=10,
+                rod, profile, origin=(x * (w / 2 - 0.04 - span * k / folds), 0, h - 0.03), axis=(1, 0, 0), segments=10
             )
     return ()

@@ -25,12 +25,9 @@ def gun(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, d, h), body, handle = spec.size, spec.material("body"), spec.material("grip")
     back, top = d / 2, h
     stock = [
-        (back - 0.005, 0.0),
-        (back - 0.045, 0.004),
-        (back - 0.058, h * 0.6),
-        (back - 0.008, h * 0.66),
+        (back - 0.005, 0.0), (back - 0.045, 0.004), (back - 0.058, h * 0.6), (back - 0.008, h * 0.66),
         (back - 0.018, h * 0.4),
-    ]
+    ]  # fmt: skip
     with b.at((-w * 0.4, 0, 0), (90, 0, 90)):
         b.extrude(handle, stock, w * 0.8)
     if spec.flag("revolver"):
@@ -48,12 +45,7 @@ def gun(b: MeshBuilder, spec: PropSpec) -> Anchors:
         for k in range(5):
             b.box("plastic_black", (0, back - 0.014 - 0.006 * k, top - 0.016), (w + 0.001, 0.002, 0.024))
         b.box(body, (0, -d / 2 + 0.012, top), (0.004, 0.008, 0.006))
-    guard = [
-        (0, back - 0.058, h * 0.64),
-        (0, back - 0.07, h * 0.45),
-        (0, back - 0.1, h * 0.47),
-        (0, back - 0.105, h * 0.66),
-    ]
+    guard = [(0, back - y, h * z) for y, z in ((0.058, 0.64), (0.07, 0.45), (0.1, 0.47), (0.105, 0.66))]
     b.tube(body, guard, 0.003, segments=6)
     b.tube(body, [(0, back - 0.075, h * 0.66), (0, back - 0.078, h * 0.53)], 0.0025, segments=6)
     hold = two_hands((-0.004, back - 0.008, h * 0.34), (0.06, -1, 0), (1, 0.1, 0), (0.22, 0.98, 0.22))
@@ -67,14 +59,7 @@ def rifle(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a bolt-action rifle."""
     (w, d, h), body, wood = spec.size, spec.material("body"), spec.material("stock")
     back, bore = d / 2, h * 0.78
-    butt = [
-        (back, 0.0),
-        (back - 0.02, h * 0.62),
-        (back - 0.26, h * 0.7),
-        (back - 0.34, h * 0.74),
-        (back - 0.34, h * 0.48),
-        (back - 0.24, h * 0.4),
-    ]
+    butt = [(back - x, h * z) for x, z in ((0, 0), (0.02, 0.62), (0.26, 0.7), (0.34, 0.74), (0.34, 0.48), (0.24, 0.4))]
     with b.at((-0.02, 0, 0), (90, 0, 90)):
         b.extrude(wood, butt, 0.04)
     b.box(wood, (0, -0.02, bore - 0.03), (0.042, 0.62, 0.045), bevel=0.012)
@@ -83,12 +68,8 @@ def rifle(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.tube(body, [(0, 0.17, bore), (-w / 2, 0.17, bore - 0.01), (-w / 2, 0.19, bore - 0.03)], 0.006)
     b.box(body, (0, -d / 2 + 0.03, bore + 0.02), (0.004, 0.02, 0.025))
     b.box(body, (0, 0.02, bore + 0.024), (0.016, 0.03, 0.016), bevel=0.003)
-    b.tube(
-        body,
-        [(0, 0.22, bore - 0.05), (0, 0.2, h * 0.36), (0, 0.12, h * 0.38), (0, 0.1, bore - 0.05)],
-        0.004,
-        segments=6,
-    )
+    path = [(0, 0.22, bore - 0.05), (0, 0.2, h * 0.36), (0, 0.12, h * 0.38), (0, 0.1, bore - 0.05)]
+    b.tube(body, path, 0.004, segments=6)
     for y in (-0.3, -0.14):
         b.box(body, (0, y, bore - 0.02), (0.046, 0.016, 0.062), bevel=0.006)
     hold = two_hands((-0.016, 0.25, h * 0.52), (0.1, -0.9, -0.3), (1, 0.1, 0), (0.3, 0.95, 0.4))
@@ -101,13 +82,7 @@ def knife(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, d, _), handle, blade = spec.size, spec.material("handle"), spec.material("blade")
     b.cushion(handle, (0, d * 0.32, w / 2), (w * 0.7, d * 0.37, w), softness=0.4)
     b.box(blade, (0, d * 0.13, w / 2), (w * 0.8, 0.01, w), bevel=0.002)
-    edge = [
-        (d * 0.13, w * 0.08),
-        (-d * 0.34, w * 0.06),
-        (-d / 2, w * 0.62),
-        (-d * 0.36, w * 0.92),
-        (d * 0.13, w * 0.92),
-    ]
+    edge = np.multiply([(0.13, 0.08), (-0.34, 0.06), (-0.5, 0.62), (-0.36, 0.92), (0.13, 0.92)], (d, w))
     with b.at((-0.0012, 0, 0), (90, 0, 90)):
         b.extrude(blade, edge, 0.0024)
     return two_hands((-0.012, d * 0.32, w * 0.5), (0.15, -0.5, -0.85), (1, 0.1, 0), FIST)
@@ -120,11 +95,8 @@ def sword(b: MeshBuilder, spec: PropSpec) -> Anchors:
     mid, hilt = h / 2, d / 2 - 0.2
     b.sphere(guard, (0, d / 2 - 0.022, mid), 0.022, segments=12, rings=8)
     b.cylinder(handle, (0, d / 2 - 0.03, mid), (0, hilt, mid), 0.014, segments=12)
-    b.tube(
-        guard,
-        [(-w / 2, hilt - 0.025, mid), (-w * 0.3, hilt, mid), (w * 0.3, hilt, mid), (w / 2, hilt - 0.025, mid)],
-        (0.012, 0.01, 0.01, 0.012),
-    )
+    path = [(-w / 2, hilt - 0.025, mid), (-w * 0.3, hilt, mid), (w * 0.3, hilt, mid), (w / 2, hilt - 0.025, mid)]
+    b.tube(guard, path, (0.012, 0.01, 0.01, 0.012))
     section = np.array([(-0.024, 0), (0, 0.006), (0.024, 0), (0, -0.006)])
     rings = [
         np.c_[section[:, 0] * s, np.full(4, y), mid + section[:, 1] * s]
@@ -140,14 +112,9 @@ def axe(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, d, h), wood, steel = spec.size, spec.material("handle"), spec.material("head")
     b.tube(wood, [(0, 0.08, 0), (0, 0.06, h * 0.2), (0, 0.07, h * 0.6), (0, 0.06, h)], (0.02, 0.015, 0.015, 0.018))
     edge = [
-        (0.1, h - 0.12),
-        (0.1, h - 0.03),
-        (0.02, h - 0.02),
-        (-d / 2, h + 0.02),
-        (-d / 2 - 0.01, h - 0.1),
-        (-d / 2 + 0.02, h - 0.18),
-        (0.02, h - 0.12),
-    ]
+        (0.1, h - 0.12), (0.1, h - 0.03), (0.02, h - 0.02), (-d / 2, h + 0.02), (-d / 2 - 0.01, h - 0.1),
+        (-d / 2 + 0.02, h - 0.18), (0.02, h - 0.12),
+    ]  # fmt: skip
     with b.at((-w / 2, 0, 0), (90, 0, 90)):
         b.extrude(steel, edge, w)
     return _shaft(h * 0.3)
@@ -181,18 +148,10 @@ def shovel(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a shovel, blade down."""
     (w, d, h), wood, steel = spec.size, spec.material("handle"), spec.material("head")
     b.cylinder(wood, (0, 0, 0.26), (0, 0, h - 0.1), 0.016)
-    b.tube(
-        wood,
-        [
-            (0, 0, h - 0.12),
-            (-0.06, 0, h - 0.07),
-            (-0.06, 0, h - 0.015),
-            (0.06, 0, h - 0.015),
-            (0.06, 0, h - 0.07),
-            (0, 0, h - 0.12),
-        ],
-        0.012,
-    )
+    path = [
+        (x, 0, h - z) for x, z in ((0, 0.12), (-0.06, 0.07), (-0.06, 0.015), (0.06, 0.015), (0.06, 0.07), (0, 0.12))
+    ]
+    b.tube(wood, path, 0.012)
     rows = [
         np.array([(x * s, -d / 2 * (1 - (x / (w / 2)) ** 2) + 0.02, z) for x in np.linspace(-w / 2, w / 2, 7)])
         for z, s in ((0.0, 0.1), (0.07, 0.75), (0.16, 1.0), (0.32, 0.95))
@@ -250,13 +209,11 @@ def shield(b: MeshBuilder, spec: PropSpec) -> Anchors:
     w, d, h = spec.size
     r = w / 2
     place = {"origin": (0, d / 2, h / 2), "axis": (0, -1, 0), "segments": 36}
-    b.lathe(
-        spec.material("body"), [(r * 0.98, 0), (r * 0.98, d * 0.2), (r * 0.6, d * 0.45), (0.004, d * 0.55)], **place
-    )
+    outline = [(r * 0.98, 0), (r * 0.98, d * 0.2), (r * 0.6, d * 0.45), (0.004, d * 0.55)]
+    b.lathe(spec.material("body"), outline, **place)
     b.lathe(spec.material("metal"), [(r, 0), (r, d * 0.25), (r * 0.9, d * 0.32)], **place)
-    b.lathe(
-        spec.material("metal"), [(r * 0.3, d * 0.5), (r * 0.28, d * 0.65), (r * 0.16, d * 0.92), (0.003, d)], **place
-    )
+    profile = [(r * 0.3, d * 0.5), (r * 0.28, d * 0.65), (r * 0.16, d * 0.92), (0.003, d)]
+    b.lathe(spec.material("metal"), profile, **place)
     for k in range(12):
         turn = math.tau * k / 12
         b.sphere(

@@ -156,14 +156,13 @@ def _badger(b: MeshBuilder, spec: PropSpec, plan: Plan) -> None:
         (2, 0.26, WHITE, 0.98),
     ):
         across = x * 0.42 * r
-        path = bent(
-            [
-                (across, y + r * 0.55, z + r * 0.82 * out),
-                (across * 1.05, y - r * 0.3, z + r * 0.92 * out),
-                (across * 0.8, y - r * 0.9, z + r * 0.4),
-                (across * 0.35, tip + nose, z - r * 0.32 + nose),
-            ]
-        )
+        curve = [
+            (across, y + r * 0.55, z + r * 0.82 * out),
+            (across * 1.05, y - r * 0.3, z + r * 0.92 * out),
+            (across * 0.8, y - r * 0.9, z + r * 0.4),
+            (across * 0.35, tip + nose, z - r * 0.32 + nose),
+        ]
+        path = bent(curve)
         b.tube(skin, path, tuple(np.linspace(r * width, nose * 0.35, len(path))), segments=8)
 
 
@@ -275,13 +274,8 @@ def _palms(b: MeshBuilder, spec: PropSpec, plan: Plan) -> None:
     """Add a moose's broad antlers and the beard under its throat."""
     (y, z), r = plan.skull, plan.head
     for x in (-1, 1):
-        path = bent(
-            [
-                (x * r * 0.5, y + 0.02, z + r * 0.6),
-                (x * r * 2.0, y + 0.05, z + r * 1.1),
-                (x * r * 3.2, y + 0.12, z + r * 1.9),
-            ]
-        )
+        curve = [(x * r * s, y + t, z + r * up) for s, t, up in ((0.5, 0.02, 0.6), (2, 0.05, 1.1), (3.2, 0.12, 1.9))]
+        path = bent(curve)
         b.tube("wax", path, tuple(np.linspace(0.05, 0.06, len(path))), segments=8)
         b.cushion(
             "wax", (x * r * 3.5, y + 0.12, z + r * 2.5), (r * 1.1, 0.07, r * 2.4), softness=0.7, rotation=(0, x * 28, 0)

@@ -50,14 +50,10 @@ def crown(b: MeshBuilder, spec: PropSpec) -> Anchors:
     rings = [
         np.c_[r * s * np.cos(angle), r * s * np.sin(angle), z]
         for s, z in (
-            (0.9, np.zeros(count)),
-            (0.9, np.full(count, h * 0.3)),
-            (0.98, tip),
-            (0.95, tip),
-            (0.87, np.full(count, h * 0.3)),
-            (0.87, np.zeros(count)),
+            (0.9, np.zeros(count)), (0.9, np.full(count, h * 0.3)), (0.98, tip), (0.95, tip),
+            (0.87, np.full(count, h * 0.3)), (0.87, np.zeros(count)),
         )
-    ]
+    ]  # fmt: skip
     b.loft(body, rings, caps=False)
     b.lathe(body, [(r * 0.9, 0), (r * 0.94, 0.008), (r * 0.94, h * 0.2), (r * 0.9, h * 0.25)], segments=36, caps=False)
     for k in range(8):

@@ -43,19 +43,11 @@ def water_pump(b: MeshBuilder, spec: PropSpec) -> Anchors:
     r, spout = w * 0.17, h * 0.66
     b.box(spec.material("foot"), (0, 0, h * 0.04), (w, d * 0.8, h * 0.08), bevel=0.02)
     rings = (
-        (r * 1.5, 0.08),
-        (r, 0.12),
-        (r, 0.6),
-        (r * 1.25, 0.63),
-        (r * 1.3, 0.84),
-        (r * 1.45, 0.87),
-        (r, 0.93),
+        (r * 1.5, 0.08), (r, 0.12), (r, 0.6), (r * 1.25, 0.63), (r * 1.3, 0.84), (r * 1.45, 0.87), (r, 0.93),
         (0.02, 0.96),
-    )
+    )  # fmt: skip
     b.lathe(iron, [(radius, h * share) for radius, share in rings], segments=20)
-    b.tube(
-        iron, [(0, 0, spout), (0, -d * 0.3, spout), (0, -d * 0.42, spout - 0.05), (0, -d * 0.42, spout - 0.12)], r * 0.6
-    )
+    b.tube(iron, [(0, d * y, spout - z) for y, z in ((0, 0), (-0.3, 0), (-0.42, 0.05), (-0.42, 0.12))], r * 0.6)
     lever = [(0, -r, h * 0.98), (0, d * 0.3, h * 0.96), (0, d * 0.42, h * 0.66), (0, d * 0.46, h * 0.42)]
     b.tube(iron, bent(lever, 3), 0.018, segments=8)
     return (handle((0, d * 0.46, h * 0.42)),)
@@ -71,12 +63,9 @@ def birdcage(b: MeshBuilder, spec: PropSpec) -> Anchors:
         turn = math.tau * k / 22
         x, y = math.cos(turn), math.sin(turn)
         bar = [
-            (r * x, r * y, 0.04),
-            (r * x, r * y, side),
-            (r * 0.84 * x, r * 0.84 * y, h * 0.75),
-            (r * 0.45 * x, r * 0.45 * y, h * 0.86),
-            (0.01 * x, 0.01 * y, dome),
-        ]
+            (r * x, r * y, 0.04), (r * x, r * y, side), (r * 0.84 * x, r * 0.84 * y, h * 0.75),
+            (r * 0.45 * x, r * 0.45 * y, h * 0.86), (0.01 * x, 0.01 * y, dome),
+        ]  # fmt: skip
         b.tube(wire, bent(bar, 2), 0.0028, segments=5)
     for z, k in ((h * 0.3, 1.0), (side, 1.0)):
         b.tube(wire, np.c_[r * k * np.cos(TURN), r * k * np.sin(TURN), np.full(28, z)], 0.004, segments=5, closed=True)
@@ -93,21 +82,9 @@ def chalice(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a goblet of metal with stones about its cup."""
     h, r, gold = spec.size[2], spec.size[0] / 2, spec.material("metal")
     outline = [
-        (0.8, 0),
-        (0.78, 0.03),
-        (0.3, 0.08),
-        (0.14, 0.2),
-        (0.34, 0.3),
-        (0.14, 0.4),
-        (0.3, 0.47),
-        (0.85, 0.6),
-        (1.0, 0.8),
-        (0.96, 1.0),
-        (0.88, 1.0),
-        (0.9, 0.8),
-        (0.75, 0.62),
-        (0.03, 0.52),
-    ]
+        (0.8, 0), (0.78, 0.03), (0.3, 0.08), (0.14, 0.2), (0.34, 0.3), (0.14, 0.4), (0.3, 0.47), (0.85, 0.6),
+        (1.0, 0.8), (0.96, 1.0), (0.88, 1.0), (0.9, 0.8), (0.75, 0.62), (0.03, 0.52),
+    ]  # fmt: skip
     b.lathe(gold, bent([(x * r, z * h) for x, z in outline], 3), segments=26)
     b.lathe(spec.material("drink"), [(r * 0.85, h * 0.8), (r * 0.9, h * 0.88), (0.003, h * 0.88)], segments=24)
     for k in range(8):
@@ -142,12 +119,8 @@ def anvil(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.loft(iron, rings)
     top = block + (h - block) * 0.84
     b.box(iron, (w * 0.36, 0, top + 0.012), (w * 0.28, d * 0.42, (h - block) * 0.28), bevel=0.006)
-    b.tube(
-        iron,
-        bent([(-w * 0.08, 0, top), (-w * 0.3, 0, top + 0.008), (-w * 0.49, 0, top + 0.025)]),
-        tuple(bent((0.048, 0.036, 0.008))),
-        segments=14,
-    )
+    path = [(-w * 0.08, 0, top), (-w * 0.3, 0, top + 0.008), (-w * 0.49, 0, top + 0.025)]
+    b.tube(iron, bent(path), tuple(bent((0.048, 0.036, 0.008))), segments=14)
     return ()
 
 
@@ -168,18 +141,8 @@ def wheelbarrow(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.tube(wood, bent(shaft), 0.022)
         b.tube(iron, [(x * w * 0.36, d * 0.16, h * 0.52), (x * w * 0.38, d * 0.2, 0.0)], 0.016)
     foot, rim = h * 0.5, h
-    lower = [
-        (-w * 0.26, -d * 0.2, foot),
-        (w * 0.26, -d * 0.2, foot),
-        (w * 0.3, d * 0.2, foot),
-        (-w * 0.3, d * 0.2, foot),
-    ]
-    upper = [
-        (-w * 0.4, -d * 0.36, rim * 0.94),
-        (w * 0.4, -d * 0.36, rim * 0.94),
-        (w * 0.48, d * 0.28, rim),
-        (-w * 0.48, d * 0.28, rim),
-    ]
+    lower = np.multiply([(-0.26, -0.2, 1), (0.26, -0.2, 1), (0.3, 0.2, 1), (-0.3, 0.2, 1)], (w, d, foot))
+    upper = np.multiply([(-0.4, -0.36, 0.94), (0.4, -0.36, 0.94), (0.48, 0.28, 1), (-0.48, 0.28, 1)], (w, d, rim))
     inner = [np.multiply(upper, (0.96, 0.96, 1.0)), np.add(np.multiply(lower, (0.96, 0.96, 1.0)), (0, 0, 0.02))]
     b.loft(tray, [lower, upper, *inner])
     b.tube(tray, upper, 0.014, segments=6, closed=True)
@@ -193,19 +156,10 @@ def wagon_wheel(b: MeshBuilder, spec: PropSpec) -> Anchors:
     r = h / 2
     with b.at((0, 0, r), (0, 0, 90)):
         spoked_wheel(b, wood, wood, (0, 0, 0), r - 0.035, 0.034, 12)
-        b.lathe(
-            iron,
-            [(r - 0.004, -d * 0.3), (r, -d * 0.3), (r, d * 0.3), (r - 0.004, d * 0.3)],
-            axis=(1, 0, 0),
-            segments=36,
-            caps=False,
-        )
-        b.lathe(
-            wood,
-            [(r * 0.1, -d * 0.5), (r * 0.17, -d * 0.2), (r * 0.17, d * 0.2), (r * 0.1, d * 0.5)],
-            axis=(1, 0, 0),
-            segments=18,
-        )
+        outline = [(r - 0.004, -d * 0.3), (r, -d * 0.3), (r, d * 0.3), (r - 0.004, d * 0.3)]
+        b.lathe(iron, outline, axis=(1, 0, 0), segments=36, caps=False)
+        profile = [(r * 0.1, -d * 0.5), (r * 0.17, -d * 0.2), (r * 0.17, d * 0.2), (r * 0.1, d * 0.5)]
+        b.lathe(wood, profile, axis=(1, 0, 0), segments=18)
     return ()
 
 
@@ -225,20 +179,11 @@ def spinning_wheel(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.cylinder(wood, np.add(center, (0, -d * 0.16, 0)), np.add(center, (0, d * 0.16, 0)), 0.012)
     for y in (-1, 1):
         b.cylinder(wood, (-w * 0.34, y * d * 0.16, h * 0.4), (-w * 0.34, y * d * 0.16, h * 0.66), 0.014)
-    b.lathe(
-        "linen",
-        bent([(0.012, -d * 0.12), (0.034, -d * 0.04), (0.034, d * 0.04), (0.012, d * 0.12)]),
-        origin=(-w * 0.34, 0, h * 0.62),
-        axis=(0, 1, 0),
-        segments=14,
-    )
+    outline = [(0.012, -d * 0.12), (0.034, -d * 0.04), (0.034, d * 0.04), (0.012, d * 0.12)]
+    b.lathe("linen", bent(outline), origin=(-w * 0.34, 0, h * 0.62), axis=(0, 1, 0), segments=14)
     b.cylinder(wood, (-w * 0.42, d * 0.1, h * 0.4), (-w * 0.42, d * 0.1, h * 0.86), 0.012)
-    b.lathe(
-        "linen",
-        bent([(0.012, h * 0.72), (0.06, h * 0.8), (0.045, h * 0.92), (0.004, h)]),
-        origin=(-w * 0.42, d * 0.1, 0),
-        segments=14,
-    )
+    profile = [(0.012, h * 0.72), (0.06, h * 0.8), (0.045, h * 0.92), (0.004, h)]
+    b.lathe("linen", bent(profile), origin=(-w * 0.42, d * 0.1, 0), segments=14)
     b.cylinder("linen", np.add(center, (0, 0, r)), (-w * 0.34, 0, h * 0.65), 0.0022, segments=5)
     return ()
 
@@ -250,19 +195,13 @@ def stretcher(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for x in (-1, 1):
         b.cylinder(pole, (x * w * 0.44, -d / 2, h * 0.8), (x * w * 0.44, d / 2, h * 0.8), 0.02)
         for y in (-0.32, 0.32):
-            b.tube(
-                "iron",
-                bent(
-                    [
-                        (x * w * 0.44, y * d, h * 0.8),
-                        (x * w * 0.44, y * d + 0.03, 0.01),
-                        (x * w * 0.44, y * d - 0.03, 0.01),
-                        (x * w * 0.44, y * d - 0.01, h * 0.8),
-                    ]
-                ),
-                0.009,
-                segments=6,
-            )
+            path = [
+                (x * w * 0.44, y * d, h * 0.8),
+                (x * w * 0.44, y * d + 0.03, 0.01),
+                (x * w * 0.44, y * d - 0.03, 0.01),
+                (x * w * 0.44, y * d - 0.01, h * 0.8),
+            ]
+            b.tube("iron", bent(path), 0.009, segments=6)
     across = np.linspace(-1, 1, 13)
     sag = h * 0.8 - 0.045 * (1 - across**2) + 0.012
     for gap in (0.0, -0.012):
@@ -288,13 +227,8 @@ def saddle(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.loft(skin, rows if gap else rows[::-1], closed=False)
     b.cushion(skin, (0, d * 0.43, h * 0.86), (w * 0.56, d * 0.12, h * 0.26), softness=0.8)
     b.cushion(skin, (0, -d * 0.42, h * 0.8), (w * 0.4, d * 0.14, h * 0.24), softness=0.8)
-    b.lathe(
-        skin,
-        [(0.02, 0), (0.016, h * 0.12), (0.036, h * 0.15), (0.03, h * 0.18), (0.003, h * 0.19)],
-        origin=(0, -d * 0.42, h * 0.81),
-        axis=(0, -0.3, 1),
-        segments=14,
-    )
+    profile = [(0.02, 0), (0.016, h * 0.12), (0.036, h * 0.15), (0.03, h * 0.18), (0.003, h * 0.19)]
+    b.lathe(skin, profile, origin=(0, -d * 0.42, h * 0.81), axis=(0, -0.3, 1), segments=14)
     for x in (-1, 1):
         b.box(
             skin, (x * w * 0.44, -d * 0.05, h * 0.3), (0.014, d * 0.5, h * 0.42), bevel=0.005, rotation=(0, x * -8, 0)
@@ -324,13 +258,8 @@ def bone(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a bone along X."""
     (w, d, h), body = spec.size, spec.material("body")
     r = d * 0.27
-    b.lathe(
-        body,
-        bent([(r, -w * 0.42), (r * 0.62, -w * 0.2), (r * 0.58, 0), (r * 0.66, w * 0.2), (r, w * 0.42)]),
-        origin=(0, 0, h / 2),
-        axis=(1, 0, 0),
-        segments=14,
-    )
+    profile = [(r, -w * 0.42), (r * 0.62, -w * 0.2), (r * 0.58, 0), (r * 0.66, w * 0.2), (r, w * 0.42)]
+    b.lathe(body, bent(profile), origin=(0, 0, h / 2), axis=(1, 0, 0), segments=14)
     for x in (-1, 1):
         for y in (-1, 1):
             b.sphere(
@@ -356,21 +285,9 @@ def water_cooler(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.box(tap, (x * w, -d / 2 - 0.028, case * 0.81), (0.018, 0.014, 0.05), bevel=0.003)
     b.box("steel", (0, -d / 2 - 0.01, case * 0.66), (w * 0.6, 0.08, 0.012), bevel=0.003)
     r, tall = w * 0.43, h - case
-    b.lathe(
-        bottle,
-        bent(
-            [
-                (r * 0.3, case),
-                (r * 0.4, case + tall * 0.12),
-                (r, case + tall * 0.3),
-                (r, case + tall * 0.5),
-                (r * 0.97, case + tall * 0.55),
-                (r, case + tall * 0.6),
-                (r, case + tall * 0.96),
-                (r * 0.9, h),
-            ],
-            2,
-        ),
-        segments=28,
-    )
+    profile = [
+        (r * 0.3, case), (r * 0.4, case + tall * 0.12), (r, case + tall * 0.3), (r, case + tall * 0.5),
+        (r * 0.97, case + tall * 0.55), (r, case + tall * 0.6), (r, case + tall * 0.96), (r * 0.9, h),
+    ]  # fmt: skip
+    b.lathe(bottle, bent(profile, 2), segments=28)
     return (handle((0.0, -d / 2 - 0.03, case * 0.81), name="tap"),)

@@ -17,16 +17,10 @@ VESTIBULE = 1.4
 """Metres of dim passage behind an inner door, so that an open one never shows a void."""
 
 _TRIMS = (
-    ("log_wall", "wood_dark"),
-    ("stone", "stone_light"),
-    ("brick", "paint_brown"),
-    ("limewash", "wood_dark"),
-    ("boards", "wood_dark"),
-    ("concrete", "metal_grey"),
-    ("metal", "metal_grey"),
-    ("wood", "wood_dark"),
+    ("log_wall", "wood_dark"), ("stone", "stone_light"), ("brick", "paint_brown"), ("limewash", "wood_dark"),
+    ("boards", "wood_dark"), ("concrete", "metal_grey"), ("metal", "metal_grey"), ("wood", "wood_dark"),
     ("plaster_teal", "paint_grey"),
-)
+)  # fmt: skip
 
 
 def trim_of(wall: Wall) -> str:

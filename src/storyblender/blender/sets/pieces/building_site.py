@@ -201,8 +201,4 @@ def striped_tent(builder: MeshBuilder, spec: PieceSpec) -> None:
         )
     builder.lathe(finish("plaster_soot"), [(radius * 0.9, 0), (radius * 0.9, height - 0.1)], segments=20, caps=False)
     builder.cylinder(finish("wood"), (0, 0, height * 1.85), (0, 0, height * 1.9 + 1.0), 0.05, segments=6)
-    builder.add(
-        skins[0],
-        [(0, 0, height * 1.9 + 1.0), (0.8, 0, height * 1.9 + 0.8), (0, 0, height * 1.9 + 0.6)],
-        [(0, 1, 2), (2, 1, 0)],
-    )
+    builder.add(skins[0], [(x, 0, 1.9 * height + z) for x, z in ((0, 1), (0.8, 0.8), (0, 0.6))], [(0, 1, 2), (2, 1, 0)])

@@ -51,13 +51,8 @@ def parked_jet(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build an airliner along x outside the windows, its nose at -X."""
     white, dark = finish("paint_white"), finish("glass_dark")
     sections = (
-        (-15.5, 0.1, 2.6),
-        (-14.6, 1.0, 2.8),
-        (-12.5, 1.8, 3.1),
-        (9.0, 1.85, 3.2),
-        (14.0, 1.0, 3.9),
-        (17.0, 0.25, 4.4),
-    )
+        (-15.5, 0.1, 2.6), (-14.6, 1.0, 2.8), (-12.5, 1.8, 3.1), (9.0, 1.85, 3.2), (14.0, 1.0, 3.9), (17.0, 0.25, 4.4),
+    )  # fmt: skip
     rings = [
         np.array([(x, r * math.cos(t), z + r * math.sin(t)) for t in np.linspace(0, 2 * math.pi, 19)[:-1]])
         for x, r, z in sections
@@ -135,11 +130,8 @@ def flight_panel(builder: MeshBuilder, spec: PieceSpec) -> None:
             )
     for x in (-length * 0.25, length * 0.25):
         builder.cylinder(finish("iron"), (x, 0.2, 0.6), (x, 0.42, 0.72), 0.03, segments=8)
-        builder.tube(
-            finish("paint_black"),
-            [(x - 0.17, 0.44, 0.84), (x - 0.15, 0.44, 0.7), (x + 0.15, 0.44, 0.7), (x + 0.17, 0.44, 0.84)],
-            0.024,
-        )
+        path = [(x - 0.17, 0.44, 0.84), (x - 0.15, 0.44, 0.7), (x + 0.15, 0.44, 0.7), (x + 0.17, 0.44, 0.84)]
+        builder.tube(finish("paint_black"), path, 0.024)
     builder.box(grey, (0, 0.5, 0.42), (0.4, 0.8, 0.3), bevel=0.03)
     for y in (0.35, 0.5, 0.65):
         for x in (-0.1, 0.1):

@@ -174,11 +174,7 @@ def fire_escape(builder: MeshBuilder, spec: PieceSpec) -> None:
         for index in range(7):
             builder.box(iron, (0, -0.12 - 0.17 * index, z), (3.2, 0.11, 0.03))
         for height in (0.55, 1.05):
-            builder.tube(
-                iron,
-                [(-1.6, 0, z + height), (-1.6, -1.2, z + height), (1.6, -1.2, z + height), (1.6, 0, z + height)],
-                0.022,
-            )
+            builder.tube(iron, [(x, y, z + height) for x, y in ((-1.6, 0), (-1.6, -1.2), (1.6, -1.2), (1.6, 0))], 0.022)
         for x in np.linspace(-1.6, 1.6, 7):
             builder.cylinder(iron, (x, -1.2, z), (x, -1.2, z + 1.05), 0.015, segments=6)
         for x in (-1.4, 1.4):

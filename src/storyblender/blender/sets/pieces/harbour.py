@@ -35,9 +35,8 @@ def boom(builder: MeshBuilder, spec: PieceSpec) -> None:
 @piece("bollard")
 def bollard(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build an iron bollard with a turn of rope."""
-    builder.lathe(
-        finish("iron"), [(0.2, 0), (0.16, 0.08), (0.13, 0.3), (0.13, 0.42), (0.21, 0.48), (0.2, 0.56), (0.05, 0.6)]
-    )
+    profile = [(0.2, 0), (0.16, 0.08), (0.13, 0.3), (0.13, 0.42), (0.21, 0.48), (0.2, 0.56), (0.05, 0.6)]
+    builder.lathe(finish("iron"), profile)
     for z in (0.18, 0.24, 0.3):
         ring = [(0.16 * math.cos(a), 0.16 * math.sin(a), z) for a in np.linspace(0, 2 * math.pi, 16, endpoint=False)]
         builder.tube(finish("canvas"), ring, 0.03, segments=6, closed=True)
@@ -51,13 +50,9 @@ def _hull(builder: MeshBuilder, material: object, length: float, beam: float, he
         half = beam / 2 * fullness
         sheer = height + 0.9 * t * t
         profile = [
-            (-half * 0.55, -0.8),
-            (-half * 0.85, height * 0.25),
-            (-half, sheer),
-            (half, sheer),
-            (half * 0.85, height * 0.25),
-            (half * 0.55, -0.8),
-        ]
+            (-half * 0.55, -0.8), (-half * 0.85, height * 0.25), (-half, sheer), (half, sheer),
+            (half * 0.85, height * 0.25), (half * 0.55, -0.8),
+        ]  # fmt: skip
         rings.append([(x, t * length / 2, z) for x, z in profile])
     builder.loft(material, rings)
 
@@ -149,9 +144,8 @@ def deck_house(builder: MeshBuilder, spec: PieceSpec) -> None:
             builder.box(finish("wood_dark"), (x + dx, front - 0.03, 1.5), (0.05, 0.05, 0.68))
     for x in (-width / 2, width / 2):
         builder.box(finish("wood_dark"), (x, front, 1.25), (0.14, 0.14, 2.5))
-    builder.lathe(
-        finish("iron"), [(0.03, 0.14), (0.1, 0.1), (0.1, -0.1), (0.05, -0.14)], origin=(0.75, front - 0.2, 2.2)
-    )
+    profile = [(0.03, 0.14), (0.1, 0.1), (0.1, -0.1), (0.05, -0.14)]
+    builder.lathe(finish("iron"), profile, origin=(0.75, front - 0.2, 2.2))
     builder.sphere(finish("lamp_warm"), (0.75, front - 0.2, 2.2), 0.07, segments=10, rings=6)
 
 
@@ -253,12 +247,8 @@ def air_stairs(builder: MeshBuilder, spec: PieceSpec) -> None:
         builder.cylinder(iron, (x, 1.0, 0.2), (x, 1.0, 1.95), 0.04, segments=8)
         builder.cylinder(iron, (x, -1.2, 0.3), (x, 1.0, 0.4), 0.04, segments=8)
         for y in (-1.0, 0.9):
-            builder.lathe(
-                finish("rubber"),
-                [(0.1, -0.05), (0.2, -0.05), (0.2, 0.05), (0.1, 0.05)],
-                origin=(x, y, 0.2),
-                axis=(1, 0, 0),
-            )
+            profile = [(0.1, -0.05), (0.2, -0.05), (0.2, 0.05), (0.1, 0.05)]
+            builder.lathe(finish("rubber"), profile, origin=(x, y, 0.2), axis=(1, 0, 0))
 
 
 @piece("lighthouse")

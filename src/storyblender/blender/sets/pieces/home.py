@@ -30,9 +30,8 @@ def kitchenette(builder: MeshBuilder, spec: PieceSpec) -> None:
     for dx in (-0.14, 0.14):
         for dy in (-0.11, 0.11):
             builder.cylinder(finish("iron"), (hob + dx, -0.31 + dy, 0.935), (hob + dx, -0.31 + dy, 0.945), 0.085)
-    builder.lathe(
-        finish("steel"), [(0.1, 0), (0.12, 0.13), (0.125, 0.13)], origin=(hob - 0.14, -0.2, 0.945), segments=16
-    )
+    profile = [(0.1, 0), (0.12, 0.13), (0.125, 0.13)]
+    builder.lathe(finish("steel"), profile, origin=(hob - 0.14, -0.2, 0.945), segments=16)
     builder.box(finish("steel"), (sink, -0.31, 0.925), (0.5, 0.42, 0.012))
     builder.box(finish("paint_grey"), (sink, -0.31, 0.93), (0.4, 0.32, 0.008))
     builder.tube(metal, [(sink, -0.08, 0.92), (sink, -0.08, 1.2), (sink, -0.16, 1.26), (sink, -0.24, 1.2)], 0.016)

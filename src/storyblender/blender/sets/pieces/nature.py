@@ -132,9 +132,8 @@ def flowers(builder: MeshBuilder, spec: PieceSpec) -> None:
         x, y = spec.rng.uniform(-0.22, 0.22, 2)
         z = spec.rng.uniform(0.24, 0.38)
         builder.cylinder(finish("leaf"), (x * 0.6, y * 0.6, 0), (x, y, z), 0.005, segments=4)
-        builder.lathe(
-            petal, [(0.005, z - 0.015), (0.045, z + 0.02), (0.01, z + 0.01)], origin=(x, y, 0), segments=7, caps=False
-        )
+        profile = [(0.005, z - 0.015), (0.045, z + 0.02), (0.01, z + 0.01)]
+        builder.lathe(petal, profile, origin=(x, y, 0), segments=7, caps=False)
 
 
 @piece("cactus", Surface.SET)

@@ -49,24 +49,14 @@ def castle_wall(builder: MeshBuilder, spec: PieceSpec) -> None:
 def round_tower(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build a round tower with battlements or a roof. Parameters: radius, height, roof (a cone of tiles)."""
     radius, height, stone = spec.number("radius", 2.6), spec.number("height", 11), finish("stone")
-    builder.lathe(
-        stone,
-        [
-            (radius * 1.06, -0.1),
-            (radius, 1.0),
-            (radius, height),
-            (radius * 1.12, height + 0.5),
-            (radius * 1.12, height + 1.2),
-        ],
-        segments=26,
-    )
+    outline = [
+        (radius * 1.06, -0.1), (radius, 1.0), (radius, height), (radius * 1.12, height + 0.5),
+        (radius * 1.12, height + 1.2),
+    ]  # fmt: skip
+    builder.lathe(stone, outline, segments=26)
     if spec.flag("roof"):
-        builder.lathe(
-            finish("roof_slate"),
-            [(radius * 1.3, height + 1.1), (radius * 0.55, height + radius * 1.6), (0.02, height + radius * 2.6)],
-            segments=24,
-            caps=False,
-        )
+        profile = [(radius * 1.3, height + 1.1), (radius * 0.55, height + radius * 1.6), (0.02, height + radius * 2.6)]
+        builder.lathe(finish("roof_slate"), profile, segments=24, caps=False)
     else:
         for t in np.arange(0, 2 * math.pi, 0.5):
             x, y = radius * 1.02 * math.cos(t), radius * 1.02 * math.sin(t)
@@ -201,9 +191,8 @@ def barn_house(builder: MeshBuilder, spec: PieceSpec) -> None:
 def silo(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build a grain silo. Parameters: height."""
     height = spec.number("height", 11)
-    builder.lathe(
-        finish("metal_grey"), [(2.0, 0), (2.0, height), (1.4, height + 1.0), (0.05, height + 1.6)], segments=24
-    )
+    profile = [(2.0, 0), (2.0, height), (1.4, height + 1.0), (0.05, height + 1.6)]
+    builder.lathe(finish("metal_grey"), profile, segments=24)
     for z in np.arange(0.8, height, 0.9):
         builder.lathe(finish("iron"), [(2.02, 0), (2.02, 0.06)], origin=(0, 0, float(z)), segments=24, caps=False)
     for x in (-0.2, 0.2):

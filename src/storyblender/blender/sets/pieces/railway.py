@@ -105,11 +105,7 @@ def poster(builder: MeshBuilder, spec: PieceSpec) -> None:
         )
         builder.box(finish(accent), (0, -0.042, middle), (width * 0.8, 0.006, height * 0.05))
     else:
-        peak = [
-            (-width * 0.45, -0.031, height * 0.36),
-            (width * 0.45, -0.031, height * 0.36),
-            (width * 0.1, -0.031, height * 0.8),
-        ]
+        peak = np.multiply([(-0.45, -0.031, 0.36), (0.45, -0.031, 0.36), (0.1, -0.031, 0.8)], (width, 1, height))
         builder.polygon(finish(shape), peak)
         builder.lathe(
             finish(accent), [(width * 0.1, 0), (width * 0.1, 0.006)], origin=(-width * 0.25, -0.03, height * 0.78),

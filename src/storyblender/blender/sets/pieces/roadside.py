@@ -63,9 +63,8 @@ def petrol_pump(builder: MeshBuilder, spec: PieceSpec) -> None:
         builder.box(finish("paint_black"), (0, side * 0.255, 1.25), (0.5, 0.02, 0.36))
         builder.box(white, (0, side * 0.268, 1.29), (0.4, 0.01, 0.1))
         builder.box(finish("paint_yellow"), (0, side * 0.268, 1.15), (0.3, 0.01, 0.06))
-    builder.tube(
-        finish("rubber"), [(0.36, 0, 1.3), (0.52, 0, 1.0), (0.5, 0, 0.5), (0.42, 0, 0.6), (0.4, 0, 1.0)], 0.022
-    )
+    path = [(0.36, 0, 1.3), (0.52, 0, 1.0), (0.5, 0, 0.5), (0.42, 0, 0.6), (0.4, 0, 1.0)]
+    builder.tube(finish("rubber"), path, 0.022)
     builder.box(finish("paint_black"), (0.4, 0, 1.05), (0.08, 0.06, 0.3), bevel=0.01)
     if spec.flag("old"):
         builder.cylinder(white, (0, 0.07, 1.95), (0, -0.07, 1.95), 0.24, segments=24)

@@ -85,9 +85,8 @@ def grand_stairs(builder: MeshBuilder, spec: PieceSpec) -> None:
             (width * 0.5, 0.01, height / count),
         )
         for x in (-width / 2 + 0.1, width / 2 - 0.1):
-            builder.lathe(
-                finish("wood_dark"), [(0.03, 0), (0.055, 0.2), (0.025, 0.5), (0.04, 0.8)], origin=(x, y, z), segments=8
-            )
+            profile = [(0.03, 0), (0.055, 0.2), (0.025, 0.5), (0.04, 0.8)]
+            builder.lathe(finish("wood_dark"), profile, origin=(x, y, z), segments=8)
     for x in (-width / 2 + 0.1, width / 2 - 0.1):
         builder.tube(finish("wood_dark"), [(x, 0.05, 1.0), (x, run, height + 0.86)], 0.06, segments=8)
         builder.box(finish("wood_dark"), (x, -0.05, 0.6), (0.22, 0.22, 1.2), bevel=0.02)
@@ -111,12 +110,8 @@ def root_tangle(builder: MeshBuilder, spec: PieceSpec) -> None:
     for _ in range(12):
         x, y, long = (float(v) for v in (*spec.rng.uniform(-reach, reach, 2), spec.rng.uniform(0.25, 0.9)))
         bend = float(spec.rng.uniform(-0.25, 0.25))
-        builder.tube(
-            finish("bark_dark"),
-            [(x, y, 0.1), (x + bend * 0.5, y, -long * 0.5), (x + bend, y + 0.1, -long)],
-            [0.06, 0.035, 0.01],
-            segments=6,
-        )
+        path = [(x, y, 0.1), (x + bend * 0.5, y, -long * 0.5), (x + bend, y + 0.1, -long)]
+        builder.tube(finish("bark_dark"), path, [0.06, 0.035, 0.01], segments=6)
 
 
 @piece("ring_fence")
@@ -197,11 +192,8 @@ def great_idol(builder: MeshBuilder, spec: PieceSpec) -> None:
     builder.cushion(stone, (0, -0.15, 1.3), (1.8, 1.3, 0.6), softness=0.7)
     builder.cushion(stone, (0, 0.1, 2.0), (1.1, 0.7, 1.3), softness=0.6)
     for side in (-1, 1):
-        builder.tube(
-            stone,
-            [(side * 0.5, 0.05, 2.4), (side * 0.75, -0.1, 1.9), (side * 0.45, -0.55, 1.55), (side * 0.1, -0.6, 1.5)],
-            [0.19, 0.17, 0.14, 0.1],
-        )
+        path = [(side * 0.5, 0.05, 2.4), (side * 0.75, -0.1, 1.9), (side * 0.45, -0.55, 1.55), (side * 0.1, -0.6, 1.5)]
+        builder.tube(stone, path, [0.19, 0.17, 0.14, 0.1])
     builder.cylinder(stone, (0, 0.05, 2.5), (0, 0.05, 2.8), 0.18, segments=14)
     builder.sphere(stone, (0, 0.0, 3.05), 0.36, scale=(0.85, 0.9, 1.1), segments=18, rings=12)
     builder.lathe(gold, [(0.36, 0), (0.4, 0.08), (0.2, 0.25), (0.03, 0.5)], origin=(0, 0.02, 3.28), segments=18)

@@ -38,13 +38,9 @@ def column(builder: MeshBuilder, spec: PieceSpec) -> None:
         builder.box(skin, (0, 0, 0.14), (width * 1.35, width * 1.35, 0.28), bevel=0.03)
         builder.box(skin, (0, 0, height - 0.14), (width * 1.4, width * 1.4, 0.28), bevel=0.03)
         profile = [
-            (radius * 1.2, 0.28),
-            (radius * 1.2, 0.36),
-            (radius, 0.46),
-            (radius * 0.9, height - 0.55),
-            (radius * 1.2, height - 0.4),
-            (radius * 1.3, height - 0.28),
-        ]
+            (radius * 1.2, 0.28), (radius * 1.2, 0.36), (radius, 0.46), (radius * 0.9, height - 0.55),
+            (radius * 1.2, height - 0.4), (radius * 1.3, height - 0.28),
+        ]  # fmt: skip
         builder.lathe(skin, profile, segments=8 if style == "gothic" else 22)
         if style == "gothic":
             for k in range(4):
@@ -135,16 +131,9 @@ def hedge(builder: MeshBuilder, spec: PieceSpec) -> None:
     count, leaf = max(6, int(width / 0.18)), spec.leaf("hedge")
     xs, rings = np.linspace(-width / 2 - 0.05, width / 2 + 0.05, count), []
     outline = [
-        (-0.36, 0),
-        (-0.38, 0.35),
-        (-0.37, 0.75),
-        (-0.28, 0.97),
-        (0, 1.0),
-        (0.28, 0.97),
-        (0.37, 0.75),
-        (0.38, 0.35),
+        (-0.36, 0), (-0.38, 0.35), (-0.37, 0.75), (-0.28, 0.97), (0, 1.0), (0.28, 0.97), (0.37, 0.75), (0.38, 0.35),
         (0.36, 0),
-    ]
+    ]  # fmt: skip
     for x in xs:
         wobble = spec.rng.uniform(-0.035, 0.035, (len(outline), 2))
         rings.append([(x, y + dy, z * height + dz * (z > 0)) for (y, z), (dy, dz) in zip(outline, wobble, strict=True)])
@@ -204,13 +193,11 @@ def chimney(builder: MeshBuilder, spec: PieceSpec) -> None:
     builder.box(brick, (0, 0, height / 2), (0.9, 0.6, height))
     builder.box(brick, (0, 0, height - 0.12), (1.02, 0.72, 0.16))
     for x in (-0.22, 0.22):
-        builder.lathe(
-            finish("tile_terracotta"), [(0.14, height), (0.13, height + 0.4), (0.16, height + 0.45)], segments=14
-        )
+        outline = [(0.14, height), (0.13, height + 0.4), (0.16, height + 0.45)]
+        builder.lathe(finish("tile_terracotta"), outline, segments=14)
         with builder.at((x, 0, 0)):
-            builder.lathe(
-                finish("tile_terracotta"), [(0.15, height), (0.12, height + 0.42), (0.15, height + 0.46)], segments=14
-            )
+            profile = [(0.15, height), (0.12, height + 0.42), (0.15, height + 0.46)]
+            builder.lathe(finish("tile_terracotta"), profile, segments=14)
 
 
 @piece("vent")

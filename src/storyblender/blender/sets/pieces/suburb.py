@@ -91,12 +91,8 @@ def picket_fence(builder: MeshBuilder, spec: PieceSpec) -> None:
     for x in np.arange(-length / 2 + 0.07, length / 2, 0.15):
         at = float(x)
         outline = [
-            (at - 0.04, 0.04),
-            (at + 0.04, 0.04),
-            (at + 0.04, height - 0.06),
-            (at, height),
-            (at - 0.04, height - 0.06),
-        ]
+            (at - 0.04, 0.04), (at + 0.04, 0.04), (at + 0.04, height - 0.06), (at, height), (at - 0.04, height - 0.06),
+        ]  # fmt: skip
         builder.polygon(skin, [(px, -0.01, pz) for px, pz in outline])
         builder.polygon(skin, [(px, 0.012, pz) for px, pz in outline[::-1]])
 
@@ -218,10 +214,8 @@ def washing_line(builder: MeshBuilder, spec: PieceSpec) -> None:
         skin = painted(colors[int(spec.rng.integers(5))])
         for depth, order in ((-0.006, 1), (0.006, -1)):
             points = [
-                (at, depth, top),
-                (at, depth + 0.05, top - tall),
-                (at + wide, depth + 0.03, top - tall),
-                (at + wide, depth, top),
+                (at + wide * x, depth + y, top - tall * z)
+                for x, y, z in ((0, 0, 0), (0, 0.05, 1), (1, 0.03, 1), (1, 0, 0))
             ]
             builder.polygon(skin, points[::order])
         at += wide + 0.16
@@ -254,10 +248,6 @@ def hoop_post(builder: MeshBuilder, spec: PieceSpec) -> None:
 @piece("tree_ring")
 def tree_ring(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build a round bench of stone around a tree."""
-    builder.lathe(
-        finish("stone_light"),
-        [(0.85, 0), (0.85, 0.38), (0.92, 0.4), (0.92, 0.45), (0.45, 0.45), (0.45, 0.0)],
-        segments=28,
-        caps=False,
-    )
+    profile = [(0.85, 0), (0.85, 0.38), (0.92, 0.4), (0.92, 0.45), (0.45, 0.45), (0.45, 0.0)]
+    builder.lathe(finish("stone_light"), profile, segments=28, caps=False)
     builder.lathe(finish("dirt"), [(0.46, 0.3), (0.01, 0.36)], segments=20, caps=False)

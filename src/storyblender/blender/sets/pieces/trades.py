@@ -44,12 +44,8 @@ def stock_shelf(builder: MeshBuilder, spec: PieceSpec) -> None:
             x, foot = at + wide / 2, z + 0.015
             if kind == "bottles":
                 r = wide * 0.3
-                builder.lathe(
-                    skin,
-                    [(r, 0), (r, tall * 0.6), (r * 0.4, tall * 0.75), (r * 0.4, tall)],
-                    origin=(x, -0.18, foot),
-                    segments=8,
-                )
+                profile = [(r, 0), (r, tall * 0.6), (r * 0.4, tall * 0.75), (r * 0.4, tall)]
+                builder.lathe(skin, profile, origin=(x, -0.18, foot), segments=8)
             elif kind == "bread":
                 builder.cushion(skin, (x, -0.18, foot + tall * 0.3), (wide * 1.1, 0.26, tall * 0.6), softness=0.8)
             elif kind == "cloth":
@@ -76,9 +72,8 @@ def barber_station(builder: MeshBuilder, spec: PieceSpec) -> None:
         builder.cylinder(finish("brass"), (x, 0, 1.78), (x, -0.1, 1.82), 0.015, segments=6)
     for index, x in enumerate((-0.45, -0.33, -0.2, 0.3, 0.42)):
         skin = finish(("glass_amber", "paint_green", "paint_blue", "paint_white", "glass_amber")[index])
-        builder.lathe(
-            skin, [(0.035, 0), (0.04, 0.12), (0.014, 0.15), (0.014, 0.2)], origin=(x, -0.14, 0.905), segments=10
-        )
+        profile = [(0.035, 0), (0.04, 0.12), (0.014, 0.15), (0.014, 0.2)]
+        builder.lathe(skin, profile, origin=(x, -0.14, 0.905), segments=10)
 
 
 @piece("barber_chair")

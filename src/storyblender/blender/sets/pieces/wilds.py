@@ -128,9 +128,8 @@ def ice_cracks(builder: MeshBuilder, spec: PieceSpec) -> None:
     for _ in range(16):
         x, y, r = (float(v) for v in (*rng.uniform(-reach, reach, 2), rng.uniform(0.5, 1.6)))
         if math.hypot(x, y) > 2.2:
-            builder.lathe(
-                finish("snow"), [(r, 0.0), (r * 0.7, 0.05), (0.01, 0.09)], origin=(x, y, 0), segments=14, caps=False
-            )
+            profile = [(r, 0.0), (r * 0.7, 0.05), (0.01, 0.09)]
+            builder.lathe(finish("snow"), profile, origin=(x, y, 0), segments=14, caps=False)
 
 
 @piece("crater")
@@ -138,13 +137,9 @@ def crater(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build the rim of a crater on level ground. Parameters: radius, material."""
     radius, skin = spec.number("radius", 3), spec.finish("material", "moon_dust")
     profile = [
-        (radius * 1.5, 0.0),
-        (radius * 1.12, radius * 0.1),
-        (radius, radius * 0.15),
-        (radius * 0.86, radius * 0.07),
-        (radius * 0.6, 0.01),
-        (0.01, 0.012),
-    ]
+        (radius * 1.5, 0.0), (radius * 1.12, radius * 0.1), (radius, radius * 0.15), (radius * 0.86, radius * 0.07),
+        (radius * 0.6, 0.01), (0.01, 0.012),
+    ]  # fmt: skip
     builder.lathe(skin, profile, segments=30, caps=False)
 
 
@@ -157,9 +152,8 @@ def coral(builder: MeshBuilder, spec: PieceSpec) -> None:
             float(v) for v in (spec.rng.uniform(0, 6.28), spec.rng.uniform(0.1, 0.5), spec.rng.uniform(0.35, 0.9))
         )
         x, y = math.cos(a) * lean, math.sin(a) * lean
-        builder.tube(
-            skin, [(x * 0.2, y * 0.2, 0), (x * 0.7, y * 0.7, high * 0.55), (x, y, high)], [0.07, 0.05, 0.03], segments=6
-        )
+        path = [(x * 0.2, y * 0.2, 0), (x * 0.7, y * 0.7, high * 0.55), (x, y, high)]
+        builder.tube(skin, path, [0.07, 0.05, 0.03], segments=6)
 
 
 @piece("seaweed", Surface.NO_INK)
@@ -199,9 +193,8 @@ def lander(builder: MeshBuilder, spec: PieceSpec) -> None:
             metal, (-0.25, -2.2 + 0.125 * z, float(z)), (0.25, -2.2 + 0.125 * z, float(z)), 0.02, segments=6
         )
     builder.box(finish("paint_black"), (0, -1.3, 3.5), (0.9, 0.3, 1.1), rotation=(14, 0, 0))
-    builder.lathe(
-        white, [(0.7, 0), (0.55, 0.12), (0.05, 0.2)], origin=(0.7, 0.2, 4.6), axis=(0.4, -0.2, 1), segments=16
-    )
+    profile = [(0.7, 0), (0.55, 0.12), (0.05, 0.2)]
+    builder.lathe(white, profile, origin=(0.7, 0.2, 4.6), axis=(0.4, -0.2, 1), segments=16)
 
 
 @piece("snow_drift")
@@ -240,9 +233,8 @@ def snow_pine(builder: MeshBuilder, spec: PieceSpec) -> None:
 def bare_tree(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build a dead tree hung with moss. Parameters: variant."""
     bark, moss = finish("bark_dark"), finish("grass_lush")
-    builder.tube(
-        bark, [(0, 0, -0.2), (0.1, 0, 1.6), (-0.1, 0.1, 3.4), (0.1, 0.1, 5.0)], [0.42, 0.3, 0.22, 0.1], segments=8
-    )
+    line = [(0, 0, -0.2), (0.1, 0, 1.6), (-0.1, 0.1, 3.4), (0.1, 0.1, 5.0)]
+    builder.tube(bark, line, [0.42, 0.3, 0.22, 0.1], segments=8)
     for index in range(9):
         a, z = 2.4 * index, 1.9 + 0.34 * index
         long = 2.4 - 0.16 * index
@@ -256,12 +248,7 @@ def bare_tree(builder: MeshBuilder, spec: PieceSpec) -> None:
         for share in (0.45, 0.7, 0.92):
             px, py, pz = x * long * share, y * long * share, z + 0.62
             drop = float(spec.rng.uniform(0.4, 1.2))
-            points = [
-                (px - 0.1, py, pz),
-                (px + 0.1, py, pz),
-                (px + 0.03, py, pz - drop),
-                (px - 0.03, py, pz - drop * 0.8),
-            ]
+            points = [(px + x, py, pz - drop * z) for x, z in ((-0.1, 0), (0.1, 0), (0.03, 1), (-0.03, 0.8))]
             builder.polygon(moss, points)
             builder.polygon(moss, points[::-1])
 
