@@ -201,13 +201,8 @@ def tractor(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.cushion(DARK, (0, 0.45, 1.2), (0.5, 0.46, 0.12), softness=0.3)
         b.cushion(DARK, (0, 0.68, 1.42), (0.48, 0.1, 0.4), softness=0.3)
         turn = np.linspace(0, 2 * np.pi, 20)[:-1]
-        b.tube(
-            DARK,
-            np.array((0, 0.02, 1.58)) + 0.2 * np.c_[np.cos(turn), 0.8 * np.sin(turn), 0.5 * np.sin(turn)],
-            0.015,
-            segments=6,
-            closed=True,
-        )
+        path = np.array((0, 0.02, 1.58)) + 0.2 * np.c_[np.cos(turn), 0.8 * np.sin(turn), 0.5 * np.sin(turn)]
+        b.tube(DARK, path, 0.015, segments=6, closed=True)
         b.cylinder(DARK, (0, 0.02, 1.58), (0, -0.1, 1.2), 0.025)
     return (seat((0, 0.22, 1.26), (0.5, 0.46), name="driver"), beside(1.4, 0.1))
 
@@ -282,13 +277,11 @@ def locomotive(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.rounded_box(DARK, (0, 2.6, 3.62), (2.5, 2.6, 0.16), 0.06)
         b.rounded_box(body, (0, 4.1, 1.9), (2.2, 0.9, 1.2), 0.05)
         with b.at((0, -4.4, 0.2)):
-            b.loft(
-                trim,
-                [
-                    np.array([(-1.1, 0, 0), (1.1, 0, 0), (0, -0.8, 0)]),
-                    np.array([(-0.9, 0, 0.7), (0.9, 0, 0.7), (0, -0.2, 0.7)]),
-                ],
-            )
+            rings = [
+                np.array([(-1.1, 0, 0), (1.1, 0, 0), (0, -0.8, 0)]),
+                np.array([(-0.9, 0, 0.7), (0.9, 0, 0.7), (0, -0.2, 0.7)]),
+            ]
+            b.loft(trim, rings)
         b.lathe(spec.material("lamp"), [(0.2, 0), (0.18, 0.1)], origin=(0, -4.45, 3.0), axis=(0, -1, 0))
     return (beside(1.7, 2.5),)
 
@@ -298,26 +291,22 @@ def battle_tank(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a tank on its tracks, with a turret and a gun."""
     body = spec.material("body")
     with b.at(scale=np.array(spec.size) / spec.entry.size):
-        b.loft(
-            body,
-            [
-                np.array([(-1.1, y, 0.5), (1.1, y, 0.5), (1.3, y, top), (-1.3, y, top)])
-                for y, top in ((-2.9, 0.9), (-2.2, 1.45), (2.6, 1.45), (2.9, 1.2))
-            ],
-        )
+        rows = [
+            np.array([(-1.1, y, 0.5), (1.1, y, 0.5), (1.3, y, top), (-1.3, y, top)])
+            for y, top in ((-2.9, 0.9), (-2.2, 1.45), (2.6, 1.45), (2.9, 1.2))
+        ]
+        b.loft(body, rows)
         for x in (-1, 1):
             outline = [(-2.6, 0.3), (-2.9, 0.75), (-2.5, 1.1), (2.5, 1.1), (2.85, 0.7), (2.3, 0.0), (-2.1, 0.0)]
             with b.at((x * 1.35 - 0.25, 0, 0), (90, 0, 90)):
                 b.extrude(DARK, outline, 0.5)
             for k in range(6):
                 b.lathe("steel", [(0.3, 0), (0.28, 0.06)], origin=(x * 1.6, -1.9 + 0.76 * k, 0.36), axis=(x, 0, 0))
-        b.loft(
-            body,
-            [
-                np.array([(-a, -1.2 * s, z), (a, -1.2 * s, z), (a, 1.2 * s, z), (-a, 1.2 * s, z)])
-                for a, s, z in ((0.95, 1.0, 1.42), (1.05, 1.1, 1.75), (0.75, 0.8, 2.15))
-            ],
-        )
+        rings = [
+            np.array([(-a, -1.2 * s, z), (a, -1.2 * s, z), (a, 1.2 * s, z), (-a, 1.2 * s, z)])
+            for a, s, z in ((0.95, 1.0, 1.42), (1.05, 1.1, 1.75), (0.75, 0.8, 2.15))
+        ]
+        b.loft(body, rings)
         b.cylinder(body, (0, -1.1, 1.82), (0, -4.6, 1.95), 0.11, 0.09)
         b.cylinder(body, (0, -4.4, 1.94), (0, -4.8, 1.96), 0.15)
         b.lathe(body, [(0.34, 0), (0.3, 0.14)], origin=(0.3, 0.3, 2.12))

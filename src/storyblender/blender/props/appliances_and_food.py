@@ -20,13 +20,8 @@ def washing_machine(b: MeshBuilder, spec: PropSpec) -> Anchors:
     profile = [(0.21, 0), (0.21, 0.02), (0.17, 0.03)]
     b.lathe("chrome", profile, origin=(0, -d / 2, h * 0.45), axis=(0, -1, 0), segments=28)
     glass = (-0.2, -d / 2 - 0.17, h * 0.45) if spec.flag("open") else (0, -d / 2 - 0.028, h * 0.45)
-    b.lathe(
-        "glass_dark",
-        [(0.17, 0), (0.14, 0.02)],
-        origin=glass,
-        axis=(-1, -0.2, 0) if spec.flag("open") else (0, -1, 0),
-        segments=28,
-    )
+    profile = [(0.17, 0), (0.14, 0.02)]
+    b.lathe("glass_dark", profile, origin=glass, axis=(-1, -0.2, 0) if spec.flag("open") else (0, -1, 0), segments=28)
     b.box(DARK, (0.12, -d / 2 - 0.004, h * 0.9), (0.26, 0.01, 0.07))
     b.lathe("chrome", [(0.03, 0), (0.026, 0.03)], origin=(-0.16, -d / 2, h * 0.9), axis=(0, -1, 0))
     return ()
@@ -109,12 +104,8 @@ def hourglass(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for z in (0.0, 0.2):
         b.lathe(wood, [(0.055, 0), (0.055, 0.018)], origin=(0, 0, z), segments=24)
     for turn in (0.5, 2.6, 4.7):
-        b.cylinder(
-            wood,
-            (0.045 * np.cos(turn), 0.045 * np.sin(turn), 0.01),
-            (0.045 * np.cos(turn), 0.045 * np.sin(turn), 0.205),
-            0.006,
-        )
+        start = (0.045 * np.cos(turn), 0.045 * np.sin(turn), 0.01)
+        b.cylinder(wood, start, (0.045 * np.cos(turn), 0.045 * np.sin(turn), 0.205), 0.006)
     b.lathe("glass", bent([(0.036, 0.02), (0.034, 0.07), (0.005, 0.109), (0.034, 0.15), (0.036, 0.2)], 4), segments=22)
     b.lathe("sand", [(0.037, 0.02), (0.036, 0.05), (0.002, 0.07)], segments=22)
     return around(0.045, 0.11, (0.5, 0.5, 0.4))
@@ -178,20 +169,10 @@ def ice_cream_cone(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def doughnut(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a doughnut with icing."""
     turn = np.linspace(0, 2 * np.pi, 25)[:-1]
-    b.tube(
-        "wood_light",
-        np.c_[0.033 * np.cos(turn), 0.033 * np.sin(turn), np.full(24, 0.018)],
-        0.018,
-        segments=10,
-        closed=True,
-    )
-    b.tube(
-        spec.material("icing"),
-        np.c_[0.033 * np.cos(turn), 0.033 * np.sin(turn), np.full(24, 0.024)],
-        0.0165,
-        segments=10,
-        closed=True,
-    )
+    line = np.c_[0.033 * np.cos(turn), 0.033 * np.sin(turn), np.full(24, 0.018)]
+    b.tube("wood_light", line, 0.018, segments=10, closed=True)
+    path = np.c_[0.033 * np.cos(turn), 0.033 * np.sin(turn), np.full(24, 0.024)]
+    b.tube(spec.material("icing"), path, 0.0165, segments=10, closed=True)
     return around(0.045, 0.02, (0.5, 0.5, 0.4))
 
 
@@ -246,12 +227,8 @@ def house(b: MeshBuilder, spec: PropSpec) -> Anchors:
     slope = np.degrees(np.arctan2(h - eaves, w / 2))
     long = np.hypot(h - eaves, w / 2) + 2 * over
     for x in (-1, 1):
-        b.box(
-            spec.material("roof"),
-            (x * (w / 4 + over * 0.4), 0, (h + eaves) / 2),
-            (long, d + 0.6, 0.12),
-            rotation=(0, x * slope, 0),
-        )
+        center = (x * (w / 4 + over * 0.4), 0, (h + eaves) / 2)
+        b.box(spec.material("roof"), center, (long, d + 0.6, 0.12), rotation=(0, x * slope, 0))
     b.box("wood_dark", (0, -d / 2 - 0.01, 1.05), (1.0, 0.08, 2.1), bevel=0.02)
     b.sphere("brass", (0.38, -d / 2 - 0.07, 1.05), 0.04, segments=8, rings=5)
     for x in (-0.32, 0.32):

@@ -26,13 +26,8 @@ def _bedding(
     b.rounded_box(linen, (0, length * 0.2, top + 0.012), (width + 0.045, length * 0.13, 0.03), 0.014)
     for i in range(pillows):
         x = (i - (pillows - 1) / 2) * width / pillows
-        b.cushion(
-            linen,
-            (x, length / 2 - 0.24, top + 0.06),
-            (width / pillows * 0.86, 0.4, 0.16),
-            softness=0.5,
-            rotation=(10, 0, 0),
-        )
+        center = (x, length / 2 - 0.24, top + 0.06)
+        b.cushion(linen, center, (width / pillows * 0.86, 0.4, 0.16), softness=0.5, rotation=(10, 0, 0))
 
 
 @prop("bed")
@@ -91,23 +86,15 @@ def bunk_bed(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, d, h), metal = spec.size, spec.material("frame")
     for x in (-1, 1):
         for y in (-1, 1):
-            b.cylinder(
-                metal,
-                (x * (w / 2 - 0.025), y * (d / 2 - 0.025), 0),
-                (x * (w / 2 - 0.025), y * (d / 2 - 0.025), h),
-                0.025,
-            )
+            foot, tip = (x * (w / 2 - 0.025), y * (d / 2 - 0.025), 0), (x * (w / 2 - 0.025), y * (d / 2 - 0.025), h)
+            b.cylinder(metal, foot, tip, 0.025)
     for low in (0.34, h - 0.42):
         for x in (-1, 1):
             b.box(metal, (x * (w / 2 - 0.025), 0, low), (0.03, d - 0.05, 0.06))
         for y in (-1, 1):
             for z in (0, 0.3):
-                b.cylinder(
-                    metal,
-                    (-w / 2 + 0.03, y * (d / 2 - 0.025), low + z),
-                    (w / 2 - 0.03, y * (d / 2 - 0.025), low + z),
-                    0.015,
-                )
+                start, end = (-w / 2 + 0.03, y * (d / 2 - 0.025), low + z), (w / 2 - 0.03, y * (d / 2 - 0.025), low + z)
+                b.cylinder(metal, start, end, 0.015)
         with b.at((0, 0, low - 0.34)):
             _bedding(b, spec.material("linen"), spec.material("blanket"), w - 0.08, d - 0.1, 0.5, 1)
     for x in (-0.14, 0.14):
@@ -180,10 +167,8 @@ def toilet(b: MeshBuilder, spec: PropSpec) -> Anchors:
         x, y = reach * w * 0.46 * np.cos(around), -d * 0.13 + back + reach * d * 0.33 * np.sin(around)
         return np.c_[x, y, np.full(len(around), z)]
 
-    b.loft(
-        body,
-        [bowl(0.5, 0, 0.05), bowl(0.45, 0.1, 0.05), bowl(0.7, 0.26, 0.02), bowl(1, rim - 0.03, 0), bowl(1, rim, 0)],
-    )
+    rings = [bowl(0.5, 0, 0.05), bowl(0.45, 0.1, 0.05), bowl(0.7, 0.26, 0.02), bowl(1, rim - 0.03, 0), bowl(1, rim, 0)]
+    b.loft(body, rings)
     b.loft(lid, [bowl(1.02, rim, 0), bowl(1.04, rim + 0.012, 0), bowl(1.0, rim + 0.024, 0)])
     b.rounded_box(body, (0, d / 2 - 0.11, rim - 0.06), (w * 0.6, 0.22, 0.3), 0.03)
     b.rounded_box(body, (0, d / 2 - 0.1, h - 0.2), (w, 0.19, 0.36), 0.03)

@@ -96,12 +96,8 @@ def _face(b: MeshBuilder, plan: Bird, at: np.ndarray, beak: MaterialRef) -> None
             )
             b.tube(beak, path, tuple(np.linspace(thick, thick * 0.15, len(path))), segments=10)
         case "flat":
-            b.cushion(
-                beak,
-                np.add(root, (0, -long * 0.45, -thick * 0.2)),
-                (thick * 2.1, long * 1.1, thick * 0.9),
-                softness=0.8,
-            )
+            center = np.add(root, (0, -long * 0.45, -thick * 0.2))
+            b.cushion(beak, center, (thick * 2.1, long * 1.1, thick * 0.9), softness=0.8)
     for x in (-1, 1):
         b.sphere(DARK, np.add(at, (x * r * 0.78, -r * 0.45, r * 0.2)), r * 0.17, segments=8, rings=5)
 
@@ -146,14 +142,8 @@ def _comb(b: MeshBuilder, spec: PropSpec, plan: Bird) -> None:
     """Add a red comb and wattle."""
     y, z, r = -plan.neck[0], plan.middle + plan.neck[1], plan.head
     for k, size in enumerate((0.42, 0.55, 0.48, 0.36)):
-        b.sphere(
-            "fabric_red",
-            (0, y - r * 0.5 + k * r * 0.42, z + r * 1.0),
-            r * size,
-            scale=(0.3, 0.7, 1),
-            segments=10,
-            rings=6,
-        )
+        center = (0, y - r * 0.5 + k * r * 0.42, z + r * 1.0)
+        b.sphere("fabric_red", center, r * size, scale=(0.3, 0.7, 1), segments=10, rings=6)
     b.cushion("fabric_red", (0, y - r * 1.0, z - r * 0.85), (r * 0.35, r * 0.5, r * 0.9), softness=0.9)
 
 
@@ -177,35 +167,20 @@ def _owl(b: MeshBuilder, spec: PropSpec, plan: Bird) -> None:
     """Add an owl's facial discs, large eyes and ear tufts."""
     y, z, r = -plan.neck[0], plan.middle + plan.neck[1], plan.head
     for x in (-1, 1):
-        b.lathe(
-            "linen",
-            [(r * 0.48, 0), (r * 0.4, r * 0.1)],
-            origin=(x * r * 0.42, y - r * 0.82, z + r * 0.1),
-            axis=(x * 0.2, -1, 0),
-        )
+        profile = [(r * 0.48, 0), (r * 0.4, r * 0.1)]
+        b.lathe("linen", profile, origin=(x * r * 0.42, y - r * 0.82, z + r * 0.1), axis=(x * 0.2, -1, 0))
         b.sphere("brass", (x * r * 0.42, y - r * 0.9, z + r * 0.1), r * 0.27, segments=12, rings=8)
         b.sphere(DARK, (x * r * 0.44, y - r * 1.08, z + r * 0.1), r * 0.15, segments=10, rings=6)
-        b.cushion(
-            spec.material("wing"),
-            (x * r * 0.55, y - r * 0.1, z + r * 0.95),
-            (r * 0.3, r * 0.25, r * 0.6),
-            softness=0.9,
-            rotation=(0, x * 22, 0),
-        )
+        center = (x * r * 0.55, y - r * 0.1, z + r * 0.95)
+        b.cushion(spec.material("wing"), center, (r * 0.3, r * 0.25, r * 0.6), softness=0.9, rotation=(0, x * 22, 0))
 
 
 def _belly(b: MeshBuilder, spec: PropSpec, plan: Bird) -> None:
     """Add a white breast and belly."""
     (long, thick), z = plan.body, plan.middle
     with b.at((0, 0, z), (-plan.upright, 0, 0)):
-        b.sphere(
-            "linen",
-            (0, -long * 0.1, -thick * 0.22),
-            thick * 0.9,
-            scale=(0.86, long / thick * 0.86, 0.95),
-            segments=16,
-            rings=10,
-        )
+        center = (0, -long * 0.1, -thick * 0.22)
+        b.sphere("linen", center, thick * 0.9, scale=(0.86, long / thick * 0.86, 0.95), segments=16, rings=10)
 
 
 def _train(b: MeshBuilder, spec: PropSpec, plan: Bird) -> None:

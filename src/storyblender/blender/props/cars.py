@@ -102,17 +102,13 @@ def truck(b: MeshBuilder, spec: PropSpec) -> Anchors:
             (f + 1.15, cab * 0.98, 0.5, 1.42), (f + 2.3, cab, 0.5, 1.42),
         ],
     )  # fmt: skip
-    _greenhouse(
-        b,
-        paint,
-        glass,
-        [
-            (f + 1.15, cab * 0.92, 1.4, 0),
-            (f + 1.35, cab * 0.82, 0, h - 0.1),
-            (f + 2.2, cab * 0.84, 0, h - 0.1),
-            (f + 2.3, cab * 0.94, 1.4, 0),
-        ],
-    )
+    sections = [
+        (f + 1.15, cab * 0.92, 1.4, 0),
+        (f + 1.35, cab * 0.82, 0, h - 0.1),
+        (f + 2.2, cab * 0.84, 0, h - 0.1),
+        (f + 2.3, cab * 0.94, 1.4, 0),
+    ]
+    _greenhouse(b, paint, glass, sections)
     b.box("iron", (0, (f + r) / 2 + 0.6, 0.66), (w * 0.4, d - 1.6, 0.16))
     bed = d - 2.5
     middle = r - bed / 2

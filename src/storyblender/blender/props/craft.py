@@ -63,17 +63,13 @@ def airliner(b: MeshBuilder, spec: PropSpec) -> Anchors:
                 b.rounded_box(glass, (s * 1.2, -4.0 + 1.15 * k, 0.35), (0.1, 0.46, 0.42), 0.04)
             b.box(glass, (s * 0.84, -6.0, 0.62), (0.12, 0.56, 0.32), bevel=0.03, rotation=(0, 0, s * 16))
             b.box(glass, (s * 0.36, -6.62, 0.68), (0.62, 0.06, 0.32), bevel=0.02, rotation=(-32, 0, s * 14))
-        _wing(
-            b,
-            body,
-            [
-                ((0, 7.0, 0.85), 3.4, 0.16),
-                ((0, 8.6, 2.6), 2.2, 0.12),
-                ((0, 9.5, 3.5), 1.3, 0.07),
-                ((0, 9.9, 3.75), 0.7, 0.04),
-            ],
-            upright=True,
-        )
+        stations = [
+            ((0, 7.0, 0.85), 3.4, 0.16),
+            ((0, 8.6, 2.6), 2.2, 0.12),
+            ((0, 9.5, 3.5), 1.3, 0.07),
+            ((0, 9.9, 3.75), 0.7, 0.04),
+        ]
+        _wing(b, body, stations, upright=True)
         b.rounded_box(dark, (1.12, 4.3, 0.1), (0.16, 0.8, 1.5), 0.06)
         b.rounded_box(glass, (1.17, 4.3, 0.45), (0.12, 0.34, 0.4), 0.04)
     ground = -0.0
@@ -92,34 +88,25 @@ def _engine(b: MeshBuilder, body: MaterialRef, dark: MaterialRef, chrome: Materi
     """Add a radial engine with its three-bladed propeller on the side ``s``."""
     angle = np.linspace(0, math.tau, 24, endpoint=False)
     x, y, z = s * 2.9, -3.0, -0.55
-    b.loft(
-        body,
-        [
-            np.c_[x + r * np.sin(angle), np.full(24, y + at), z + r * np.cos(angle)]
-            for at, r in ((2.8, 0.25), (1.2, 0.6), (-0.2, 0.72), (-1.3, 0.74), (-1.75, 0.66))
-        ],
-    )
+    rows = [
+        np.c_[x + r * np.sin(angle), np.full(24, y + at), z + r * np.cos(angle)]
+        for at, r in ((2.8, 0.25), (1.2, 0.6), (-0.2, 0.72), (-1.3, 0.74), (-1.75, 0.66))
+    ]
+    b.loft(body, rows)
     profile = [(0.64, 0), (0.6, -0.05), (0.3, 0.0), (0.2, 0.14)]
     b.lathe(dark, profile, origin=(x, y - 1.72, z), axis=(0, -1, 0), segments=24)
     for k in range(9):
         turn = math.tau * k / 9
-        b.cylinder(
-            chrome,
-            (x + 0.2 * math.sin(turn), y - 1.76, z + 0.2 * math.cos(turn)),
-            (x + 0.55 * math.sin(turn), y - 1.76, z + 0.55 * math.cos(turn)),
-            0.07,
-            segments=8,
-        )
+        start = (x + 0.2 * math.sin(turn), y - 1.76, z + 0.2 * math.cos(turn))
+        b.cylinder(chrome, start, (x + 0.55 * math.sin(turn), y - 1.76, z + 0.55 * math.cos(turn)), 0.07, segments=8)
     b.lathe(chrome, [(0.2, 0), (0.16, 0.25), (0.03, 0.42)], origin=(x, y - 1.8, z), axis=(0, -1, 0), segments=16)
     for k in range(3):
         with b.at((x, y - 1.95, z), (0, 120 * k + 25 + 15 * s, 0)), b.at(rotation=(0, 0, 18)):
-            b.loft(
-                dark,
-                [
-                    np.array([(-wd, -th, at), (wd, -th, at), (wd, th, at), (-wd, th, at)])
-                    for at, wd, th in ((0.1, 0.07, 0.05), (0.5, 0.13, 0.03), (1.2, 0.12, 0.02), (1.65, 0.05, 0.012))
-                ],
-            )
+            rings = [
+                np.array([(-wd, -th, at), (wd, -th, at), (wd, th, at), (-wd, th, at)])
+                for at, wd, th in ((0.1, 0.07, 0.05), (0.5, 0.13, 0.03), (1.2, 0.12, 0.02), (1.65, 0.05, 0.012))
+            ]
+            b.loft(dark, rings)
 
 
 @prop("rowing_boat")
@@ -142,15 +129,11 @@ def rowing_boat(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.loft(inside, [section(k, 0.022) for k in range(15)], closed=False)
     for x in (-1, 1):
         b.tube(inside, [(x * beam[k], -d / 2 + d * shape[k], sheer[k]) for k in range(15)], 0.024, segments=8)
-        b.tube(
-            hull,
-            [
-                (x * (beam[k] * 0.99 + 0.004), -d / 2 + d * shape[k], keel[k] + (sheer[k] - keel[k]) * 0.66)
-                for k in range(15)
-            ],
-            0.012,
-            segments=6,
-        )
+        path = [
+            (x * (beam[k] * 0.99 + 0.004), -d / 2 + d * shape[k], keel[k] + (sheer[k] - keel[k]) * 0.66)
+            for k in range(15)
+        ]
+        b.tube(hull, path, 0.012, segments=6)
     b.polygon(hull, section(14, 0.0))
     b.polygon(inside, section(14, 0.02)[::-1])
     for y, z in ((-0.2, 0.42), (0.04, 0.4), (0.36, 0.42)):
@@ -238,13 +221,8 @@ def motorcycle(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.cylinder("iron", (x * 0.1, rear, r), (x * 0.12, 0.44, 0.74), 0.022, segments=10)
     profile = [(0.05, -0.1), (0.1, -0.04), (0.105, 0.02), (0.09, 0.03)]
     b.lathe(metal, profile, origin=(0, front + 0.16, 0.92), axis=(0, -1, 0), segments=20)
-    b.lathe(
-        spec.material("lamp"),
-        [(0.09, 0.028), (0.003, 0.05)],
-        origin=(0, front + 0.16, 0.92),
-        axis=(0, -1, 0),
-        segments=18,
-    )
+    profile = [(0.09, 0.028), (0.003, 0.05)]
+    b.lathe(spec.material("lamp"), profile, origin=(0, front + 0.16, 0.92), axis=(0, -1, 0), segments=18)
     b.cylinder("iron", (0.1, 0.1, 0.3), (0.24, 0.2, 0.0), 0.014, segments=8)
     return (seat((0, 0.08, 0.85), (0.28, 0.4)), *_handlebars(b, metal, front + 0.36, h - 0.02, w))
 
@@ -266,12 +244,8 @@ def cart(b: MeshBuilder, spec: PropSpec) -> Anchors:
         for k in range(3):
             b.box(body, (x * (wide / 2 - 0.02), middle, floor + 0.14 + 0.2 * k), (0.035, bed, 0.15), bevel=0.006)
         for y in (-0.42, 0, 0.42):
-            b.box(
-                body,
-                (x * (wide / 2 + 0.01), middle + y * bed, floor + 0.3),
-                (0.05, 0.07, h - floor - 0.08),
-                bevel=0.008,
-            )
+            center = (x * (wide / 2 + 0.01), middle + y * bed, floor + 0.3)
+            b.box(body, center, (0.05, 0.07, h - floor - 0.08), bevel=0.008)
         path = [
             (x * wide * 0.42, rear - 0.2, floor - 0.08),
             (x * wide * 0.42, middle - bed / 2, floor - 0.05),

@@ -93,13 +93,11 @@ def dragon(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 def _spike(b: MeshBuilder, material: MaterialRef, foot: np.ndarray, height: float) -> None:
     with b.at(foot - (0, 0, 0.1), (-14, 0, 0)):
-        b.loft(
-            material,
-            [
-                [(-0.04, -0.1, 0), (0.04, -0.1, 0), (0.04, 0.1, 0), (-0.04, 0.1, 0)],
-                [(x, y, height + 0.1) for x, y in ((-0.005, 0.06), (0.005, 0.06), (0.005, 0.08), (-0.005, 0.08))],
-            ],
-        )
+        rings = [
+            [(-0.04, -0.1, 0), (0.04, -0.1, 0), (0.04, 0.1, 0), (-0.04, 0.1, 0)],
+            [(x, y, height + 0.1) for x, y in ((-0.005, 0.06), (0.005, 0.06), (0.005, 0.08), (-0.005, 0.08))],
+        ]
+        b.loft(material, rings)
 
 
 def _wing(b: MeshBuilder, bone: MaterialRef, skin: MaterialRef) -> None:

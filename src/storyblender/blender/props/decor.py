@@ -58,13 +58,10 @@ def hat_stand(b: MeshBuilder, spec: PropSpec) -> Anchors:
             (1.56, 0.05, 0.04, 0.0),
         ):
             ripple = 1 + fold * np.sin(6 * angle)
-            rings.append(
-                np.c_[
-                    0.15 + wide * ripple * np.cos(angle),
-                    -0.15 + deep * ripple * np.sin(angle),
-                    np.full(28, z * h / 1.82),
-                ]
-            )
+            ring = np.c_[
+                0.15 + wide * ripple * np.cos(angle), -0.15 + deep * ripple * np.sin(angle), np.full(28, z * h / 1.82)
+            ]
+            rings.append(ring)
         b.loft(coat, rings)
         for x in (-1, 1):
             path = [
@@ -261,13 +258,8 @@ def roulette_table(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b.box(kind, ((column - 1) * 0.2, -d * 0.4 + 0.1 * row, top + 0.008), (0.17, 0.085, 0.003))
     for k in range(12):
         x, y = spec.rng.uniform(-0.36, 0.36) * w, spec.rng.uniform(-0.42, 0.02) * d
-        b.cylinder(
-            ("gold", "fabric_blue", "porcelain")[k % 3],
-            (x, y, top + 0.008),
-            (x, y, top + 0.012 + 0.008 * (k % 5)),
-            0.02,
-            segments=12,
-        )
+        start, end = (x, y, top + 0.008), (x, y, top + 0.012 + 0.008 * (k % 5))
+        b.cylinder(("gold", "fabric_blue", "porcelain")[k % 3], start, end, 0.02, segments=12)
     return (
         lean((0, -d / 2, h), w),
         lean((-w / 2, -d * 0.1, h), d * 0.6, (1, 0, 0), "left"),

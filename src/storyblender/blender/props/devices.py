@@ -99,14 +99,8 @@ def binoculars(b: MeshBuilder, spec: PropSpec) -> Anchors:
             [(0.55, 0), (0.6, 0.15), (0.6, 0.3), (0.95, 0.45), (0.95, 0.92), (1, 1), (0.8, 1), (0.75, 0.95)], (r, d)
         )
         b.lathe(body, outline, origin=(x * (w / 2 - r), d / 2, r), axis=(0, -1, 0), segments=20)
-        b.lathe(
-            "glass_dark",
-            [(r * 0.78, 0), (0.001, 0.004)],
-            origin=(x * (w / 2 - r), -d / 2 + 0.008, r),
-            axis=(0, -1, 0),
-            segments=16,
-            caps=False,
-        )
+        origin = (x * (w / 2 - r), -d / 2 + 0.008, r)
+        b.lathe("glass_dark", [(r * 0.78, 0), (0.001, 0.004)], origin=origin, axis=(0, -1, 0), segments=16, caps=False)
     b.cylinder(brass, (0, d * 0.3, r), (0, -d * 0.1, r), 0.012, segments=12)
     b.box(body, (0, 0.0, r), (w - 2 * r, d * 0.3, 0.014), bevel=0.003)
     return two_hands((-w / 2, 0.0, r), (0.3, -0.4, 0.85), (0.95, 0, -0.3), (0.5, 0.55, 0.3))

@@ -36,13 +36,8 @@ def market_stall(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b.box(wood, (0, 0, 0.03), (w * 0.2, d * 0.46, 0.06), bevel=0.004)
             for row in range(3):
                 for column in range(3):
-                    b.sphere(
-                        goods[(i + 2 * (row % 2)) % len(goods)],
-                        ((column - 1) * 0.11, (row - 1) * 0.16, 0.09),
-                        0.06,
-                        segments=10,
-                        rings=6,
-                    )
+                    center = ((column - 1) * 0.11, (row - 1) * 0.16, 0.09)
+                    b.sphere(goods[(i + 2 * (row % 2)) % len(goods)], center, 0.06, segments=10, rings=6)
     return (lean((0, -d * 0.43, counter), w), lean((0, d * 0.2, counter), w, (0, -1, 0), "keeper"))
 
 

@@ -10,60 +10,21 @@ from storyblender.blender.props.parts import bent
 from storyblender.blender.props.registry import Anchors, PropSpec, prop
 
 PIG = Plan(
-    0.85,
-    0.26,
-    0.2,
-    0.045,
-    (0.2, 0.02),
-    0.15,
-    (0.12, 0.07),
-    (0.15, 0.12, 40),
-    ((0.06, 0.04), (0.08, 0.1), (0.03, 0.08)),
-    0.016,
-    hooves=True,
-    broad=0.9,
-    waist=1.02,
-)
+    trunk=0.85, chest=0.26, leg=0.2, foot=0.045, neck=(0.2, 0.02), head=0.15, snout=(0.12, 0.07), ear=(0.15, 0.12, 40),
+    tail=((0.06, 0.04), (0.08, 0.1), (0.03, 0.08)), bushy=0.016, hooves=True, broad=0.9, waist=1.02,
+)  # fmt: skip
 GOAT = Plan(
-    0.68,
-    0.2,
-    0.36,
-    0.028,
-    (0.18, 0.28),
-    0.1,
-    (0.13, 0.045),
-    (0.13, 0.05, 75),
-    ((0.06, 0.06), (0.08, 0.13)),
-    0.022,
-    hooves=True,
-    waist=0.98,
-)
+    trunk=0.68, chest=0.2, leg=0.36, foot=0.028, neck=(0.18, 0.28), head=0.1, snout=(0.13, 0.045), ear=(0.13, 0.05, 75),
+    tail=((0.06, 0.06), (0.08, 0.13)), bushy=0.022, hooves=True, waist=0.98,
+)  # fmt: skip
 SHEEP = Plan(
-    0.72,
-    0.2,
-    0.34,
-    0.028,
-    (0.17, 0.18),
-    0.1,
-    (0.12, 0.048),
-    (0.13, 0.06, 85),
-    ((0.05, -0.08), (0.05, -0.16)),
-    0.035,
-    hooves=True,
-)
+    trunk=0.72, chest=0.2, leg=0.34, foot=0.028, neck=(0.17, 0.18), head=0.1, snout=(0.12, 0.048), ear=(0.13, 0.06, 85),
+    tail=((0.05, -0.08), (0.05, -0.16)), bushy=0.035, hooves=True,
+)  # fmt: skip
 DEER = Plan(
-    0.95,
-    0.21,
-    0.66,
-    0.03,
-    (0.24, 0.5),
-    0.105,
-    (0.15, 0.042),
-    (0.18, 0.075, 50),
-    ((0.06, 0.0), (0.08, -0.1)),
-    0.03,
-    hooves=True,
-)
+    trunk=0.95, chest=0.21, leg=0.66, foot=0.03, neck=(0.24, 0.5), head=0.105, snout=(0.15, 0.042),
+    ear=(0.18, 0.075, 50), tail=((0.06, 0.0), (0.08, -0.1)), bushy=0.03, hooves=True,
+)  # fmt: skip
 
 
 @prop("pig")

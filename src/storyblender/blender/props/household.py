@@ -18,12 +18,8 @@ def _fold(b: MeshBuilder, cloth: MaterialRef, size: tuple[float, float, float], 
     """Add folded cloth: soft layers whose fold is at the front."""
     w, d, h = size
     for k in range(layers):
-        b.cushion(
-            cloth,
-            (0, 0.004 * (k % 2), h * (k + 0.5) / layers),
-            (w - 0.006 * (k % 3), d, h / layers * 1.18),
-            softness=0.28,
-        )
+        center = (0, 0.004 * (k % 2), h * (k + 0.5) / layers)
+        b.cushion(cloth, center, (w - 0.006 * (k % 3), d, h / layers * 1.18), softness=0.28)
 
 
 @prop("pillow")
@@ -75,23 +71,13 @@ def folded_clothes(b: MeshBuilder, spec: PropSpec) -> Anchors:
     _fold(b, cloth, (w, d, h * 0.86), 3)
     top = h * 0.86
     for x in (-1, 1):
-        b.cushion(
-            cloth,
-            (x * w * 0.13, d * 0.36, top),
-            (w * 0.28, d * 0.17, h * 0.28),
-            softness=0.5,
-            rotation=(0, x * 8, x * -28),
-        )
+        center = (x * w * 0.13, d * 0.36, top)
+        b.cushion(cloth, center, (w * 0.28, d * 0.17, h * 0.28), softness=0.5, rotation=(0, x * 8, x * -28))
     b.cushion(cloth, (0, d * 0.44, top), (w * 0.3, d * 0.09, h * 0.3), softness=0.6)
     b.box(cloth, (0.004, -d * 0.1, top + 0.001), (0.03, d * 0.74, 0.006), bevel=0.002)
     for k in range(4):
-        b.cylinder(
-            spec.material("button"),
-            (0.004, -d * 0.4 + k * d * 0.17, top),
-            (0.004, -d * 0.4 + k * d * 0.17, top + 0.008),
-            0.009,
-            segments=12,
-        )
+        start, end = (0.004, -d * 0.4 + k * d * 0.17, top), (0.004, -d * 0.4 + k * d * 0.17, top + 0.008)
+        b.cylinder(spec.material("button"), start, end, 0.009, segments=12)
     return two_hands((-w / 2, 0.0, h * 0.35), (0.1, -0.8, -0.5), (1, 0.1, 0.1), (0.3, 0.35, 0.25)) + under(d * 0.35)
 
 
@@ -133,12 +119,9 @@ def gloves(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b.cushion(skin, (0, d * 0.05, 0), (w * 0.58, d * 0.42, h * 0.5), softness=0.5)
             b.cushion(skin, (0, d * 0.33, 0), (w * 0.52, d * 0.3, h * 0.46), softness=0.35)
             for finger, (x, long) in enumerate(((-0.2, 0.26), (-0.07, 0.31), (0.06, 0.29), (0.18, 0.22))):
+                center = (x * w, -d * (0.1 + long / 2), 0)
                 b.cushion(
-                    skin,
-                    (x * w, -d * (0.1 + long / 2), 0),
-                    (w * 0.13, d * long, h * 0.42),
-                    softness=0.7,
-                    rotation=(0, 0, 5 * (finger - 1.5)),
+                    skin, center, (w * 0.13, d * long, h * 0.42), softness=0.7, rotation=(0, 0, 5 * (finger - 1.5))
                 )
             b.cushion(skin, (w * 0.34, -d * 0.04, 0), (w * 0.13, d * 0.26, h * 0.4), softness=0.7, rotation=(0, 0, 38))
     return two_hands((-0.012, d * 0.3, h * 0.5), (0.2, -1, 0), (1, 0.2, 0), (0.6, 0.65, 0.4))
@@ -156,13 +139,8 @@ def laundry_basket(b: MeshBuilder, spec: PropSpec) -> Anchors:
         ]
         b.loft(wicker, rings if inner == 1.0 else rings[::-1], caps=inner == 1.0)
     for k, z in ((0.985, body), (0.93, body * 0.55), (0.82, 0.012)):
-        b.tube(
-            wicker,
-            np.c_[w / 2 * k * np.cos(angle), d / 2 * k * np.sin(angle), np.full(40, z)],
-            0.014,
-            segments=6,
-            closed=True,
-        )
+        line = np.c_[w / 2 * k * np.cos(angle), d / 2 * k * np.sin(angle), np.full(40, z)]
+        b.tube(wicker, line, 0.014, segments=6, closed=True)
     for k in range(9):
         turn, reach = 2.4 * k, 0.62 * math.sqrt((k + 0.3) / 9)
         at = (w / 2 * reach * math.cos(turn), d / 2 * reach * math.sin(turn), body * 0.9 + 0.05 * (1 - reach))

@@ -41,13 +41,8 @@ def guitar(b: MeshBuilder, spec: PropSpec) -> Anchors:
     with b.at((0, d / 2, 0), (90, 0, 0)):
         b.extrude("wood_red", _bout(w, bout, 0.22), d * 0.8)
         b.extrude(body, _bout(w * 0.98, bout, 0.22), d * 0.02, base=d * 0.8)
-    b.lathe(
-        "plastic_black",
-        [(w * 0.13, 0), (w * 0.13, 0.002)],
-        origin=(0, -d * 0.32, bout * 0.62),
-        axis=(0, -1, 0),
-        segments=24,
-    )
+    profile = [(w * 0.13, 0), (w * 0.13, 0.002)]
+    b.lathe("plastic_black", profile, origin=(0, -d * 0.32, bout * 0.62), axis=(0, -1, 0), segments=24)
     b.box(neck, (0, -d * 0.3, (bout * 0.68 + h * 0.9) / 2), (0.05, 0.03, h * 0.9 - bout * 0.68), bevel=0.004)
     b.box(neck, (0, -d * 0.28, h * 0.95), (0.07, 0.02, h * 0.1), bevel=0.004)
     b.box(neck, (0, -d * 0.34, bout * 0.3), (w * 0.4, 0.012, 0.02), bevel=0.003)

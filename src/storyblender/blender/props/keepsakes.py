@@ -23,20 +23,11 @@ def jewel_box(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for x in (-1, 1):
         for y in (-1, 1):
             b.sphere(gold, (x * (w / 2 - 0.016), y * (d / 2 - 0.016), 0.009), 0.011, segments=10, rings=6)
-            b.box(
-                gold,
-                (x * (w / 2 - 0.008), y * (d / 2 - 0.008), base / 2 + 0.008),
-                (0.016, 0.016, base - 0.01),
-                bevel=0.003,
-            )
+            middle = (x * (w / 2 - 0.008), y * (d / 2 - 0.008), base / 2 + 0.008)
+            b.box(gold, middle, (0.016, 0.016, base - 0.01), bevel=0.003)
     with b.at((0, d / 2 - 0.006, base + 0.006), (-100 if opened else 0, 0, 0)):
-        b.box(
-            body,
-            (0, -d / 2 + 0.006, (h - base) * 0.4),
-            (w - 0.004, d - 0.004, (h - base) * 0.8),
-            bevel=0.006,
-            taper=0.93,
-        )
+        center = (0, -d / 2 + 0.006, (h - base) * 0.4)
+        b.box(body, center, (w - 0.004, d - 0.004, (h - base) * 0.8), bevel=0.006, taper=0.93)
         b.box(gold, (0, -d / 2 + 0.006, 0.004), (w, d, 0.006), bevel=0.002)
         b.cushion(gold, (0, -d / 2 + 0.006, (h - base) * 0.84), (w * 0.4, d * 0.4, 0.008), softness=0.8)
     b.box(gold, (0, -d / 2 - 0.003, base), (0.03, 0.008, 0.032), bevel=0.003)
@@ -97,12 +88,8 @@ def rope(b: MeshBuilder, spec: PropSpec) -> Anchors:
         reach * np.sin(math.tau * t),
         0.016 + (h - 0.034) * t / turns + 0.006 * np.sin(9 * t),
     ]
-    b.tube(
-        spec.material("body"),
-        np.r_[path, [(w * 0.2, -w * 0.1, h - 0.01), (w * 0.1, -w * 0.25, h - 0.04)]],
-        0.015,
-        segments=7,
-    )
+    line = np.r_[path, [(w * 0.2, -w * 0.1, h - 0.01), (w * 0.1, -w * 0.25, h - 0.04)]]
+    b.tube(spec.material("body"), line, 0.015, segments=7)
     return two_hands((-r, 0.0, h * 0.5), (0.3, -0.3, -0.9), (1, 0, 0), FIST)
 
 

@@ -27,13 +27,8 @@ def stove(b: MeshBuilder, spec: PropSpec) -> Anchors:
     path = [(w * x, -d / 2 - y, 0.7 * top) for x, y in ((-0.36, 0), (-0.36, 0.04), (0.36, 0.04), (0.36, 0))]
     b.tube(metal, path, 0.01)
     for k in range(5):
-        b.lathe(
-            iron,
-            [(0.022, 0), (0.02, 0.025)],
-            origin=((k - 2) * w * 0.18, -d / 2 + 0.03, top * 0.87),
-            axis=(0, -1, 0),
-            segments=16,
-        )
+        profile = [(0.022, 0), (0.02, 0.025)]
+        b.lathe(iron, profile, origin=((k - 2) * w * 0.18, -d / 2 + 0.03, top * 0.87), axis=(0, -1, 0), segments=16)
     for x in (-1, 1):
         for y in (-1, 1):
             for reach in (0.08, 0.045):

@@ -111,13 +111,8 @@ def robot(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.rounded_box(body, (0, 0, h * 0.435), (w * 0.42, d * 0.62, h * 0.08), 0.03)
     b.rounded_box(joint, (0, -d * 0.4, h * 0.63), (w * 0.36, 0.03, h * 0.11), 0.012)
     for k in range(3):
-        b.cylinder(
-            eye if k == 1 else "neon_red",
-            ((k - 1) * w * 0.11, -d * 0.41, h * 0.645),
-            ((k - 1) * w * 0.11, -d * 0.435, h * 0.645),
-            0.018,
-            segments=14,
-        )
+        start, end = ((k - 1) * w * 0.11, -d * 0.41, h * 0.645), ((k - 1) * w * 0.11, -d * 0.435, h * 0.645)
+        b.cylinder(eye if k == 1 else "neon_red", start, end, 0.018, segments=14)
     for k in range(4):
         b.box(body, (0, -d * 0.42, h * 0.615 - 0.014 * k), (w * 0.28, 0.014, 0.006))
     b.cylinder(joint, (0, 0, h * 0.73), (0, 0, h * 0.79), w * 0.09)
@@ -179,11 +174,6 @@ def fire_extinguisher(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.tube(black, bent(path), 0.012)
     b.cylinder(black, (r * 1.12, 0, h * 0.22), (r * 1.06, 0, h * 0.06), 0.014, 0.026, segments=14)
     angle = np.linspace(0, math.tau, 24, endpoint=False)
-    b.tube(
-        "steel",
-        np.c_[r * 1.01 * np.cos(angle), r * 1.01 * np.sin(angle), np.full(24, h * 0.64)],
-        0.004,
-        segments=5,
-        closed=True,
-    )
+    path = np.c_[r * 1.01 * np.cos(angle), r * 1.01 * np.sin(angle), np.full(24, h * 0.64)]
+    b.tube("steel", path, 0.004, segments=5, closed=True)
     return two_hands((-0.013, -r * 0.7, h * 0.94), (0.1, -0.95, 0.1), (1, 0, 0), FIST)

@@ -191,13 +191,8 @@ def umbrella(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b.loft(cloth, rings if inside == 0 else rings[::-1], caps=False)
         for k in range(8):
             turn = math.tau * k / 8
-            b.cylinder(
-                metal,
-                (0, 0, h * 0.6),
-                (r * 0.55 * math.cos(turn), r * 0.55 * math.sin(turn), h - 0.15),
-                0.003,
-                segments=5,
-            )
+            start, end = (0, 0, h * 0.6), (r * 0.55 * math.cos(turn), r * 0.55 * math.sin(turn), h - 0.15)
+            b.cylinder(metal, start, end, 0.003, segments=5)
     else:
         b.lathe(cloth, [(0.016, 0.2), (0.038, 0.24), (0.03, h * 0.5), (0.012, h - 0.06)], segments=12)
     return two_hands((-0.014, 0.004, 0.13), (0.2, -1, 0.05), (1, 0.15, 0), FIST)

@@ -72,12 +72,8 @@ def telephone(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.lathe(spec.material("dial"), [(0.04, 0.01), (0.036, 0.013)], segments=28)
         for k in range(10):
             turn = math.radians(300 - 30 * k)
-            b.lathe(
-                body,
-                [(0.006, 0.0125), (0.006, 0.0145)],
-                origin=(0.027 * math.cos(turn), 0.027 * math.sin(turn), 0),
-                segments=10,
-            )
+            outline = [(0.006, 0.0125), (0.006, 0.0145)]
+            b.lathe(body, outline, origin=(0.027 * math.cos(turn), 0.027 * math.sin(turn), 0), segments=10)
         b.lathe(body, [(0.013, 0.013), (0.012, 0.016)], segments=14)
     for x in (-1, 1):
         b.box(body, (x * 0.045, d * 0.2, h * 0.68), (0.018, 0.08, 0.03), bevel=0.005)
@@ -160,11 +156,8 @@ def keyboard(
         b.box(case, (0, 0, 0.009), (width, depth, 0.018), bevel=0.004)
         for row in range(5):
             for k in range(14):
-                b.box(
-                    cap,
-                    ((k - 6.5) * width * 0.067, (row - 2) * depth * 0.17, 0.02),
-                    (width * 0.056, depth * 0.13, 0.008),
-                )
+                center = ((k - 6.5) * width * 0.067, (row - 2) * depth * 0.17, 0.02)
+                b.box(cap, center, (width * 0.056, depth * 0.13, 0.008))
 
 
 @prop("laptop")
@@ -175,11 +168,8 @@ def laptop(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.box(body, (0, -d / 2 + deep / 2, 0.008), (w, deep, 0.016), bevel=0.004)
     for row in range(5):
         for k in range(13):
-            b.box(
-                "plastic_black",
-                ((k - 6) * w * 0.068, -d / 2 + deep * (0.46 + 0.095 * row), 0.0165),
-                (w * 0.058, deep * 0.078, 0.002),
-            )
+            center = ((k - 6) * w * 0.068, -d / 2 + deep * (0.46 + 0.095 * row), 0.0165)
+            b.box("plastic_black", center, (w * 0.058, deep * 0.078, 0.002))
     b.box("iron", (0, -d / 2 + deep * 0.2, 0.0165), (w * 0.3, deep * 0.24, 0.001))
     with b.at((0, -d / 2 + deep, 0.016), (-18, 0, 0)):
         tall = (h - 0.016) / math.cos(math.radians(18))
@@ -204,12 +194,8 @@ def typewriter(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.rounded_box(body, (0, d * 0.2, 0.085), (w, d * 0.52, 0.12), 0.03)
     for row in range(4):
         for k in range(10):
-            b.lathe(
-                cap,
-                [(0.011, 0), (0.011, 0.004), (0.008, 0.006)],
-                origin=((k - 4.5) * w * 0.085 + 0.006 * row, -d * 0.4 + 0.032 * row, 0.056 + 0.012 * row),
-                segments=10,
-            )
+            origin = ((k - 4.5) * w * 0.085 + 0.006 * row, -d * 0.4 + 0.032 * row, 0.056 + 0.012 * row)
+            b.lathe(cap, [(0.011, 0), (0.011, 0.004), (0.008, 0.006)], origin=origin, segments=10)
     b.box(cap, (0, -d * 0.46, 0.054), (w * 0.5, 0.014, 0.008), bevel=0.003)
     b.cylinder("rubber", (-w * 0.5, d * 0.22, 0.15), (w * 0.5, d * 0.22, 0.15), 0.019, segments=16)
     for x in (-1, 1):
@@ -230,12 +216,9 @@ def cash_register(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.extrude(body, side, w * 0.92)
     for row in range(4):
         for k in range(6):
+            end = ((k - 2.5) * w * 0.13, -d * 0.36 + 0.055 * row, h * (0.52 + 0.065 * row))
             b.cylinder(
-                cap,
-                ((k - 2.5) * w * 0.13, -d * 0.34 + 0.055 * row, h * (0.46 + 0.065 * row)),
-                ((k - 2.5) * w * 0.13, -d * 0.36 + 0.055 * row, h * (0.52 + 0.065 * row)),
-                0.012,
-                segments=10,
+                cap, ((k - 2.5) * w * 0.13, -d * 0.34 + 0.055 * row, h * (0.46 + 0.065 * row)), end, 0.012, segments=10
             )
     b.box(body, (0, d * 0.2, h * 0.9), (w * 0.7, d * 0.16, h * 0.2), bevel=0.012)
     b.box("lampshade", (0, d * 0.12, h * 0.9), (w * 0.56, 0.01, h * 0.11))

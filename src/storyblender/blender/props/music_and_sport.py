@@ -106,20 +106,13 @@ def accordion(b: MeshBuilder, spec: PropSpec) -> Anchors:
             "porcelain", (-w / 2 + 0.006, -d * 0.2, h * (0.12 + 0.058 * k)), (0.024, d * 0.42, h * 0.052), bevel=0.002
         )
         if k % 7 not in (2, 6):
-            b.box(
-                "plastic_black",
-                (-w / 2 + 0.002, -d * 0.08, h * (0.149 + 0.058 * k)),
-                (0.03, d * 0.22, h * 0.026),
-                bevel=0.002,
-            )
+            center = (-w / 2 + 0.002, -d * 0.08, h * (0.149 + 0.058 * k))
+            b.box("plastic_black", center, (0.03, d * 0.22, h * 0.026), bevel=0.002)
     for row in range(4):
         for k in range(9):
+            start = (w / 2 - 0.006, (row - 1.5) * d * 0.16, h * (0.2 + 0.075 * k))
             b.cylinder(
-                "porcelain",
-                (w / 2 - 0.006, (row - 1.5) * d * 0.16, h * (0.2 + 0.075 * k)),
-                (w / 2 + 0.004, (row - 1.5) * d * 0.16, h * (0.2 + 0.075 * k)),
-                0.007,
-                segments=8,
+                "porcelain", start, (w / 2 + 0.004, (row - 1.5) * d * 0.16, h * (0.2 + 0.075 * k)), 0.007, segments=8
             )
     return two_hands((-w / 2, 0.02, h * 0.5), (0.1, -0.9, -0.3), (1, 0, 0), (0.3, 0.35, 0.3))
 

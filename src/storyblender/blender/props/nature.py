@@ -191,12 +191,9 @@ def campfire(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for k in range(11):
         turn = math.tau * k / 11
         size = float(rng.uniform(0.085, 0.12))
+        center = (w * 0.42 * math.cos(turn), w * 0.42 * math.sin(turn), size * 0.4)
         b.cushion(
-            stone,
-            (w * 0.42 * math.cos(turn), w * 0.42 * math.sin(turn), size * 0.4),
-            (size * 1.5, size * 1.3, size),
-            softness=0.6,
-            rotation=(0, 0, float(rng.uniform(0, 180))),
+            stone, center, (size * 1.5, size * 1.3, size), softness=0.6, rotation=(0, 0, float(rng.uniform(0, 180)))
         )
     for k in range(6):
         turn = 60 * k + 12

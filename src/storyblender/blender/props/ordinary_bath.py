@@ -62,13 +62,8 @@ def soap(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a bar of soap with a sunken oval on top and a few bubbles."""
     w, d, h = spec.size
     b.cushion(spec.material("soap"), (0, 0, 0.46 * h), (w, d, 0.92 * h), softness=0.3)
-    b.tube(
-        spec.material("soap"),
-        np.c_[circle(1.0, 32) * (0.3 * w, 0.28 * d), np.full(32, 0.9 * h)],
-        0.0016,
-        segments=6,
-        closed=True,
-    )
+    path = np.c_[circle(1.0, 32) * (0.3 * w, 0.28 * d), np.full(32, 0.9 * h)]
+    b.tube(spec.material("soap"), path, 0.0016, segments=6, closed=True)
     for k, (x, y) in enumerate(((0.32, -0.3), (0.4, -0.18), (0.26, -0.36), (-0.38, 0.2))):
         b.sphere("glass", (x * w, y * d, 0.88 * h), 0.1 * h * (1 + 0.4 * (k % 2)), segments=8, rings=5)
     return two_hands((-w / 2, 0.0, 0.5 * h), (0.2, -0.9, -0.3), (1, 0, 0), (0.45, 0.5, 0.4))

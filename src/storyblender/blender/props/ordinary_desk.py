@@ -108,10 +108,8 @@ def id_card(b: MeshBuilder, spec: PropSpec) -> Anchors:
         path = [(0, front, 0.002), (0.4 * x * w, front + 0.4 * (d / 2 - front), 0.002), (0.1 * x * w, d / 2, 0.002)]
         flat = bent(path, 6)
         side = np.array((0.005, 0, 0))
-        b.loft(
-            band,
-            [np.array([at - side, at + side, at + side + (0, 0, 0.001), at - side + (0, 0, 0.001)]) for at in flat],
-        )
+        rings = [np.array([at - side, at + side, at + side + (0, 0, 0.001), at - side + (0, 0, 0.001)]) for at in flat]
+        b.loft(band, rings)
     return pinch(middle, 0.0)
 
 

@@ -83,13 +83,8 @@ def toast(b: MeshBuilder, spec: PropSpec) -> Anchors:
     slice_ = np.concatenate([right, (right * (-1, 1))[-2:0:-1]])
     b.extrude(spec.material("crust"), slice_, 0.94 * h)
     b.extrude(crumb, slice_ * 0.9, 0.06 * h, base=0.93 * h)
-    b.box(
-        spec.material("butter"),
-        (0.08 * w, -0.06 * d, h),
-        (0.24 * w, 0.2 * d, 0.3 * h),
-        bevel=0.002,
-        rotation=(0, 0, 20),
-    )
+    center = (0.08 * w, -0.06 * d, h)
+    b.box(spec.material("butter"), center, (0.24 * w, 0.2 * d, 0.3 * h), bevel=0.002, rotation=(0, 0, 20))
     return two_hands((-w / 2, 0.0, h / 2), (0.2, -0.95, -0.1), (0.95, 0, -0.2), (0.4, 0.45, 0.6))
 
 
@@ -114,11 +109,8 @@ def wallet(b: MeshBuilder, spec: PropSpec) -> Anchors:
     fold = [(-w / 2, -0.48 * d, 0.5 * h), (-w / 2, 0.44 * d, 0.5 * h)]
     b.tube(leather, fold, 0.46 * h, segments=10)
     for k in range(3):
-        b.box(
-            spec.material("notes"),
-            (0.02 * w, (0.04 + 0.01 * k) * d, (0.42 + 0.08 * k) * h),
-            (0.94 * w, 0.9 * d, 0.05 * h),
-        )
+        center = (0.02 * w, (0.04 + 0.01 * k) * d, (0.42 + 0.08 * k) * h)
+        b.box(spec.material("notes"), center, (0.94 * w, 0.9 * d, 0.05 * h))
     stitch = rectangle(0.9 * w, 0.84 * d, 40, 0.004)
     b.tube("linen", np.c_[stitch - (0, 0.02 * d), np.full(40, 0.97 * h)], 0.0005, segments=4, closed=True)
     return two_hands((-w / 2, 0.2 * d, h / 2), (0.3, -0.9, 0), (0.95, 0.2, 0.1), (0.45, 0.55, 0.4)) + under(0.4 * d)
@@ -165,12 +157,8 @@ def milk_carton(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.box(card, (0, 0, 0.96 * h), (w, 0.05 * d, 0.08 * h))
     b.box(spec.material("band"), (0, 0, 0.56 * h), (1.01 * w, 1.01 * d, 0.1 * h))
     b.box(spec.material("band"), (0, 0, 0.16 * h), (1.01 * w, 1.01 * d, 0.2 * h))
-    b.lathe(
-        spec.material("band"),
-        [(0.16 * w, 0), (0.15 * w, 0.12 * w)],
-        origin=(0, -0.27 * d, 0.84 * h),
-        axis=(0, -0.75, 0.7),
-    )
+    profile = [(0.16 * w, 0), (0.15 * w, 0.12 * w)]
+    b.lathe(spec.material("band"), profile, origin=(0, -0.27 * d, 0.84 * h), axis=(0, -0.75, 0.7))
     return around(w / 2, 0.45 * h, (0.35, 0.4, 0.3))
 
 
@@ -229,13 +217,8 @@ def cymbal(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe(brass, np.concatenate([dome, dome[::-1] - (0, 0.03 * h)]), segments=44)
     for k in range(5):
         share = 0.36 + 0.13 * k
-        b.tube(
-            brass,
-            ring_of(share * r, 40, float(np.interp(share, (0.3, 0.6, 1), (0.34, 0.2, 0))) * h),
-            0.0008,
-            segments=4,
-            closed=True,
-        )
+        path = ring_of(share * r, 40, float(np.interp(share, (0.3, 0.6, 1), (0.34, 0.2, 0))) * h)
+        b.tube(brass, path, 0.0008, segments=4, closed=True)
     strap = [(-0.02, 0, 0.74 * h), (-0.05, 0, 0.92 * h), (0, 0, h), (0.05, 0, 0.92 * h), (0.02, 0, 0.74 * h)]
     b.tube(spec.material("strap"), bent(strap), 0.004, segments=6)
     return two_hands((0.0, 0.0, 0.98 * h), (0, -1, 0), (0, 0, -1), FIST)

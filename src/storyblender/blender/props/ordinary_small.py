@@ -61,13 +61,10 @@ def belt(b: MeshBuilder, spec: PropSpec) -> Anchors:
     path = np.concatenate([roll, end])
     way = np.gradient(path, axis=0)
     out = np.c_[way[:, 1], -way[:, 0]] / np.linalg.norm(way, axis=1, keepdims=True) * 0.002
-    b.loft(
-        leather,
-        [
-            np.array([(*(p - o), 0), (*(p + o), 0), (*(p + o), h), (*(p - o), h)])
-            for p, o in zip(path, out, strict=True)
-        ],
-    )
+    rings = [
+        np.array([(*(p - o), 0), (*(p + o), 0), (*(p + o), h), (*(p - o), h)]) for p, o in zip(path, out, strict=True)
+    ]
+    b.loft(leather, rings)
     with b.at((path[-1][0], path[-1][1], h / 2), (90, 0, 62)):
         frame = [(-0.02, -0.6 * h), (0.03, -0.6 * h), (0.03, 0.6 * h), (-0.02, 0.6 * h)]
         b.tube(metal, np.c_[frame, np.zeros(4)], 0.003, segments=6, closed=True)

@@ -148,13 +148,8 @@ def dice(b: MeshBuilder, spec: PropSpec) -> Anchors:
                 spots = [(-1, -1), (1, 1), (-1, 1), (1, -1), (-1, 0), (1, 0)][: count - count % 2]
                 with b.at(rotation=tilt):
                     for i, j in [*spots, *([(0, 0)] if count % 2 else [])]:
-                        b.cylinder(
-                            pip,
-                            (i * 0.25 * h, j * 0.25 * h, 0.49 * h),
-                            (i * 0.25 * h, j * 0.25 * h, 0.505 * h),
-                            0.09 * h,
-                            segments=10,
-                        )
+                        start, end = (i * 0.25 * h, j * 0.25 * h, 0.49 * h), (i * 0.25 * h, j * 0.25 * h, 0.505 * h)
+                        b.cylinder(pip, start, end, 0.09 * h, segments=10)
     return pinch(0.0, 0.5 * h)
 
 

@@ -97,22 +97,16 @@ def printer(b: MeshBuilder, spec: PropSpec) -> Anchors:
     page = [(-0.2, 0.34), (-0.34, 0.3), (-0.49, 0.22)]
     sheet = bent([(0, y * d, z * tall) for y, z in page], 4)
     side = np.array((0.3 * w, 0, 0))
-    b.loft(
-        "paper",
-        [np.array([at - side, at + side, at + side + (0, 0, 0.001), at - side + (0, 0, 0.001)]) for at in sheet],
-    )
+    rings = [np.array([at - side, at + side, at + side + (0, 0, 0.001), at - side + (0, 0, 0.001)]) for at in sheet]
+    b.loft("paper", rings)
     with b.at((0, 0.38 * d, 0.86 * tall), (-18, 0, 0)):
         b.box(dark, (0, 0.02, 0.1 * h), (0.7 * w, 0.008, 0.34 * h))
         b.box("paper", (0, 0.012, 0.14 * h), (0.6 * w, 0.008, 0.38 * h))
     b.box(dark, (0, -0.1 * d, tall), (0.9 * w, 0.3 * d, 0.006), bevel=0.002)
     b.box("screen", (-0.28 * w, -0.1 * d, tall + 0.003), (0.2 * w, 0.16 * d, 0.004))
     for k in range(4):
-        b.cylinder(
-            "fabric_green" if k == 3 else "steel",
-            ((0.02 + 0.1 * k) * w, -0.1 * d, tall),
-            ((0.02 + 0.1 * k) * w, -0.1 * d, tall + 0.008),
-            0.012,
-        )
+        start, end = ((0.02 + 0.1 * k) * w, -0.1 * d, tall), ((0.02 + 0.1 * k) * w, -0.1 * d, tall + 0.008)
+        b.cylinder("fabric_green" if k == 3 else "steel", start, end, 0.012)
     return under(0.4 * d)
 
 

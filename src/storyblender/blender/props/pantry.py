@@ -47,12 +47,8 @@ def jar(b: MeshBuilder, spec: PropSpec) -> Anchors:
         ):
             b.cylinder("gold" if k % 3 else "silver", (0, 0, 0), (0, 0, 0.002), 0.011, segments=12)
     for k in range(3):
-        b.box(
-            "fabric_green",
-            (0, 0, h * (0.42 + 0.12 * k)),
-            (0.05, 0.002, 0.09),
-            rotation=(12 * k - 8, 20 - 14 * k, 70 * k),
-        )
+        center = (0, 0, h * (0.42 + 0.12 * k))
+        b.box("fabric_green", center, (0.05, 0.002, 0.09), rotation=(12 * k - 8, 20 - 14 * k, 70 * k))
     return around(r, h * 0.45)
 
 
@@ -76,12 +72,8 @@ def canteen(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.cylinder(metal, (0, 0, 2 * r - 0.01), (0, 0, h - 0.02), d * 0.26)
     b.lathe(metal, [(d * 0.34, h - 0.028), (d * 0.34, h - 0.004), (d * 0.28, h)], segments=16)
     angle = np.linspace(-0.35, math.pi + 0.35, 26)
-    b.tube(
-        "leather",
-        np.c_[(r + 0.004) * np.cos(-angle), np.zeros(26), r + (r + 0.004) * np.sin(-angle)],
-        0.006,
-        segments=6,
-    )
+    path = np.c_[(r + 0.004) * np.cos(-angle), np.zeros(26), r + (r + 0.004) * np.sin(-angle)]
+    b.tube("leather", path, 0.006, segments=6)
     return two_hands((-0.01, 0.012, 2 * r + 0.01), (0.25, -1, 0), (1, 0.2, 0), FIST)
 
 
@@ -142,14 +134,8 @@ def cauldron(b: MeshBuilder, spec: PropSpec) -> Anchors:
     )  # fmt: skip
     b.lathe(spec.material("brew"), [(r * 0.76, h * 0.7), (r * 0.73, h * 0.84), (0.004, h * 0.85)], segments=28)
     for k, (x, y) in enumerate(((0.3, 0.1), (-0.25, 0.3), (-0.1, -0.4), (0.2, -0.25))):
-        b.sphere(
-            spec.material("brew"),
-            (x * r, y * r, h * 0.845),
-            r * (0.1 + 0.03 * k),
-            scale=(1, 1, 0.7),
-            segments=12,
-            rings=7,
-        )
+        center = (x * r, y * r, h * 0.845)
+        b.sphere(spec.material("brew"), center, r * (0.1 + 0.03 * k), scale=(1, 1, 0.7), segments=12, rings=7)
     for k in range(3):
         with b.at(rotation=(0, 0, 120 * k + 30)):
             path = [(r * 0.6, 0, h * 0.2), (r * 0.82, 0, h * 0.1), (r * 0.85, 0, 0.0)]
@@ -209,12 +195,9 @@ def pizza_box(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.box(card, (0, -d / 2 + 0.001, h * 0.72), (w, 0.002, h * 0.55))
     b.lathe(spec.material("print"), [(w * 0.3, h), (w * 0.3, h + 0.0015), (0.004, h + 0.0015)], segments=28)
     for k in range(5):
+        end = (w * 0.17 * math.cos(1.26 * k), w * 0.17 * math.sin(1.26 * k), h + 0.0025)
         b.cylinder(
-            "linen",
-            (w * 0.17 * math.cos(1.26 * k), w * 0.17 * math.sin(1.26 * k), h),
-            (w * 0.17 * math.cos(1.26 * k), w * 0.17 * math.sin(1.26 * k), h + 0.0025),
-            w * 0.05,
-            segments=14,
+            "linen", (w * 0.17 * math.cos(1.26 * k), w * 0.17 * math.sin(1.26 * k), h), end, w * 0.05, segments=14
         )
     return under(d * 0.42)
 

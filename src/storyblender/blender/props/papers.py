@@ -104,12 +104,8 @@ def folder(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.box(cover, (0, 0, 0.001), (w, d, 0.002))
     for k in range(3):
         turn = float(spec.rng.uniform(-3, 3))
-        b.box(
-            spec.material("page"),
-            (-0.008, 0.004 * k, 0.004 + 0.003 * k),
-            (w * 0.92, d * 0.93, 0.002),
-            rotation=(0, 0, turn),
-        )
+        center = (-0.008, 0.004 * k, 0.004 + 0.003 * k)
+        b.box(spec.material("page"), center, (w * 0.92, d * 0.93, 0.002), rotation=(0, 0, turn))
     b.box(cover, (0, 0, h - 0.001), (w, d, 0.002), rotation=(0, 1.5, 0))
     b.box(cover, (-w / 2 - 0.005, -d * 0.28, 0.001), (0.02, d * 0.25, 0.002))
     b.box("paper", (0, -d * 0.3, h + 0.001), (w * 0.5, d * 0.1, 0.001), rotation=(0, 1.5, 0))

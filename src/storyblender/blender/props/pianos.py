@@ -84,14 +84,8 @@ def grand_piano(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.extrude(brass, plan * 0.93, 0.01, base=rim - 0.005)
     for k in range(14):
         x = -w * 0.42 + k * w * 0.045
-        b.cylinder(
-            "steel",
-            (x, -d * 0.26, rim + 0.012),
-            (x - 0.02, d * (0.36 - 0.016 * k), rim + 0.012),
-            0.002,
-            segments=4,
-            caps=False,
-        )
+        start, end = (x, -d * 0.26, rim + 0.012), (x - 0.02, d * (0.36 - 0.016 * k), rim + 0.012)
+        b.cylinder("steel", start, end, 0.002, segments=4, caps=False)
     b.box(wood, (0, -d * 0.43, rim - case + 0.04), (w, d * 0.14, 0.08), bevel=0.01)
     for x in (-1, 1):
         b.box(wood, (x * (w / 2 - 0.05), -d * 0.42, rim - case / 2 - 0.03), (0.1, d * 0.14, 0.22), bevel=0.02)

@@ -29,13 +29,8 @@ def bee(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.sphere(spec.material("coat"), (0, -0.004, 0.02), 0.012, segments=12, rings=8)
         b.sphere(DARK, (0, -0.02, 0.018), 0.009, segments=12, rings=8)
         for x in (-1, 1):
-            b.cushion(
-                "porcelain",
-                (x * 0.026, 0.012, 0.034),
-                (0.04, 0.018, 0.002),
-                softness=0.9,
-                rotation=(0, x * -20, x * 25),
-            )
+            center = (x * 0.026, 0.012, 0.034)
+            b.cushion("porcelain", center, (0.04, 0.018, 0.002), softness=0.9, rotation=(0, x * -20, x * 25))
             b.tube(DARK, [(x * 0.004, -0.025, 0.024), (x * 0.01, -0.036, 0.032)], 0.0008, segments=5)
         _insect_legs(b, 0.02, 0.01, 3)
     return ()

@@ -34,13 +34,8 @@ def chair(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.box(top, (0, -0.02, sit - 0.018), (w, d * 0.86, 0.036), bevel=0.01, taper=0.97)
         b.box(wood, (0, 0, sit - 0.06), (w - 0.08, d * 0.72, 0.05))
         for k, height in enumerate((0.64, 0.78, 0.93)):
-            b.box(
-                wood,
-                (0, back - 0.045 + 0.01 * k, h * height),
-                (w - 0.09, 0.016, h * 0.075),
-                bevel=0.005,
-                rotation=(-6, 0, 0),
-            )
+            center = (0, back - 0.045 + 0.01 * k, h * height)
+            b.box(wood, center, (w - 0.09, 0.016, h * 0.075), bevel=0.005, rotation=(-6, 0, 0))
     return (seat((0, front + 0.02, sit), (w, d * 0.86)),)
 
 
@@ -54,21 +49,11 @@ def armchair(b: MeshBuilder, spec: PropSpec) -> Anchors:
         for y in (front + 0.09, d / 2 - 0.1):
             b.cylinder(leg, (x * (w / 2 - 0.09), y, 0), (x * (w / 2 - 0.08), y, 0.12), 0.018, 0.03, segments=10)
         b.rounded_box(cover, (x * (w - arm) / 2, 0.02, 0.1 + h * 0.23), (arm, d * 0.92, h * 0.46), 0.05)
-        b.cylinder(
-            cover,
-            (x * (w - arm) / 2, front + 0.05, h * 0.6),
-            (x * (w - arm) / 2, d * 0.36, h * 0.62),
-            arm * 0.55,
-            segments=16,
-        )
+        start, end = (x * (w - arm) / 2, front + 0.05, h * 0.6), (x * (w - arm) / 2, d * 0.36, h * 0.62)
+        b.cylinder(cover, start, end, arm * 0.55, segments=16)
         if spec.flag("wings"):
-            b.rounded_box(
-                cover,
-                (x * (w / 2 - 0.09), d * 0.24, h * 0.82),
-                (0.09, d * 0.3, h * 0.32),
-                0.04,
-                rotation=(0, 0, x * 12),
-            )
+            center = (x * (w / 2 - 0.09), d * 0.24, h * 0.82)
+            b.rounded_box(cover, center, (0.09, d * 0.3, h * 0.32), 0.04, rotation=(0, 0, x * 12))
     b.rounded_box(cover, (0, 0.02, 0.12 + h * 0.12), (inner, d * 0.9, h * 0.24), 0.03)
     b.cushion(cover, (0, -0.05, sit - 0.075), (inner + 0.02, d * 0.78, 0.17), softness=0.22)
     b.rounded_box(cover, (0, d / 2 - 0.12, h * 0.58), (w * 0.88, 0.2, h * 0.82), 0.09, rotation=(-8, 0, 0))
@@ -86,13 +71,8 @@ def sofa(b: MeshBuilder, spec: PropSpec) -> Anchors:
         for y in (front + 0.09, d / 2 - 0.1):
             b.cylinder(leg, (x * (w / 2 - 0.1), y, 0), (x * (w / 2 - 0.09), y, 0.11), 0.02, 0.032, segments=10)
         b.rounded_box(cover, (x * (w - arm) / 2, 0.0, h * 0.4), (arm, d * 0.96, h * 0.56), 0.06)
-        b.cylinder(
-            cover,
-            (x * (w - arm) / 2, front + 0.01, h * 0.68),
-            (x * (w - arm) / 2, d * 0.4, h * 0.68),
-            arm * 0.56,
-            segments=16,
-        )
+        start, end = (x * (w - arm) / 2, front + 0.01, h * 0.68), (x * (w - arm) / 2, d * 0.4, h * 0.68)
+        b.cylinder(cover, start, end, arm * 0.56, segments=16)
     b.rounded_box(cover, (0, 0.02, 0.11 + h * 0.13), (inner + 0.04, d * 0.92, h * 0.26), 0.03)
     b.rounded_box(cover, (0, d / 2 - 0.12, h * 0.56), (w * 0.97, 0.22, h * 0.84), 0.09, rotation=(-7, 0, 0))
     step = inner / count
@@ -264,13 +244,8 @@ def booth(b: MeshBuilder, spec: PropSpec) -> Anchors:
     count = max(4, round(w / 0.2))
     for i in range(count):
         x = (i - (count - 1) / 2) * w / count
-        b.rounded_box(
-            cover,
-            (x, d / 2 - 0.13, (sit + h) / 2 - 0.02),
-            (w / count * 1.02, 0.12, h - sit - 0.06),
-            0.05,
-            rotation=(-5, 0, 0),
-        )
+        center = (x, d / 2 - 0.13, (sit + h) / 2 - 0.02)
+        b.rounded_box(cover, center, (w / count * 1.02, 0.12, h - sit - 0.06), 0.05, rotation=(-5, 0, 0))
     return seats_in_row(spec.entry.seats, w, -d / 2, sit, d - 0.2)
 
 

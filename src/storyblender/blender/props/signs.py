@@ -56,13 +56,8 @@ def wall_sign(b: MeshBuilder, spec: PropSpec) -> Anchors:
     w, d, h = spec.size
     b.box(spec.material("plate"), (0, 0, h / 2), (w, d, h), bevel=min(d / 3, 0.004))
     for x in (-1, 1):
-        b.cylinder(
-            "steel",
-            (x * w * 0.46, -d / 2, h / 2),
-            (x * w * 0.46, -d / 2 - 0.004, h / 2),
-            min(0.006, h * 0.05),
-            segments=8,
-        )
+        start, end = (x * w * 0.46, -d / 2, h / 2), (x * w * 0.46, -d / 2 - 0.004, h / 2)
+        b.cylinder("steel", start, end, min(0.006, h * 0.05), segments=8)
     return ()
 
 

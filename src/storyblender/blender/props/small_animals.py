@@ -13,18 +13,9 @@ from storyblender.blender.props.registry import Anchors, PropSpec, prop
 WHITE = "linen"
 CROCODILE = Plan(1.3, 0.2, 0.14, 0.06, (0.34, 0.06), 0.17, (0.55, 0.09), (0.02, 0.02, 30), (), broad=1.25, waist=1.0)
 LIZARD = Plan(
-    0.12,
-    0.022,
-    0.014,
-    0.007,
-    (0.03, 0.006),
-    0.02,
-    (0.03, 0.008),
-    (0.004, 0.004, 30),
-    ((0.06, -0.02), (0.14, -0.03), (0.2, -0.03)),
-    0.012,
-    broad=1.2,
-)
+    trunk=0.12, chest=0.022, leg=0.014, foot=0.007, neck=(0.03, 0.006), head=0.02, snout=(0.03, 0.008),
+    ear=(0.004, 0.004, 30), tail=((0.06, -0.02), (0.14, -0.03), (0.2, -0.03)), bushy=0.012, broad=1.2,
+)  # fmt: skip
 
 
 def eyes(b: MeshBuilder, x: float, y: float, z: float, radius: float, white: bool = False) -> None:
@@ -85,13 +76,8 @@ def _frog(b: MeshBuilder, skin: MaterialRef, *, warts: bool) -> None:
     if warts:
         for k in range(24):
             turn, along = 2.39996 * k, k / 24
-            b.sphere(
-                skin,
-                (0.042 * np.cos(turn), 0.05 - 0.09 * along, 0.06 + 0.03 * abs(np.sin(turn))),
-                0.008,
-                segments=7,
-                rings=5,
-            )
+            center = (0.042 * np.cos(turn), 0.05 - 0.09 * along, 0.06 + 0.03 * abs(np.sin(turn)))
+            b.sphere(skin, center, 0.008, segments=7, rings=5)
     b.tube(DARK, [(-0.035, -0.078, 0.064), (0, -0.094, 0.061), (0.035, -0.078, 0.064)], 0.0018, segments=5)
 
 

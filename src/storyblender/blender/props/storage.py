@@ -132,13 +132,8 @@ def safe(b: MeshBuilder, spec: PropSpec) -> Anchors:
         )
         b.cylinder(brass, start, end, 0.008, segments=8)
     for z in (0.25, 0.75):
-        b.cylinder(
-            brass,
-            (w / 2 - 0.025, -d / 2 + 0.06, h * z - 0.06),
-            (w / 2 - 0.025, -d / 2 + 0.06, h * z + 0.06),
-            0.02,
-            segments=10,
-        )
+        foot, tip = (w / 2 - 0.025, -d / 2 + 0.06, h * z - 0.06), (w / 2 - 0.025, -d / 2 + 0.06, h * z + 0.06)
+        b.cylinder(brass, foot, tip, 0.02, segments=10)
     return (handle((-0.08, -d / 2, h * 0.5), name="door"),)
 
 
@@ -209,13 +204,8 @@ def crate(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b.box(frame, (x * (w - t * 0.7) / 2, 0, z), (t * 0.7, d - 2 * t, t), bevel=0.006)
             b.box(frame, (0, x * (d - t * 0.7) / 2, z), (w - 2 * t, t * 0.7, t), bevel=0.006)
         slope = math.degrees(math.atan2(h - 2 * t, w - 2 * t))
-        b.box(
-            frame,
-            (0, x * (d * 0.47 + 0.008), h / 2),
-            (math.hypot(w - 2 * t, h - 2 * t), 0.02, t * 0.9),
-            bevel=0.004,
-            rotation=(0, -slope, 0),
-        )
+        center = (0, x * (d * 0.47 + 0.008), h / 2)
+        b.box(frame, center, (math.hypot(w - 2 * t, h - 2 * t), 0.02, t * 0.9), bevel=0.004, rotation=(0, -slope, 0))
     return ()
 
 

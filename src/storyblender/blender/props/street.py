@@ -61,31 +61,16 @@ def dumpster(b: MeshBuilder, spec: PropSpec) -> Anchors:
     with b.at((-w / 2 + 0.06, 0, 0), (90, 0, 90)):
         b.extrude(body, side, w - 0.12)
     for k in range(6):
-        b.box(
-            body,
-            ((k - 2.5) * (w - 0.2) / 5.4, -d * 0.48, front * 0.56),
-            (0.06, 0.06, front * 0.66),
-            bevel=0.01,
-            rotation=(-4, 0, 0),
-        )
+        middle = ((k - 2.5) * (w - 0.2) / 5.4, -d * 0.48, front * 0.56)
+        b.box(body, middle, (0.06, 0.06, front * 0.66), bevel=0.01, rotation=(-4, 0, 0))
     slope = math.degrees(math.atan2(rear - front, d))
     for x in (-1, 1):
-        b.box(
-            spec.material("lid"),
-            (x * w * 0.24, 0, (front + rear) / 2 + 0.03),
-            (w * 0.47, d + 0.06, 0.05),
-            bevel=0.015,
-            rotation=(slope, 0, 0),
-        )
+        center = (x * w * 0.24, 0, (front + rear) / 2 + 0.03)
+        b.box(spec.material("lid"), center, (w * 0.47, d + 0.06, 0.05), bevel=0.015, rotation=(slope, 0, 0))
         b.box(metal, (x * (w / 2 - 0.03), 0, h * 0.5), (0.06, d * 0.3, 0.1), bevel=0.01)
         for y in (-1, 1):
-            b.cylinder(
-                "rubber",
-                (x * (w / 2 - 0.24), y * d * 0.34 - 0.02, 0.08),
-                (x * (w / 2 - 0.2), y * d * 0.34 - 0.02, 0.08),
-                0.08,
-                segments=16,
-            )
+            start, end = (x * (w / 2 - 0.24), y * d * 0.34 - 0.02, 0.08), (x * (w / 2 - 0.2), y * d * 0.34 - 0.02, 0.08)
+            b.cylinder("rubber", start, end, 0.08, segments=16)
             b.box(metal, (x * (w / 2 - 0.22), y * d * 0.34 - 0.02, 0.13), (0.1, 0.1, 0.08))
     return (handle((0, -d / 2, front), (0, -0.3, 0.95), "lid"),)
 
@@ -181,11 +166,8 @@ def traffic_light(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.lathe(kind, profile, origin=(0, -0.115, z), axis=(0, -1, 0), segments=20, caps=False)
         visor = [(0.12 * math.cos(a), 0.12 * math.sin(a)) for a in np.linspace(-0.3, math.pi + 0.3, 13)]
         for order in (1, -1):
-            b.loft(
-                body,
-                [np.array([(x, -0.12 - y, z + up) for x, up in visor])[::order] for y in (0.0, 0.15)],
-                closed=False,
-            )
+            rings = [np.array([(x, -0.12 - y, z + up) for x, up in visor])[::order] for y in (0.0, 0.15)]
+            b.loft(body, rings, closed=False)
     return ()
 
 
@@ -209,13 +191,8 @@ def park_bench(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for k in range(5):
         b.box(wood, (0, front + 0.07 + 0.092 * k, sit - 0.015 - 0.006 * k), (w, 0.075, 0.03), bevel=0.006)
     for k in range(4):
-        b.box(
-            wood,
-            (0, back - 0.12 + 0.028 * k, sit + 0.1 + 0.09 * k),
-            (w, 0.026, 0.072),
-            bevel=0.006,
-            rotation=(-16, 0, 0),
-        )
+        center = (0, back - 0.12 + 0.028 * k, sit + 0.1 + 0.09 * k)
+        b.box(wood, center, (w, 0.026, 0.072), bevel=0.006, rotation=(-16, 0, 0))
     for x in (-1, 0, 1):
         at = x * (w / 2 - 0.1)
         line = [

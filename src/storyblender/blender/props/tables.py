@@ -165,12 +165,8 @@ def billiard_table(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.box(cloth, (x * (w / 2 - 0.14), 0, h - 0.03), (0.05, d - 0.3, 0.03), bevel=0.008)
         for y in (-1, 0, 1):
             turned_leg(b, body, x * (w / 2 - 0.14), y * (d / 2 - 0.16), bed - 0.2, 0.08)
-            b.cylinder(
-                "leather_black",
-                (x * (w / 2 - 0.1), y * (d / 2 - 0.1), h - 0.06),
-                (x * (w / 2 - 0.1), y * (d / 2 - 0.1), h + 0.002),
-                0.055,
-            )
+            start = (x * (w / 2 - 0.1), y * (d / 2 - 0.1), h - 0.06)
+            b.cylinder("leather_black", start, (x * (w / 2 - 0.1), y * (d / 2 - 0.1), h + 0.002), 0.055)
     for y in (-1, 1):
         b.box(body, (0, y * (d / 2 - 0.06), h - 0.05), (w, 0.12, 0.1), bevel=0.012)
         b.box(cloth, (0, y * (d / 2 - 0.14), h - 0.03), (w - 0.3, 0.05, 0.03), bevel=0.008)

@@ -101,13 +101,8 @@ def plate(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.cushion(spec.material("food"), (-0.02, 0.02, 0.027), (r * 0.7, r * 0.5, 0.04), softness=0.7)
         for k in range(7):
             turn = 0.5 + 0.3 * k
-            b.sphere(
-                spec.material("greens"),
-                (r * 0.42 * math.cos(turn), -r * 0.42 * math.sin(turn), 0.022),
-                0.016,
-                segments=8,
-                rings=5,
-            )
+            center = (r * 0.42 * math.cos(turn), -r * 0.42 * math.sin(turn), 0.022)
+            b.sphere(spec.material("greens"), center, 0.016, segments=8, rings=5)
     return under(r * 0.9)
 
 
@@ -181,13 +176,8 @@ def cake(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for z in (0.024, top - 0.012):
         for k in range(20):
             turn = math.tau * k / 20
-            b.sphere(
-                spec.material("trim"),
-                (r * 0.82 * math.cos(turn), r * 0.82 * math.sin(turn), z),
-                0.011,
-                segments=8,
-                rings=5,
-            )
+            center = (r * 0.82 * math.cos(turn), r * 0.82 * math.sin(turn), z)
+            b.sphere(spec.material("trim"), center, 0.011, segments=8, rings=5)
     for k in range(spec.count("candles")):
         turn = math.tau * k / spec.count("candles")
         x, y = r * 0.5 * math.cos(turn), r * 0.5 * math.sin(turn)

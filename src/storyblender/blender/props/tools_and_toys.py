@@ -251,26 +251,16 @@ def climbing_rope(b: MeshBuilder, spec: PropSpec) -> Anchors:
     rope = spec.material("rope")
     for k in range(6):
         turn = np.linspace(0, 2 * np.pi, 26)[:-1]
-        b.tube(
-            rope,
-            np.c_[
-                (0.17 + 0.008 * (k % 2)) * np.cos(turn),
-                (0.12 + 0.006 * (k % 2)) * np.sin(turn),
-                np.full(25, 0.014 + 0.02 * k),
-            ],
-            0.011,
-            segments=6,
-            closed=True,
-        )
+        loop = np.c_[
+            (0.17 + 0.008 * (k % 2)) * np.cos(turn),
+            (0.12 + 0.006 * (k % 2)) * np.sin(turn),
+            np.full(25, 0.014 + 0.02 * k),
+        ]
+        b.tube(rope, loop, 0.011, segments=6, closed=True)
     for x in (-0.09, 0.09):
         turn = np.linspace(0, 2 * np.pi, 21)[:-1]
-        b.tube(
-            "fabric_red",
-            np.c_[x + 0.07 * np.cos(turn), -0.24 + 0.07 * np.sin(turn), np.full(20, 0.02)],
-            0.013,
-            segments=6,
-            closed=True,
-        )
+        line = np.c_[x + 0.07 * np.cos(turn), -0.24 + 0.07 * np.sin(turn), np.full(20, 0.02)]
+        b.tube("fabric_red", line, 0.013, segments=6, closed=True)
     b.tube("fabric_red", bent([(-0.17, -0.2, 0.03), (0, -0.15, 0.05), (0.17, -0.2, 0.03)]), 0.016, segments=6)
     path = [(0, -0.18, 0.04), (0.03, -0.22, 0.05), (0, -0.27, 0.05), (-0.03, -0.22, 0.05), (0, -0.18, 0.04)]
     b.tube("steel", bent(path), 0.005, segments=6)
@@ -322,10 +312,6 @@ def flames(b: MeshBuilder, spec: PropSpec) -> Anchors:
             [foot, foot * 1.05 + np.array((0, 0, tall * 0.4)), foot * 0.6 + np.array((0.03 * np.sin(k), 0, tall))]
         )
         skin = "flame" if k % 3 else "lamp_warm"
-        b.tube(
-            skin,
-            path,
-            tuple(np.interp(np.linspace(0, 1, len(path)), (0, 0.35, 1), (0.6, 1.0, 0.05)) * 0.11 * w),
-            segments=7,
-        )
+        radii = tuple(np.interp(np.linspace(0, 1, len(path)), (0, 0.35, 1), (0.6, 1.0, 0.05)) * 0.11 * w)
+        b.tube(skin, path, radii, segments=7)
     return ()

@@ -34,11 +34,8 @@ def sailing_ship(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.cylinder(rope, (0, 0, board * 0.8), (0, 0, h), 0.075, 0.045)
     yard = h * 0.8
     b.cylinder(rope, (-w * 0.47, -0.09, yard), (w * 0.47, -0.09, yard), 0.035)
-    b.tube(
-        spec.material("sail"),
-        [(x * w * 0.44, -0.12, yard - 0.05 - 0.03 * math.sin(9 * x)) for x in np.linspace(-1, 1, 11)],
-        [0.03, 0.07, 0.09, 0.08, 0.1, 0.09, 0.1, 0.08, 0.09, 0.07, 0.03],
-    )
+    path = [(x * w * 0.44, -0.12, yard - 0.05 - 0.03 * math.sin(9 * x)) for x in np.linspace(-1, 1, 11)]
+    b.tube(spec.material("sail"), path, [0.03, 0.07, 0.09, 0.08, 0.1, 0.09, 0.1, 0.08, 0.09, 0.07, 0.03])
     for x, y in ((w * 0.45, 0.5), (-w * 0.45, 0.5), (0, -d / 2 + 0.1), (0, d / 2 - 0.2)):
         b.cylinder(rope, (0, 0, h * 0.95), (x, y, board * 1.4), 0.01, segments=5)
     return ()

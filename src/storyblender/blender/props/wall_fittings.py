@@ -19,12 +19,8 @@ def frame(
 ) -> None:
     """Add a moulded picture frame whose outside is ``width`` x ``height``, its back at ``y``, its foot at ``low``."""
     for x in (-1, 1):
-        b.box(
-            material,
-            (x * (width - thick) / 2, y - depth / 2, low + height / 2),
-            (thick, depth, height),
-            bevel=depth * 0.3,
-        )
+        center = (x * (width - thick) / 2, y - depth / 2, low + height / 2)
+        b.box(material, center, (thick, depth, height), bevel=depth * 0.3)
     for z in (thick / 2, height - thick / 2):
         b.box(material, (0, y - depth / 2, low + z), (width - thick, depth, thick), bevel=depth * 0.3)
 
@@ -97,12 +93,8 @@ def wall_clock(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe("porcelain", [(r * 0.86, d * 0.76)] * 2, origin=(0, d / 2, h / 2), axis=(0, -1, 0), segments=36)
     for k in range(12):
         turn = math.tau * k / 12
-        b.box(
-            "plastic_black",
-            (r * 0.74 * math.sin(turn), -d * 0.28, h / 2 + r * 0.74 * math.cos(turn)),
-            (0.008, 0.003, r * 0.13),
-            rotation=(0, math.degrees(turn), 0),
-        )
+        center = (r * 0.74 * math.sin(turn), -d * 0.28, h / 2 + r * 0.74 * math.cos(turn))
+        b.box("plastic_black", center, (0.008, 0.003, r * 0.13), rotation=(0, math.degrees(turn), 0))
     for degrees, length, width in (
         (spec.number("hour") * 30 + spec.number("minute") / 2, 0.46, 0.014),
         (spec.number("minute") * 6, 0.7, 0.009),

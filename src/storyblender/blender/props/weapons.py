@@ -216,11 +216,6 @@ def shield(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe(spec.material("metal"), profile, **place)
     for k in range(12):
         turn = math.tau * k / 12
-        b.sphere(
-            spec.material("metal"),
-            (r * 0.9 * math.cos(turn), d * 0.2, h / 2 + r * 0.9 * math.sin(turn)),
-            0.012,
-            segments=8,
-            rings=5,
-        )
+        center = (r * 0.9 * math.cos(turn), d * 0.2, h / 2 + r * 0.9 * math.sin(turn))
+        b.sphere(spec.material("metal"), center, 0.012, segments=8, rings=5)
     return two_hands((0.0, d / 2 + 0.02, h / 2), (1, 0, 0), (0, -1, 0), FIST)

@@ -15,71 +15,26 @@ from storyblender.blender.props.registry import Anchors, Builder, PropSpec, prop
 
 WHITE = "linen"
 BADGER = Plan(
-    0.5,
-    0.15,
-    0.1,
-    0.026,
-    (0.13, 0.0),
-    0.085,
-    (0.12, 0.03),
-    (0.04, 0.045, 45),
-    ((0.08, -0.02), (0.16, -0.06)),
-    0.035,
-    broad=0.95,
-)
+    trunk=0.5, chest=0.15, leg=0.1, foot=0.026, neck=(0.13, 0.0), head=0.085, snout=(0.12, 0.03), ear=(0.04, 0.045, 45),
+    tail=((0.08, -0.02), (0.16, -0.06)), bushy=0.035, broad=0.95,
+)  # fmt: skip
 HEDGEHOG = Plan(0.14, 0.07, 0.02, 0.011, (0.03, -0.02), 0.04, (0.05, 0.009), (0.022, 0.026, 40), (), broad=0.95)
 RAT = replace(
-    MOUSE,
-    trunk=0.15,
-    chest=0.036,
-    leg=0.02,
-    foot=0.007,
-    neck=(0.024, 0.004),
-    head=0.028,
-    snout=(0.034, 0.008),
-    ear=(0.028, 0.026, 30),
-    tail=((0.06, -0.03), (0.16, -0.04), (0.26, -0.03)),
-    bushy=0.006,
-)
+    MOUSE, trunk=0.15, chest=0.036, leg=0.02, foot=0.007, neck=(0.024, 0.004), head=0.028, snout=(0.034, 0.008),
+    ear=(0.028, 0.026, 30), tail=((0.06, -0.03), (0.16, -0.04), (0.26, -0.03)), bushy=0.006,
+)  # fmt: skip
 DONKEY = Plan(
-    0.95,
-    0.26,
-    0.6,
-    0.038,
-    (0.26, 0.4),
-    0.13,
-    (0.22, 0.07),
-    (0.27, 0.075, 18),
-    ((0.08, -0.1), (0.1, -0.45)),
-    0.03,
-    hooves=True,
-)
+    trunk=0.95, chest=0.26, leg=0.6, foot=0.038, neck=(0.26, 0.4), head=0.13, snout=(0.22, 0.07), ear=(0.27, 0.075, 18),
+    tail=((0.08, -0.1), (0.1, -0.45)), bushy=0.03, hooves=True,
+)  # fmt: skip
 ZEBRA = Plan(
-    1.1,
-    0.3,
-    0.62,
-    0.042,
-    (0.3, 0.48),
-    0.14,
-    (0.24, 0.075),
-    (0.17, 0.075, 18),
-    ((0.08, -0.1), (0.1, -0.45)),
-    0.035,
-    hooves=True,
-)
+    trunk=1.1, chest=0.3, leg=0.62, foot=0.042, neck=(0.3, 0.48), head=0.14, snout=(0.24, 0.075), ear=(0.17, 0.075, 18),
+    tail=((0.08, -0.1), (0.1, -0.45)), bushy=0.035, hooves=True,
+)  # fmt: skip
 GIRAFFE = Plan(
-    1.3,
-    0.42,
-    1.6,
-    0.065,
-    (0.6, 1.9),
-    0.17,
-    (0.28, 0.085),
-    (0.18, 0.07, 60),
-    ((0.1, -0.2), (0.12, -0.8)),
-    0.03,
-    hooves=True,
-)
+    trunk=1.3, chest=0.42, leg=1.6, foot=0.065, neck=(0.6, 1.9), head=0.17, snout=(0.28, 0.085), ear=(0.18, 0.07, 60),
+    tail=((0.1, -0.2), (0.12, -0.8)), bushy=0.03, hooves=True,
+)  # fmt: skip
 CAMEL = Plan(
     1.3, 0.4, 1.0, 0.06, (0.55, 0.55), 0.15, (0.22, 0.075), (0.1, 0.06, 40), ((0.08, -0.15), (0.1, -0.5)), 0.03
 )
@@ -90,56 +45,24 @@ RHINO = Plan(
     1.9, 0.55, 0.45, 0.15, (0.5, 0.0), 0.3, (0.36, 0.18), (0.2, 0.12, 25), ((0.08, -0.3),), 0.05, broad=0.95, waist=0.98
 )
 OTTER = Plan(
-    0.5,
-    0.1,
-    0.07,
-    0.022,
-    (0.13, 0.06),
-    0.07,
-    (0.05, 0.03),
-    (0.025, 0.03, 45),
-    ((0.14, -0.06), (0.3, -0.1), (0.42, -0.11)),
-    0.045,
-)
+    trunk=0.5, chest=0.1, leg=0.07, foot=0.022, neck=(0.13, 0.06), head=0.07, snout=(0.05, 0.03), ear=(0.025, 0.03, 45),
+    tail=((0.14, -0.06), (0.3, -0.1), (0.42, -0.11)), bushy=0.045,
+)  # fmt: skip
 RACCOON = Plan(
-    0.4,
-    0.13,
-    0.13,
-    0.022,
-    (0.1, 0.08),
-    0.08,
-    (0.075, 0.018),
-    (0.06, 0.06, 25),
-    ((0.1, 0.02), (0.2, 0.0), (0.3, -0.06)),
-    0.06,
-)
+    trunk=0.4, chest=0.13, leg=0.13, foot=0.022, neck=(0.1, 0.08), head=0.08, snout=(0.075, 0.018),
+    ear=(0.06, 0.06, 25), tail=((0.1, 0.02), (0.2, 0.0), (0.3, -0.06)), bushy=0.06,
+)  # fmt: skip
 MOOSE = replace(
-    DEER,
-    trunk=1.4,
-    chest=0.36,
-    leg=0.95,
-    foot=0.05,
-    neck=(0.38, 0.42),
-    head=0.17,
-    snout=(0.32, 0.11),
+    DEER, trunk=1.4, chest=0.36, leg=0.95, foot=0.05, neck=(0.38, 0.42), head=0.17, snout=(0.32, 0.11),
     ear=(0.24, 0.1, 55),
-)
+)  # fmt: skip
 MOLE = Plan(
     0.1, 0.035, 0.008, 0.008, (0.015, 0.0), 0.028, (0.03, 0.007), (0.004, 0.004, 30), ((0.02, -0.01),), 0.005, broad=1.0
 )
 KID = Plan(
-    0.46,
-    0.13,
-    0.26,
-    0.02,
-    (0.14, 0.2),
-    0.075,
-    (0.09, 0.035),
-    (0.09, 0.04, 80),
-    ((0.04, 0.03), (0.06, 0.07)),
-    0.018,
-    hooves=True,
-)
+    trunk=0.46, chest=0.13, leg=0.26, foot=0.02, neck=(0.14, 0.2), head=0.075, snout=(0.09, 0.035),
+    ear=(0.09, 0.04, 80), tail=((0.04, 0.03), (0.06, 0.07)), bushy=0.018, hooves=True,
+)  # fmt: skip
 
 Extra = Callable[[MeshBuilder, PropSpec, Plan], None]
 
@@ -261,12 +184,8 @@ def _panda(b: MeshBuilder, spec: PropSpec, plan: Plan) -> None:
         b.sphere(DARK, (x * r * 0.8, y + r * 0.15, z + r * 0.85), r * 0.36, segments=12, rings=8)
         b.sphere(DARK, (x * r * 0.5, y - r * 0.8, z + r * 0.15), r * 0.28, scale=(1, 0.5, 1.2), segments=10, rings=7)
         for side in (-0.4, 0.42):
-            b.cushion(
-                DARK,
-                (x * plan.chest * 0.55, side * plan.trunk, plan.leg * 0.62),
-                (0.34, 0.36, plan.leg * 1.3),
-                softness=0.7,
-            )
+            center = (x * plan.chest * 0.55, side * plan.trunk, plan.leg * 0.62)
+            b.cushion(DARK, center, (0.34, 0.36, plan.leg * 1.3), softness=0.7)
     b.cushion(DARK, (0, -plan.trunk * 0.36, plan.middle), (plan.chest * 1.78, 0.34, plan.chest * 2.06), softness=0.9)
 
 

@@ -83,13 +83,10 @@ def mask(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for t in np.linspace(0, 1, 11):
         width = w / 2 * math.sin(math.pi * (0.2 + 0.7 * t)) ** 0.7
         nose = 0.16 * np.exp(-((across / 0.16) ** 2)) * (0.3 < t < 0.62) * (t - 0.3 < 0.4) * (1.2 - t)
-        rows.append(
-            np.c_[
-                width * across,
-                d * (0.42 - 0.75 * np.sqrt(np.clip(1 - across**2 * 0.95, 0, 1)) - nose),
-                np.full(15, h * t),
-            ]
-        )
+        section = np.c_[
+            width * across, d * (0.42 - 0.75 * np.sqrt(np.clip(1 - across**2 * 0.95, 0, 1)) - nose), np.full(15, h * t)
+        ]
+        rows.append(section)
     for lift, order in ((0.0, 1), (0.006, -1)):
         b.loft(body, [(row + np.array([0, lift, 0]))[::order] for row in rows], closed=False)
     for x in (-1, 1):
@@ -106,13 +103,8 @@ def necklace(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for k in range(count):
         turn = math.tau * k / count
         squeeze = 1 - 0.25 * max(0.0, math.sin(turn))
-        b.sphere(
-            body,
-            (w * 0.46 * squeeze * math.cos(turn), 0.015 + (d * 0.42) * math.sin(turn), h * 0.4),
-            h * 0.4,
-            segments=8,
-            rings=5,
-        )
+        center = (w * 0.46 * squeeze * math.cos(turn), 0.015 + (d * 0.42) * math.sin(turn), h * 0.4)
+        b.sphere(body, center, h * 0.4, segments=8, rings=5)
     b.cushion(spec.material("gem"), (0, -d * 0.44, h / 2), (0.022, 0.028, h), softness=0.8)
     return _pinched(d * 0.4, h)
 

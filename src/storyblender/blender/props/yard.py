@@ -89,13 +89,8 @@ def chalice(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe(spec.material("drink"), [(r * 0.85, h * 0.8), (r * 0.9, h * 0.88), (0.003, h * 0.88)], segments=24)
     for k in range(8):
         turn = math.tau * k / 8
-        b.sphere(
-            "fabric_red" if k % 2 else "fabric_blue",
-            (r * 0.99 * math.cos(turn), r * 0.99 * math.sin(turn), h * 0.76),
-            r * 0.11,
-            segments=8,
-            rings=6,
-        )
+        center = (r * 0.99 * math.cos(turn), r * 0.99 * math.sin(turn), h * 0.76)
+        b.sphere("fabric_red" if k % 2 else "fabric_blue", center, r * 0.11, segments=8, rings=6)
     return around(0.014, h * 0.36, (0.7, 0.75, 0.45))
 
 
@@ -262,14 +257,8 @@ def bone(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe(body, bent(profile), origin=(0, 0, h / 2), axis=(1, 0, 0), segments=14)
     for x in (-1, 1):
         for y in (-1, 1):
-            b.sphere(
-                body,
-                (x * (w / 2 - r), y * (d / 2 - r), h / 2),
-                r,
-                scale=(1, 1, min(h / 2 / r, 1.2)),
-                segments=14,
-                rings=9,
-            )
+            center = (x * (w / 2 - r), y * (d / 2 - r), h / 2)
+            b.sphere(body, center, r, scale=(1, 1, min(h / 2 / r, 1.2)), segments=14, rings=9)
     return two_hands((0.0, 0.0, h), (0.1, -0.9, -0.3), (0, -0.3, -0.95), FIST)
 
 

@@ -25,13 +25,8 @@ def concrete_frame(builder: MeshBuilder, spec: PieceSpec) -> None:
             builder.box(finish("brick_red"), (width * 0.24, 7.7, z - 1.0), (width * 0.46, 0.2, 1.9))
     for x in np.linspace(-width / 2 + 0.4, width / 2 - 0.4, max(3, round(width / 4))):
         for dx in (-0.1, 0.1):
-            builder.cylinder(
-                finish("rust"),
-                (float(x) + dx, 0.4, 3.2 * floors),
-                (float(x) + dx, 0.4, 3.2 * floors + 1.0),
-                0.02,
-                segments=5,
-            )
+            start, end = (float(x) + dx, 0.4, 3.2 * floors), (float(x) + dx, 0.4, 3.2 * floors + 1.0)
+            builder.cylinder(finish("rust"), start, end, 0.02, segments=5)
 
 
 @piece("scaffold")

@@ -65,13 +65,11 @@ def parked_jet(builder: MeshBuilder, spec: PieceSpec) -> None:
     builder.polygon(painted("#33506b"), [(12.5, 0, 4.6), (15.8, 0, 4.7), (17.6, 0, 8.8), (15.9, 0, 8.8)])
     builder.polygon(painted("#33506b"), [(15.9, 0.02, 8.8), (17.6, 0.02, 8.8), (15.8, 0.02, 4.7), (12.5, 0.02, 4.6)])
     for side in (-1, 1):
-        builder.loft(
-            white,
-            [
-                np.array([(-2.5, side * 1.2, 2.4), (3.0, side * 1.2, 2.4), (3.0, side * 1.2, 2.7)]),
-                np.array([(4.5, side * 12, 3.2), (6.2, side * 12, 3.2), (6.2, side * 12, 3.3)]),
-            ],
-        )
+        rows = [
+            np.array([(-2.5, side * 1.2, 2.4), (3.0, side * 1.2, 2.4), (3.0, side * 1.2, 2.7)]),
+            np.array([(4.5, side * 12, 3.2), (6.2, side * 12, 3.2), (6.2, side * 12, 3.3)]),
+        ]
+        builder.loft(white, rows)
         builder.cylinder(finish("metal_grey"), (-2.4, side * 4.5, 1.6), (0.8, side * 4.5, 1.7), 0.75, 0.5, segments=14)
     for x, y in ((-11, 0), (2, -2), (2, 2)):
         builder.cylinder(finish("metal_grey"), (x, y, 0.4), (x, y, 2.2), 0.1, segments=6)
@@ -151,13 +149,8 @@ def switch_panel(builder: MeshBuilder, spec: PieceSpec) -> None:
         for z in np.arange(0.08, height - 0.04, 0.1):
             kind = spec.rng.random()
             if kind < 0.5:
-                builder.cylinder(
-                    finish("chrome"),
-                    (float(x), -0.06, float(z)),
-                    (float(x), -0.085, float(z) + 0.012),
-                    0.007,
-                    segments=5,
-                )
+                start, end = (float(x), -0.06, float(z)), (float(x), -0.085, float(z) + 0.012)
+                builder.cylinder(finish("chrome"), start, end, 0.007, segments=5)
                 builder.box(finish("paint_black"), (float(x), -0.062, float(z)), (0.035, 0.006, 0.035))
             elif kind < 0.8:
                 key = ("paint_green", "lamp_warm", "paint_red", "lamp_cool")[int(spec.rng.integers(4))]

@@ -190,11 +190,8 @@ def hangar(builder: MeshBuilder, spec: PieceSpec) -> None:
     builder.box(spec.pane("pane_amber"), (0, y1 - 0.3, eaves / 2), (width - 0.6, 0.1, eaves))
     builder.box(finish("iron"), (0, y0 - 0.1, eaves + 0.1), (width * 0.62, 0.3, 0.4))
     for index in range(5):
-        builder.box(
-            spec.pane("pane_warm"),
-            (-width * 0.24 + index * width * 0.12, y0 - 0.05, eaves + (height - eaves) * 0.4),
-            (1.6, 0.12, 1.0),
-        )
+        center = (-width * 0.24 + index * width * 0.12, y0 - 0.05, eaves + (height - eaves) * 0.4)
+        builder.box(spec.pane("pane_warm"), center, (1.6, 0.12, 1.0))
 
 
 @piece("control_tower")

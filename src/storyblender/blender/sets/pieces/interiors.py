@@ -109,13 +109,8 @@ def banner(builder: MeshBuilder, spec: PieceSpec) -> None:
     )
     gold = finish("gold")
     builder.cylinder(gold, (-half - 0.1, -0.05, 0.02), (half + 0.1, -0.05, 0.02), 0.025, segments=8)
-    builder.lathe(
-        gold,
-        [(width * 0.26, 0), (width * 0.26, 0.008)],
-        origin=(0, -0.055, -length * 0.4),
-        axis=(0, -1, 0),
-        segments=24,
-    )
+    profile = [(width * 0.26, 0), (width * 0.26, 0.008)]
+    builder.lathe(gold, profile, origin=(0, -0.055, -length * 0.4), axis=(0, -1, 0), segments=24)
     builder.lathe(
         cloth, [(width * 0.2, 0), (width * 0.2, 0.012)], origin=(0, -0.056, -length * 0.4), axis=(0, -1, 0), segments=24
     )

@@ -86,13 +86,8 @@ def light_truss(builder: MeshBuilder, spec: PieceSpec) -> None:
     for index, x in enumerate(np.arange(-length / 2, length / 2, 0.35)):
         up = index % 2 == 0
         for y in (-0.14, 0.14):
-            builder.cylinder(
-                metal,
-                (float(x), y, -0.04 if up else -0.3),
-                (float(x) + 0.35, y, -0.3 if up else -0.04),
-                0.01,
-                segments=5,
-            )
+            start, end = (float(x), y, -0.04 if up else -0.3), (float(x) + 0.35, y, -0.3 if up else -0.04)
+            builder.cylinder(metal, start, end, 0.01, segments=5)
     for index, x in enumerate(np.linspace(-length / 2 + 0.4, length / 2 - 0.4, max(3, round(length / 0.9)))):
         with builder.at((float(x), 0, -0.45), (28 if index % 2 else -12, 14 * (index % 3 - 1), 0)):
             builder.lathe(finish("paint_black"), [(0.08, 0.14), (0.13, 0.0), (0.14, -0.16)], caps=False, segments=14)
@@ -110,10 +105,5 @@ def amplifier(builder: MeshBuilder, spec: PieceSpec) -> None:
     builder.box(finish("cloth_cream"), (0, -0.152, height * 0.42), (width - 0.08, 0.01, height * 0.68))
     builder.box(finish("brass"), (0, -0.152, height * 0.88), (width - 0.08, 0.012, 0.07))
     for x in np.linspace(-width * 0.36, width * 0.36, 7):
-        builder.cylinder(
-            finish("paint_black"),
-            (float(x), -0.155, height * 0.88),
-            (float(x), -0.18, height * 0.88),
-            0.016,
-            segments=8,
-        )
+        start, end = (float(x), -0.155, height * 0.88), (float(x), -0.18, height * 0.88)
+        builder.cylinder(finish("paint_black"), start, end, 0.016, segments=8)

@@ -87,12 +87,9 @@ def ruin_arch(builder: MeshBuilder, spec: PieceSpec) -> None:
         x, y, size = (
             float(v) for v in (rng.uniform(-width * 0.7, width * 0.7), rng.uniform(-1.3, 1.0), rng.uniform(0.25, 0.55))
         )
+        center = (x, y, size * 0.32)
         builder.box(
-            stone,
-            (x, y, size * 0.32),
-            (size, size * 0.8, size * 0.7),
-            rotation=(8, -12, float(rng.uniform(0, 90))),
-            bevel=0.03,
+            stone, center, (size, size * 0.8, size * 0.7), rotation=(8, -12, float(rng.uniform(0, 90))), bevel=0.03
         )
 
 
@@ -115,14 +112,8 @@ def ruin_wall(builder: MeshBuilder, spec: PieceSpec) -> None:
             stone, (x, -0.7 - size, size * 0.3), (size, size * 0.8, size * 0.7), rotation=(6, 10, x * 50), bevel=0.02
         )
     for x in np.arange(-length / 2, length / 2, 0.45):
-        builder.sphere(
-            finish("hedge"),
-            (float(x), -0.28, float(rng.uniform(0.1, height * 0.5))),
-            float(rng.uniform(0.12, 0.3)),
-            scale=(1, 0.4, 1.3),
-            segments=8,
-            rings=5,
-        )
+        center = (float(x), -0.28, float(rng.uniform(0.1, height * 0.5)))
+        builder.sphere(finish("hedge"), center, float(rng.uniform(0.12, 0.3)), scale=(1, 0.4, 1.3), segments=8, rings=5)
 
 
 @piece("broken_column")
@@ -131,13 +122,8 @@ def broken_column(builder: MeshBuilder, spec: PieceSpec) -> None:
     height, stone = spec.number("height", 3.2), finish("stone_light")
     if spec.flag("fallen"):
         for index in range(3):
-            builder.cylinder(
-                stone,
-                (index * 1.15 - 1.6, 0.1 * index, 0.36),
-                (index * 1.15 - 0.55, 0.14 * index, 0.36),
-                0.36,
-                segments=14,
-            )
+            start, end = (index * 1.15 - 1.6, 0.1 * index, 0.36), (index * 1.15 - 0.55, 0.14 * index, 0.36)
+            builder.cylinder(stone, start, end, 0.36, segments=14)
         return
     builder.box(stone, (0, 0, 0.15), (1.1, 1.1, 0.3), bevel=0.03)
     builder.lathe(stone, [(0.48, 0.3), (0.48, 0.42), (0.4, 0.5), (0.35, height)], segments=14)

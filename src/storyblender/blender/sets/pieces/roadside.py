@@ -154,13 +154,8 @@ def billboard(builder: MeshBuilder, spec: PieceSpec) -> None:
     builder.box(finish("paint_grey"), (0, 0.05, 3.2 + height / 2), (width, 0.2, height))
     builder.box(finish("paint_cream"), (0, -0.06, 3.2 + height / 2), (width - 0.3, 0.02, height - 0.3))
     builder.box(finish("paint_blue"), (width * 0.18, -0.075, 3.2 + height * 0.5), (width * 0.5, 0.01, height * 0.62))
-    builder.cylinder(
-        finish("paint_yellow"),
-        (-width * 0.28, -0.07, 3.2 + height / 2),
-        (-width * 0.28, -0.085, 3.2 + height / 2),
-        height * 0.3,
-        segments=28,
-    )
+    start, end = (-width * 0.28, -0.07, 3.2 + height / 2), (-width * 0.28, -0.085, 3.2 + height / 2)
+    builder.cylinder(finish("paint_yellow"), start, end, height * 0.3, segments=28)
     for z in (0.62, 0.4):
         builder.box(
             finish("paint_white"), (width * 0.18, -0.085, 3.2 + height * z), (width * 0.38, 0.01, height * 0.11)

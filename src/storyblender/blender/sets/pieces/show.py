@@ -122,13 +122,8 @@ def ring_fence(builder: MeshBuilder, spec: PieceSpec) -> None:
     for index, (a, b) in enumerate(pairwise(edges)):
         t, skin = (a + b) / 2, painted(("#a3241d", "#c9a227")[index % 2])
         wide = radius * (b - a)
-        builder.box(
-            skin,
-            (radius * math.cos(t), radius * math.sin(t), 0.22),
-            (0.36, wide, 0.44),
-            rotation=(0, 0, math.degrees(t)),
-            bevel=0.02,
-        )
+        center = (radius * math.cos(t), radius * math.sin(t), 0.22)
+        builder.box(skin, center, (0.36, wide, 0.44), rotation=(0, 0, math.degrees(t)), bevel=0.02)
 
 
 @piece("circus_seats")

@@ -26,24 +26,16 @@ def mixing_desk(builder: MeshBuilder, spec: PieceSpec) -> None:
         )
         for row in range(4):
             skin = ("paint_red", "paint_yellow", "paint_green", "paint_blue")[(row + index // 4) % 4]
-            builder.cylinder(
-                finish(skin),
-                (float(x), -0.1 + 0.08 * row, 0.84 + 0.013 * row),
-                (float(x), -0.1 + 0.08 * row, 0.86 + 0.013 * row),
-                0.014,
-                segments=6,
-            )
+            start = (float(x), -0.1 + 0.08 * row, 0.84 + 0.013 * row)
+            builder.cylinder(finish(skin), start, (float(x), -0.1 + 0.08 * row, 0.86 + 0.013 * row), 0.014, segments=6)
     for x in (-length * 0.36, length * 0.36):
         builder.box(finish("plastic_black"), (x, 0.3, 1.08), (0.3, 0.26, 0.44), bevel=0.015)
         builder.cylinder(finish("paint_yellow"), (x, 0.165, 1.0), (x, 0.155, 1.0), 0.1, segments=16)
     builder.box(finish("plastic_black"), (0, 0.34, 1.12), (0.72, 0.04, 0.42), bevel=0.01)
     builder.box(finish("lamp_cool"), (0, 0.315, 1.12), (0.66, 0.006, 0.36))
     for z in (1.02, 1.1, 1.18, 1.26):
-        builder.box(
-            finish("paint_green"),
-            (float(spec.rng.uniform(-0.12, 0.12)), 0.31, z),
-            (float(spec.rng.uniform(0.2, 0.45)), 0.004, 0.03),
-        )
+        center = (float(spec.rng.uniform(-0.12, 0.12)), 0.31, z)
+        builder.box(finish("paint_green"), center, (float(spec.rng.uniform(0.2, 0.45)), 0.004, 0.03))
 
 
 @piece("foam_panel")
@@ -111,11 +103,9 @@ def canvas_stack(builder: MeshBuilder, spec: PieceSpec) -> None:
             for stroke in range(6):
                 skin = painted(codes[int(spec.rng.integers(6))])
                 sx, sz = float(spec.rng.uniform(-0.3, 0.3)) * wide, float(spec.rng.uniform(0.2, 0.8)) * tall
+                size = (wide * float(spec.rng.uniform(0.15, 0.4)), 0.002, tall * float(spec.rng.uniform(0.08, 0.3)))
                 builder.box(
-                    skin,
-                    (sx, -0.017 - 0.001 * stroke, sz),
-                    (wide * float(spec.rng.uniform(0.15, 0.4)), 0.002, tall * float(spec.rng.uniform(0.08, 0.3))),
-                    rotation=(0, float(spec.rng.uniform(-30, 30)), 0),
+                    skin, (sx, -0.017 - 0.001 * stroke, sz), size, rotation=(0, float(spec.rng.uniform(-30, 30)), 0)
                 )
         at += 0.38
 

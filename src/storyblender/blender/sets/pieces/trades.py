@@ -238,13 +238,8 @@ def shackles(builder: MeshBuilder, spec: PieceSpec) -> None:
         builder.cylinder(iron, (x, 0, 0), (x, -0.06, 0), 0.07, segments=10)
         for link in range(7):
             turn = (0, 0, 90) if link % 2 else (0, 0, 0)
-            builder.box(
-                iron,
-                (x * (1 - 0.02 * link), -0.05, -0.06 - 0.075 * link),
-                (0.05, 0.018, 0.075),
-                rotation=turn,
-                bevel=0.006,
-            )
+            center = (x * (1 - 0.02 * link), -0.05, -0.06 - 0.075 * link)
+            builder.box(iron, center, (0.05, 0.018, 0.075), rotation=turn, bevel=0.006)
         ring = [
             (x * 0.86 + 0.055 * math.cos(t), -0.05 + 0.055 * math.sin(t), -0.62) for t in np.linspace(0, 6.28, 13)[:-1]
         ]
