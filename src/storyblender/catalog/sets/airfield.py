@@ -47,22 +47,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="airfield",
-    name="Airfield",
-    tags=(
-        "airfield",
-        "airport",
-        "runway",
-        "tarmac",
-        "airstrip",
-        "landing strip",
-        "air base",
-        "military base",
-        "helipad",
-        "launch pad",
-    ),
-    indoor=False,
-    draw=draw,
-    width=Span(10.0, 14.0, 24.0),
-    depth=Span(6.0, 8.0, 14.0),
-)
+    key="airfield", name="Airfield",
+    tags=("airfield", "airport", "runway", "tarmac", "airstrip", "landing strip", "air base", "military base",
+        "helipad", "launch pad"),
+    indoor=False, draw=draw, width=Span(10.0, 14.0, 24.0), depth=Span(6.0, 8.0, 14.0),
+)  # fmt: skip

@@ -55,11 +55,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="alley",
-    name="Alley",
+    key="alley", name="Alley",
     tags=("alley", "alleyway", "back alley", "backstreet", "back street", "loading bay", "back door", "ghetto"),
-    indoor=False,
-    draw=draw,
-    width=Span(4.4, 4.8, 7.0),
-    depth=Span(10.0, 13.0, 20.0),
-)
+    indoor=False, draw=draw, width=Span(4.4, 4.8, 7.0), depth=Span(10.0, 13.0, 20.0),
+)  # fmt: skip

@@ -43,15 +43,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="attic",
-    name="Attic",
-    tags=("attic", "loft", "garret", "hayloft", "crawlspace", "eaves", "attic room"),
-    indoor=True,
-    room="bedroom",
-    draw=draw,
-    width=Span(6.4, 6.8, 9.0),
-    depth=Span(6.2, 7.0, 10.0),
-    height=Span(3.1, 3.3, 3.8),
-    has=("trapdoor", "skylight", "hatch", "beam", "rafter", "roof"),
+    key="attic", name="Attic", tags=("attic", "loft", "garret", "hayloft", "crawlspace", "eaves", "attic room"),
+    indoor=True, room="bedroom", draw=draw, width=Span(6.4, 6.8, 9.0), depth=Span(6.2, 7.0, 10.0),
+    height=Span(3.1, 3.3, 3.8), has=("trapdoor", "skylight", "hatch", "beam", "rafter", "roof"),
     means={"trunk": "chest", "box": "cardboard_box"},
-)
+)  # fmt: skip

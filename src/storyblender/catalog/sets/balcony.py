@@ -35,15 +35,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="balcony",
-    name="Balcony",
-    tags=(
-        "balcony",
-        "hotel balcony",
-    ),
-    indoor=False,
-    draw=draw,
-    width=Span(6.4, 6.8, 10.0),
-    depth=Span(4.2, 4.4, 6.0),
+    key="balcony", name="Balcony", tags=("balcony", "hotel balcony"), indoor=False, draw=draw,
+    width=Span(6.4, 6.8, 10.0), depth=Span(4.2, 4.4, 6.0),
     has=("railing", "rail", "balustrade", "door", "balcony", "glass door"),
-)
+)  # fmt: skip

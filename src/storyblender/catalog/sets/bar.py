@@ -59,14 +59,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="bar",
-    name="Bar",
-    tags=("bar", "saloon", "pub", "tavern", "inn", "speakeasy", "cantina",
-          "lounge bar", "casino", "wine cellar", "jazz club"),
-    indoor=True,
-    room="tavern",
-    draw=draw,
-    width=Span(8.0, 9.0, 12.0),
-    depth=Span(7.4, 8.2, 11.0),
+    key="bar", name="Bar",
+    tags=("bar", "saloon", "pub", "tavern", "inn", "speakeasy", "cantina", "lounge bar", "casino", "wine cellar",
+        "jazz club"),
+    indoor=True, room="tavern", draw=draw, width=Span(8.0, 9.0, 12.0), depth=Span(7.4, 8.2, 11.0),
     height=Span(2.9, 3.2, 4.0),
 )  # fmt: skip

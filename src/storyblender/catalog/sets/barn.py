@@ -38,13 +38,6 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="barn",
-    name="Barn",
-    tags=("barn", "cowshed", "granary", "pigsty"),
-    indoor=True,
-    room="farm",
-    draw=draw,
-    width=Span(8.0, 9.0, 15.0),
-    depth=Span(7.6, 8.4, 13.0),
-    height=Span(3.4, 4.0, 5.5),
-)
+    key="barn", name="Barn", tags=("barn", "cowshed", "granary", "pigsty"), indoor=True, room="farm", draw=draw,
+    width=Span(8.0, 9.0, 15.0), depth=Span(7.6, 8.4, 13.0), height=Span(3.4, 4.0, 5.5),
+)  # fmt: skip

@@ -64,20 +64,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="basement",
-    name="Basement",
-    tags=(
-        "basement",
-        "cellar",
-        "boiler room",
-        "coal cellar",
-        "crawl space",
-    ),
-    indoor=True,
-    room="work",
-    draw=draw,
-    width=Span(6.2, 6.8, 10.0),
-    depth=Span(5.8, 6.2, 9.0),
-    height=Span(2.4, 2.6, 3.0),
-    means={"jewel_box": "cardboard_box", "bookshelf": "store_shelf"},
-)
+    key="basement", name="Basement", tags=("basement", "cellar", "boiler room", "coal cellar", "crawl space"),
+    indoor=True, room="work", draw=draw, width=Span(6.2, 6.8, 10.0), depth=Span(5.8, 6.2, 9.0),
+    height=Span(2.4, 2.6, 3.0), means={"jewel_box": "cardboard_box", "bookshelf": "store_shelf"},
+)  # fmt: skip

@@ -33,21 +33,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="bathroom",
-    name="Bathroom",
-    tags=(
-        "bathroom",
-        "washroom",
-        "restroom",
-        "toilet",
-        "shower",
-        "men's room",
-        "ladies' room",
-    ),
-    indoor=True,
-    room="bathroom",
-    draw=draw,
-    width=Span(2.9, 3.2, 7.0),
-    depth=Span(2.8, 3.0, 6.0),
-    height=Span(2.4, 2.7, 3.2),
-)
+    key="bathroom", name="Bathroom",
+    tags=("bathroom", "washroom", "restroom", "toilet", "shower", "men's room", "ladies' room"), indoor=True,
+    room="bathroom", draw=draw, width=Span(2.9, 3.2, 7.0), depth=Span(2.8, 3.0, 6.0), height=Span(2.4, 2.7, 3.2),
+)  # fmt: skip

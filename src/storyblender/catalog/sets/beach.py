@@ -42,24 +42,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="beach",
-    means={"umbrella": "parasol"},
-    name="Beach",
-    tags=(
-        "beach",
-        "shore",
-        "seaside",
-        "coast",
-        "island",
-        "sea",
-        "ocean",
-        "cove",
-        "lagoon",
-        "waterfront",
-    ),
-    indoor=False,
-    draw=draw,
-    width=Span(9.0, 12.0, 22.0),
-    depth=Span(6.0, 8.0, 14.0),
+    key="beach", means={"umbrella": "parasol"}, name="Beach",
+    tags=("beach", "shore", "seaside", "coast", "island", "sea", "ocean", "cove", "lagoon", "waterfront"),
+    indoor=False, draw=draw, width=Span(9.0, 12.0, 22.0), depth=Span(6.0, 8.0, 14.0),
     options={"palms": False, "lighthouse": False},
-)
+)  # fmt: skip

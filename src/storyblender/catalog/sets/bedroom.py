@@ -40,12 +40,6 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="bedroom",
-    name="Bedroom",
-    tags=("bedroom", "bed chamber", "bedchamber", "guest room", "dormitory"),
-    indoor=True,
-    room="bedroom",
-    draw=draw,
-    width=Span(4.6, 4.8, 9.0),
-    depth=Span(4.4, 4.6, 8.0),
-)
+    key="bedroom", name="Bedroom", tags=("bedroom", "bed chamber", "bedchamber", "guest room", "dormitory"),
+    indoor=True, room="bedroom", draw=draw, width=Span(4.6, 4.8, 9.0), depth=Span(4.4, 4.6, 8.0),
+)  # fmt: skip

@@ -45,19 +45,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="bridge",
-    name="Bridge",
-    tags=(
-        "bridge",
-        "footbridge",
-        "overpass",
-        "viaduct",
-        "embankment",
-        "aqueduct",
-        "promenade",
-    ),
-    indoor=False,
-    draw=draw,
-    width=Span(9.0, 12.0, 22.0),
-    depth=Span(4.0, 4.6, 7.0),
-)
+    key="bridge", name="Bridge",
+    tags=("bridge", "footbridge", "overpass", "viaduct", "embankment", "aqueduct", "promenade"), indoor=False,
+    draw=draw, width=Span(9.0, 12.0, 22.0), depth=Span(4.0, 4.6, 7.0),
+)  # fmt: skip

@@ -87,14 +87,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="cafe",
-    name="Cafe",
-    tags=("cafe", "café", "restaurant", "bistro", "tea room", "canteen",
-          "cafeteria", "pizzeria", "trattoria", "brasserie", "mess hall"),
-    indoor=True,
-    room="tavern",
-    draw=draw,
-    width=Span(8.6, 10.0, 13.0),
-    depth=Span(9.4, 9.8, 12.0),
+    key="cafe", name="Cafe",
+    tags=("cafe", "café", "restaurant", "bistro", "tea room", "canteen", "cafeteria", "pizzeria", "trattoria",
+        "brasserie", "mess hall"),
+    indoor=True, room="tavern", draw=draw, width=Span(8.6, 10.0, 13.0), depth=Span(9.4, 9.8, 12.0),
     height=Span(3.2, 3.5, 4.2),
 )  # fmt: skip

@@ -42,19 +42,12 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="car",
-    name="Car",
-    means={"bench": "carriage_seat", "sofa": "carriage_seat", "chair": "car_seat"},
+    key="car", name="Car", means={"bench": "carriage_seat", "sofa": "carriage_seat", "chair": "car_seat"},
     tags=("car", "taxi", "cab", "van", "truck", "limousine", "limo", "ambulance", "vehicle", "police car", "patrol car",
-          "squad car", "pickup", "pickup truck", "jeep", "suv", "minivan", "back seat", "front seat", "sedan", "camper",
-          "station wagon", "hatchback", "automobile", "uber", "cruiser", "taxicab", "rv", "hearse"),
-    indoor=True,
-    draw=draw,
-    width=Span(4.0, 4.0, 4.0),
-    depth=Span(6.0, 6.0, 6.0),
-    height=Span(1.6, 1.6, 1.6),
-    options={"taxi": False},
-    seated=True,
+        "squad car", "pickup", "pickup truck", "jeep", "suv", "minivan", "back seat", "front seat", "sedan", "camper",
+        "station wagon", "hatchback", "automobile", "uber", "cruiser", "taxicab", "rv", "hearse"),
+    indoor=True, draw=draw, width=Span(4.0, 4.0, 4.0), depth=Span(6.0, 6.0, 6.0), height=Span(1.6, 1.6, 1.6),
+    options={"taxi": False}, seated=True,
     has=("mirror", "rearview mirror", "wheel", "dashboard", "window", "windshield", "windscreen", "meter", "car",
-         "taxi", "cab", "van", "truck", "door", "trunk", "hood", "engine", "seatbelt", "glovebox", "headlight"),
+        "taxi", "cab", "van", "truck", "door", "trunk", "hood", "engine", "seatbelt", "glovebox", "headlight"),
 )  # fmt: skip

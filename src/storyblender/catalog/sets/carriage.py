@@ -44,26 +44,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="carriage",
-    name="Carriage",
+    key="carriage", name="Carriage",
     means={"bench": "carriage_seat", "booth": "carriage_seat", "sofa": "carriage_seat"},
-    tags=(
-        "train",
-        "carriage",
-        "railway carriage",
-        "subway car",
-        "train car",
-        "railway car",
-        "railroad car",
-        "dining car",
-        "sleeping car",
-        "metro",
-        "tram",
-        "cabin of",
-    ),
-    indoor=True,
-    draw=draw,
-    width=Span(5.6, 7.6, 14.0),
-    depth=Span(3.6, 3.8, 4.6),
-    height=Span(2.3, 2.5, 2.8),
-)
+    tags=("train", "carriage", "railway carriage", "subway car", "train car", "railway car", "railroad car",
+        "dining car", "sleeping car", "metro", "tram", "cabin of"),
+    indoor=True, draw=draw, width=Span(5.6, 7.6, 14.0), depth=Span(3.6, 3.8, 4.6), height=Span(2.3, 2.5, 2.8),
+)  # fmt: skip

@@ -38,15 +38,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="cave",
-    name="Cave",
+    key="cave", name="Cave",
     tags=("cave", "cavern", "grotto", "mine", "mine shaft", "mineshaft", "lair", "underground lake", "catacomb",
-          "underground chamber", ),
-    indoor=True,
-    draw=draw,
-    width=Span(8.6, 9.4, 14.0),
-    depth=Span(8.0, 8.4, 12.0),
-    height=Span(3.2, 3.6, 5.0),
-    period="past",
-    has=("wall", "rock wall", "stalactite", "mouth", "entrance"),
+        "underground chamber"),
+    indoor=True, draw=draw, width=Span(8.6, 9.4, 14.0), depth=Span(8.0, 8.4, 12.0), height=Span(3.2, 3.6, 5.0),
+    period="past", has=("wall", "rock wall", "stalactite", "mouth", "entrance"),
 )  # fmt: skip

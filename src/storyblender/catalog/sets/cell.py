@@ -34,22 +34,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="cell",
-    name="Prison cell",
-    tags=(
-        "prison cell",
-        "cell",
-        "jail",
-        "prison",
-        "holding cell",
-        "brig",
-        "lockup",
-        "cage",
-        "bunker",
-    ),
-    indoor=True,
-    draw=draw,
-    width=Span(4.0, 4.4, 7.0),
-    depth=Span(4.9, 5.1, 7.0),
-    height=Span(2.6, 2.8, 3.6),
-)
+    key="cell", name="Prison cell",
+    tags=("prison cell", "cell", "jail", "prison", "holding cell", "brig", "lockup", "cage", "bunker"), indoor=True,
+    draw=draw, width=Span(4.0, 4.4, 7.0), depth=Span(4.9, 5.1, 7.0), height=Span(2.6, 2.8, 3.6),
+)  # fmt: skip

@@ -43,13 +43,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="cemetery",
-    name="Cemetery",
-    tags=("cemetery", "graveyard", "churchyard", "burial ground", "grave", "graveside", "funeral"),
-    indoor=False,
-    draw=draw,
-    width=Span(9.0, 11.0, 20.0),
-    depth=Span(6.0, 7.0, 14.0),
-    has=("grave", "headstones", "gate", "fence", "tree"),
-    means={"stone": "gravestone", "cross": "gravestone"},
-)
+    key="cemetery", name="Cemetery",
+    tags=("cemetery", "graveyard", "churchyard", "burial ground", "grave", "graveside", "funeral"), indoor=False,
+    draw=draw, width=Span(9.0, 11.0, 20.0), depth=Span(6.0, 7.0, 14.0),
+    has=("grave", "headstones", "gate", "fence", "tree"), means={"stone": "gravestone", "cross": "gravestone"},
+)  # fmt: skip

@@ -66,14 +66,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="church",
-    means={"bench": "pew"},
-    name="Church",
+    key="church", means={"bench": "pew"}, name="Church",
     tags=("church", "chapel", "cathedral", "monastery", "abbey", "synagogue", "mosque", "sanctuary", "funeral home"),
-    indoor=True,
-    draw=draw,
-    width=Span(8.0, 9.0, 14.0),
-    depth=Span(12.0, 13.5, 20.0),
-    height=Span(4.8, 5.6, 8.0),
+    indoor=True, draw=draw, width=Span(8.0, 9.0, 14.0), depth=Span(12.0, 13.5, 20.0), height=Span(4.8, 5.6, 8.0),
     period="past",
-)
+)  # fmt: skip

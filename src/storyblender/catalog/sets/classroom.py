@@ -42,13 +42,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="classroom",
-    name="Classroom",
+    key="classroom", name="Classroom",
     tags=("classroom", "class", "school", "schoolroom", "lecture hall", "university", "auditorium", "kindergarten"),
-    indoor=True,
-    room="public",
-    draw=draw,
-    width=Span(7.6, 8.4, 12.0),
-    depth=Span(6.6, 7.6, 11.0),
+    indoor=True, room="public", draw=draw, width=Span(7.6, 8.4, 12.0), depth=Span(6.6, 7.6, 11.0),
     height=Span(2.9, 3.2, 3.8),
-)
+)  # fmt: skip

@@ -51,19 +51,11 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="coach",
-    name="Coach",
-    means={"seat": "carriage_seat", "bench": "carriage_seat", "sofa": "carriage_seat"},
+    key="coach", name="Coach", means={"seat": "carriage_seat", "bench": "carriage_seat", "sofa": "carriage_seat"},
     tags=("bus", "coach", "minibus", "school bus", "city bus", "night bus", "plane", "airplane", "aeroplane",
-          "airliner", "airplane cabin", "plane cabin", "aircraft", "jet", "private jet", "helicopter"),
-    indoor=True,
-    draw=draw,
-    width=Span(3.7, 3.8, 4.4),
-    depth=Span(6.8, 7.6, 12.0),
-    height=Span(2.25, 2.35, 2.6),
-    period="modern",
-    options={"air": False},
-    has=("window", "aisle", "wheel", "rail", "door", "bus", "plane", "overhead bin"),
-    seated=True,
+        "airliner", "airplane cabin", "plane cabin", "aircraft", "jet", "private jet", "helicopter"),
+    indoor=True, draw=draw, width=Span(3.7, 3.8, 4.4), depth=Span(6.8, 7.6, 12.0), height=Span(2.25, 2.35, 2.6),
+    period="modern", options={"air": False},
+    has=("window", "aisle", "wheel", "rail", "door", "bus", "plane", "overhead bin"), seated=True,
     on_foot=("steward", "stewardess", "attendant", "attendants", "conductor", "hostess", "inspector"),
 )  # fmt: skip

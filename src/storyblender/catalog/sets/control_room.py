@@ -52,21 +52,13 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="control_room",
-    name="Control room",
+    key="control_room", name="Control room",
     tags=("control room", "control centre", "control center", "command center", "command centre", "command post",
-          "mission control", "operations room", "war room", "situation room", "security room", "observation room",
-          "surveillance room",
-          "spaceship bridge", "starship bridge", "starship", "spacecraft", "space station", "space shuttle",
-          "broadcast room", "spaceship", "airlock"),
-    indoor=True,
-    draw=draw,
-    width=Span(7.6, 8.6, 12.0),
-    depth=Span(6.8, 7.4, 10.0),
-    height=Span(2.8, 3.1, 4.0),
-    period="modern",
-    options={"space": False},
-    has=("ship", "vessel", "spaceship", "starship", "shuttle", "submarine"),
+        "mission control", "operations room", "war room", "situation room", "security room", "observation room",
+        "surveillance room", "spaceship bridge", "starship bridge", "starship", "spacecraft", "space station",
+        "space shuttle", "broadcast room", "spaceship", "airlock"),
+    indoor=True, draw=draw, width=Span(7.6, 8.6, 12.0), depth=Span(6.8, 7.4, 10.0), height=Span(2.8, 3.1, 4.0),
+    period="modern", options={"space": False}, has=("ship", "vessel", "spaceship", "starship", "shuttle", "submarine"),
     means={"chair": "office_chair", "armchair": "office_chair", "seat": "office_chair", "torch": "flashlight",
-           "camera": "security_camera", "phone": "smartphone"},
+        "camera": "security_camera", "phone": "smartphone"},
 )  # fmt: skip

@@ -84,23 +84,8 @@ def _aboard(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="corridor",
-    name="Corridor",
-    tags=(
-        "corridor",
-        "hallway",
-        "hall way",
-        "hall",
-        "passage",
-        "passageway",
-        "tunnel",
-        "vestibule",
-        "entrance hall",
-    ),
-    indoor=True,
-    draw=draw,
-    width=Span(2.7, 2.9, 4.0),
-    depth=Span(8.0, 12.0, 20.0),
-    height=Span(2.5, 2.8, 3.6),
+    key="corridor", name="Corridor",
+    tags=("corridor", "hallway", "hall way", "hall", "passage", "passageway", "tunnel", "vestibule", "entrance hall"),
+    indoor=True, draw=draw, width=Span(2.7, 2.9, 4.0), depth=Span(8.0, 12.0, 20.0), height=Span(2.5, 2.8, 3.6),
     options={"space": False},
-)
+)  # fmt: skip

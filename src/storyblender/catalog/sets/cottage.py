@@ -46,23 +46,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="cottage",
-    name="Cottage",
-    tags=(
-        "cottage",
-        "hut",
-        "cabin",
-        "log cabin",
-        "farmhouse",
-        "farm house",
-        "lodge",
-    ),
-    indoor=True,
-    room="rustic",
-    draw=draw,
-    width=Span(7.4, 7.6, 10.0),
-    depth=Span(6.0, 6.4, 8.0),
-    height=Span(2.4, 2.6, 3.2),
-    period="past",
-    options={"log": False},
-)
+    key="cottage", name="Cottage", tags=("cottage", "hut", "cabin", "log cabin", "farmhouse", "farm house", "lodge"),
+    indoor=True, room="rustic", draw=draw, width=Span(7.4, 7.6, 10.0), depth=Span(6.0, 6.4, 8.0),
+    height=Span(2.4, 2.6, 3.2), period="past", options={"log": False},
+)  # fmt: skip

@@ -80,16 +80,11 @@ def _public(room: Room) -> None:
 
 
 KIT = SetKit(
-    key="courtroom",
-    name="Courtroom",
+    key="courtroom", name="Courtroom",
     tags=("courtroom", "court room", "court", "courthouse", "tribunal", "court house", "trial", "hearing room",
-          "courtroom gallery"),
-    indoor=True,
-    draw=draw,
-    width=Span(10.4, 10.8, 14.0),
-    depth=Span(10.4, 10.8, 14.0),
-    height=Span(3.8, 4.2, 5.0),
-    has=("dock", "jury box", "witness box", "witness stand", "judge's bench", "rail", "box", "stand",
-         "bench", "public gallery", "gallery"),
+        "courtroom gallery"),
+    indoor=True, draw=draw, width=Span(10.4, 10.8, 14.0), depth=Span(10.4, 10.8, 14.0), height=Span(3.8, 4.2, 5.0),
+    has=("dock", "jury box", "witness box", "witness stand", "judge's bench", "rail", "box", "stand", "bench",
+        "public gallery", "gallery"),
     means={"bench": "pew", "podium": "lectern"},
 )  # fmt: skip

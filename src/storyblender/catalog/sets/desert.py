@@ -32,18 +32,6 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="desert",
-    name="Desert",
-    tags=(
-        "desert",
-        "dunes",
-        "wasteland",
-        "canyon",
-        "badlands",
-        "oasis",
-    ),
-    indoor=False,
-    draw=draw,
-    width=Span(9.0, 12.0, 24.0),
-    depth=Span(7.0, 9.0, 18.0),
-)
+    key="desert", name="Desert", tags=("desert", "dunes", "wasteland", "canyon", "badlands", "oasis"), indoor=False,
+    draw=draw, width=Span(9.0, 12.0, 24.0), depth=Span(7.0, 9.0, 18.0),
+)  # fmt: skip

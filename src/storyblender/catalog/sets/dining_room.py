@@ -41,13 +41,6 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="dining_room",
-    name="Dining room",
-    tags=("dining room", "dining hall", "breakfast room"),
-    indoor=True,
-    room="home",
-    draw=draw,
-    width=Span(4.6, 5.0, 11.0),
-    depth=Span(5.2, 5.4, 9.0),
-    height=Span(2.6, 3.0, 4.0),
-)
+    key="dining_room", name="Dining room", tags=("dining room", "dining hall", "breakfast room"), indoor=True,
+    room="home", draw=draw, width=Span(4.6, 5.0, 11.0), depth=Span(5.2, 5.4, 9.0), height=Span(2.6, 3.0, 4.0),
+)  # fmt: skip

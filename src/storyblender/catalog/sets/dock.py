@@ -71,28 +71,8 @@ def _moor(dock: Ground, edge: float) -> None:
 
 
 KIT = SetKit(
-    key="dock",
-    name="Dock",
-    tags=(
-        "dock",
-        "docks",
-        "pier",
-        "harbor",
-        "harbour",
-        "wharf",
-        "quay",
-        "port",
-        "marina",
-        "jetty",
-        "landing stage",
-        "ferry landing",
-        "mooring",
-        "shipyard",
-        "canal",
-    ),
-    indoor=False,
-    draw=draw,
-    width=Span(9.0, 12.0, 20.0),
-    depth=Span(6.0, 8.0, 12.0),
-    options={"cranes": True},
-)
+    key="dock", name="Dock",
+    tags=("dock", "docks", "pier", "harbor", "harbour", "wharf", "quay", "port", "marina", "jetty", "landing stage",
+        "ferry landing", "mooring", "shipyard", "canal"),
+    indoor=False, draw=draw, width=Span(9.0, 12.0, 20.0), depth=Span(6.0, 8.0, 12.0), options={"cranes": True},
+)  # fmt: skip

@@ -35,15 +35,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="elevator",
-    name="Lift",
-    tags=("elevator", "lift", "elevator car", "freight elevator", "service elevator"),
-    indoor=True,
-    draw=draw,
-    width=Span(2.8, 2.8, 3.6),
-    depth=Span(2.7, 2.7, 3.6),
-    height=Span(2.4, 2.5, 2.8),
-    period="modern",
-    means={"phone": "smartphone", "camera": "security_camera"},
+    key="elevator", name="Lift", tags=("elevator", "lift", "elevator car", "freight elevator", "service elevator"),
+    indoor=True, draw=draw, width=Span(2.8, 2.8, 3.6), depth=Span(2.7, 2.7, 3.6), height=Span(2.4, 2.5, 2.8),
+    period="modern", means={"phone": "smartphone", "camera": "security_camera"},
     has=("button", "door", "panel", "elevator", "lift", "mirror", "wall", "handrail", "rail", "hatch"),
-)
+)  # fmt: skip

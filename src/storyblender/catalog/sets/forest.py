@@ -36,23 +36,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="forest",
-    name="Forest",
-    tags=(
-        "forest",
-        "wood",
-        "woods",
-        "clearing",
-        "grove",
-        "woodland",
-        "trail",
-        "path",
-        "undergrowth",
-        "wilderness",
-    ),
-    indoor=False,
-    draw=draw,
-    width=Span(8.0, 9.0, 16.0),
-    depth=Span(7.0, 8.0, 14.0),
+    key="forest", name="Forest",
+    tags=("forest", "wood", "woods", "clearing", "grove", "woodland", "trail", "path", "undergrowth", "wilderness"),
+    indoor=False, draw=draw, width=Span(8.0, 9.0, 16.0), depth=Span(7.0, 8.0, 14.0),
     options={"pines": False, "palms": False},
-)
+)  # fmt: skip

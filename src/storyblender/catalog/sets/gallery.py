@@ -39,13 +39,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="gallery",
-    name="Museum",
+    key="gallery", name="Museum",
     tags=("museum", "gallery", "art gallery", "exhibition", "exhibition hall", "museum hall", "museum gallery"),
-    indoor=True,
-    draw=draw,
-    width=Span(8.4, 9.6, 15.0),
-    depth=Span(7.6, 8.6, 14.0),
-    height=Span(3.4, 3.8, 5.0),
+    indoor=True, draw=draw, width=Span(8.4, 9.6, 15.0), depth=Span(7.6, 8.6, 14.0), height=Span(3.4, 3.8, 5.0),
     has=("display case", "glass case", "rope", "showcase", "case", "plinth", "exhibit"),
-)
+)  # fmt: skip

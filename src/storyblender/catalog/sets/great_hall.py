@@ -65,15 +65,9 @@ def _long_tables(room: Room) -> None:
 
 
 KIT = SetKit(
-    key="great_hall",
-    name="Great hall",
-    tags=("throne room", "great hall", "palace", "tower", "royal court",
-          "council chamber", "state room", "banquet hall",
-          "castle hall", "palace hall", "hall of the castle", "knights' hall", "feast hall"),
-    indoor=True,
-    draw=draw,
-    width=Span(10.0, 12.0, 18.0),
-    depth=Span(11.0, 13.0, 20.0),
-    height=Span(4.8, 5.8, 7.5),
+    key="great_hall", name="Great hall",
+    tags=("throne room", "great hall", "palace", "tower", "royal court", "council chamber", "state room",
+        "banquet hall", "castle hall", "palace hall", "hall of the castle", "knights' hall", "feast hall"),
+    indoor=True, draw=draw, width=Span(10.0, 12.0, 18.0), depth=Span(11.0, 13.0, 20.0), height=Span(4.8, 5.8, 7.5),
     period="past",
 )  # fmt: skip

@@ -50,14 +50,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="greenhouse",
-    name="Greenhouse",
+    key="greenhouse", name="Greenhouse",
     tags=("greenhouse", "glasshouse", "hothouse", "conservatory", "orangery", "winter garden", "palm house",
-          "plant nursery", "botanical garden", "hydroponics", "hydroponics bay", "hydroponic farm"),
-    indoor=True,
-    draw=draw,
-    width=Span(6.2, 6.8, 10.0),
-    depth=Span(6.6, 7.4, 12.0),
-    height=Span(3.4, 3.7, 4.6),
+        "plant nursery", "botanical garden", "hydroponics", "hydroponics bay", "hydroponic farm"),
+    indoor=True, draw=draw, width=Span(6.2, 6.8, 10.0), depth=Span(6.6, 7.4, 12.0), height=Span(3.4, 3.7, 4.6),
     has=("flowers", "plants", "bench", "bed", "glass", "vine"),
 )  # fmt: skip

@@ -64,13 +64,8 @@ def _court(room: Room) -> None:
 
 
 KIT = SetKit(
-    key="gym",
-    name="Sports hall",
-    tags=("gym", "gymnasium", "school gym", "sports hall", "basketball court", "dojo", "dance studio",
-          "ballet studio", "rehearsal room", "training room"),
-    indoor=True,
-    draw=draw,
-    width=Span(12.0, 14.0, 20.0),
-    depth=Span(9.0, 10.5, 14.0),
-    height=Span(4.4, 5.2, 6.5),
+    key="gym", name="Sports hall",
+    tags=("gym", "gymnasium", "school gym", "sports hall", "basketball court", "dojo", "dance studio", "ballet studio",
+        "rehearsal room", "training room"),
+    indoor=True, draw=draw, width=Span(12.0, 14.0, 20.0), depth=Span(9.0, 10.5, 14.0), height=Span(4.4, 5.2, 6.5),
 )  # fmt: skip

@@ -47,16 +47,10 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="hospital_ward",
-    name="Hospital ward",
-    tags=("hospital", "ward", "clinic", "infirmary", "operating room", "surgery", "er",
-          "emergency room", "sickbay", "morgue", "asylum"),
-    indoor=True,
-    room="public",
-    draw=draw,
-    width=Span(7.4, 7.8, 12.0),
-    depth=Span(6.8, 7.2, 9.0),
-    height=Span(2.7, 3.0, 3.6),
-    period="modern",
+    key="hospital_ward", name="Hospital ward",
+    tags=("hospital", "ward", "clinic", "infirmary", "operating room", "surgery", "er", "emergency room", "sickbay",
+        "morgue", "asylum"),
+    indoor=True, room="public", draw=draw, width=Span(7.4, 7.8, 12.0), depth=Span(6.8, 7.2, 9.0),
+    height=Span(2.7, 3.0, 3.6), period="modern",
     means={"bed": "hospital_bed", "monitor": "heart_monitor", "screen": "folding_screen"},
 )  # fmt: skip

@@ -31,17 +31,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="interrogation",
-    name="Interrogation room",
-    tags=(
-        "interrogation room",
-        "interview room",
-        "questioning room",
-        "visiting room",
-        "safe house",
-    ),
-    indoor=True,
-    draw=draw,
-    width=Span(4.8, 5.2, 8.0),
-    depth=Span(5.6, 5.8, 8.0),
-)
+    key="interrogation", name="Interrogation room",
+    tags=("interrogation room", "interview room", "questioning room", "visiting room", "safe house"), indoor=True,
+    draw=draw, width=Span(4.8, 5.2, 8.0), depth=Span(5.6, 5.8, 8.0),
+)  # fmt: skip

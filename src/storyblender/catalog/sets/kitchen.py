@@ -46,17 +46,6 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="kitchen",
-    name="Kitchen",
-    tags=(
-        "kitchen",
-        "scullery",
-        "pantry",
-        "galley",
-    ),
-    indoor=True,
-    room="kitchen",
-    draw=draw,
-    width=Span(4.4, 4.6, 9.0),
-    depth=Span(4.0, 4.2, 8.0),
-)
+    key="kitchen", name="Kitchen", tags=("kitchen", "scullery", "pantry", "galley"), indoor=True, room="kitchen",
+    draw=draw, width=Span(4.4, 4.6, 9.0), depth=Span(4.0, 4.2, 8.0),
+)  # fmt: skip

@@ -47,15 +47,10 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="laboratory",
-    name="Laboratory",
-    tags=("laboratory", "lab", "research lab", "research station", "clean room", "science lab",
-          "pharmacy lab", "observatory", "crime lab", "alchemist's workshop"),
-    indoor=True,
-    draw=draw,
-    width=Span(7.6, 8.4, 12.0),
-    depth=Span(6.6, 7.2, 10.0),
-    height=Span(2.8, 3.2, 4.0),
+    key="laboratory", name="Laboratory",
+    tags=("laboratory", "lab", "research lab", "research station", "clean room", "science lab", "pharmacy lab",
+        "observatory", "crime lab", "alchemist's workshop"),
+    indoor=True, draw=draw, width=Span(7.6, 8.4, 12.0), depth=Span(6.6, 7.2, 10.0), height=Span(2.8, 3.2, 4.0),
     period="modern",
     has=("bench", "lab bench", "shelf", "fume hood", "microscope", "flask", "beaker", "test tube", "burner"),
     means={"stool": "bar_stool", "table": "workbench"},

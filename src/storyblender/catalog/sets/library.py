@@ -45,12 +45,6 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="library",
-    name="Library",
-    tags=("library", "reading room", "bookstore", "bookshop"),
-    indoor=True,
-    draw=draw,
-    width=Span(7.7, 8.2, 12.0),
-    depth=Span(6.6, 7.2, 10.0),
-    height=Span(2.9, 3.3, 4.2),
-)
+    key="library", name="Library", tags=("library", "reading room", "bookstore", "bookshop"), indoor=True,
+    draw=draw, width=Span(7.7, 8.2, 12.0), depth=Span(6.6, 7.2, 10.0), height=Span(2.9, 3.3, 4.2),
+)  # fmt: skip

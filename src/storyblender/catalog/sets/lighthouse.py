@@ -46,13 +46,7 @@ def _stairs(room: Room) -> None:
 
 
 KIT = SetKit(
-    key="lighthouse",
-    name="Lamp room of a lighthouse",
-    tags=("lamp room", "light house", "lantern room", "light tower", "beacon"),
-    indoor=True,
-    draw=draw,
-    width=Span(6.6, 7.4, 10.0),
-    depth=Span(6.4, 7.0, 9.0),
-    height=Span(2.9, 3.2, 4.0),
-    period="past",
-)
+    key="lighthouse", name="Lamp room of a lighthouse",
+    tags=("lamp room", "light house", "lantern room", "light tower", "beacon"), indoor=True, draw=draw,
+    width=Span(6.6, 7.4, 10.0), depth=Span(6.4, 7.0, 9.0), height=Span(2.9, 3.2, 4.0), period="past",
+)  # fmt: skip

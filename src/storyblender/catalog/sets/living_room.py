@@ -45,12 +45,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="living_room",
-    name="Living room",
+    key="living_room", name="Living room",
     tags=("living room", "lounge", "sitting room", "parlour", "parlor", "drawing room", "family room", "den", "salon"),
-    indoor=True,
-    room="home",
-    draw=draw,
-    width=Span(5.0, 5.2, 11.0),
-    depth=Span(5.0, 5.2, 9.0),
-)
+    indoor=True, room="home", draw=draw, width=Span(5.0, 5.2, 11.0), depth=Span(5.0, 5.2, 9.0),
+)  # fmt: skip

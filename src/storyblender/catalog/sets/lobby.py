@@ -47,24 +47,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="lobby",
-    name="Lobby",
-    tags=(
-        "lobby",
-        "hotel lobby",
-        "hotel",
-        "reception",
-        "train station",
-        "railway station",
-        "station",
-        "foyer",
-        "waiting hall",
-        "embassy",
-        "city hall",
-    ),
-    indoor=True,
-    draw=draw,
-    width=Span(9.0, 11.0, 16.0),
-    depth=Span(8.0, 9.6, 14.0),
-    height=Span(3.4, 4.0, 5.0),
-)
+    key="lobby", name="Lobby",
+    tags=("lobby", "hotel lobby", "hotel", "reception", "train station", "railway station", "station", "foyer",
+        "waiting hall", "embassy", "city hall"),
+    indoor=True, draw=draw, width=Span(9.0, 11.0, 16.0), depth=Span(8.0, 9.6, 14.0), height=Span(3.4, 4.0, 5.0),
+)  # fmt: skip

@@ -40,16 +40,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="locker_room",
-    name="Changing room",
-    tags=("changing room", "locker room", "changing rooms", "team room", "shower room"),
-    indoor=True,
-    room="public",
-    draw=draw,
-    width=Span(6.6, 7.4, 11.0),
-    depth=Span(5.6, 6.2, 9.0),
-    height=Span(2.6, 2.8, 3.4),
-    period="modern",
-    has=("peg", "hook", "shower"),
-    means={"bin": "trash_can"},
+    key="locker_room", name="Changing room",
+    tags=("changing room", "locker room", "changing rooms", "team room", "shower room"), indoor=True, room="public",
+    draw=draw, width=Span(6.6, 7.4, 11.0), depth=Span(5.6, 6.2, 9.0), height=Span(2.6, 2.8, 3.4), period="modern",
+    has=("peg", "hook", "shower"), means={"bin": "trash_can"},
 )  # fmt: skip

@@ -37,15 +37,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="motel_room",
-    name="Motel room",
-    tags=("motel room", "motel", "hostel room", "cheap hotel room", "roadside inn room"),
-    indoor=True,
-    room="home",
-    draw=draw,
-    width=Span(6.8, 7.0, 9.0),
-    depth=Span(5.6, 5.8, 8.0),
-    height=Span(2.4, 2.6, 3.0),
-    has=("bathroom door", "blind", "slat", "headlight", "neon"),
-    means={"tv": "television", "lamp": "table_lamp"},
+    key="motel_room", name="Motel room",
+    tags=("motel room", "motel", "hostel room", "cheap hotel room", "roadside inn room"), indoor=True, room="home",
+    draw=draw, width=Span(6.8, 7.0, 9.0), depth=Span(5.6, 5.8, 8.0), height=Span(2.4, 2.6, 3.0),
+    has=("bathroom door", "blind", "slat", "headlight", "neon"), means={"tv": "television", "lamp": "table_lamp"},
 )  # fmt: skip

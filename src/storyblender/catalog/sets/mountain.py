@@ -42,21 +42,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="mountain",
-    name="Mountain",
-    tags=(
-        "mountain",
-        "mountains",
-        "mountain pass",
-        "ledge",
-        "peak",
-        "summit",
-        "volcano",
-        "ravine",
-        "gorge",
-    ),
-    indoor=False,
-    draw=draw,
-    width=Span(8.0, 10.0, 18.0),
-    depth=Span(6.0, 8.0, 14.0),
-)
+    key="mountain", name="Mountain",
+    tags=("mountain", "mountains", "mountain pass", "ledge", "peak", "summit", "volcano", "ravine", "gorge"),
+    indoor=False, draw=draw, width=Span(8.0, 10.0, 18.0), depth=Span(6.0, 8.0, 14.0),
+)  # fmt: skip

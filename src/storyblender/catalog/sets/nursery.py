@@ -40,15 +40,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="nursery",
-    name="Nursery",
+    key="nursery", name="Nursery",
     tags=("nursery", "children room", "child bedroom", "child room", "kids room", "girl bedroom", "boy bedroom",
-          "playroom", "toy room"),
-    indoor=True,
-    room="bedroom",
-    draw=draw,
-    width=Span(6.0, 6.4, 8.0),
-    depth=Span(5.0, 5.4, 7.0),
-    means={"bookcase": "bookshelf", "toy": "toy_blocks"},
-    has=("night light",),
+        "playroom", "toy room"),
+    indoor=True, room="bedroom", draw=draw, width=Span(6.0, 6.4, 8.0), depth=Span(5.0, 5.4, 7.0),
+    means={"bookcase": "bookshelf", "toy": "toy_blocks"}, has=("night light",),
 )  # fmt: skip

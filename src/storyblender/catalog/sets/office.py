@@ -49,13 +49,6 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="office",
-    name="Office",
-    tags=("office", "study", "detective agency", "headquarters", "bureau",
-          ),
-    indoor=True,
-    room="office",
-    draw=draw,
-    width=Span(4.6, 4.8, 10.0),
-    depth=Span(4.8, 5.0, 9.0),
+    key="office", name="Office", tags=("office", "study", "detective agency", "headquarters", "bureau"),
+    indoor=True, room="office", draw=draw, width=Span(4.6, 4.8, 10.0), depth=Span(4.8, 5.0, 9.0),
 )  # fmt: skip

@@ -30,14 +30,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="open_ground",
-    name="Open ground",
+    key="open_ground", name="Open ground",
     tags=("meadow", "countryside", "pasture", "open ground", "hillside", "plain", "prairie", "outside", "moor",
-          "moorland", "heath", "snowy hill",
-          "camp", "valley", "hill", "exterior"),
-    indoor=False,
-    draw=draw,
-    width=Span(8.0, 12.0, 24.0),
-    depth=Span(7.0, 10.0, 20.0),
-    options={"dry": False},
+        "moorland", "heath", "snowy hill", "camp", "valley", "hill", "exterior"),
+    indoor=False, draw=draw, width=Span(8.0, 12.0, 24.0), depth=Span(7.0, 10.0, 20.0), options={"dry": False},
 )  # fmt: skip

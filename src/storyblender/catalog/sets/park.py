@@ -41,18 +41,6 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="park",
-    name="Park",
-    tags=(
-        "park",
-        "garden",
-        "orchard",
-        "courtyard",
-        "estate",
-    ),
-    indoor=False,
-    draw=draw,
-    width=Span(9.0, 12.0, 22.0),
-    depth=Span(6.0, 8.0, 16.0),
-    has=("house", "building", "hedge"),
-)
+    key="park", name="Park", tags=("park", "garden", "orchard", "courtyard", "estate"), indoor=False, draw=draw,
+    width=Span(9.0, 12.0, 22.0), depth=Span(6.0, 8.0, 16.0), has=("house", "building", "hedge"),
+)  # fmt: skip

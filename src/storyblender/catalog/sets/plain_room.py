@@ -40,12 +40,6 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="room",
-    name="Room",
-    tags=("room", "house", "home", "interior", "chamber", "back room"),
-    indoor=True,
-    room="home",
-    draw=draw,
-    width=Span(3.8, 4.6, 12.0),
-    depth=Span(3.8, 4.4, 10.0),
-)
+    key="room", name="Room", tags=("room", "house", "home", "interior", "chamber", "back room"), indoor=True,
+    room="home", draw=draw, width=Span(3.8, 4.6, 12.0), depth=Span(3.8, 4.4, 10.0),
+)  # fmt: skip

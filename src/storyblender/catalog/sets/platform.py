@@ -51,13 +51,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="platform",
-    name="Railway platform",
+    key="platform", name="Railway platform",
     tags=("train platform", "railway platform", "railroad platform", "station platform", "train tracks",
-          "railway tracks", "railway", "railroad", "tracks", "rail yard"),
-    indoor=False,
-    draw=draw,
-    width=Span(11.0, 14.0, 22.0),
-    depth=Span(6.5, 7.5, 11.0),
-    options={"train": False},
+        "railway tracks", "railway", "railroad", "tracks", "rail yard"),
+    indoor=False, draw=draw, width=Span(11.0, 14.0, 22.0), depth=Span(6.5, 7.5, 11.0), options={"train": False},
 )  # fmt: skip

@@ -52,15 +52,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="police_station",
-    name="Police station",
+    key="police_station", name="Police station",
     tags=("police station", "precinct", "squad room", "police headquarters", "station house", "sheriff office",
-          "detective bureau", "bullpen", "homicide", "booking room", "police post", "incident room"),
-    indoor=True,
-    room="office",
-    draw=draw,
-    width=Span(7.6, 8.2, 12.0),
-    depth=Span(7.0, 7.4, 10.0),
-    height=Span(2.8, 3.1, 3.8),
-        has=("cell", "cell door"),
+        "detective bureau", "bullpen", "homicide", "booking room", "police post", "incident room"),
+    indoor=True, room="office", draw=draw, width=Span(7.6, 8.2, 12.0), depth=Span(7.0, 7.4, 10.0),
+    height=Span(2.8, 3.1, 3.8), has=("cell", "cell door"),
 )  # fmt: skip

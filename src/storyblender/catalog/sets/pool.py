@@ -37,14 +37,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="pool",
-    name="Swimming pool",
-    tags=("pool", "swimming pool", "poolside", "hotel pool", "pool deck"),
-    indoor=False,
-    draw=draw,
-    width=Span(9.0, 10.0, 16.0),
-    depth=Span(5.0, 6.0, 10.0),
-    period="modern",
+    key="pool", name="Swimming pool", tags=("pool", "swimming pool", "poolside", "hotel pool", "pool deck"),
+    indoor=False, draw=draw, width=Span(9.0, 10.0, 16.0), depth=Span(5.0, 6.0, 10.0), period="modern",
     has=("pool", "water", "diving board", "ladder", "swimming pool"),
     means={"chair": "deck_chair", "umbrella": "parasol", "lounger": "deck_chair"},
-)
+)  # fmt: skip

@@ -47,14 +47,10 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="porch",
-    name="Porch",
+    key="porch", name="Porch",
     tags=("porch", "veranda", "verandah", "front porch", "back porch", "doorstep", "front door", "front steps", "stoop",
-          "house porch"),
-    indoor=False,
-    draw=draw,
-    width=Span(8.4, 9.0, 14.0),
-    depth=Span(3.4, 3.6, 5.0),
+        "house porch"),
+    indoor=False, draw=draw, width=Span(8.4, 9.0, 14.0), depth=Span(3.4, 3.6, 5.0),
     has=("step", "steps", "door", "front door", "rail", "railing", "porch", "house", "doorstep", "doorway", "post"),
     means={"swing": "porch_swing", "bench": "porch_swing", "chair": "rocking_chair"},
 )  # fmt: skip

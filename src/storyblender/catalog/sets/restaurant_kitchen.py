@@ -43,15 +43,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="restaurant_kitchen",
-    name="Restaurant kitchen",
+    key="restaurant_kitchen", name="Restaurant kitchen",
     tags=("restaurant kitchen", "hotel kitchen", "restaurant galley", "diner kitchen", "commercial kitchen",
-          "cafe kitchen", "palace kitchen", "school kitchen", "prison kitchen"),
-    indoor=True,
-    draw=draw,
-    width=Span(7.4, 8.2, 12.0),
-    depth=Span(6.8, 7.2, 10.0),
-    height=Span(2.8, 3.0, 3.6),
-    period="modern",
-    has=("stove", "range", "oven", "counter", "pass", "hood", "burner", "grill"),
+        "cafe kitchen", "palace kitchen", "school kitchen", "prison kitchen"),
+    indoor=True, draw=draw, width=Span(7.4, 8.2, 12.0), depth=Span(6.8, 7.2, 10.0), height=Span(2.8, 3.0, 3.6),
+    period="modern", has=("stove", "range", "oven", "counter", "pass", "hood", "burner", "grill"),
 )  # fmt: skip

@@ -38,17 +38,6 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="rooftop",
-    name="Rooftop",
-    tags=(
-        "rooftop",
-        "roof",
-        "battlements",
-        "ramparts",
-        "fire escape",
-    ),
-    indoor=False,
-    draw=draw,
-    width=Span(7.0, 9.0, 16.0),
-    depth=Span(6.0, 7.0, 12.0),
-)
+    key="rooftop", name="Rooftop", tags=("rooftop", "roof", "battlements", "ramparts", "fire escape"), indoor=False,
+    draw=draw, width=Span(7.0, 9.0, 16.0), depth=Span(6.0, 7.0, 12.0),
+)  # fmt: skip

@@ -58,28 +58,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="ship_deck",
-    name="Ship's deck",
-    tags=(
-        "ship",
-        "deck",
-        "boat",
-        "yacht",
-        "ferry",
-        "pirate ship",
-        "sailing ship",
-        "galleon",
-        "steamer",
-        "fishing boat",
-        "trawler",
-        "boat deck",
-        "ship deck",
-        "fishing vessel",
-        "wheelhouse",
-    ),
-    indoor=False,
-    draw=draw,
-    width=Span(7.0, 9.0, 14.0),
-    depth=Span(4.6, 5.6, 8.0),
-    period="past",
-)
+    key="ship_deck", name="Ship's deck",
+    tags=("ship", "deck", "boat", "yacht", "ferry", "pirate ship", "sailing ship", "galleon", "steamer", "fishing boat",
+        "trawler", "boat deck", "ship deck", "fishing vessel", "wheelhouse"),
+    indoor=False, draw=draw, width=Span(7.0, 9.0, 14.0), depth=Span(4.6, 5.6, 8.0), period="past",
+)  # fmt: skip

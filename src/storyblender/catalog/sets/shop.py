@@ -45,15 +45,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="shop",
-    name="Shop",
-    tags=("shop", "store", "grocery", "general store", "pawn shop",
-          "butcher", "showroom"),
-    indoor=True,
-    room="shop",
-    draw=draw,
-    width=Span(7.0, 7.6, 11.0),
-    depth=Span(5.6, 6.4, 9.0),
-    height=Span(2.8, 3.1, 3.8),
-    means={"bookshelf": "store_shelf", "jewel_box": "cardboard_box"},
+    key="shop", name="Shop", tags=("shop", "store", "grocery", "general store", "pawn shop", "butcher", "showroom"),
+    indoor=True, room="shop", draw=draw, width=Span(7.0, 7.6, 11.0), depth=Span(5.6, 6.4, 9.0),
+    height=Span(2.8, 3.1, 3.8), means={"bookshelf": "store_shelf", "jewel_box": "cardboard_box"},
 )  # fmt: skip

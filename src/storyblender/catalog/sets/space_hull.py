@@ -42,14 +42,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="space_hull",
-    name="Hull in space",
+    key="space_hull", name="Hull in space",
     tags=("hull", "outer hull", "spacewalk", "space walk", "space", "outer space", "orbit", "deep space", "space hull",
-          "outside the ship", "outside the station"),
-    indoor=False,
-    draw=draw,
-    width=Span(7.0, 9.0, 14.0),
-    depth=Span(4.0, 4.6, 7.0),
-    period="modern",
+        "outside the ship", "outside the station"),
+    indoor=False, draw=draw, width=Span(7.0, 9.0, 14.0), depth=Span(4.0, 4.6, 7.0), period="modern",
     has=("hull", "star", "earth", "planet", "solar panel", "handrail"),
 )  # fmt: skip

@@ -49,14 +49,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="square",
-    name="Town square",
-    tags=("square", "plaza", "piazza", "town square", "fountain",
-          "gate"),
-    indoor=False,
-    draw=draw,
-    width=Span(10.0, 13.0, 22.0),
-    depth=Span(8.0, 10.0, 18.0),
-    has=("house", "building"),
+    key="square", name="Town square", tags=("square", "plaza", "piazza", "town square", "fountain", "gate"),
+    indoor=False, draw=draw, width=Span(10.0, 13.0, 22.0), depth=Span(8.0, 10.0, 18.0), has=("house", "building"),
     period="past",
 )  # fmt: skip

@@ -36,14 +36,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="stadium",
-    name="Stadium",
+    key="stadium", name="Stadium",
     tags=("stadium", "football field", "soccer field", "pitch", "soccer pitch", "football pitch", "baseball field",
-          "racetrack", "playing field", "track field", "sports field", "ballpark"),
-    indoor=False,
-    draw=draw,
-    width=Span(10.0, 14.0, 26.0),
-    depth=Span(8.0, 10.0, 20.0),
-    period="modern",
+        "racetrack", "playing field", "track field", "sports field", "ballpark"),
+    indoor=False, draw=draw, width=Span(10.0, 14.0, 26.0), depth=Span(8.0, 10.0, 20.0), period="modern",
     has=("goal", "crowd", "stand", "stands", "bleacher", "floodlight", "field", "pitch"),
 )  # fmt: skip

@@ -47,13 +47,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="stairwell",
-    name="Stairwell",
+    key="stairwell", name="Stairwell",
     tags=("stairwell", "staircase", "stairway", "stairs", "landing", "fire stairs", "emergency stairs", "stair hall"),
-    indoor=True,
-    draw=draw,
-    width=Span(5.8, 6.2, 9.0),
-    depth=Span(5.8, 6.2, 9.0),
-    height=Span(3.9, 4.2, 5.0),
+    indoor=True, draw=draw, width=Span(5.8, 6.2, 9.0), depth=Span(5.8, 6.2, 9.0), height=Span(3.9, 4.2, 5.0),
     has=("stair", "stairs", "step", "banister", "railing", "rail", "handrail", "landing"),
-)
+)  # fmt: skip

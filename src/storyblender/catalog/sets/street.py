@@ -123,14 +123,9 @@ def _frontier(street: Ground) -> SetPlan:
 
 
 KIT = SetKit(
-    key="street",
-    name="Street",
+    key="street", name="Street",
     tags=("street", "road", "avenue", "sidewalk", "pavement", "city", "downtown", "town", "boulevard", "intersection",
-          "shopfront", "building", "crosswalk",           ),
-    indoor=False,
-    draw=draw,
-    width=Span(10.0, 14.0, 24.0),
-    depth=Span(5.0, 5.2, 5.6),
-    options={"frontier": False},
+        "shopfront", "building", "crosswalk"),
+    indoor=False, draw=draw, width=Span(10.0, 14.0, 24.0), depth=Span(5.0, 5.2, 5.6), options={"frontier": False},
     has=("house", "building", "shutter", "curtain", "blind", "porch", "hitching rail", "boardwalk", "kerb", "rail"),
 )  # fmt: skip

@@ -57,15 +57,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="subway",
-    name="Underground platform",
+    key="subway", name="Underground platform",
     tags=("subway", "subway platform", "subway station", "metro station", "underground station", "tube station",
-          "metro platform", "underground platform", "tube platform"),
-    indoor=True,
-    draw=draw,
-    width=Span(10.0, 13.0, 20.0),
-    depth=Span(12.0, 12.6, 15.0),
-    height=Span(3.1, 3.3, 4.0),
-    period="modern",
-    options={"train": False},
+        "metro platform", "underground platform", "tube platform"),
+    indoor=True, draw=draw, width=Span(10.0, 13.0, 20.0), depth=Span(12.0, 12.6, 15.0), height=Span(3.1, 3.3, 4.0),
+    period="modern", options={"train": False},
 )  # fmt: skip

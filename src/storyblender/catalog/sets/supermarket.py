@@ -54,14 +54,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="supermarket",
-    name="Supermarket",
-    tags=("supermarket", "grocery store", "convenience store", "minimart", "mini mart", "mall"),
-    indoor=True,
-    draw=draw,
-    width=Span(9.0, 9.6, 14.0),
-    depth=Span(7.6, 8.4, 12.0),
-    height=Span(2.9, 3.2, 4.0),
-    period="modern",
+    key="supermarket", name="Supermarket",
+    tags=("supermarket", "grocery store", "convenience store", "minimart", "mini mart", "mall"), indoor=True,
+    draw=draw, width=Span(9.0, 9.6, 14.0), depth=Span(7.6, 8.4, 12.0), height=Span(2.9, 3.2, 4.0), period="modern",
     means={"cart": "shopping_cart", "pram": "shopping_cart", "bookshelf": "store_shelf", "jewel_box": "cardboard_box"},
-)
+)  # fmt: skip

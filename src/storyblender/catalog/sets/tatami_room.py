@@ -57,17 +57,12 @@ def _mats(room: Room) -> None:
 
 
 KIT = SetKit(
-    key="tatami_room",
-    name="Room of mats",
-    tags=("tea house", "teahouse", "tea ceremony", "ryokan", "japanese house", "japanese room", "geisha house",
-          "okiya", "zen temple", "washitsu", "minka"),
-    indoor=True,
-    draw=draw,
-    width=Span(6.6, 7.2, 9.0),
-    depth=Span(5.8, 6.2, 8.0),
-    height=Span(2.3, 2.45, 2.8),
+    key="tatami_room", name="Room of mats",
+    tags=("tea house", "teahouse", "tea ceremony", "ryokan", "japanese house", "japanese room", "geisha house", "okiya",
+        "zen temple", "washitsu", "minka"),
+    indoor=True, draw=draw, width=Span(6.6, 7.2, 9.0), depth=Span(5.8, 6.2, 8.0), height=Span(2.3, 2.45, 2.8),
     period="past",
     means={"screen": "folding_screen", "cushion": "floor_cushion", "pillow": "floor_cushion", "kettle": "teapot",
-           "table": "coffee_table"},
+        "table": "coffee_table"},
     has=("paper screen", "screen", "mat", "alcove"),
 )  # fmt: skip

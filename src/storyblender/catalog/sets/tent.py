@@ -35,16 +35,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="tent",
-    name="Tent",
+    key="tent", name="Tent",
     tags=("tent", "yurt", "marquee", "pavilion", "tepee", "teepee", "wigwam", "bivouac", "army tent", "command tent",
-          "field hospital"),
-    indoor=True,
-    draw=draw,
-    width=Span(5.0, 5.6, 8.0),
-    depth=Span(4.6, 5.0, 8.0),
-    height=Span(2.6, 2.9, 3.6),
-    period="past",
-    has=("flap", "tent", "canvas"),
-    means={"cot": "bed"},
+        "field hospital"),
+    indoor=True, draw=draw, width=Span(5.0, 5.6, 8.0), depth=Span(4.6, 5.0, 8.0), height=Span(2.6, 2.9, 3.6),
+    period="past", has=("flap", "tent", "canvas"), means={"cot": "bed"},
 )  # fmt: skip

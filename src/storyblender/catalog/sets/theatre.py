@@ -57,21 +57,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="theatre",
-    name="Theatre",
-    tags=(
-        "theatre",
-        "theater",
-        "stage",
-        "cinema",
-        "opera",
-        "concert hall",
-        "dressing room",
-        "backstage",
-    ),
-    indoor=True,
-    draw=draw,
-    width=Span(9.0, 10.5, 16.0),
-    depth=Span(9.0, 11.0, 16.0),
-    height=Span(4.2, 5.0, 7.0),
-)
+    key="theatre", name="Theatre",
+    tags=("theatre", "theater", "stage", "cinema", "opera", "concert hall", "dressing room", "backstage"),
+    indoor=True, draw=draw, width=Span(9.0, 10.5, 16.0), depth=Span(9.0, 11.0, 16.0), height=Span(4.2, 5.0, 7.0),
+)  # fmt: skip

@@ -40,12 +40,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="trench",
-    name="Trench",
+    key="trench", name="Trench",
     tags=("trench", "battlefield", "trenches", "front line", "no man's land", "foxhole", "dugout", "war zone"),
-    indoor=False,
-    draw=draw,
-    width=Span(8.0, 9.0, 16.0),
-    depth=Span(3.0, 3.4, 5.0),
+    indoor=False, draw=draw, width=Span(8.0, 9.0, 16.0), depth=Span(3.0, 3.4, 5.0),
     has=("sandbag", "wire", "parapet", "trench", "wall", "duckboard"),
-)
+)  # fmt: skip

@@ -37,11 +37,6 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="vineyard",
-    name="Vineyard",
-    tags=("vineyard", "vines", "winery", "wine estate"),
-    indoor=False,
-    draw=draw,
-    width=Span(8.0, 11.0, 20.0),
-    depth=Span(6.0, 8.0, 16.0),
-)
+    key="vineyard", name="Vineyard", tags=("vineyard", "vines", "winery", "wine estate"), indoor=False, draw=draw,
+    width=Span(8.0, 11.0, 20.0), depth=Span(6.0, 8.0, 16.0),
+)  # fmt: skip

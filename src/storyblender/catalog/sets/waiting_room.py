@@ -79,15 +79,9 @@ def _platform(room: Room, modern: bool) -> None:
 
 
 KIT = SetKit(
-    key="waiting_room",
-    name="Waiting room",
+    key="waiting_room", name="Waiting room",
     tags=("waiting room", "station waiting room", "ticket office", "ticket hall", "bus station", "bus depot",
-          "train depot", "ferry terminal", "customs hall"),
-    indoor=True,
-    room="public",
-    draw=draw,
-    width=Span(9.4, 10.4, 14.0),
-    depth=Span(6.8, 7.4, 10.0),
-    height=Span(3.2, 3.6, 4.2),
-    options={"railway": False},
+        "train depot", "ferry terminal", "customs hall"),
+    indoor=True, room="public", draw=draw, width=Span(9.4, 10.4, 14.0), depth=Span(6.8, 7.4, 10.0),
+    height=Span(3.2, 3.6, 4.2), options={"railway": False},
 )  # fmt: skip

@@ -71,14 +71,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="warehouse",
-    means={"jewel_box": "cardboard_box"},
-    name="Warehouse",
-    tags=("warehouse", "factory", "hangar", "depot", "storage", "storeroom", ),
-    indoor=True,
-    room="work",
-    draw=draw,
-    width=Span(9.0, 11.0, 18.0),
-    depth=Span(8.0, 10.0, 16.0),
-    height=Span(3.8, 4.8, 6.5),
+    key="warehouse", means={"jewel_box": "cardboard_box"}, name="Warehouse",
+    tags=("warehouse", "factory", "hangar", "depot", "storage", "storeroom"), indoor=True, room="work", draw=draw,
+    width=Span(9.0, 11.0, 18.0), depth=Span(8.0, 10.0, 16.0), height=Span(3.8, 4.8, 6.5),
 )  # fmt: skip

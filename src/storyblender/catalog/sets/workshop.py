@@ -46,15 +46,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 
 KIT = SetKit(
-    key="workshop",
-    name="Workshop",
-    tags=("workshop", "forge", "smithy", "shed", "carpentry",
-          ),
-    indoor=True,
-    room="work",
-    draw=draw,
-    width=Span(6.4, 7.6, 14.0),
-    depth=Span(6.0, 6.8, 11.0),
-    height=Span(2.8, 3.2, 4.5),
+    key="workshop", name="Workshop", tags=("workshop", "forge", "smithy", "shed", "carpentry"), indoor=True,
+    room="work", draw=draw, width=Span(6.4, 7.6, 14.0), depth=Span(6.0, 6.8, 11.0), height=Span(2.8, 3.2, 4.5),
     means={"jewel_box": "cardboard_box", "table": "workbench", "torch": "flashlight"},
 )  # fmt: skip
