@@ -46,14 +46,10 @@ def helicopter(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a helicopter with an open cabin, two seats, its rotor and skids."""
     body = spec.material("body")
     with b.at(scale=np.array(spec.size) / spec.entry.size):
-        _fuselage(
-            b,
-            body,
-            [
-                (-0.6, 0.85, 0.5, 1.0), (0.3, 0.85, 0.85, 1.4), (1.2, 0.7, 0.75, 1.5), (2.0, 0.3, 0.34, 1.75),
-                (5.4, 0.12, 0.14, 2.0),
-            ],
-        )  # fmt: skip
+        _fuselage(b, body, [
+            (-0.6, 0.85, 0.5, 1.0), (0.3, 0.85, 0.85, 1.4), (1.2, 0.7, 0.75, 1.5), (2.0, 0.3, 0.34, 1.75),
+            (5.4, 0.12, 0.14, 2.0),
+        ])  # fmt: skip
         _fuselage(
             b, body, [(-1.9, 0.3, 0.14, 0.8), (-1.5, 0.7, 0.3, 0.84), (-0.6, 0.85, 0.42, 0.92), (0.0, 0.85, 0.42, 0.92)]
         )
@@ -116,14 +112,10 @@ def jet(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a jet airliner with swept wings and an engine under each."""
     body, trim = spec.material("body"), spec.material("trim")
     with b.at(scale=np.array(spec.size) / spec.entry.size):
-        _fuselage(
-            b,
-            body,
-            [
-                (-16.5, 0.2, 0.2, 3.3), (-16, 0.8, 0.7, 3.4), (-14.5, 1.6, 1.5, 3.6), (-12, 1.95, 1.95, 3.7),
-                (8, 1.95, 1.95, 3.7), (13, 1.1, 1.1, 4.3), (16.5, 0.25, 0.3, 4.8),
-            ],
-        )  # fmt: skip
+        _fuselage(b, body, [
+            (-16.5, 0.2, 0.2, 3.3), (-16, 0.8, 0.7, 3.4), (-14.5, 1.6, 1.5, 3.6), (-12, 1.95, 1.95, 3.7),
+            (8, 1.95, 1.95, 3.7), (13, 1.1, 1.1, 4.3), (16.5, 0.25, 0.3, 4.8),
+        ])  # fmt: skip
         for x in (-1, 1):
             _blade(b, body, (x * 1.2, -4.5, 2.7), (x * 16, 4.5, 4.0), (7.0, 1.8), 0.22)
             _blade(b, body, (x * 0.4, 13, 4.6), (x * 6, 16, 5.1), (3.2, 1.2), 0.1)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
@@ -10,11 +12,18 @@ from storyblender.blender.props.registry import Anchors, PropSpec, prop, seat
 from storyblender.blender.props.tableware import around, under
 
 Station = tuple[float, float, float, float, float]
-"""x, y, z of the middle, half width, half height of a section across the way it points."""
+"""One ellipse of a limb: x, y, z of its centre, half width along X, half height across the limb; metres."""
 
 
-def limb(b: MeshBuilder, material: MaterialRef, stations: list[Station], segments: int = 14) -> None:
-    """Loft ellipses along a path in the YZ plane: bodies, necks, heads, legs, tails."""
+def limb(b: MeshBuilder, material: MaterialRef, stations: Sequence[Station], segments: int = 14) -> None:
+    """Add a part of an animal's body, lofted over ellipses along a path in a YZ plane.
+
+    Args:
+        b: Receives the part.
+        material: Coat or skin.
+        stations: The ellipses, from one end to the other; at least two.
+        segments: Points around each ellipse.
+    """
     path = np.array([station[:3] for station in stations])
     along = np.gradient(path, axis=0)
     along = along / np.linalg.norm(along, axis=1, keepdims=True)
@@ -29,8 +38,8 @@ def limb(b: MeshBuilder, material: MaterialRef, stations: list[Station], segment
     b.loft(material, rings)
 
 
-def both(stations: list[Station]) -> list[list[Station]]:
-    """Return a limb on the right and on the left."""
+def both_sides(stations: Sequence[Station]) -> list[list[Station]]:
+    """Return the stations of a limb given at +X, mirrored to -X and as given."""
     return [[(side * x, y, z, w, t) for x, y, z, w, t in stations] for side in (-1, 1)]
 
 
@@ -40,14 +49,10 @@ def dog(b: MeshBuilder, spec: PropSpec) -> Anchors:
     coat, nose = spec.material("coat"), spec.material("nose")
     scale = np.array(spec.size) / (0.26, 0.95, 0.68)
     with b.at(scale=scale):
-        limb(
-            b,
-            coat,
-            [
-                (0, -0.26, 0.42, 0.05, 0.07), (0, -0.22, 0.42, 0.1, 0.13), (0, -0.1, 0.41, 0.115, 0.14),
-                (0, 0.08, 0.42, 0.1, 0.12), (0, 0.22, 0.43, 0.1, 0.12), (0, 0.3, 0.43, 0.04, 0.06),
-            ],
-        )  # fmt: skip
+        limb(b, coat, [
+            (0, -0.26, 0.42, 0.05, 0.07), (0, -0.22, 0.42, 0.1, 0.13), (0, -0.1, 0.41, 0.115, 0.14),
+            (0, 0.08, 0.42, 0.1, 0.12), (0, 0.22, 0.43, 0.1, 0.12), (0, 0.3, 0.43, 0.04, 0.06),
+        ])  # fmt: skip
         limb(b, coat, [(0, -0.18, 0.44, 0.09, 0.11), (0, -0.26, 0.53, 0.07, 0.085), (0, -0.31, 0.6, 0.065, 0.075)])
         sections = [
             (0, -0.25, 0.6, 0.03, 0.03), (0, -0.29, 0.605, 0.07, 0.07), (0, -0.35, 0.59, 0.065, 0.062),
@@ -58,7 +63,7 @@ def dog(b: MeshBuilder, spec: PropSpec) -> Anchors:
         for x in (-1, 1):
             b.cushion(coat, (x * 0.045, -0.28, 0.68), (0.045, 0.025, 0.1), softness=0.9, rotation=(0, x * 10, 0))
             b.sphere(nose, (x * 0.04, -0.385, 0.607), 0.009, segments=8, rings=5)
-        for front in both(
+        for front in both_sides(
             [
                 (0.07, -0.2, 0.42, 0.045, 0.06),
                 (0.075, -0.19, 0.3, 0.034, 0.04),
@@ -68,7 +73,7 @@ def dog(b: MeshBuilder, spec: PropSpec) -> Anchors:
             ]
         ):
             limb(b, coat, front, 10)
-        for hind in both(
+        for hind in both_sides(
             [
                 (0.07, 0.22, 0.44, 0.055, 0.1),
                 (0.078, 0.2, 0.3, 0.045, 0.07),
@@ -124,7 +129,7 @@ def cat(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b.sphere(nose, (x * 0.026, -0.094, 0.352), 0.008, segments=8, rings=5)
             b.cushion(coat, (x * 0.075, 0.06, 0.07), (0.07, 0.16, 0.13), softness=0.9)
             b.cushion(coat, (x * 0.075, -0.03, 0.018), (0.045, 0.11, 0.036), softness=0.8)
-        for front in both(
+        for front in both_sides(
             [
                 (0.035, -0.02, 0.2, 0.028, 0.03),
                 (0.035, -0.05, 0.1, 0.02, 0.022),
@@ -149,16 +154,11 @@ def horse(b: MeshBuilder, spec: PropSpec) -> Anchors:
     coat, mane, hoof = spec.material("coat"), spec.material("mane"), spec.material("hoof")
     scale = np.array(spec.size) / (0.6, 2.3, 2.15)
     with b.at(scale=scale):
-        limb(
-            b,
-            coat,
-            [
-                (0, -0.72, 1.16, 0.1, 0.16), (0, -0.62, 1.14, 0.22, 0.29), (0, -0.35, 1.12, 0.27, 0.31),
-                (0, 0.05, 1.1, 0.29, 0.31), (0, 0.4, 1.16, 0.28, 0.29), (0, 0.68, 1.17, 0.24, 0.25),
-                (0, 0.84, 1.14, 0.1, 0.14),
-            ],
-            18,
-        )  # fmt: skip
+        limb(b, coat, [
+            (0, -0.72, 1.16, 0.1, 0.16), (0, -0.62, 1.14, 0.22, 0.29), (0, -0.35, 1.12, 0.27, 0.31),
+            (0, 0.05, 1.1, 0.29, 0.31), (0, 0.4, 1.16, 0.28, 0.29), (0, 0.68, 1.17, 0.24, 0.25),
+            (0, 0.84, 1.14, 0.1, 0.14),
+        ], 18)  # fmt: skip
         limb(
             b,
             coat,
@@ -190,7 +190,7 @@ def horse(b: MeshBuilder, spec: PropSpec) -> Anchors:
             (0.16, 0.62, 1.1, 0.13, 0.24), (0.17, 0.58, 0.82, 0.1, 0.16), (0.17, 0.72, 0.58, 0.06, 0.075),
             (0.17, 0.72, 0.32, 0.045, 0.05), (0.17, 0.69, 0.14, 0.05, 0.055), (0.17, 0.67, 0.08, 0.052, 0.058),
         ]  # fmt: skip
-        for leg in (*both(front), *both(hind)):
+        for leg in (*both_sides(front), *both_sides(hind)):
             limb(b, coat, leg, 12)
             x, y = leg[-1][0], leg[-1][1]
             b.lathe(hoof, [(0.075, 0), (0.055, 0.1)], origin=(x, y - 0.015, 0), segments=14)
@@ -240,7 +240,7 @@ def cow(b: MeshBuilder, spec: PropSpec) -> Anchors:
             (0.2, 0.72, 0.4, 0.058, 0.065),
             (0.2, 0.68, 0.07, 0.06, 0.065),
         ]
-        for leg in (*both(front), *both(hind)):
+        for leg in (*both_sides(front), *both_sides(hind)):
             limb(b, coat, leg, 12)
             b.lathe("iron", [(0.08, 0), (0.06, 0.08)], origin=(leg[-1][0], leg[-1][1] - 0.01, 0), segments=14)
         b.sphere(patch, (0, 0.5, 0.58), 0.16, segments=14, rings=9)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
-from storyblender.blender.props.animals import Station, both, limb
+from storyblender.blender.props.animals import Station, both_sides, limb
 from storyblender.blender.props.parts import bent
 from storyblender.blender.props.registry import Anchors, PropSpec, prop
 
@@ -125,7 +125,7 @@ def _legs(b: MeshBuilder, coat: MaterialRef, plan: Plan) -> None:
         (across, length * 0.45, floor * 2, foot, foot * 1.1),
         (across, length * 0.44, floor, foot, foot),
     ]
-    for leg in (*both(front), *both(hind)):
+    for leg in (*both_sides(front), *both_sides(hind)):
         limb(b, coat, leg, 12)
         x, y = leg[-1][0], leg[-1][1]
         if plan.hooves:

@@ -94,14 +94,10 @@ def truck(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, d, h), paint, glass, wood = spec.size, spec.material("body"), spec.material("glass"), spec.material("bed")
     half, f, r = w / 2, -d / 2, d / 2
     cab = half * 0.84
-    _shell(
-        b,
-        paint,
-        [
-            (f + 0.1, cab * 0.62, 0.6, 1.2), (f + 0.2, cab * 0.72, 0.55, 1.34), (f + 1.0, cab * 0.8, 0.55, 1.4),
-            (f + 1.15, cab * 0.98, 0.5, 1.42), (f + 2.3, cab, 0.5, 1.42),
-        ],
-    )  # fmt: skip
+    _shell(b, paint, [
+        (f + 0.1, cab * 0.62, 0.6, 1.2), (f + 0.2, cab * 0.72, 0.55, 1.34), (f + 1.0, cab * 0.8, 0.55, 1.4),
+        (f + 1.15, cab * 0.98, 0.5, 1.42), (f + 2.3, cab, 0.5, 1.42),
+    ])  # fmt: skip
     sections = [
         (f + 1.15, cab * 0.92, 1.4, 0),
         (f + 1.35, cab * 0.82, 0, h - 0.1),

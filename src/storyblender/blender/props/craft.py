@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -22,15 +23,14 @@ AEROFOIL = (
 def _wing(
     b: MeshBuilder,
     material: MaterialRef,
-    stations: list[tuple[tuple[float, float, float], float, float]],
+    stations: Sequence[tuple[tuple[float, float, float], float, float]],
     upright: bool = False,
 ) -> None:
     """Loft an aerofoil over (leading edge, chord, thickness) stations; the chord runs to +Y."""
-    rings = []
-    for (x, y, z), chord, thick in stations:
-        rings.append(
-            [(x + t * thick, y + c * chord, z) if upright else (x, y + c * chord, z + t * thick) for c, t in AEROFOIL]
-        )
+    rings = [
+        [(x + t * thick, y + c * chord, z) if upright else (x, y + c * chord, z + t * thick) for c, t in AEROFOIL]
+        for (x, y, z), chord, thick in stations
+    ]
     b.loft(material, rings)
 
 

@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
-from storyblender.blender.props.animals import both, limb
+from storyblender.blender.props.animals import both_sides, limb
 from storyblender.blender.props.beasts import DARK, Plan, beast, scaled
 from storyblender.blender.props.parts import bent
 from storyblender.blender.props.registry import Anchors, PropSpec, prop
@@ -39,7 +39,7 @@ def rabbit(b: MeshBuilder, spec: PropSpec) -> Anchors:
             (0.035, -0.1, 0.05, 0.016, 0.018),
             (0.035, -0.1, 0.01, 0.016, 0.018),
         ]
-        for leg in both(front):
+        for leg in both_sides(front):
             limb(b, coat, leg, 10)
             b.cushion(coat, (leg[-1][0], -0.115, 0.012), (0.034, 0.055, 0.024), softness=0.8)
     return around(0.075, 0.1, (0.4, 0.45, 0.3))

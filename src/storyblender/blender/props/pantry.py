@@ -123,15 +123,10 @@ def cauldron(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a witch's kettle on three feet, full of brew."""
     (w, _, h), iron = spec.size, spec.material("iron")
     r = w / 2 * 0.95
-    turned(
-        b,
-        spec,
-        "iron",
-        [
-            (0.3, 0.1), (0.72, 0.16), (0.93, 0.4), (0.92, 0.6), (0.74, 0.8), (0.72, 0.86), (0.86, 0.93), (0.86, 0.95),
-            (0.7, 0.88), (0.7, 0.7),
-        ],
-    )  # fmt: skip
+    turned(b, spec, "iron", [
+        (0.3, 0.1), (0.72, 0.16), (0.93, 0.4), (0.92, 0.6), (0.74, 0.8), (0.72, 0.86), (0.86, 0.93), (0.86, 0.95),
+        (0.7, 0.88), (0.7, 0.7),
+    ])  # fmt: skip
     b.lathe(spec.material("brew"), [(r * 0.76, h * 0.7), (r * 0.73, h * 0.84), (0.004, h * 0.85)], segments=28)
     for k, (x, y) in enumerate(((0.3, 0.1), (-0.25, 0.3), (-0.1, -0.4), (0.2, -0.25))):
         center = (x * r, y * r, h * 0.845)

@@ -198,12 +198,10 @@ def spoked_wheel(
         b.cylinder(spoke, center, end, thick * 0.35, segments=6, caps=False)
 
 
-def bottle_profile(radius: float, height: float) -> Profile:
+def bottle_profile(radius: float, height: float) -> Floats:
     """Return the outline of a bottle for ``lathe``."""
-    r, h = radius, height
-    return np.multiply(
-        [(0.92, 0), (1, 0.03), (1, 0.58), (0.85, 0.66), (0.4, 0.76), (0.34, 0.94), (0.42, 0.95), (0.42, 1)], (r, h)
-    )
+    outline = [(0.92, 0), (1, 0.03), (1, 0.58), (0.85, 0.66), (0.4, 0.76), (0.34, 0.94), (0.42, 0.95), (0.42, 1)]
+    return np.multiply(outline, (radius, height))
 
 
 def book_row(

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
-from storyblender.blender.props.animals import both, limb
+from storyblender.blender.props.animals import both_sides, limb
 from storyblender.blender.props.beasts import scaled
 from storyblender.blender.props.parts import bent
 from storyblender.blender.props.registry import Anchors, PropSpec, prop, seat, two_hands
@@ -24,8 +24,8 @@ def rocking_horse(b: MeshBuilder, spec: PropSpec) -> Anchors:
                        (0, 0.2, 0.56, 0.11, 0.12), (0, 0.27, 0.56, 0.06, 0.07)])  # fmt: skip
         limb(b, body, [(0, -0.2, 0.58, 0.07, 0.09), (0, -0.3, 0.74, 0.055, 0.075), (0, -0.33, 0.85, 0.05, 0.06)])
         limb(b, body, [(0, -0.27, 0.88, 0.045, 0.05), (0, -0.37, 0.83, 0.05, 0.06), (0, -0.48, 0.74, 0.035, 0.04)])
-        for leg in (*both([(0.07, -0.2, 0.5, 0.035, 0.05), (0.12, -0.32, 0.12, 0.025, 0.03)]),
-                    *both([(0.07, 0.2, 0.5, 0.035, 0.06), (0.12, 0.32, 0.12, 0.025, 0.03)])):  # fmt: skip
+        for leg in (*both_sides([(0.07, -0.2, 0.5, 0.035, 0.05), (0.12, -0.32, 0.12, 0.025, 0.03)]),
+                    *both_sides([(0.07, 0.2, 0.5, 0.035, 0.06), (0.12, 0.32, 0.12, 0.025, 0.03)])):  # fmt: skip
             limb(b, body, leg, 10)
         for x in (-0.13, 0.13):
             arc = [(x, 0.52 * t, 0.03 + 0.16 * t * t) for t in np.linspace(-1, 1, 11)]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
-from storyblender.blender.props.animals import both, limb
+from storyblender.blender.props.animals import both_sides, limb
 from storyblender.blender.props.beasts import DARK, scaled
 from storyblender.blender.props.parts import bent
 from storyblender.blender.props.registry import Anchors, PropSpec, prop
@@ -230,7 +230,7 @@ def dinosaur(b: MeshBuilder, spec: PropSpec) -> Anchors:
                 b.cylinder(WHITE, foot, np.add(foot, (0, 0, -0.14)), 0.03, 0.004, segments=5)
             path = [(x * 0.4, -0.95, 2.35), (x * 0.46, -1.25, 2.1), (x * 0.42, -1.5, 2.2)]
             b.tube(skin, bent(path), 0.08, segments=8)
-        for leg in both(
+        for leg in both_sides(
             [
                 (0.5, 0.35, 2.0, 0.34, 0.6),
                 (0.55, 0.1, 1.4, 0.26, 0.4),
