@@ -7,9 +7,9 @@ from itertools import pairwise
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
+from storyblender.blender.props.anchors import Anchors, boarding_place, handle, seat
 from storyblender.blender.props.parts import bent, wheel
-from storyblender.blender.props.registry import Anchors, PropSpec, handle, prop, seat
-from storyblender.memory.asset_sheet import Anchor
+from storyblender.blender.props.registry import PropSpec, prop
 
 DARK = "plastic_black"
 
@@ -34,11 +34,6 @@ def _blade(
         for (x, y, z), c in ((at, chord[0]), (end, chord[1]))
     ]
     b.loft(material, [np.array(ring) for ring in rings])
-
-
-def beside(x: float, y: float, name: str = "driver") -> Anchor:
-    """Return the place beside a vehicle where one gets in."""
-    return Anchor(kind="door", name=name, location=(x, y, 0.0), direction=(-1.0 if x > 0 else 1.0, 0.0, 0.0))
 
 
 @prop("helicopter")
@@ -71,7 +66,7 @@ def helicopter(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b.lathe(DARK, [(0.62, 0.0), (0.62, 0.02)], segments=20)
         _blade(b, body, (0, 4.9, 2.1), (0, 5.4, 2.9), (0.6, 0.35), 0.03)
     seats = tuple(seat((x * 0.38, -0.74, 1.3), (0.5, 0.5), name=name) for x, name in ((1, "driver"), (-1, "passenger")))
-    return (*seats, beside(1.5, -0.5), beside(-1.5, -0.5, "passenger"))
+    return (*seats, boarding_place(1.5, -0.5), boarding_place(-1.5, -0.5, "passenger"))
 
 
 @prop("light_plane")
@@ -102,8 +97,8 @@ def light_plane(b: MeshBuilder, spec: PropSpec) -> Anchors:
     return (
         seat((0.25, -0.38, 1.22), (0.44, 0.46), name="driver"),
         seat((-0.25, -0.38, 1.22), (0.44, 0.46), name="passenger"),
-        beside(1.5, -0.3),
-        beside(-1.5, -0.3, "passenger"),
+        boarding_place(1.5, -0.3),
+        boarding_place(-1.5, -0.3, "passenger"),
     )
 
 
@@ -196,7 +191,7 @@ def tractor(b: MeshBuilder, spec: PropSpec) -> Anchors:
         path = np.array((0, 0.02, 1.58)) + 0.2 * np.c_[np.cos(turn), 0.8 * np.sin(turn), 0.5 * np.sin(turn)]
         b.tube(DARK, path, 0.015, segments=6, closed=True)
         b.cylinder(DARK, (0, 0.02, 1.58), (0, -0.1, 1.2), 0.025)
-    return (seat((0, 0.22, 1.26), (0.5, 0.46), name="driver"), beside(1.4, 0.1))
+    return (seat((0, 0.22, 1.26), (0.5, 0.46), name="driver"), boarding_place(1.4, 0.1))
 
 
 @prop("fire_engine")
@@ -231,8 +226,8 @@ def fire_engine(b: MeshBuilder, spec: PropSpec) -> Anchors:
     return (
         seat((half * 0.5, f + 1.26, sit), (0.6, 0.5), name="driver"),
         seat((-half * 0.5, f + 1.26, sit), (0.6, 0.5), name="passenger"),
-        beside(half + 0.55, f + 1.3),
-        beside(-half - 0.55, f + 1.3, "passenger"),
+        boarding_place(half + 0.55, f + 1.3),
+        boarding_place(-half - 0.55, f + 1.3, "passenger"),
     )
 
 
@@ -275,7 +270,7 @@ def locomotive(b: MeshBuilder, spec: PropSpec) -> Anchors:
             ]
             b.loft(trim, rings)
         b.lathe(spec.material("lamp"), [(0.2, 0), (0.18, 0.1)], origin=(0, -4.45, 3.0), axis=(0, -1, 0))
-    return (beside(1.7, 2.5),)
+    return (boarding_place(1.7, 2.5),)
 
 
 @prop("battle_tank")

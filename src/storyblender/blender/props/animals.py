@@ -7,9 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
+from storyblender.blender.props.anchors import Anchors, grips_around, grips_under, seat
 from storyblender.blender.props.asleep import curled_cat
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, seat
-from storyblender.blender.props.tableware import around, under
+from storyblender.blender.props.registry import PropSpec, prop
 
 Station = tuple[float, float, float, float, float]
 """One ellipse of a limb: x, y, z of its centre, half width along X, half height across the limb; metres."""
@@ -270,7 +270,7 @@ def bird(b: MeshBuilder, spec: PropSpec) -> Anchors:
             for turn in (-0.5, 0.0, 0.5):
                 end = (x * 0.024 + 0.03 * np.sin(turn), -0.005 - 0.03 * np.cos(turn), 0.003)
                 b.cylinder(beak, (x * 0.024, -0.005, 0.005), end, 0.003, segments=5)
-    return around(0.05, 0.13, (0.4, 0.45, 0.3))
+    return grips_around(0.05, 0.13, (0.4, 0.45, 0.3))
 
 
 @prop("fish")
@@ -293,4 +293,4 @@ def fish(b: MeshBuilder, spec: PropSpec) -> Anchors:
                 b.extrude(skin, points, 0.006)
         for x in (-1, 1):
             b.sphere(eye, (x * 0.028, -0.2, 0.105), 0.009, segments=8, rings=5)
-    return under(0.05, (0.4, 0.45, 0.3))
+    return grips_under(0.05, (0.4, 0.45, 0.3))

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import Anchors, grips_around, grips_under, two_hands
 from storyblender.blender.props.parts import bent
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.blender.props.tableware import around, under
+from storyblender.blender.props.registry import PropSpec, prop
 
 DARK = "plastic_black"
 
@@ -94,7 +94,7 @@ def kitchen_timer(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for k in range(12):
         turn = np.pi * k / 6
         b.box(DARK, (0.026 * np.sin(turn), -0.041, 0.034 + 0.026 * np.cos(turn)), (0.003, 0.003, 0.003))
-    return around(0.035, 0.035, (0.5, 0.5, 0.4))
+    return grips_around(0.035, 0.035, (0.5, 0.5, 0.4))
 
 
 @prop("hourglass")
@@ -108,7 +108,7 @@ def hourglass(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.cylinder(wood, start, (0.045 * np.cos(turn), 0.045 * np.sin(turn), 0.205), 0.006)
     b.lathe("glass", bent([(0.036, 0.02), (0.034, 0.07), (0.005, 0.109), (0.034, 0.15), (0.036, 0.2)], 4), segments=22)
     b.lathe("sand", [(0.037, 0.02), (0.036, 0.05), (0.002, 0.07)], segments=22)
-    return around(0.045, 0.11, (0.5, 0.5, 0.4))
+    return grips_around(0.045, 0.11, (0.5, 0.5, 0.4))
 
 
 @prop("glass_case")
@@ -141,7 +141,7 @@ def sandwich(b: MeshBuilder, spec: PropSpec) -> Anchors:
                 ("linen", 0.029, 0.014),
             ):
                 b.extrude(skin, half, thick, base=base)
-    return under(0.05)
+    return grips_under(0.05)
 
 
 @prop("burger")
@@ -153,7 +153,7 @@ def burger(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe("leather", [(0.056, 0.024), (0.056, 0.04)], segments=26)
     b.box("brass", (0, 0, 0.043), (0.095, 0.095, 0.004), rotation=(0, 0, 40))
     b.lathe(bun, bent([(0.057, 0.045), (0.055, 0.062), (0.035, 0.082), (0.002, 0.088)]), segments=26)
-    return around(0.05, 0.04, (0.4, 0.4, 0.3))
+    return grips_around(0.05, 0.04, (0.4, 0.4, 0.3))
 
 
 @prop("ice_cream_cone")
@@ -162,7 +162,7 @@ def ice_cream_cone(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe("wood_light", [(0.006, 0), (0.034, 0.11), (0.036, 0.115)], segments=18)
     b.sphere(spec.material("ice"), (0, 0, 0.128), 0.038, segments=16, rings=10)
     b.sphere("linen", (0, 0, 0.168), 0.032, segments=16, rings=10)
-    return around(0.02, 0.06, (0.7, 0.7, 0.5))
+    return grips_around(0.02, 0.06, (0.7, 0.7, 0.5))
 
 
 @prop("doughnut")
@@ -173,7 +173,7 @@ def doughnut(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.tube("wood_light", line, 0.018, segments=10, closed=True)
     path = np.c_[0.033 * np.cos(turn), 0.033 * np.sin(turn), np.full(24, 0.024)]
     b.tube(spec.material("icing"), path, 0.0165, segments=10, closed=True)
-    return around(0.045, 0.02, (0.5, 0.5, 0.4))
+    return grips_around(0.045, 0.02, (0.5, 0.5, 0.4))
 
 
 @prop("cheese")
@@ -182,7 +182,7 @@ def cheese(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.extrude(spec.material("cheese"), [(0.0, -0.1), (0.07, 0.07), (0.0, 0.085), (-0.07, 0.07)], 0.07)
     for x, z, r in ((0.03, 0.045, 0.011), (-0.025, 0.03, 0.014), (0.0, 0.055, 0.008), (0.045, 0.02, 0.008)):
         b.sphere("leaves_autumn", (x, -0.1 + abs(x) * 2.4, z), r, segments=10, rings=6)
-    return around(0.05, 0.04, (0.5, 0.5, 0.4))
+    return grips_around(0.05, 0.04, (0.5, 0.5, 0.4))
 
 
 @prop("roast")
@@ -196,7 +196,7 @@ def roast(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.tube(skin, bent(path), (0.045, 0.045, 0.042, 0.036, 0.03, 0.024, 0.018, 0.014, 0.012), segments=10)
         b.sphere("linen", (x * 0.155, -0.102, 0.148), 0.013, segments=8, rings=5)
         b.cushion("leaves", (x * 0.16, 0.06, 0.03), (0.08, 0.07, 0.02), softness=0.8)
-    return under(0.15)
+    return grips_under(0.15)
 
 
 @prop("pie")
@@ -211,7 +211,7 @@ def pie(b: MeshBuilder, spec: PropSpec) -> Anchors:
         reach = np.sqrt(0.13**2 - (0.045 * k) ** 2)
         b.box(crust, (0.045 * k, 0, 0.047), (0.018, 2 * reach, 0.006))
         b.box(crust, (0, 0.045 * k, 0.051), (2 * reach, 0.018, 0.006))
-    return under(0.12)
+    return grips_under(0.12)
 
 
 @prop("house")

@@ -11,8 +11,9 @@ from typing import Literal
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
+from storyblender.blender.props.anchors import Anchors, handle, seat
 from storyblender.blender.props.parts import wheel
-from storyblender.blender.props.registry import Anchors, PropSpec, handle, prop, seat
+from storyblender.blender.props.registry import PropSpec, prop
 from storyblender.memory.asset_sheet import Anchor
 
 DARK = "plastic_black"

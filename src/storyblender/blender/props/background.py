@@ -15,7 +15,8 @@ from storyblender.blender.motion.solve import solve_shot
 from storyblender.blender.people.drape import drape_seated
 from storyblender.blender.people.parts import Paint, material
 from storyblender.blender.people.person import PersonBuild, build_person
-from storyblender.blender.props.registry import Anchors, PropSpec, prop
+from storyblender.blender.props.anchors import Anchors
+from storyblender.blender.props.registry import PropSpec, prop
 from storyblender.catalog.bystanders import SEAT_HEIGHT, look_of
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.shot_context import Blocking, Cue, Mark

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
+from storyblender.blender.props.anchors import Anchors
 from storyblender.blender.props.animals import Station, both_sides, limb
 from storyblender.blender.props.parts import bent
-from storyblender.blender.props.registry import Anchors, PropSpec, prop
+from storyblender.blender.props.registry import PropSpec, prop
 
 DARK = "plastic_black"
 Path = tuple[tuple[float, float], ...]

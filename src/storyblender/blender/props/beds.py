@@ -7,14 +7,9 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
+from storyblender.blender.props.anchors import Anchors, bed_anchor, seat
 from storyblender.blender.props.parts import turned_leg
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, seat
-from storyblender.memory.asset_sheet import Anchor
-
-
-def bed_anchor(location: tuple[float, float, float], width: float, length: float, name: str = "") -> Anchor:
-    """Return a place to lie on, its head at +Y."""
-    return Anchor(kind="bed", name=name, location=location, direction=(0.0, -1.0, 0.0), size=(width, length))
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 def _bedding(

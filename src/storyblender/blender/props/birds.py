@@ -9,11 +9,11 @@ from typing import Literal
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
+from storyblender.blender.props.anchors import Anchors, grips_around
 from storyblender.blender.props.animals import limb
 from storyblender.blender.props.beasts import DARK, scaled
 from storyblender.blender.props.parts import bent
-from storyblender.blender.props.registry import Anchors, Builder, PropSpec, prop
-from storyblender.blender.props.tableware import around
+from storyblender.blender.props.registry import Builder, PropSpec, prop
 
 
 @dataclass(frozen=True)
@@ -231,7 +231,7 @@ def _builder(plan: Bird, extra: Extra | None) -> Builder:
             if extra is not None and not spec.flag("flying"):
                 extra(b, spec, plan)
         size = spec.size[0]
-        return around(min(0.08, size / 2), spec.size[2] / 2, (0.4, 0.45, 0.3)) if spec.entry.holdable else ()
+        return grips_around(min(0.08, size / 2), spec.size[2] / 2, (0.4, 0.45, 0.3)) if spec.entry.holdable else ()
 
     return build
 

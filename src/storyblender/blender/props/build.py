@@ -8,10 +8,11 @@ import bpy
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import Anchors
 from storyblender.blender.props.asleep import lie_down
 from storyblender.blender.props.darkened import put_out
 from storyblender.blender.props.lettering import face_on, write_on
-from storyblender.blender.props.registry import Anchors, PropSpec, builders
+from storyblender.blender.props.registry import PropSpec, builders
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.writing import SCREENS, WRITING
 from storyblender.errors import InputError

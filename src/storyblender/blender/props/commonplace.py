@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
-from storyblender.blender.props.registry import Anchors, PropSpec, handle, prop
-from storyblender.blender.props.tableware import around
+from storyblender.blender.props.anchors import Anchors, grips_around, handle
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("door")
@@ -79,7 +79,7 @@ def food_tub(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe(spec.material("body"), [(r * 0.8, 0), (r * 0.95, h * 0.85)], segments=24)
     b.lathe(spec.material("lid"), [(r, h * 0.82), (r, h * 0.97), (r * 0.92, h), (0, h)], segments=24)
     b.lathe(spec.material("lid"), [(r * 0.86, h * 0.24), (r * 0.915, h * 0.52)], segments=24, caps=False)
-    return around(w * 0.46, h * 0.5)
+    return grips_around(w * 0.46, h * 0.5)
 
 
 @prop("aquarium")

@@ -8,8 +8,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
+from storyblender.blender.props.anchors import Anchors, grip, handle, lean, seat
 from storyblender.blender.props.parts import spoked_wheel, wheel
-from storyblender.blender.props.registry import Anchors, PropSpec, grip, handle, lean, prop, seat
+from storyblender.blender.props.registry import PropSpec, prop
 
 PITCH = 9.0
 """Degrees a tail-dragger sits nose-up."""

@@ -7,11 +7,11 @@ from itertools import pairwise
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
+from storyblender.blender.props.anchors import Anchors, grips_around
 from storyblender.blender.props.animals import both_sides, limb
 from storyblender.blender.props.beasts import DARK, Plan, beast, scaled
 from storyblender.blender.props.parts import bent
-from storyblender.blender.props.registry import Anchors, PropSpec, prop
-from storyblender.blender.props.tableware import around
+from storyblender.blender.props.registry import PropSpec, prop
 
 DRAGON = Plan(1.7, 0.46, 0.75, 0.1, (0.75, 0.95), 0.25, (0.36, 0.12), (0.2, 0.1, 55), (), 0.1, broad=0.85, waist=0.9)
 
@@ -42,7 +42,7 @@ def rabbit(b: MeshBuilder, spec: PropSpec) -> Anchors:
         for leg in both_sides(front):
             limb(b, coat, leg, 10)
             b.cushion(coat, (leg[-1][0], -0.115, 0.012), (0.034, 0.055, 0.024), softness=0.8)
-    return around(0.075, 0.1, (0.4, 0.45, 0.3))
+    return grips_around(0.075, 0.1, (0.4, 0.45, 0.3))
 
 
 @prop("snake")

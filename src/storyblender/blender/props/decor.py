@@ -8,9 +8,10 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import Anchors, handle, lean
 from storyblender.blender.props.keepsakes import bloom
 from storyblender.blender.props.parts import four_legs
-from storyblender.blender.props.registry import Anchors, PropSpec, handle, lean, prop
+from storyblender.blender.props.registry import PropSpec, prop
 from storyblender.blender.props.wall_fittings import frame, sheet
 
 

@@ -7,19 +7,17 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import (
+    FIST,
+    PINCH,
+    Anchors,
+    grips_around,
+    grips_pinching,
+    grips_under,
+    two_hands,
+)
 from storyblender.blender.props.lamps import flame
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.blender.props.tableware import around, under
-from storyblender.blender.props.weapons import FIST
-from storyblender.memory.base import Vec3
-
-PINCH: Vec3 = (0.55, 0.65, 0.6)
-"""Curl of a hand that holds something small between thumb and finger."""
-
-
-def pinch(y: float, z: float) -> Anchors:
-    """Return the grips of fingertips on a small thing."""
-    return two_hands((-0.03, y + 0.03, z + 0.01), (0.5, -0.85, -0.15), (0.8, 0.4, -0.4), PINCH)
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("phone_handset")
@@ -54,7 +52,7 @@ def tablet(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.rounded_box(body, (0, 0, h / 2), (w, d, h * 0.96), h * 0.4, steps=2)
     x, y = w * 0.45, d * 0.45
     b.quad(spec.material("screen"), (x, -y, h), (x, y, h), (-x, y, h), (-x, -y, h), uv=((0, 1), (0, 0), (1, 0), (1, 1)))
-    return under(d * 0.3)
+    return grips_under(d * 0.3)
 
 
 @prop("walkie_talkie")
@@ -67,7 +65,7 @@ def walkie_talkie(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.cylinder(body, (-w * 0.25, 0, case), (-w * 0.25, 0, case + 0.02), 0.009, segments=10)
     for k in range(5):
         b.box("iron", (0, -d / 2 - 0.0005, case * (0.35 + 0.08 * k)), (w * 0.6, 0.002, 0.005))
-    return around(w / 2, case * 0.45, (0.7, 0.75, 0.4))
+    return grips_around(w / 2, case * 0.45, (0.7, 0.75, 0.4))
 
 
 @prop("photo_camera")
@@ -149,7 +147,7 @@ def key(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.cylinder(body, (0, d / 2 - w * 0.85, h / 2), (0, -d / 2, h / 2), h * 0.42, segments=8)
     for y in (0.02, 0.008):
         b.box(body, (w * 0.2, -d / 2 + y, h / 2), (w * 0.4, 0.006, h * 0.6))
-    return pinch(d * 0.3, 0.0)
+    return grips_pinching(d * 0.3, 0.0)
 
 
 @prop("coin")
@@ -160,7 +158,7 @@ def coin(b: MeshBuilder, spec: PropSpec) -> Anchors:
         [(0.96, 0), (1, 0.2), (1, 0.9), (0.95, 1), (0.86, 1), (0.84, 0.8), (0.4, 0.8), (0.3, 1)], (r, h)
     )
     b.lathe(spec.material("body"), profile, segments=28)
-    return pinch(0.0, 0.0)
+    return grips_pinching(0.0, 0.0)
 
 
 @prop("cigarette")
@@ -171,7 +169,7 @@ def cigarette(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.cylinder("cardboard", (0, d / 2, r), (0, d / 2 - 0.024, r), r, segments=10)
     b.cylinder(spec.material("body"), (0, d / 2 - 0.024, r), (0, -d / 2 + 0.008, r), r * 0.96, segments=10)
     b.cylinder(spec.material("ember"), (0, -d / 2 + 0.008, r), (0, -d / 2, r), r * 0.94, r * 0.7, segments=10)
-    return pinch(d * 0.2, 0.0)
+    return grips_pinching(d * 0.2, 0.0)
 
 
 @prop("pipe")
@@ -182,7 +180,7 @@ def pipe(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe(body, profile, origin=(0, -d / 2 + r, 0), segments=18)
     b.tube(body, [(0, -d / 2 + w * 0.8, h * 0.25), (0, 0.0, h * 0.55), (0, d * 0.3, h * 0.85)], (0.009, 0.006, 0.005))
     b.tube("plastic_black", [(0, d * 0.28, h * 0.83), (0, d / 2, h * 0.95)], (0.006, 0.004))
-    return pinch(-d / 2 + r, h * 0.4)
+    return grips_pinching(-d / 2 + r, h * 0.4)
 
 
 @prop("lighter")
@@ -193,7 +191,7 @@ def lighter(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.rounded_box(body, (w * 0.72, 0, h * 0.62), (w * 0.3, d, w), 0.004)
     b.box("steel", (-w * 0.1, 0, h * 0.6), (w * 0.5, d * 0.7, h * 0.1))
     flame(b, spec.material("flame"), -w * 0.1, 0, h * 0.64, h * 0.36)
-    return around(w * 0.4, h * 0.25, (0.75, 0.8, 0.5))
+    return grips_around(w * 0.4, h * 0.25, (0.75, 0.8, 0.5))
 
 
 @prop("ashtray")
@@ -204,7 +202,7 @@ def ashtray(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe(spec.material("body"), profile, segments=28)
     b.sphere(spec.material("ash"), (0.01, 0, h * 0.25), r * 0.4, scale=(1, 0.8, 0.25), segments=10, rings=5)
     b.cylinder("paper", (r * 0.2, 0.01, h * 0.45), (r * 0.95, 0.02, h * 0.85), 0.004, segments=8)
-    return under(r * 0.8)
+    return grips_under(r * 0.8)
 
 
 @prop("glasses")
@@ -248,7 +246,7 @@ def watch(b: MeshBuilder, spec: PropSpec) -> Anchors:
         for a in np.linspace(0, math.tau, 16, endpoint=False)
     ]
     b.tube(body, loop, 0.0018, segments=6, closed=True)
-    return under(d * 0.3)
+    return grips_under(d * 0.3)
 
 
 @prop("handcuffs")
@@ -297,7 +295,7 @@ def bell(b: MeshBuilder, spec: PropSpec) -> Anchors:
     )
     profile = [(0.008, h * 0.45), (0.012, h * 0.52), (0.009, h * 0.6), (0.015, h * 0.8), (0.012, h * 0.96), (0.004, h)]
     b.lathe(spec.material("handle"), profile, segments=14)
-    return around(0.014, h * 0.75, FIST)
+    return grips_around(0.014, h * 0.75, FIST)
 
 
 @prop("bomb")

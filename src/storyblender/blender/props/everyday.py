@@ -8,10 +8,8 @@ import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
 from storyblender.blender.plants import GOLDEN_TURN
-from storyblender.blender.props.devices import PINCH
-from storyblender.blender.props.registry import Anchors, PropSpec, handle, prop, seat, two_hands
-from storyblender.blender.props.tableware import around, under
-from storyblender.blender.props.weapons import FIST
+from storyblender.blender.props.anchors import FIST, PINCH, Anchors, grips_around, grips_under, handle, seat, two_hands
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("gate")
@@ -110,7 +108,7 @@ def headset(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.lathe(body, [(0.038, 0), (0.04, 0.01), (0.03, 0.016)], origin=(x * r, 0, 0.04), axis=(x, 0, 0))
         b.lathe(spec.material("pad"), [(0.04, 0), (0.036, 0.02)], origin=(x * r, 0, 0.04), axis=(-x, 0, 0))
     b.tube(body, [(-r, 0, 0.03), (-r * 0.9, -d * 0.6, 0.012), (-r * 0.4, -d * 0.9, 0.012)], [0.004, 0.004, 0.008])
-    return around(0.012, h - 0.02)
+    return grips_around(0.012, h - 0.02)
 
 
 @prop("keyboard")
@@ -124,7 +122,7 @@ def keyboard(b: MeshBuilder, spec: PropSpec) -> Anchors:
         for column in range(14 if row < 4 else 5):
             x = (column - 6.5) * w * 0.067 if row < 4 else (column - 2) * w * 0.19
             b.box(key, (x, y, h * 0.78), (w * (0.058 if row < 4 else 0.17), d * 0.14, h * 0.4), taper=0.85)
-    return under(d * 0.42)
+    return grips_under(d * 0.42)
 
 
 @prop("memory_stick")
@@ -159,7 +157,7 @@ def compass(b: MeshBuilder, spec: PropSpec) -> Anchors:
     turn = np.linspace(0, math.tau, 12, endpoint=False)
     ring = (d - w) * 0.5
     b.tube(body, np.c_[ring * np.cos(turn), ring * np.sin(turn) - d / 2 + ring, np.full(12, h / 2)], 0.002, closed=True)
-    return under(r * 0.8)
+    return grips_under(r * 0.8)
 
 
 @prop("plank")
@@ -169,7 +167,7 @@ def plank(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.box(spec.material("wood"), (0, 0, h / 2), (w, d, h), bevel=0.004)
     for x in (-0.46, 0.46):
         b.cylinder("iron", (x * w, d * 0.25, h), (x * w, d * 0.25, h + 0.001), 0.006, segments=8)
-    return under(d * 0.45)
+    return grips_under(d * 0.45)
 
 
 @prop("grapes")
@@ -186,4 +184,4 @@ def grapes(b: MeshBuilder, spec: PropSpec) -> Anchors:
         z = r + share * (h * 0.84 - 2 * r)
         b.sphere(fruit, (x * reach * (w / 2 - r), y * reach * (d / 2 - r), z), r, segments=8, rings=5)
     b.tube(spec.material("stem"), [(0, 0, h * 0.6), (0, 0.004, h * 0.86), (0.008, 0, h)], 0.003)
-    return around(0.012, h * 0.92)
+    return grips_around(0.012, h * 0.92)

@@ -7,8 +7,9 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import Anchors, lean, seat
 from storyblender.blender.props.parts import four_legs, spoked_wheel
-from storyblender.blender.props.registry import Anchors, PropSpec, lean, prop, seat
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("market_stall")

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import Anchors
 from storyblender.blender.props.beasts import DARK, Plan, beast, scaled
 from storyblender.blender.props.parts import bent
-from storyblender.blender.props.registry import Anchors, PropSpec, prop
+from storyblender.blender.props.registry import PropSpec, prop
 
 PIG = Plan(
     trunk=0.85, chest=0.26, leg=0.2, foot=0.045, neck=(0.2, 0.02), head=0.15, snout=(0.12, 0.07), ear=(0.15, 0.12, 40),

@@ -7,11 +7,10 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
+from storyblender.blender.props.anchors import FIST, Anchors, grips_around, grips_at_side, grips_under, two_hands
 from storyblender.blender.props.lamps import flame
 from storyblender.blender.props.parts import bent
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.blender.props.tableware import around, under
-from storyblender.blender.props.weapons import FIST
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 def _fold(b: MeshBuilder, cloth: MaterialRef, size: tuple[float, float, float], layers: int) -> None:
@@ -36,7 +35,7 @@ def pillow(b: MeshBuilder, spec: PropSpec) -> Anchors:
         upper, lower = np.c_[wide, y, h / 2 + puff], np.c_[wide, y, h / 2 - puff]
         rings.append(np.r_[lower, upper[::-1]])
     b.loft(cloth, rings)
-    return two_hands((-w / 2, 0.0, h * 0.5), (0.1, -0.9, -0.4), (1, 0, 0), (0.3, 0.35, 0.3)) + under(d * 0.3)
+    return two_hands((-w / 2, 0.0, h * 0.5), (0.1, -0.9, -0.4), (1, 0, 0), (0.3, 0.35, 0.3)) + grips_under(d * 0.3)
 
 
 @prop("blanket")
@@ -46,7 +45,7 @@ def blanket(b: MeshBuilder, spec: PropSpec) -> Anchors:
     _fold(b, cloth, (w, d, h), 4)
     for y in (-0.3, -0.18):
         b.cushion(stripe, (0, y * d, h * 0.98), (w * 0.985, d * 0.06, h * 0.14), softness=0.3)
-    return two_hands((-w / 2, 0.0, h * 0.35), (0.1, -0.8, -0.5), (1, 0.1, 0.1), (0.3, 0.35, 0.25)) + under(d * 0.35)
+    return grips_at_side(-w / 2, h * 0.35) + grips_under(d * 0.35)
 
 
 @prop("cloth")
@@ -61,7 +60,7 @@ def cloth(b: MeshBuilder, spec: PropSpec) -> Anchors:
         z = h * (1 - t) ** 1.4 + 0.1 * h * t * (1 + np.sin(5 * angle))
         rings.append(np.c_[w / 2 * reach * np.cos(angle), d / 2 * reach * np.sin(angle), z])
     b.loft(linen, rings)
-    return around(0.012, h * 0.9, (0.6, 0.65, 0.5))
+    return grips_around(0.012, h * 0.9, (0.6, 0.65, 0.5))
 
 
 @prop("folded_clothes")
@@ -78,7 +77,7 @@ def folded_clothes(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for k in range(4):
         start, end = (0.004, -d * 0.4 + k * d * 0.17, top), (0.004, -d * 0.4 + k * d * 0.17, top + 0.008)
         b.cylinder(spec.material("button"), start, end, 0.009, segments=12)
-    return two_hands((-w / 2, 0.0, h * 0.35), (0.1, -0.8, -0.5), (1, 0.1, 0.1), (0.3, 0.35, 0.25)) + under(d * 0.35)
+    return grips_at_side(-w / 2, h * 0.35) + grips_under(d * 0.35)
 
 
 @prop("boots")
@@ -178,7 +177,7 @@ def candle(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.tube(wax, path, (0.003, 0.0035, 0.0045), segments=6)
     b.cylinder("plastic_black", (0, 0, top), (0, 0, top + h * 0.04), 0.0012, segments=5)
     flame(b, spec.material("flame"), 0, 0, top + h * 0.02, h * 0.24)
-    return around(r * 0.6, h * 0.35, (0.75, 0.8, 0.6))
+    return grips_around(r * 0.6, h * 0.35, (0.75, 0.8, 0.6))
 
 
 @prop("comb")

@@ -16,8 +16,8 @@ from storyblender.blender.models.gltf import read_gltf
 from storyblender.blender.models.obj import read_obj
 from storyblender.blender.models.plain import PlainModel
 from storyblender.blender.models.rebuild import build_mesh
+from storyblender.blender.props.anchors import Anchors, grip
 from storyblender.blender.props.build import PropBuild, settle
-from storyblender.blender.props.registry import Anchors, grip
 from storyblender.catalog.props import PropEntry
 from storyblender.catalog.props.called import called
 from storyblender.errors import InputError

@@ -7,9 +7,8 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.blender.props.tableware import around
-from storyblender.blender.props.weapons import FIST
+from storyblender.blender.props.anchors import FIST, Anchors, grips_around, two_hands
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 def _strings(
@@ -50,7 +49,7 @@ def guitar(b: MeshBuilder, spec: PropSpec) -> Anchors:
         for k in range(3):
             b.sphere("silver", (x * 0.045, -d * 0.28, h * (0.92 + 0.03 * k)), 0.009, segments=8, rings=5)
     _strings(b, spec.material("string"), 6, bout * 0.3, h * 0.9, -d * 0.47, 0.036)
-    return two_hands((-0.02, -d * 0.3, h * 0.72), (0.3, -0.9, 0), (1, 0.2, 0), FIST, "neck") + around(
+    return two_hands((-0.02, -d * 0.3, h * 0.72), (0.3, -0.9, 0), (1, 0.2, 0), FIST, "neck") + grips_around(
         w * 0.2, bout * 0.6, (0.3, 0.35, 0.2)
     )
 

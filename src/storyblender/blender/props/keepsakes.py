@@ -7,10 +7,9 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
+from storyblender.blender.props.anchors import FIST, Anchors, grips_around, grips_at_side, grips_under, two_hands
 from storyblender.blender.props.lamps import flame
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.blender.props.tableware import around, under
-from storyblender.blender.props.weapons import FIST
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("jewel_box")
@@ -37,7 +36,7 @@ def jewel_box(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b.sphere(
                 "porcelain", (0.05 * math.cos(turn), 0.03 * math.sin(turn), base + 0.008), 0.007, segments=8, rings=5
             )
-    return two_hands((-w / 2, 0.0, h * 0.35), (0.1, -0.8, -0.5), (1, 0.1, 0.1), (0.3, 0.35, 0.25)) + under(d * 0.3)
+    return grips_at_side(-w / 2, h * 0.35) + grips_under(d * 0.3)
 
 
 @prop("gift")
@@ -103,7 +102,7 @@ def flower(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for turn, z in ((0, 0.35), (150, 0.55)):
         with b.at((0.004, 0, h * z), (0, -35, turn)):
             b.cushion(spec.material("leaf"), (0.026, 0, 0), (0.05, 0.026, 0.004), softness=1.0)
-    return around(0.006, h * 0.25, (0.7, 0.8, 0.6))
+    return grips_around(0.006, h * 0.25, (0.7, 0.8, 0.6))
 
 
 def bloom(b: MeshBuilder, material: MaterialRef, center: tuple[float, float, float], radius: float) -> None:
@@ -138,7 +137,7 @@ def bouquet(b: MeshBuilder, spec: PropSpec) -> Anchors:
         at = (reach * math.cos(turn), reach * math.sin(turn), h * (0.82 - 0.6 * reach))
         bloom(b, spec.material("petal") if k % 3 else "linen", at, 0.045)
         b.sphere(leaf, (at[0] * 1.25, at[1] * 1.25, at[2] - 0.06), 0.05, segments=8, rings=5)
-    return around(0.03, h * 0.15, FIST)
+    return grips_around(0.03, h * 0.15, FIST)
 
 
 @prop("ball")
@@ -169,7 +168,7 @@ def teddy_bear(b: MeshBuilder, spec: PropSpec) -> Anchors:
         )
         b.cushion(body, (x * w * 0.3, -d * 0.3, h * 0.12), (w * 0.27, d * 0.5, h * 0.22), softness=0.9)
         b.cushion(snout, (x * w * 0.3, -d * 0.47, h * 0.12), (w * 0.2, 0.03, h * 0.17), softness=0.9)
-    return around(w * 0.3, h * 0.4, (0.4, 0.45, 0.3))
+    return grips_around(w * 0.3, h * 0.4, (0.4, 0.45, 0.3))
 
 
 @prop("skull")

@@ -7,10 +7,11 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import Anchors, handle, lean
 from storyblender.blender.props.lamps import flame
 from storyblender.blender.props.opened import open_fridge
 from storyblender.blender.props.parts import panel_door
-from storyblender.blender.props.registry import Anchors, PropSpec, handle, lean, prop
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("stove")

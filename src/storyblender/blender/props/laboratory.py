@@ -7,10 +7,9 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import FIST, Anchors, grips_around, two_hands
 from storyblender.blender.props.parts import bent
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.blender.props.tableware import around
-from storyblender.blender.props.weapons import FIST
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("microscope")
@@ -72,7 +71,7 @@ def beaker(b: MeshBuilder, spec: PropSpec) -> Anchors:
     level = r + (neck - r) * (full - 0.04) / 0.64
     profile = [(r * 0.92, h * 0.012), (r * 1.01, h * 0.04), (level * 1.01, h * full), (0.003, h * full)]
     b.lathe(spec.material("liquid"), profile, segments=28)
-    return around(neck, h * 0.76, (0.75, 0.8, 0.5))
+    return grips_around(neck, h * 0.76, (0.75, 0.8, 0.5))
 
 
 @prop("scales")
@@ -100,7 +99,7 @@ def scales(b: MeshBuilder, spec: PropSpec) -> Anchors:
             )
         profile = [(0.003, pan - 0.03), (d * 0.3, pan - 0.022), (d * 0.46, pan), (d * 0.43, pan), (0.003, pan - 0.024)]
         b.lathe(brass, bent(profile, 2), origin=(hook[0], 0, 0), segments=24)
-    return around(0.01, h * 0.6, (0.85, 0.85, 0.6))
+    return grips_around(0.01, h * 0.6, (0.85, 0.85, 0.6))
 
 
 @prop("robot")

@@ -7,7 +7,8 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
-from storyblender.blender.props.registry import Anchors, PropSpec, prop
+from storyblender.blender.props.anchors import Anchors
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("running_water")

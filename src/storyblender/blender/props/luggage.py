@@ -7,16 +7,10 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
+from storyblender.blender.props.anchors import FIST, Anchors, grips_around, grips_hanging, two_hands
 from storyblender.blender.props.opened import open_case
 from storyblender.blender.props.parts import bent, rectangle
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.blender.props.tableware import around
-from storyblender.blender.props.weapons import FIST
-
-
-def hanging(height: float) -> Anchors:
-    """Return the grips of a hand that carries something by a handle at its top; the handle runs along X."""
-    return two_hands((0.0, 0.0, height + 0.004), (0, -0.35, -0.94), (0, -0.94, 0.35), FIST)
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 def _bail(b: MeshBuilder, material: MaterialRef, width: float, foot: float, rise: float, radius: float) -> None:
@@ -38,7 +32,7 @@ def briefcase(b: MeshBuilder, spec: PropSpec) -> Anchors:
     _bail(b, body, 0.14, case - 0.005, 0.05, 0.009)
     for x in (-1, 1):
         b.box(brass, (x * w * 0.3, -d / 2 - 0.004, case * 0.72), (0.045, 0.012, 0.04), bevel=0.003)
-    return hanging(h - 0.01)
+    return grips_hanging(h - 0.01)
 
 
 @prop("toolbox")
@@ -52,7 +46,7 @@ def toolbox(b: MeshBuilder, spec: PropSpec) -> Anchors:
     _bail(b, metal, 0.18, case - 0.005, 0.06, 0.009)
     for x in (-1, 1):
         b.box(metal, (x * w * 0.28, -d / 2 - 0.004, case * 0.7), (0.04, 0.012, 0.06), bevel=0.003)
-    return hanging(h - 0.01)
+    return grips_hanging(h - 0.01)
 
 
 @prop("suitcase")
@@ -72,7 +66,7 @@ def suitcase(b: MeshBuilder, spec: PropSpec) -> Anchors:
             for z in (0.035, case - 0.035):
                 b.rounded_box(brass, (x * (w / 2 - 0.028), y * (d / 2 - 0.028), z), (0.066, 0.066, 0.076), 0.02)
     _bail(b, "leather_black", 0.16, case, 0.05, 0.01)
-    return hanging(h - 0.01)
+    return grips_hanging(h - 0.01)
 
 
 @prop("bag")
@@ -88,7 +82,7 @@ def bag(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.box("brass", (0, 0, case + 0.004), (w * 0.74, d * 0.24, 0.016), bevel=0.005)
     b.sphere("brass", (0, 0, case + 0.02), 0.014, segments=12, rings=8)
     _bail(b, body, w * 0.56, case, h - case - 0.006, 0.007)
-    return hanging(h - 0.01)
+    return grips_hanging(h - 0.01)
 
 
 @prop("backpack")
@@ -105,7 +99,7 @@ def backpack(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.tube(strap, path, 0.016)
     loop = [(0.04 * math.cos(a), d * 0.3, h * 0.92 + 0.045 * math.sin(a)) for a in np.linspace(0, math.pi, 9)]
     b.tube(strap, loop, 0.009)
-    return hanging(h - 0.01)
+    return grips_hanging(h - 0.01)
 
 
 @prop("sack")
@@ -132,7 +126,7 @@ def sack(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.loft(body, list(bent(rings)))
     knot = [(0.24 * w / 2 * math.cos(a), 0.24 * d / 2 * math.sin(a), h * 0.815) for a in angle[::2]]
     b.tube(spec.material("rope"), knot, 0.012, closed=True)
-    return around(w * 0.12, h * 0.82, FIST)
+    return grips_around(w * 0.12, h * 0.82, FIST)
 
 
 @prop("basket")
@@ -150,7 +144,7 @@ def basket(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.polygon(body, np.c_[0.78 * w / 2 * np.cos(angle), 0.78 * d / 2 * np.sin(angle), np.full(28, 0.012)])
     arc = [(w * 0.48 * math.cos(a), 0, bowl + (h - bowl - 0.012) * math.sin(a)) for a in np.linspace(0, math.pi, 15)]
     b.tube(body, arc, 0.011)
-    return hanging(h - 0.01)
+    return grips_hanging(h - 0.01)
 
 
 @prop("bucket")
@@ -169,7 +163,7 @@ def bucket(b: MeshBuilder, spec: PropSpec) -> Anchors:
     ]
     b.tube(spec.material("metal"), arc, 0.005)
     b.cylinder("wood", (-0.05, 0, h - 0.008), (0.05, 0, h - 0.008), 0.013, segments=10)
-    return hanging(h - 0.01)
+    return grips_hanging(h - 0.01)
 
 
 @prop("umbrella")

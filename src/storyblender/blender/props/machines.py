@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.blender.props.tableware import under
+from storyblender.blender.props.anchors import Anchors, grips_under, two_hands
+from storyblender.blender.props.registry import PropSpec, prop
 from storyblender.blender.props.wall_fittings import WHOLE
 
 
@@ -183,7 +183,7 @@ def laptop(b: MeshBuilder, spec: PropSpec) -> Anchors:
             (-x, -0.0008, tall - 0.01),
             uv=WHOLE,
         )
-    return under(d * 0.3)
+    return grips_under(d * 0.3)
 
 
 @prop("typewriter")

@@ -7,10 +7,9 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import FIST, Anchors, grips_around, two_hands
 from storyblender.blender.props.parts import bent
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.blender.props.tableware import around
-from storyblender.blender.props.weapons import FIST
+from storyblender.blender.props.registry import PropSpec, prop
 
 TURN = np.linspace(0, math.tau, 32, endpoint=False)
 
@@ -202,4 +201,4 @@ def balloon(b: MeshBuilder, spec: PropSpec) -> Anchors:
     path = [(0, 0, 0), (0.015, 0.01, z * 0.25), (-0.012, -0.01, z * 0.55), (0.008, 0, z * 0.8), (0, 0, z)]
     b.tube("linen", bent(path), 0.0022, segments=5)
     b.sphere("porcelain", (-r * 0.42, -r * 0.72, h - r * 0.68), r * 0.1, scale=(1, 0.4, 1.5), segments=10, rings=6)
-    return around(0.004, 0.03, FIST)
+    return grips_around(0.004, 0.03, FIST)

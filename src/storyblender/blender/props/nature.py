@@ -8,8 +8,8 @@ import numpy as np
 
 from storyblender.blender import plants
 from storyblender.blender.mesh_builder import Floats, MaterialRef, MeshBuilder
-from storyblender.blender.props.registry import Anchors, PropSpec, lean, prop, seat, seats_in_row
-from storyblender.blender.props.tableware import under
+from storyblender.blender.props.anchors import Anchors, grips_under, lean, seat, seats_in_row
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("tree")
@@ -251,7 +251,7 @@ def pumpkin(b: MeshBuilder, spec: PropSpec) -> Anchors:
         )
     b.loft(skin, rings)
     b.tube(spec.material("stem"), [(0, 0, h * 0.8), (0.01, 0, h * 0.92), (0.04, 0, h)], (0.03, 0.02, 0.024), segments=8)
-    return under(w * 0.3, (0.4, 0.45, 0.2))
+    return grips_under(w * 0.3, (0.4, 0.45, 0.2))
 
 
 @prop("snowman")

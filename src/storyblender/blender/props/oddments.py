@@ -7,7 +7,8 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
-from storyblender.blender.props.registry import Anchors, PropSpec, handle, prop
+from storyblender.blender.props.anchors import Anchors, handle
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("lever")

@@ -5,10 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import FIST, Anchors, grips_around, grips_under, two_hands
 from storyblender.blender.props.parts import bent, circle, rectangle
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.blender.props.tableware import around, under
-from storyblender.blender.props.weapons import FIST
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("cigarette_pack")
@@ -85,7 +84,9 @@ def tissue_box(b: MeshBuilder, spec: PropSpec) -> Anchors:
         rows.append(np.c_[(0.2 + 0.1 * t) * w * across, wave, rise])
     for lift, order in ((0.0, 1), (0.001, -1)):
         b.loft("porcelain", [(row + np.array([0, lift, 0]))[::order] for row in rows], closed=False)
-    return under(0.4 * d) + two_hands((-w / 2, 0, 0.4 * low), (0.1, -0.9, -0.3), (1, 0, 0), (0.3, 0.35, 0.3), "side")
+    return grips_under(0.4 * d) + two_hands(
+        (-w / 2, 0, 0.4 * low), (0.1, -0.9, -0.3), (1, 0, 0), (0.3, 0.35, 0.3), "side"
+    )
 
 
 @prop("toilet_roll")
@@ -98,7 +99,7 @@ def toilet_roll(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for share in (0.5, 0.64, 0.78, 0.9):
         b.tube(paper, np.c_[circle(share * r, 32), np.full(32, h)], 0.0006, segments=4, closed=True)
     b.box(paper, (0.4 * r, -0.98 * r, h / 2), (1.0 * r, 0.0015, h), rotation=(0, 0, -10))
-    return around(r, 0.5 * h, (0.35, 0.4, 0.3))
+    return grips_around(r, 0.5 * h, (0.35, 0.4, 0.3))
 
 
 @prop("plunger")
@@ -108,4 +109,4 @@ def plunger(b: MeshBuilder, spec: PropSpec) -> Anchors:
     cup = bent([(1.0, 0.0), (0.98, 0.04), (0.8, 0.12), (0.4, 0.17), (0.2, 0.19), (0.18, 0.26)], 3) * (r, h)
     b.lathe(spec.material("rubber"), cup, segments=28)
     b.lathe(spec.material("wood"), [(0.17 * r, 0.24 * h), (0.17 * r, 0.97 * h), (0.1 * r, h)], segments=14)
-    return around(0.17 * r, 0.8 * h, FIST)
+    return grips_around(0.17 * r, 0.8 * h, FIST)

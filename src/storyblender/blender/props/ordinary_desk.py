@@ -7,12 +7,10 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
-from storyblender.blender.props.devices import pinch
+from storyblender.blender.props.anchors import FIST, Anchors, grips_around, grips_pinching, grips_under, two_hands
 from storyblender.blender.props.ordinary_hardware import ring_of
 from storyblender.blender.props.parts import bent, rectangle
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.blender.props.tableware import around, under
-from storyblender.blender.props.weapons import FIST
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("paper_stack")
@@ -26,7 +24,7 @@ def paper_stack(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.box(paper, middle, (0.93 * w, 0.94 * d, 0.94 * h / count), rotation=(0, 0, turn))
     with b.at((lies[-1][0] * w, lies[-1][1] * d, h), (0, 0, lies[-1][2])):
         _print(b, 0.93 * w, 0.94 * d)
-    return under(0.4 * d)
+    return grips_under(0.4 * d)
 
 
 def _print(b: MeshBuilder, width: float, depth: float) -> None:
@@ -44,7 +42,7 @@ def rubber_stamp(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.rounded_box(handle, (0, 0, 0.15 * h), (w, d, 0.18 * h), 0.003)
     outline = [(0.3, 0.22), (0.2, 0.3), (0.17, 0.5), (0.26, 0.66), (0.32, 0.84), (0.24, 0.97), (0.0, 1.0)]
     b.lathe(handle, bent([(x * w, z * h) for x, z in outline], 3), segments=20)
-    return around(0.28 * w, 0.7 * h, (0.7, 0.8, 0.6))
+    return grips_around(0.28 * w, 0.7 * h, (0.7, 0.8, 0.6))
 
 
 @prop("envelope_stack")
@@ -66,7 +64,7 @@ def envelope_stack(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for x in (-1, 1):
         bow = [(0, 0, h), (0.09 * x * w, 0.1 * d, h + 0.008), (0.12 * x * w, -0.06 * d, h + 0.003), (0, 0, h)]
         b.tube(string, bent(bow), 0.0014, segments=6)
-    return under(0.4 * d)
+    return grips_under(0.4 * d)
 
 
 @prop("ticket")
@@ -85,7 +83,7 @@ def ticket(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.box(ink, (x * w, y * d, h), (across * w, along * d, 0.0004))
     for k in range(6):
         b.box("plastic_black", ((0.3 + 0.03 * k) * w, 0, h), (0.012 * w * (1 + k % 2), 0.6 * d, 0.0004))
-    return pinch(0.1 * d, 0.0)
+    return grips_pinching(0.1 * d, 0.0)
 
 
 @prop("id_card")
@@ -110,7 +108,7 @@ def id_card(b: MeshBuilder, spec: PropSpec) -> Anchors:
         side = np.array((0.005, 0, 0))
         rings = [np.array([at - side, at + side, at + side + (0, 0, 0.001), at - side + (0, 0, 0.001)]) for at in flat]
         b.loft(band, rings)
-    return pinch(middle, 0.0)
+    return grips_pinching(middle, 0.0)
 
 
 def _star(b: MeshBuilder, metal: MaterialRef, radius: float, thick: float) -> None:
@@ -134,7 +132,7 @@ def badge(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.tube(metal, ring_of(0.34 * w, 28, 0.34 * d), 0.0022, segments=6, closed=True)
         with b.at((0, 0, 0.34 * d)):
             _star(b, metal, 0.3 * w, 0.4 * d)
-    return pinch(-0.02, 0.4 * h)
+    return grips_pinching(-0.02, 0.4 * h)
 
 
 @prop("medal")
@@ -154,7 +152,7 @@ def medal(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.extrude(ribbon, edge, 0.0012, base=level * h)
         stripe = [(0.07 * x * w, front), (0.1 * x * w, front), (0.33 * x * w, d / 2), (0.27 * x * w, d / 2)]
         b.extrude("linen", stripe, 0.0016, base=level * h)
-    return pinch(d / 2 - 0.04, 0.0)
+    return grips_pinching(d / 2 - 0.04, 0.0)
 
 
 @prop("remote_control")
@@ -183,7 +181,7 @@ def stapler(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.rounded_box(body, (0, -0.43 * d, 0.26 * h), (0.78 * w, 0.94 * d, 0.3 * h), 0.006)
     for x in (-1, 1):
         b.box(metal, (0.4 * x * w, 0.4 * d, 0.36 * h), (0.06 * w, 0.14 * d, 0.42 * h), bevel=0.001)
-    return around(0.45 * w, 0.7 * h, (0.4, 0.5, 0.3))
+    return grips_around(0.45 * w, 0.7 * h, (0.4, 0.5, 0.3))
 
 
 @prop("ruler")
@@ -194,7 +192,7 @@ def ruler(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for k in range(31):
         long = 0.34 if k % 5 == 0 else 0.18
         b.box("plastic_black", ((0.5 - long / 2) * w, (k / 30 - 0.5) * 0.97 * d, h), (long * w, 0.0008, 0.0004))
-    return pinch(0.35 * d, 0.0)
+    return grips_pinching(0.35 * d, 0.0)
 
 
 @prop("tape_measure")

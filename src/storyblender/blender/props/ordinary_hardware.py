@@ -7,11 +7,9 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import Floats, MaterialRef, MeshBuilder
-from storyblender.blender.props.devices import pinch
+from storyblender.blender.props.anchors import FIST, Anchors, grips_around, grips_pinching, grips_under, two_hands
 from storyblender.blender.props.parts import bent, circle
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.blender.props.tableware import around, under
-from storyblender.blender.props.weapons import FIST
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 def ring_of(radius: float, count: int = 20, height: float = 0.0) -> Floats:
@@ -37,7 +35,7 @@ def light_bulb(b: MeshBuilder, spec: PropSpec) -> Anchors:
         (0.42, 0.29), (0.5, 0.38), (0.84, 0.54), (1.0, 0.7), (0.92, 0.84), (0.68, 0.94), (0.36, 0.99), (0.0, 1.0),
     ]  # fmt: skip
     b.lathe(spec.material("glass"), bent([(x * r, z * h) for x, z in outline], 3), segments=24)
-    return around(0.45 * r, 0.2 * h, (0.7, 0.8, 0.6))
+    return grips_around(0.45 * r, 0.2 * h, (0.7, 0.8, 0.6))
 
 
 @prop("battery")
@@ -48,7 +46,7 @@ def battery(b: MeshBuilder, spec: PropSpec) -> Anchors:
     top = [(r, 0.7 * h), (r, 0.93 * h), (0.9 * r, 0.95 * h), (0.3 * r, 0.95 * h)]
     b.lathe(spec.material("top"), top, segments=24)
     b.cylinder(spec.material("pole"), (0, 0, 0.94 * h), (0, 0, h), 0.3 * r)
-    return around(r, 0.5 * h, (0.7, 0.8, 0.6))
+    return grips_around(r, 0.5 * h, (0.7, 0.8, 0.6))
 
 
 @prop("screw")
@@ -58,7 +56,7 @@ def screw(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe(metal, [(0.02 * r, 0), (0.38 * r, 0.2 * h), (0.42 * r, 0.86 * h), (r, 0.96 * h), (r, h)], segments=16)
     _thread(b, metal, 0.2 * h, 0.72 * h, 0.46 * r, 8)
     b.box("plastic_black", (0, 0, h - 0.0003), (1.8 * r, 0.3 * r, 0.001))
-    return pinch(0.0, h - 0.01)
+    return grips_pinching(0.0, h - 0.01)
 
 
 @prop("bolt")
@@ -69,7 +67,7 @@ def bolt(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.cylinder(metal, (0, 0, 0.2 * h), (0, 0, h), 0.46 * r)
     _thread(b, metal, 0.5 * h, 0.98 * h, 0.5 * r, 7)
     b.extrude(metal, circle(r, 6), 0.2 * h, base=0.56 * h)
-    return pinch(0.0, h - 0.015)
+    return grips_pinching(0.0, h - 0.015)
 
 
 @prop("nail")
@@ -79,7 +77,7 @@ def nail(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.cylinder(metal, (0, d / 2, h / 2), (0, d / 2 - 0.003, h / 2), w / 2)
     shaft = [(0.22 * w, 0), (0.22 * w, 0.85 * d), (0.01 * w, 0.96 * d)]
     b.lathe(metal, shaft, origin=(0, d / 2 - 0.002, h / 2), axis=(0, -1, 0), segments=8)
-    return pinch(0.2 * d, h / 2 - 0.01)
+    return grips_pinching(0.2 * d, h / 2 - 0.01)
 
 
 @prop("tape_roll")
@@ -119,7 +117,7 @@ def lock_picks(b: MeshBuilder, spec: PropSpec) -> Anchors:
         path = [(x, 0.1 * d, 0.5 * h), (x, -0.3 * d, 0.5 * h), (x + 0.2 * tip, -0.4 * d, 0.5 * h)]
         b.box(pick, (x, -0.06 * d, 0.5 * h), (0.05 * w, 0.26 * d, 0.3 * h))
         b.tube(pick, [*path, (x + tip, -0.49 * d, 0.5 * h)], 0.0016, segments=6)
-    return under(d * 0.4)
+    return grips_under(d * 0.4)
 
 
 @prop("padlock")
@@ -134,7 +132,7 @@ def padlock(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.tube(spec.material("bow"), np.concatenate([ends[0], arch, ends[1]]), 0.0042, segments=10)
     for z, tall in ((0.32, 0.006), (0.24, 0.012)):
         b.box("plastic_black", (0, -d / 2, z * h), (0.006 if z > 0.3 else 0.003, 0.001, tall))
-    return around(0.5 * w, 0.3 * h, (0.6, 0.65, 0.5))
+    return grips_around(0.5 * w, 0.3 * h, (0.6, 0.65, 0.5))
 
 
 @prop("key_ring")
@@ -151,7 +149,7 @@ def key_ring(b: MeshBuilder, spec: PropSpec) -> Anchors:
                 b.box(metal, (0, -r - 0.3 * long, 0), (0.006, 0.55 * long, 0.0022))
                 for tooth in range(3):
                     b.box(metal, (0.004, -r - (0.38 + 0.08 * tooth) * long, 0), (0.005, 0.004, 0.0022))
-    return pinch(d / 2 - 0.02, 0.0)
+    return grips_pinching(d / 2 - 0.02, 0.0)
 
 
 @prop("thread_spool")
@@ -163,7 +161,7 @@ def thread_spool(b: MeshBuilder, spec: PropSpec) -> Anchors:
     wound = [((0.82 + 0.04 * (k % 2)) * r, (0.12 + 0.045 * k) * h) for k in range(18)]
     b.lathe(spec.material("thread"), wound, segments=20)
     b.cylinder("plastic_black", (0, 0, h - 0.001), (0, 0, h + 0.0004), 0.22 * r)
-    return around(r, 0.5 * h, (0.6, 0.7, 0.5))
+    return grips_around(r, 0.5 * h, (0.6, 0.7, 0.5))
 
 
 @prop("needle_and_thread")
@@ -175,7 +173,7 @@ def needle_and_thread(b: MeshBuilder, spec: PropSpec) -> Anchors:
     path = [(0, 0.14, 0), (0.1, 0.3, 0.1), (0.45, 0.36, 0), (0.3, 0.48, -0.1), (-0.3, 0.46, 0.1), (-0.48, 0.2, 0)]
     curl = np.array([(x * w, y * d, h * (0.5 + 0.3 * z)) for x, y, z in path])
     b.tube(spec.material("thread"), bent(curl, 6), 0.0008, segments=6)
-    return pinch(-0.1 * d, 0.0)
+    return grips_pinching(-0.1 * d, 0.0)
 
 
 @prop("poker")
@@ -217,7 +215,7 @@ def tire(b: MeshBuilder, spec: PropSpec) -> Anchors:
         slip = 0.05 * r * k
         with b.at((slip * math.cos(2.4 * k), slip * math.sin(2.4 * k), k * h)):
             b.lathe(rubber, outline, segments=40, caps=False)
-    return under(0.9 * r) + two_hands((-r, 0.0, 0.5 * h), (0.1, -0.9, -0.3), (1, 0, 0), (0.4, 0.45, 0.3), "side")
+    return grips_under(0.9 * r) + two_hands((-r, 0.0, 0.5 * h), (0.1, -0.9, -0.3), (1, 0, 0), (0.4, 0.45, 0.3), "side")
 
 
 @prop("gas_cylinder")
@@ -235,4 +233,4 @@ def gas_cylinder(b: MeshBuilder, spec: PropSpec) -> Anchors:
         with b.at(rotation=(0, 0, turn)):
             b.cylinder(body, (0.6 * r, 0, 0.84 * h), (0.56 * r, 0, 0.98 * h), 0.05 * r, segments=8)
     b.tube(body, ring_of(0.56 * r, 24, 0.98 * h), 0.06 * r, segments=8, closed=True)
-    return around(0.56 * r, 0.97 * h, FIST)
+    return grips_around(0.56 * r, 0.97 * h, FIST)

@@ -7,12 +7,10 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
-from storyblender.blender.props.devices import pinch
+from storyblender.blender.props.anchors import FIST, Anchors, grips_around, grips_pinching, grips_under, two_hands
 from storyblender.blender.props.ordinary_hardware import ring_of
 from storyblender.blender.props.parts import bent, rectangle
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.blender.props.tableware import around, under
-from storyblender.blender.props.weapons import FIST
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("ice_cream_scoop")
@@ -43,7 +41,7 @@ def thermos(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe(spec.material("cup"), cup, segments=26)
     grip = [(0.96 * r, 0, 0.56 * h), (1.7 * r, 0, 0.54 * h), (1.7 * r, 0, 0.24 * h), (0.96 * r, 0, 0.2 * h)]
     b.tube("plastic_black", bent(grip, 4), 0.13 * r, segments=8)
-    return around(r, 0.45 * h, (0.5, 0.55, 0.4))
+    return grips_around(r, 0.45 * h, (0.5, 0.55, 0.4))
 
 
 @prop("lunch_box")
@@ -97,7 +95,7 @@ def sausage(b: MeshBuilder, spec: PropSpec) -> Anchors:
         share = np.sin(math.pi * np.linspace(0.02, 0.98, len(line))) ** 0.35
         b.tube(meat, [(x * i * w, j * 0.5 * d, k * h) for i, j, k in line], list(share * h / 2), segments=12)
     b.tube(meat, [(-0.04 * w, -0.2 * d, 0.5 * h), (0.04 * w, -0.2 * d, 0.5 * h)], 0.1 * h, segments=8)
-    return pinch(-0.1 * d, 0.3 * h)
+    return grips_pinching(-0.1 * d, 0.3 * h)
 
 
 @prop("wallet")
@@ -113,7 +111,9 @@ def wallet(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.box(spec.material("notes"), center, (0.94 * w, 0.9 * d, 0.05 * h))
     stitch = rectangle(0.9 * w, 0.84 * d, 40, 0.004)
     b.tube("linen", np.c_[stitch - (0, 0.02 * d), np.full(40, 0.97 * h)], 0.0005, segments=4, closed=True)
-    return two_hands((-w / 2, 0.2 * d, h / 2), (0.3, -0.9, 0), (0.95, 0.2, 0.1), (0.45, 0.55, 0.4)) + under(0.4 * d)
+    return two_hands((-w / 2, 0.2 * d, h / 2), (0.3, -0.9, 0), (0.95, 0.2, 0.1), (0.45, 0.55, 0.4)) + grips_under(
+        0.4 * d
+    )
 
 
 @prop("lipstick")
@@ -126,7 +126,7 @@ def lipstick(b: MeshBuilder, spec: PropSpec) -> Anchors:
     circle = np.c_[0.66 * r * np.cos(t), 0.66 * r * np.sin(t)]
     slant = np.c_[circle, (0.9 + 0.1 * np.sin(t)) * h]
     b.loft(spec.material("stick"), [np.c_[circle, np.full(18, 0.66 * h)], slant])
-    return around(r, 0.3 * h, (0.6, 0.7, 0.5))
+    return grips_around(r, 0.3 * h, (0.6, 0.7, 0.5))
 
 
 @prop("pill_bottle")
@@ -144,7 +144,7 @@ def pill_bottle(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.cylinder(spec.material("cap"), (x, y, 0.78 * h), (x, y, 0.95 * h), 0.05 * r, segments=5)
     for x in (-0.5, 0.3):
         b.sphere(spec.material("cap"), (x * r, -1.6 * r, 0.05 * h), 0.05 * h, scale=(1.4, 1.4, 1), segments=10, rings=6)
-    return around(r, 0.4 * h, (0.6, 0.65, 0.5))
+    return grips_around(r, 0.4 * h, (0.6, 0.65, 0.5))
 
 
 @prop("milk_carton")
@@ -159,7 +159,7 @@ def milk_carton(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.box(spec.material("band"), (0, 0, 0.16 * h), (1.01 * w, 1.01 * d, 0.2 * h))
     profile = [(0.16 * w, 0), (0.15 * w, 0.12 * w)]
     b.lathe(spec.material("band"), profile, origin=(0, -0.27 * d, 0.84 * h), axis=(0, -0.75, 0.7))
-    return around(w / 2, 0.45 * h, (0.35, 0.4, 0.3))
+    return grips_around(w / 2, 0.45 * h, (0.35, 0.4, 0.3))
 
 
 @prop("credit_card")
@@ -175,7 +175,7 @@ def credit_card(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.lathe(
             "brass" if x < 0.35 else "fabric_red", [(0.07 * w, 0), (0.07 * w, x * 0.0016)], origin=(x * w, 0.3 * d, h)
         )
-    return pinch(0.2 * d, 0.0)
+    return grips_pinching(0.2 * d, 0.0)
 
 
 @prop("firework")
@@ -206,7 +206,7 @@ def firecrackers(b: MeshBuilder, spec: PropSpec) -> Anchors:
             tip = (0.47 * x * w, y - 0.03 * d, (0.32 + 0.3 * (k % 2)) * h)
             b.cylinder(paper, (0.06 * x * w, y + 0.01 * d, 0.5 * h), tip, 0.24 * h, segments=10)
             b.cylinder("brass", tip, np.add(tip, (0.01 * x * w, 0, 0)), 0.25 * h, segments=10)
-    return pinch(0.36 * d, 0.0)
+    return grips_pinching(0.36 * d, 0.0)
 
 
 @prop("cymbal")

@@ -7,12 +7,10 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
-from storyblender.blender.props.devices import pinch
+from storyblender.blender.props.anchors import FIST, Anchors, grips_around, grips_pinching, two_hands
 from storyblender.blender.props.ordinary_hardware import ring_of
 from storyblender.blender.props.parts import bent
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.blender.props.tableware import around
-from storyblender.blender.props.weapons import FIST
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("necktie")
@@ -31,7 +29,7 @@ def necktie(b: MeshBuilder, spec: PropSpec) -> Anchors:
     side = np.array((0, 0, 0.5 * h))
     inner = band * (0.8, 0.97, 1)
     b.loft(silk, [np.array([at, near, near + side, at + side]) for at, near in zip(band, inner, strict=True)])
-    return pinch(0.25 * d, 0.0)
+    return grips_pinching(0.25 * d, 0.0)
 
 
 @prop("bow_tie")
@@ -46,7 +44,7 @@ def bow_tie(b: MeshBuilder, spec: PropSpec) -> Anchors:
             rings.append(np.c_[np.full(20, x * along * w), fold * d * np.cos(t), (0.5 + tall / 2 * np.sin(t)) * h])
         b.loft(silk, rings)
     b.cushion(silk, (0, 0, 0.5 * h), (0.15 * w, 0.95 * d, 0.4 * h), softness=0.4)
-    return pinch(-0.02, 0.3 * h)
+    return grips_pinching(-0.02, 0.3 * h)
 
 
 @prop("belt")
@@ -69,7 +67,7 @@ def belt(b: MeshBuilder, spec: PropSpec) -> Anchors:
         frame = [(-0.02, -0.6 * h), (0.03, -0.6 * h), (0.03, 0.6 * h), (-0.02, 0.6 * h)]
         b.tube(metal, np.c_[frame, np.zeros(4)], 0.003, segments=6, closed=True)
         b.cylinder(metal, (-0.02, 0, 0), (0.032, 0, 0.002), 0.0022, segments=6)
-    return around(r, h * 0.5, FIST)
+    return grips_around(r, h * 0.5, FIST)
 
 
 @prop("hair_curlers")
@@ -87,7 +85,7 @@ def hair_curlers(b: MeshBuilder, spec: PropSpec) -> Anchors:
                 a = math.tau * k / 9
                 rib = np.array([(s * 0.42 * long, 0.88 * r * math.cos(a), 0.88 * r * math.sin(a)) for s in (-1, 1)])
                 b.tube(body, rib, 0.09 * r, segments=5)
-    return around(0.3 * w, 0.5 * h, (0.4, 0.45, 0.3))
+    return grips_around(0.3 * w, 0.5 * h, (0.4, 0.45, 0.3))
 
 
 @prop("whistle")
@@ -103,7 +101,7 @@ def whistle(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.tube(metal, ring_of(0.14 * d), 0.0012, closed=True)
     cord = [(0, 0.42, 0.4), (0.6, 0.48, 0.08), (1.0, 1.3, 0.08), (0.1, 1.9, 0.08), (-0.9, 1.3, 0.08), (-0.4, 0.5, 0.08)]
     b.tube(spec.material("cord"), bent([(x * w, y * d, z * h) for x, y, z in [*cord, cord[0]]]), 0.0012, segments=6)
-    return pinch(0.0, 0.5 * h)
+    return grips_pinching(0.0, 0.5 * h)
 
 
 @prop("crutch")
@@ -151,7 +149,7 @@ def feather(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.loft(
             vane, [np.array([p, e, e - (0, 0, 0.0006), p - (0, 0, 0.0006)]) for p, e in zip(spine, edge, strict=True)]
         )
-    return pinch(0.42 * d, 0.0)
+    return grips_pinching(0.42 * d, 0.0)
 
 
 @prop("leash")
@@ -168,7 +166,7 @@ def leash(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.tube(strap, bent(loop), 0.005, segments=6)
     with b.at((0, -0.46 * d, 0.2 * h), scale=(0.7, 1.3, 1)):
         b.tube("chrome", ring_of(0.04 * d), 0.0024, closed=True)
-    return around(0.46 * w, 0.5 * h, FIST)
+    return grips_around(0.46 * w, 0.5 * h, FIST)
 
 
 @prop("megaphone")

@@ -7,10 +7,9 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
-from storyblender.blender.props.devices import pinch
+from storyblender.blender.props.anchors import Anchors, grips_around, grips_pinching, two_hands
 from storyblender.blender.props.parts import bent
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.blender.props.tableware import around
+from storyblender.blender.props.registry import PropSpec, prop
 
 _CUTLERY = ((0.3, -0.9, -0.2), (0.9, 0.3, 0.2), (0.75, 0.8, 0.6))
 
@@ -38,7 +37,7 @@ def paper_cup(b: MeshBuilder, spec: PropSpec) -> Anchors:
     lid = np.multiply([(0.97, 0.88), (1, 0.89), (1, 0.92), (0.9, 0.93), (0.84, 1), (0.76, 1), (0.74, 0.97)], (r, h))
     b.lathe(spec.material("lid"), lid, segments=28)
     b.box("plastic_black", (0, -0.6 * r, 0.972 * h), (0.2 * r, 0.08 * r, 0.004 * h))
-    return around(0.82 * r, 0.45 * h, (0.45, 0.5, 0.4))
+    return grips_around(0.82 * r, 0.45 * h, (0.45, 0.5, 0.4))
 
 
 @prop("water_bottle")
@@ -50,7 +49,7 @@ def water_bottle(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe(clear, [(x * r, z * h) for x, z in [*side, *neck]], segments=28)
     b.lathe(spec.material("label"), [(1.01 * r, 0.4 * h), (1.01 * r, 0.6 * h)], segments=28, caps=False)
     b.lathe(spec.material("cap"), [(0.48 * r, 0.91 * h), (0.5 * r, 0.92 * h), (0.48 * r, h)], segments=20)
-    return around(r, 0.35 * h, (0.45, 0.5, 0.4))
+    return grips_around(r, 0.35 * h, (0.45, 0.5, 0.4))
 
 
 @prop("spoon")
@@ -150,7 +149,7 @@ def dice(b: MeshBuilder, spec: PropSpec) -> Anchors:
                     for i, j in [*spots, *([(0, 0)] if count % 2 else [])]:
                         start, end = (i * 0.25 * h, j * 0.25 * h, 0.49 * h), (i * 0.25 * h, j * 0.25 * h, 0.505 * h)
                         b.cylinder(pip, start, end, 0.09 * h, segments=10)
-    return pinch(0.0, 0.5 * h)
+    return grips_pinching(0.0, 0.5 * h)
 
 
 @prop("chocolate_bar")

@@ -7,12 +7,10 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
-from storyblender.blender.props.devices import pinch
+from storyblender.blender.props.anchors import FIST, Anchors, grips_pinching, grips_under, handle, two_hands
 from storyblender.blender.props.ordinary_hardware import ring_of
 from storyblender.blender.props.parts import bent, wheel
-from storyblender.blender.props.registry import Anchors, PropSpec, handle, prop, two_hands
-from storyblender.blender.props.tableware import under
-from storyblender.blender.props.weapons import FIST
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("bullet")
@@ -23,7 +21,7 @@ def bullet(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe(spec.material("case"), [(x * r, z * h) for x, z in case], segments=22)
     tip = bent([(0.86, 0.6), (0.86, 0.68), (0.7, 0.84), (0.36, 0.97), (0.0, 1.0)], 3)
     b.lathe(spec.material("tip"), tip * (r, h), segments=22)
-    return pinch(0.0, 0.6 * h)
+    return grips_pinching(0.0, 0.6 * h)
 
 
 @prop("arrow")
@@ -107,7 +105,7 @@ def printer(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for k in range(4):
         start, end = ((0.02 + 0.1 * k) * w, -0.1 * d, tall), ((0.02 + 0.1 * k) * w, -0.1 * d, tall + 0.008)
         b.cylinder("fabric_green" if k == 3 else "steel", start, end, 0.012)
-    return under(0.4 * d)
+    return grips_under(0.4 * d)
 
 
 @prop("chainsaw")

@@ -8,10 +8,9 @@ from collections.abc import Callable
 import numpy as np
 
 from storyblender.blender.mesh_builder import Floats, MaterialRef, MeshBuilder
+from storyblender.blender.props.anchors import FIST, Anchors, grips_under, two_hands
 from storyblender.blender.props.parts import bent
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.blender.props.tableware import under
-from storyblender.blender.props.weapons import FIST
+from storyblender.blender.props.registry import PropSpec, prop
 
 _HALF = ((-0.46, 0.27), (-0.38, 0.42), (-0.22, 0.49), (-0.05, 0.45), (0.12, 0.36), (0.3, 0.36), (0.43, 0.28))
 """Half widths of a foot's sole along its length, from the toes at -Y; shares of width and length."""
@@ -34,7 +33,7 @@ def _pair(b: MeshBuilder, spec: PropSpec, build: Callable[[], None]) -> Anchors:
             build()
     reach = -(1.1 if spec.flag("pair") else 0.42) * w
     fingers, palm, curl = _HEEL_GRIP
-    return two_hands((reach, 0.25 * d, 0.6 * h), fingers, palm, curl) + under(0.4 * d)
+    return two_hands((reach, 0.25 * d, 0.6 * h), fingers, palm, curl) + grips_under(0.4 * d)
 
 
 def _upper(

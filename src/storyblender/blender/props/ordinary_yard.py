@@ -8,14 +8,21 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
-from storyblender.blender.props.aircraft_and_works import DARK, beside
-from storyblender.blender.props.beds import bed_anchor
+from storyblender.blender.props.aircraft_and_works import DARK
+from storyblender.blender.props.anchors import (
+    FIST,
+    Anchors,
+    bed_anchor,
+    boarding_place,
+    grips_around,
+    grips_under,
+    seat,
+    two_hands,
+)
 from storyblender.blender.props.machines import fan_head
 from storyblender.blender.props.ordinary_hardware import ring_of
 from storyblender.blender.props.parts import bent, rectangle
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, seat, two_hands
-from storyblender.blender.props.tableware import around, under
-from storyblender.blender.props.weapons import FIST
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 def _plate(b: MeshBuilder, material: MaterialRef, outline: ArrayLike, x: float, width: float) -> None:
@@ -46,7 +53,7 @@ def excavator(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.cylinder(DARK, (-0.8, 1.0, 2.0), (-0.8, 1.0, 2.4), 0.06)
         _cab(b, body)
         _arm(b, body, trim)
-    return (seat((0.72, -0.35, 1.62), (0.46, 0.44), name="driver"), beside(1.85, -0.2))
+    return (seat((0.72, -0.35, 1.62), (0.46, 0.44), name="driver"), boarding_place(1.85, -0.2))
 
 
 def _tracks(b: MeshBuilder, trim: MaterialRef) -> None:
@@ -206,4 +213,4 @@ def car_battery(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.tube(ring, ring_of(0.015, 16, 0.88 * h) + np.array((x * w, -0.26 * d, 0)), 0.003, segments=6, closed=True)
     strap = [(-0.4 * w, 0.2 * d, 0.86 * h), (-0.3 * w, 0.2 * d, 0.97 * h), (0.3 * w, 0.2 * d, 0.97 * h)]
     b.tube(body, [*strap, (0.4 * w, 0.2 * d, 0.86 * h)], 0.008)
-    return under(0.4 * d) + around(0.01, 0.97 * h, FIST)
+    return grips_under(0.4 * d) + grips_around(0.01, 0.97 * h, FIST)

@@ -7,10 +7,9 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import FIST, Anchors, grips_around, grips_under, two_hands
 from storyblender.blender.props.parts import bent
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.blender.props.tableware import around, under
-from storyblender.blender.props.weapons import FIST
+from storyblender.blender.props.registry import PropSpec, prop
 
 Points = list[tuple[float, float]]
 
@@ -38,7 +37,7 @@ def jar(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.lathe(spec.material("lid"), outline, segments=28)
         profile = [(r * 0.88, h * 0.07), (r * 0.9, h * 0.1), (r * 0.9, h * 0.62), (0.003, h * 0.65)]
         b.lathe(spec.material("filling"), profile, segments=24)
-        return around(r, h * 0.45)
+        return grips_around(r, h * 0.45)
     for k in range(26):
         turn, reach = 2.4 * k, r * 0.7 * math.sqrt((k % 13 + 0.5) / 13)
         with b.at(
@@ -49,7 +48,7 @@ def jar(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for k in range(3):
         center = (0, 0, h * (0.42 + 0.12 * k))
         b.box("fabric_green", center, (0.05, 0.002, 0.09), rotation=(12 * k - 8, 20 - 14 * k, 70 * k))
-    return around(r, h * 0.45)
+    return grips_around(r, h * 0.45)
 
 
 @prop("tin_can")
@@ -59,7 +58,7 @@ def tin_can(b: MeshBuilder, spec: PropSpec) -> Anchors:
     profile = [(r * 0.94, 0), (r, 0.002), (r, h - 0.002), (r * 0.97, h), (r * 0.94, h - 0.004), (0.003, h - 0.004)]
     b.lathe(tin, profile, segments=28)
     b.lathe(spec.material("label"), [(r * 1.012, h * 0.1), (r * 1.012, h * 0.9)], segments=28, caps=False)
-    return around(r, h * 0.5)
+    return grips_around(r, h * 0.5)
 
 
 @prop("canteen")
@@ -178,7 +177,7 @@ def cutting_board(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for x in (-1, 1):
         b.rounded_box(wood, (x * 0.028, d * 0.41, h / 2), (0.03, d * 0.18, h), 0.008)
     b.rounded_box(wood, (0, d * 0.48, h / 2), (0.08, d * 0.05, h), 0.008)
-    return under(d * 0.4)
+    return grips_under(d * 0.4)
 
 
 @prop("pizza_box")
@@ -194,7 +193,7 @@ def pizza_box(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.cylinder(
             "linen", (w * 0.17 * math.cos(1.26 * k), w * 0.17 * math.sin(1.26 * k), h), end, w * 0.05, segments=14
         )
-    return under(d * 0.42)
+    return grips_under(d * 0.42)
 
 
 @prop("egg")
@@ -206,7 +205,7 @@ def egg(b: MeshBuilder, spec: PropSpec) -> Anchors:
         "shell",
         [(0.02, 0.0), (0.62, 0.08), (0.97, 0.32), (0.98, 0.48), (0.78, 0.76), (0.4, 0.95), (0.02, 1.0)],
     )
-    return around(spec.size[0] / 2, spec.size[2] * 0.5, (0.5, 0.55, 0.4))
+    return grips_around(spec.size[0] / 2, spec.size[2] * 0.5, (0.5, 0.55, 0.4))
 
 
 @prop("banana")

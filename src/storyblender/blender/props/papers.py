@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
-from storyblender.blender.props.registry import Anchors, PropSpec, grip, prop, two_hands
-from storyblender.blender.props.tableware import under
+from storyblender.blender.props.anchors import Anchors, grip, grips_under, two_hands
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 def _lines(b: MeshBuilder, spec: PropSpec, width: float, depth: float, z: float, rows: int, x: float = 0.0) -> None:
@@ -51,7 +51,7 @@ def book(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.box("gold", (0, -d * 0.2, h), (w * 0.6, d * 0.1, 0.0012))
     b.box("gold", (0, 0, h), (w * 0.4, d * 0.03, 0.0012))
     side = two_hands((-w / 2, 0.02, h * 0.5), (0.1, -0.6, -0.8), (1, 0, 0), (0.35, 0.4, 0.3))
-    return side + under(d * 0.3, (0.25, 0.3, 0.0))
+    return side + grips_under(d * 0.3, (0.25, 0.3, 0.0))
 
 
 @prop("letter")
@@ -70,7 +70,7 @@ def letter(b: MeshBuilder, spec: PropSpec) -> Anchors:
         length = w * (0.76 if row % 5 != 4 else 0.4)
         z = h * 0.8 * float(np.interp(y / d + 0.5, np.linspace(0, 1, 6), lift)) + 0.0006
         b.box(spec.material("ink"), ((length - w * 0.76) / -2, y, z), (length, 0.003, 0.0005))
-    return under(d * 0.4)
+    return grips_under(d * 0.4)
 
 
 @prop("envelope")
@@ -82,7 +82,7 @@ def envelope(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.extrude(page, [(-w / 2, -d / 2), (w / 2, -d / 2), (0, d * 0.12)], 0.0008)
     profile = [(0.013, h * 0.7), (0.013, h * 0.9), (0.01, h)]
     b.lathe(spec.material("seal"), profile, origin=(0, d * 0.06, 0), segments=14)
-    return under(d * 0.38)
+    return grips_under(d * 0.38)
 
 
 @prop("photograph")
@@ -94,7 +94,7 @@ def photograph(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.quad(
         spec.material("picture"), (x, -y, h), (x, y, h), (-x, y, h), (-x, -y, h), uv=((0, 1), (0, 0), (1, 0), (1, 1))
     )
-    return under(d * 0.38)
+    return grips_under(d * 0.38)
 
 
 @prop("folder")
@@ -109,7 +109,9 @@ def folder(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.box(cover, (0, 0, h - 0.001), (w, d, 0.002), rotation=(0, 1.5, 0))
     b.box(cover, (-w / 2 - 0.005, -d * 0.28, 0.001), (0.02, d * 0.25, 0.002))
     b.box("paper", (0, -d * 0.3, h + 0.001), (w * 0.5, d * 0.1, 0.001), rotation=(0, 1.5, 0))
-    return under(d * 0.38) + two_hands((-w / 2, 0.0, h * 0.5), (0.1, -0.6, -0.8), (1, 0, 0), (0.4, 0.45, 0.3), "side")
+    return grips_under(d * 0.38) + two_hands(
+        (-w / 2, 0.0, h * 0.5), (0.1, -0.6, -0.8), (1, 0, 0), (0.4, 0.45, 0.3), "side"
+    )
 
 
 @prop("newspaper")
@@ -121,7 +123,7 @@ def newspaper(b: MeshBuilder, spec: PropSpec) -> Anchors:
     x, y = w / 2, d / 2
     b.quad(page, (x, -y, h), (x, y, h), (-x, y, h), (-x, -y, h), uv=((0, 1), (0, 0), (1, 0), (1, 1)))
     b.cylinder("linen", (-w / 2, -d / 2, h / 2), (-w / 2, d / 2, h / 2), h * 0.48, segments=10)
-    return under(d * 0.4) + two_hands((-w / 2, 0.1, h), (0.2, -0.9, 0.2), (0.7, 0, 0.7), (0.5, 0.55, 0.3), "read")
+    return grips_under(d * 0.4) + two_hands((-w / 2, 0.1, h), (0.2, -0.9, 0.2), (0.7, 0, 0.7), (0.5, 0.55, 0.3), "read")
 
 
 @prop("scroll")
@@ -159,7 +161,7 @@ def passport(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for y in (0.22, 0.32):
         b.box(gold, (0, d * y, h * 0.95), (w * 0.6, d * 0.04, 0.001))
     b.box(gold, (0, -d * 0.36, h * 0.95), (w * 0.6, d * 0.05, 0.001))
-    return under(d * 0.35)
+    return grips_under(d * 0.35)
 
 
 @prop("money")
@@ -171,4 +173,4 @@ def money(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.box(page, (slip, slip, h * (k + 0.5) / 6.2), (w - 0.004, d - 0.004, h / 6 * 0.9))
     b.box(spec.material("band"), (0, 0, h / 2), (w * 0.22, d + 0.001, h), bevel=0.002)
     b.lathe("linen", [(d * 0.22, 0), (d * 0.22, 0.0008)], origin=(-w * 0.3, 0, h * 0.965), segments=18)
-    return under(d * 0.4) + two_hands((-w / 2, 0.0, h / 2), (0.2, -1, 0), (1, 0, 0), (0.5, 0.6, 0.3), "side")
+    return grips_under(d * 0.4) + two_hands((-w / 2, 0.0, h / 2), (0.2, -1, 0), (1, 0, 0), (0.5, 0.6, 0.3), "side")

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import Anchors, handle, lean, seat
 from storyblender.blender.props.parts import turned_leg
-from storyblender.blender.props.registry import Anchors, PropSpec, handle, lean, prop, seat
+from storyblender.blender.props.registry import PropSpec, prop
 from storyblender.memory.asset_sheet import Anchor
 
 WHITE_KEYS = 52

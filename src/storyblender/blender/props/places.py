@@ -9,7 +9,8 @@ import numpy as np
 
 from storyblender.blender.materials import material
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
-from storyblender.blender.props.registry import Anchors, PropSpec, grip, handle, prop
+from storyblender.blender.props.anchors import Anchors, grip, handle
+from storyblender.blender.props.registry import PropSpec, prop
 from storyblender.catalog.materials import hex_color
 
 LABELS = ("#a3282b", "#d0a231", "#2f5d8c", "#d9d3c2", "#3f7a4a", "#c8642a", "#5d3a6e", "#7fa7c4")

@@ -1,4 +1,4 @@
-"""The builders of props by key, and the vocabulary they speak: a spec comes in, parts and anchors go out."""
+"""The builders of props by key of ``catalog.props``, and what each is given to build: a ``PropSpec``."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from storyblender.blender.mesh_builder import MeshBuilder
 from storyblender.catalog.materials import hex_color
 from storyblender.catalog.props.entry import PropEntry
 from storyblender.memory.asset_sheet import Anchor, ParamValue
-from storyblender.memory.base import Vec2, Vec3
+from storyblender.memory.base import Vec3
 
 Anchors = tuple[Anchor, ...]
 Builder = Callable[[MeshBuilder, "PropSpec"], Anchors]
@@ -88,60 +88,3 @@ def builders() -> dict[str, Builder]:
     for module in sorted(info.name for info in pkgutil.iter_modules(package.__path__)):
         importlib.import_module(f"{package.__name__}.{module}")
     return _BUILDERS
-
-
-# ---------------------------------------------------------------------- anchors
-
-
-def seat(location: Vec3, size: Vec2, direction: Vec3 = (0.0, -1.0, 0.0), name: str = "") -> Anchor:
-    """Return a seat.
-
-    Args:
-        location: Middle of its front edge, at sitting height.
-        size: Width and depth.
-        direction: Where the sitter faces.
-        name: For assets with several seats.
-    """
-    return Anchor(kind="seat", name=name, location=location, direction=direction, size=size)
-
-
-def seats_in_row(count: int, width: float, front: float, height: float, depth: float) -> Anchors:
-    """Return ``count`` seats side by side over ``width``, all facing -Y; ``front`` is the y of their front edge."""
-    step = width / count
-    places = [(i - (count - 1) / 2) * step for i in range(count)]
-    return tuple(seat((x, front, height), (step, depth), name=f"seat_{i + 1}") for i, x in enumerate(places))
-
-
-def lean(location: Vec3, width: float, direction: Vec3 = (0.0, 1.0, 0.0), name: str = "") -> Anchor:
-    """Return a rail or edge to lean on; ``direction`` is where the leaning person faces."""
-    return Anchor(kind="lean", name=name, location=location, direction=direction, size=(width, 0.0))
-
-
-def grip(name: str, location: Vec3, fingers: Vec3, palm: Vec3, curl: Vec3) -> Anchor:
-    """Return a grip.
-
-    Args:
-        name: Ends in ``_r`` or ``_l`` for the hand it is made for; see ``two_hands``.
-        location: Palm centre.
-        fingers: Direction of the fingers.
-        palm: The palm's normal, into the object.
-        curl: 0..1 of index, other fingers, thumb.
-    """
-    return Anchor(kind="grip", name=name, location=location, direction=fingers, normal=palm, curl=curl)
-
-
-def two_hands(location: Vec3, fingers: Vec3, palm: Vec3, curl: Vec3, name: str = "grip") -> Anchors:
-    """Return a grip for the right hand and its mirror image for the left; named ``grip_r`` and ``grip_l``."""
-
-    def mirrored(vector: Vec3) -> Vec3:
-        return (-vector[0], vector[1], vector[2])
-
-    return (
-        grip(f"{name}_r", location, fingers, palm, curl),
-        grip(f"{name}_l", mirrored(location), mirrored(fingers), mirrored(palm), curl),
-    )
-
-
-def handle(location: Vec3, direction: Vec3 = (0.0, -1.0, 0.0), name: str = "") -> Anchor:
-    """Return a place to open it by; ``direction`` is the way it is pulled."""
-    return Anchor(kind="handle", name=name, location=location, direction=direction)

@@ -7,12 +7,11 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import FIST, Anchors, grips_around, grips_at_side, grips_under, seat
 from storyblender.blender.props.animals import both_sides, limb
 from storyblender.blender.props.beasts import scaled
 from storyblender.blender.props.parts import bent
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, seat, two_hands
-from storyblender.blender.props.tableware import around, under
-from storyblender.blender.props.weapons import FIST
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("rocking_horse")
@@ -75,7 +74,7 @@ def toy_blocks(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.box(
             colour, (x * w, y * d, edge * (floor + 0.5)), (edge, edge, edge), bevel=0.006, rotation=(0, 0, 37 * index)
         )
-    return around(edge * 0.5, edge, (0.6, 0.65, 0.5))
+    return grips_around(edge * 0.5, edge, (0.6, 0.65, 0.5))
 
 
 def _wheeled_foot(b: MeshBuilder, spec: PropSpec, radius: float, metal: str) -> None:
@@ -123,7 +122,7 @@ def clipboard(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for row in range(7):
         b.box(ink, (-0.01, d * (0.26 - 0.09 * row), 0.0105), (w * 0.7, 0.003, 0.001))
     b.box(ink, (0, d * 0.46, 0.014), (w * 0.42, 0.03, 0.012), bevel=0.003)
-    return two_hands((-w / 2, 0.0, 0.005), (0.1, -0.8, -0.5), (1, 0.1, 0.1), (0.3, 0.35, 0.25)) + under(d * 0.35)
+    return grips_at_side(-w / 2, 0.005) + grips_under(d * 0.35)
 
 
 @prop("mop")
@@ -137,7 +136,7 @@ def mop(b: MeshBuilder, spec: PropSpec) -> Anchors:
         reach = (w * 0.48 * math.cos(turn), 0.08 * math.sin(turn))
         b.tube(strings, bent([(reach[0] * 0.4, reach[1] * 0.3, 0.16), (reach[0] * 0.8, reach[1] * 0.8, 0.08),
                               (*reach, 0.012)]), 0.011, segments=6)  # fmt: skip
-    return around(0.015, h * 0.62, FIST)
+    return grips_around(0.015, h * 0.62, FIST)
 
 
 @prop("tape_recorder")
@@ -153,7 +152,7 @@ def tape_recorder(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.box(
             spec.material("reel"), ((k - 2) * w * 0.12, -d * 0.36, h * 0.88), (w * 0.09, d * 0.1, h * 0.1), bevel=0.003
         )
-    return two_hands((-w / 2, 0.0, h * 0.4), (0.1, -0.8, -0.5), (1, 0.1, 0.1), (0.3, 0.35, 0.25)) + under(d * 0.35)
+    return grips_at_side(-w / 2, h * 0.4) + grips_under(d * 0.35)
 
 
 @prop("whiteboard")

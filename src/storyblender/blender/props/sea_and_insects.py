@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import Anchors
 from storyblender.blender.props.animals import both_sides, limb
 from storyblender.blender.props.beasts import DARK, scaled
 from storyblender.blender.props.parts import bent
-from storyblender.blender.props.registry import Anchors, PropSpec, prop
+from storyblender.blender.props.registry import PropSpec, prop
 from storyblender.blender.props.small_animals import WHITE, eyes
 
 

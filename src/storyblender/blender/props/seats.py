@@ -7,8 +7,9 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import Anchors, seat, seats_in_row
 from storyblender.blender.props.parts import four_legs, spoked_wheel, turned_leg
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, seat, seats_in_row
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("chair")

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
+from storyblender.blender.props.anchors import Anchors, two_hands
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("placard")

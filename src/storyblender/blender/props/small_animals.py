@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
+from storyblender.blender.props.anchors import Anchors
 from storyblender.blender.props.animals import limb
 from storyblender.blender.props.beasts import DARK, Plan, beast, scaled
 from storyblender.blender.props.parts import bent
-from storyblender.blender.props.registry import Anchors, PropSpec, prop
+from storyblender.blender.props.registry import PropSpec, prop
 
 WHITE = "linen"
 CROCODILE = Plan(1.3, 0.2, 0.14, 0.06, (0.34, 0.06), 0.17, (0.55, 0.09), (0.02, 0.02, 30), (), broad=1.25, waist=1.0)

@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import Anchors, two_hands
 from storyblender.blender.props.build import PropBuild, settle
-from storyblender.blender.props.registry import Anchors, two_hands
 from storyblender.catalog.stand_ins import DEFAULT, STAND_INS, StandIn
 from storyblender.memory.asset_sheet import AssetDimension
 

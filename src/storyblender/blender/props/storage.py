@@ -8,9 +8,10 @@ import numpy as np
 
 from storyblender.blender.materials import material
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import Anchors, handle, two_hands
 from storyblender.blender.props.opened import open_carton, tray
 from storyblender.blender.props.parts import book_row, bottle_profile, drawer, four_legs, panel_door
-from storyblender.blender.props.registry import Anchors, PropSpec, handle, prop, two_hands
+from storyblender.blender.props.registry import PropSpec, prop
 from storyblender.catalog.materials import hex_color
 
 COVERS = ("#6b2b22", "#2f4a3c", "#31445e", "#7a5a2c", "#3b2a22", "#8a7a5c", "#55304a", "#a9a08a")

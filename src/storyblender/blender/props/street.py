@@ -7,7 +7,8 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
-from storyblender.blender.props.registry import Anchors, PropSpec, handle, lean, prop, seats_in_row
+from storyblender.blender.props.anchors import Anchors, handle, lean, seats_in_row
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("lamppost")

@@ -7,8 +7,9 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import Anchors, handle, lean
 from storyblender.blender.props.parts import circle, draped_cloth, drawer, four_legs, rectangle, table_top, turned_leg
-from storyblender.blender.props.registry import Anchors, PropSpec, handle, lean, prop
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("round_table")

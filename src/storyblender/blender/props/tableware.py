@@ -7,24 +7,10 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import Anchors, grips_around, grips_under, two_hands
 from storyblender.blender.props.lamps import flame
 from storyblender.blender.props.parts import bent, bottle_profile
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.memory.base import Vec3
-
-WRAP: Vec3 = (0.5, 0.55, 0.35)
-"""Curl of a hand around a tumbler."""
-
-
-def around(radius: float, height: float, curl: Vec3 = WRAP) -> Anchors:
-    """Return the grips of a hand that closes around an upright round thing."""
-    return two_hands((-radius, 0.012, height), (0.25, -1, 0), (1, 0.2, 0), curl)
-
-
-def under(depth: float, curl: Vec3 = (0.12, 0.15, 0.0)) -> Anchors:
-    """Return the grips of hands that carry a flat thing by its near and by its far edge, from below."""
-    near = two_hands((-0.01, depth, -0.012), (0, -1, 0), (0, 0, 1), curl)
-    return near + two_hands((-0.01, -depth, -0.012), (0, 1, 0), (0, 0, 1), curl, "far")
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("cup")
@@ -52,7 +38,7 @@ def glass(b: MeshBuilder, spec: PropSpec) -> Anchors:
     fill = spec.number("fill")
     if fill > 0:
         b.lathe(spec.material("drink"), [(r * 0.86, 0.008), (r * (0.86 + 0.13 * fill), h * fill)], segments=24)
-    return around(w / 2, h * 0.5)
+    return grips_around(w / 2, h * 0.5)
 
 
 @prop("wine_glass")
@@ -65,7 +51,7 @@ def wine_glass(b: MeshBuilder, spec: PropSpec) -> Anchors:
         level = h * (0.5 + 0.4 * spec.number("fill"))
         profile = [(0.009, h * 0.47), (r * 0.77, h * 0.562), (r * 1.015, min(level, h * 0.72))]
         b.lathe(spec.material("drink"), profile, segments=24)
-    return around(0.012, h * 0.36, (0.7, 0.75, 0.45))
+    return grips_around(0.012, h * 0.36, (0.7, 0.75, 0.45))
 
 
 @prop("beer_mug")
@@ -86,7 +72,7 @@ def bottle(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe(spec.material("body"), bottle_profile(r, h * 0.97), segments=20)
     b.lathe(spec.material("label"), [(r * 1.01, h * 0.2), (r * 1.01, h * 0.46)], segments=20, caps=False)
     b.cylinder(spec.material("cork"), (0, 0, h * 0.95), (0, 0, h), r * 0.3, segments=12)
-    return around(r, h * 0.38, (0.6, 0.65, 0.4)) + two_hands(
+    return grips_around(r, h * 0.38, (0.6, 0.65, 0.4)) + two_hands(
         (-r * 0.4, 0.008, h * 0.82), (0.25, -1, 0), (1, 0.2, 0), (0.85, 0.85, 0.5), "neck"
     )
 
@@ -103,7 +89,7 @@ def plate(b: MeshBuilder, spec: PropSpec) -> Anchors:
             turn = 0.5 + 0.3 * k
             center = (r * 0.42 * math.cos(turn), -r * 0.42 * math.sin(turn), 0.022)
             b.sphere(spec.material("greens"), center, 0.016, segments=8, rings=5)
-    return under(r * 0.9)
+    return grips_under(r * 0.9)
 
 
 @prop("bowl")
@@ -113,7 +99,7 @@ def bowl(b: MeshBuilder, spec: PropSpec) -> Anchors:
     profile = [(r * 0.45, 0), (r * 0.42, 0.01), (r * 0.75, h * 0.4), (r, h), (r * 0.95, h), (r * 0.7, h * 0.45)]
     b.lathe(spec.material("body"), profile, segments=28)
     b.lathe(spec.material("food"), [(r * 0.7, h * 0.5), (r * 0.86, h * 0.75)], segments=28)
-    return under(r * 0.7, (0.3, 0.35, 0.0))
+    return grips_under(r * 0.7, (0.3, 0.35, 0.0))
 
 
 @prop("teapot")
@@ -152,7 +138,7 @@ def tray(b: MeshBuilder, spec: PropSpec) -> Anchors:
         ]
         b.tube(body, path, 0.006)
     side = two_hands((-w / 2, 0.0, -0.002), (0.2, -1, 0), (0.5, 0, 0.87), (0.35, 0.4, 0.1))
-    return side + under(d * 0.2)
+    return side + grips_under(d * 0.2)
 
 
 @prop("bread")
@@ -162,7 +148,7 @@ def bread(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.cushion(body, (0, 0, h / 2), (w, d, h), softness=0.6)
     for x in (-0.25, 0, 0.25):
         b.cushion("linen", (x * w, 0, h * 0.93), (0.02, d * 0.5, 0.02), softness=0.7, rotation=(0, 0, 30))
-    return around(d * 0.5, h * 0.5, (0.35, 0.4, 0.2))
+    return grips_around(d * 0.5, h * 0.5, (0.35, 0.4, 0.2))
 
 
 @prop("cake")
@@ -183,7 +169,7 @@ def cake(b: MeshBuilder, spec: PropSpec) -> Anchors:
         x, y = r * 0.5 * math.cos(turn), r * 0.5 * math.sin(turn)
         b.cylinder("wax", (x, y, top), (x, y, h * 0.84), 0.004, segments=8)
         flame(b, spec.material("flame"), x, y, h * 0.84, h * 0.16)
-    return under(w * 0.4)
+    return grips_under(w * 0.4)
 
 
 @prop("apple")
@@ -196,7 +182,7 @@ def apple(b: MeshBuilder, spec: PropSpec) -> Anchors:
     ]  # fmt: skip
     b.lathe(spec.material("body"), bent(profile), segments=20)
     b.tube(spec.material("stem"), [(0, 0, h * 0.78), (0.002, 0, h * 0.92), (0.006, 0, h)], 0.0022, segments=6)
-    return around(r, h * 0.45, (0.45, 0.5, 0.35))
+    return grips_around(r, h * 0.45, (0.45, 0.5, 0.35))
 
 
 @prop("fork")

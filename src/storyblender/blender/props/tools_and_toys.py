@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import Anchors, grips_around, two_hands
 from storyblender.blender.props.parts import bent, wheel
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.blender.props.tableware import around
+from storyblender.blender.props.registry import PropSpec, prop
 
 DARK = "plastic_black"
 STAFF = ((0.25, -1.0, 0.0), (1.0, 0.2, 0.0), (0.85, 0.85, 0.6))
@@ -185,7 +185,7 @@ def doll(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.cylinder("wax", (x * 0.03, 0, 0.07), (x * 0.03, -0.005, 0.0), 0.015, segments=8)
         b.tube("wax", bent([(x * 0.035, 0, 0.23), (x * 0.075, 0, 0.18), (x * 0.09, -0.02, 0.14)]), 0.012, segments=8)
         b.sphere(DARK, (x * 0.018, -0.046, 0.3), 0.005, segments=8, rings=5)
-    return around(0.04, 0.2, (0.4, 0.45, 0.3))
+    return grips_around(0.04, 0.2, (0.4, 0.45, 0.3))
 
 
 @prop("playing_cards")

@@ -7,8 +7,9 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
+from storyblender.blender.props.anchors import Anchors
 from storyblender.blender.props.parts import panel_door, turned_leg
-from storyblender.blender.props.registry import Anchors, PropSpec, prop
+from storyblender.blender.props.registry import PropSpec, prop
 
 WHOLE = ((0, 0), (1, 0), (1, 1), (0, 1))
 """The picture once over a face."""

@@ -7,16 +7,8 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
-from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
-from storyblender.memory.base import Vec3
-
-FIST: Vec3 = (0.9, 0.9, 0.5)
-"""Curl of a hand around a handle."""
-
-
-def _shaft(height: float) -> Anchors:
-    """Return the grips of a hand around an upright shaft."""
-    return two_hands((-0.02, 0.006, height), (0.2, -1, 0), (1, 0.15, 0), FIST)
+from storyblender.blender.props.anchors import FIST, Anchors, grips_on_shaft, two_hands
+from storyblender.blender.props.registry import PropSpec, prop
 
 
 @prop("gun")
@@ -117,7 +109,7 @@ def axe(b: MeshBuilder, spec: PropSpec) -> Anchors:
     ]  # fmt: skip
     with b.at((-w / 2, 0, 0), (90, 0, 90)):
         b.extrude(steel, edge, w)
-    return _shaft(h * 0.3)
+    return grips_on_shaft(h * 0.3)
 
 
 @prop("hammer")
@@ -127,7 +119,7 @@ def hammer(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.tube(wood, [(0, 0, 0), (0, 0, h * 0.3), (0, 0, h)], (0.016, 0.013, 0.011))
     b.cylinder(steel, (0, -d / 2, h - 0.02), (0, d * 0.1, h - 0.02), w * 0.42, segments=12)
     b.box(steel, (0, d * 0.3, h - 0.02), (w * 0.7, d * 0.42, w * 0.6), bevel=0.005)
-    return _shaft(h * 0.2)
+    return grips_on_shaft(h * 0.2)
 
 
 @prop("wrench")
@@ -140,7 +132,7 @@ def wrench(b: MeshBuilder, spec: PropSpec) -> Anchors:
             (-0.42, 1.0), (-0.5, 0.82)]  # fmt: skip
     with b.at((-w / 2, 0, 0), (90, 0, 90)):
         b.extrude(steel, [(x * d, z * h) for x, z in jaws], w)
-    return _shaft(h * 0.35)
+    return grips_on_shaft(h * 0.35)
 
 
 @prop("shovel")
@@ -158,7 +150,7 @@ def shovel(b: MeshBuilder, spec: PropSpec) -> Anchors:
     ]
     for lift, order in ((0.0, 1), (0.004, -1)):
         b.loft(steel, [(row + np.array([0, lift, 0]))[::order] for row in rows], closed=False)
-    return _shaft(h * 0.72)
+    return grips_on_shaft(h * 0.72)
 
 
 @prop("broom")
@@ -177,7 +169,7 @@ def broom(b: MeshBuilder, spec: PropSpec) -> Anchors:
     ]
     b.loft(head, rings)
     b.box("fabric_red", (0, 0, 0.22), (w * 0.42, d * 0.76, 0.012))
-    return _shaft(h * 0.7)
+    return grips_on_shaft(h * 0.7)
 
 
 @prop("bow")
@@ -200,7 +192,7 @@ def spear(b: MeshBuilder, spec: PropSpec) -> Anchors:
     rings = [np.c_[section * s, np.full(4, z)] for z, s in ((h - 0.26, 0.4), (h - 0.2, 1.0), (h, 0.03))]
     b.loft(steel, rings)
     b.cylinder(steel, (0, 0, h - 0.32), (0, 0, h - 0.22), 0.02, segments=10)
-    return _shaft(h * 0.58)
+    return grips_on_shaft(h * 0.58)
 
 
 @prop("shield")

@@ -8,10 +8,11 @@ from dataclasses import replace
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import Anchors
 from storyblender.blender.props.beasts import BEAR, DARK, FOX, MOUSE, Plan, beast, scaled
 from storyblender.blender.props.hoofed import DEER
 from storyblender.blender.props.parts import bent
-from storyblender.blender.props.registry import Anchors, Builder, PropSpec, prop
+from storyblender.blender.props.registry import Builder, PropSpec, prop
 
 WHITE = "linen"
 BADGER = Plan(

@@ -7,10 +7,9 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.anchors import FIST, Anchors, grips_around, handle, two_hands
 from storyblender.blender.props.parts import bent, spoked_wheel
-from storyblender.blender.props.registry import Anchors, PropSpec, handle, prop, two_hands
-from storyblender.blender.props.tableware import around
-from storyblender.blender.props.weapons import FIST
+from storyblender.blender.props.registry import PropSpec, prop
 
 TURN = np.linspace(0, math.tau, 28, endpoint=False)
 
@@ -91,7 +90,7 @@ def chalice(b: MeshBuilder, spec: PropSpec) -> Anchors:
         turn = math.tau * k / 8
         center = (r * 0.99 * math.cos(turn), r * 0.99 * math.sin(turn), h * 0.76)
         b.sphere("fabric_red" if k % 2 else "fabric_blue", center, r * 0.11, segments=8, rings=6)
-    return around(0.014, h * 0.36, (0.7, 0.75, 0.45))
+    return grips_around(0.014, h * 0.36, (0.7, 0.75, 0.45))
 
 
 @prop("anvil")
