@@ -13,7 +13,7 @@ from storyblender.agents.visual_effects_artist.furniture import dressing_asset
 from storyblender.agents.visual_effects_artist.lamp_states import lit_shots
 from storyblender.agents.visual_effects_artist.lighting_arranger_view import lighting_arranger_view
 from storyblender.agents.visual_effects_artist.staging_flaws import staging_flaws
-from storyblender.agents.visual_effects_artist.vehicle_doors import with_open_doors
+from storyblender.agents.visual_effects_artist.vehicle_doors import add_open_doors
 from storyblender.catalog.props import PROPS, PropEntry
 from storyblender.catalog.props.called import called
 from storyblender.catalog.sets import plan_of
@@ -128,7 +128,7 @@ def _animate(run: Run, scene_id: int) -> tuple[ShotContext, ...]:
     layout = run.graph.scene(scene_id).layout
     assert layout is not None, "the layout comes before motion"
     played = tuple(staged[shot.shot_id].applied(shot) for shot in run.graph.shots_of(scene_id))
-    return with_open_doors(played, layout.objects, run.graph.assets_of(scene_id))
+    return add_open_doors(played, layout.objects, run.graph.assets_of(scene_id))
 
 
 def _light(

@@ -1,13 +1,12 @@
-"""The Animator: who stands, sits and goes where in every shot of a scene, and what they do when. Rules policy.
+"""The Animator without a model: marks, walks and cues of everybody in every shot of a scene.
 
-Continuity by construction: the end marks of a shot are the start marks of the next one, unless the script changes a
-state in between.
+The end marks of a shot are the start marks of the next one, unless the script changes a state in between.
 """
 
 from __future__ import annotations
 
 from storyblender.agents.visual_effects_artist.floor import Floor
-from storyblender.agents.visual_effects_artist.rehearsal import Rehearsal
+from storyblender.agents.visual_effects_artist.rehearsal import Rehearsal, ShotStaging
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import plan_of
 from storyblender.catalog.states import Condition
@@ -16,7 +15,7 @@ from storyblender.memory.base import Frozen, Identifier
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline
 from storyblender.memory.scene_context import Layout
-from storyblender.memory.shot_context import Blocking, Cue, Flaw, Mark, PropState, ShotContext
+from storyblender.memory.shot_context import Mark, ShotContext
 from storyblender.reflection import Critique
 
 __all__ = ["AnimatorDraft", "AnimatorView", "RulesAnimator", "ShotStaging"]
@@ -60,40 +59,10 @@ def animator_view(graph: ContinuityMemoryGraph, scene_id: int) -> AnimatorView:
     )
 
 
-class ShotStaging(Frozen):
-    """What the Animator decides for one shot; fields of the ShotContext."""
-
-    shot_id: int
-    blocking: tuple[Blocking, ...] = ()
-    cues: tuple[Cue, ...] = ()
-    prop_states: tuple[PropState, ...] = ()
-    duration: int
-    """Frames; the Director's, or longer where the actions need it, within the limit of the cue sheet."""
-    flaws: tuple[Flaw, ...] = ()
-    """What was cut short or moved so that it fits."""
-
-    def applied(self, shot: ShotContext) -> ShotContext:
-        """Return the shot with this staging."""
-        return shot.model_copy(
-            update={
-                "blocking": self.blocking,
-                "cues": self.cues,
-                "prop_states": self.prop_states,
-                "duration": self.duration,
-                "flaws": self.flaws,
-            }
-        )
-
-
 class AnimatorDraft(Frozen):
     """The staging of all shots of a scene, in order."""
 
     shots: tuple[ShotStaging, ...]
-
-    @property
-    def durations(self) -> dict[int, int]:
-        """Frames by shot id."""
-        return {shot.shot_id: shot.duration for shot in self.shots}
 
 
 class RulesAnimator:
@@ -103,13 +72,13 @@ class RulesAnimator:
         """Stage every shot of the scene in order."""
         floor = Floor(view.layout, view.assets, view.plan)
         rehearsal = Rehearsal(floor, view.assets, view.layout.objects, view.fps, view.found)
-        rehearsal.company.find_players(view.shots)
-        rehearsal.company.put_away(view.shots)
+        rehearsal.stage.find_instrument_players(view.shots)
+        rehearsal.stage.hide_props_brought_along(view.shots)
         lines = {shot.shot_id: shot.lines for shot in view.outline.shots} if view.outline else {}
         stagings: list[ShotStaging] = []
         for index, shot in enumerate(view.shots):
             if "blocking" in shot.locked:
-                rehearsal.keep(shot)
+                rehearsal.keep_locked_blocking(shot)
                 stagings.append(
                     ShotStaging(
                         shot_id=shot.shot_id,
@@ -121,21 +90,17 @@ class RulesAnimator:
                 )
                 continue
             stay = view.shots[index + 1].on_stage if index + 1 < len(view.shots) else shot.on_stage
-            played = rehearsal.play(shot, lines.get(shot.shot_id, ()), stay)
-            stagings.append(
-                ShotStaging(
-                    shot_id=played.shot_id,
-                    blocking=played.blocking,
-                    cues=played.cues,
-                    prop_states=played.prop_states,
-                    duration=played.duration,
-                    flaws=played.cheats,
-                )
-            )
+            stagings.append(rehearsal.play(shot, lines.get(shot.shot_id, ()), stay))
         return AnimatorDraft(shots=tuple(stagings))
 
     def refine(self, draft: AnimatorDraft, critique: Critique, view: AnimatorView) -> AnimatorDraft:
-        """Move every mark the critic names to the place it computed, wherever in the scene that mark is used."""
+        """Return the draft with every mark that the critic names moved to its fix, in all shots that use it.
+
+        Args:
+            draft: The staging.
+            critique: Its faults, with ``x``, ``y``, ``to_x`` and ``to_y`` as fixes.
+            view: The scene.
+        """
         moves: dict[tuple[str, float, float], tuple[float, float]] = {}
         for fault in critique.faults:
             if {"x", "y", "to_x", "to_y"} <= set(fault.fix):

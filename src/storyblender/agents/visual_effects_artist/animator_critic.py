@@ -1,4 +1,4 @@
-"""The Animator's critic: marks that nobody can stand on, computed from the plan of the floor. Pure."""
+"""The Animator's critic: finds marks where nobody can stand, sit or walk, from the plan of the floor."""
 
 from __future__ import annotations
 
@@ -14,20 +14,25 @@ from storyblender.memory.base import shot_name
 from storyblender.memory.shot_context import Blocking, Mark
 from storyblender.reflection import Critique, Fault
 
-INSIDE = 0.6
-"""Share of a body's disc that must be free of furniture."""
-TOGETHER = 0.40
-"""Metres: two people closer than this overlap, unless they embrace."""
-EMBRACES = frozenset({"hug", "kiss", "lift", "dance"})
+LEAST_FREE_SHARE = 0.6
+"""Share of a body's radius that must be clear of furniture."""
+LEAST_DISTANCE = 0.40
+"""Metres between two people below which they overlap, unless they embrace."""
+CLOSE_CLIPS = frozenset({"hug", "kiss", "lift", "dance"})
 LEAPS = frozenset({"jump", "climb"})
 SUPPORTED = frozenset({"sit", "lie", "asleep", "lean"})
 
 
 class AnimatorCritic:
-    """Finds marks inside furniture, people on one spot, marks off the set, ways that do not exist, seats in the air."""
+    """Finds marks inside furniture, outside the set or on top of each other, walks without a way, seats in the air."""
 
     def judge(self, draft: AnimatorDraft, view: AnimatorView) -> Critique:
-        """Return the critique; faults of place carry the move that mends them."""
+        """Return the critique of a staging; its fixes are the moves of marks that mend it.
+
+        Args:
+            draft: The staging of all shots of the scene.
+            view: The scene.
+        """
         floor = Floor(view.layout, view.assets, view.plan)
         scales = {
             asset.asset_id: (asset.canonical.dimensions[2] if asset.canonical else 1.7) / 1.7
@@ -38,9 +43,9 @@ class AnimatorCritic:
         for shot in draft.shots:
             name = shot_name(view.scene_id, shot.shot_id)
             found = [
-                *(fault for each in shot.blocking for fault in _places(floor, scales, each, name)),
-                *_overlaps(floor, scales, shot, name),
-                *_ways(floor, scales, shot, name),
+                *(fault for each in shot.blocking for fault in _find_bad_places(floor, scales, each, name)),
+                *_find_overlaps(floor, scales, shot, name),
+                *_find_blocked_walks(floor, scales, shot, name),
             ]
             for fault in found:
                 place = (float(fault.fix.get("x", 0.0)), float(fault.fix.get("y", 0.0)))
@@ -48,7 +53,8 @@ class AnimatorCritic:
         return Critique.of(tuple(faults.values()))
 
 
-def _places(floor: Floor, scales: dict[str, float], blocking: Blocking, name: str) -> list[Fault]:
+def _find_bad_places(floor: Floor, scales: dict[str, float], blocking: Blocking, name: str) -> list[Fault]:
+    """Return the faults of a person's start and end mark in the shot ``name``; ``scales`` are statures over 1.7 m."""
     faults = []
     for mark in (blocking.start, blocking.end):
         scale, place = scales.get(mark.asset_id, 1.0), mark.location[:2]
@@ -60,44 +66,46 @@ def _places(floor: Floor, scales: dict[str, float], blocking: Blocking, name: st
             continue
         if vessel_at(floor, place) is not None:
             continue
-        if floor.room_at(place) < INSIDE * BODY * scale and not _before_seat(floor, place):
-            goal = floor.free_near(place, scale)
+        if floor.room_at(place) < LEAST_FREE_SHARE * BODY * scale and not _is_at_seat(floor, place):
+            goal = floor.free_spot(place, scale)
             faults.append(_fault("inside", mark, f"{name}: {mark.asset_id} stands inside furniture", goal))
-        elif not floor.inside(place, -floor.beyond) and not _named(floor, place):
-            goal = floor.free_near(place, scale)
+        elif not floor.inside(place, -floor.walk_on_distance) and not _is_at_set_mark(floor, place):
+            goal = floor.free_spot(place, scale)
             faults.append(_fault("off_set", mark, f"{name}: {mark.asset_id} stands outside the set", goal))
     return faults
 
 
-def _before_seat(floor: Floor, place: Vec2) -> bool:
-    """Close to a seat one has just left or is about to take."""
+def _is_at_seat(floor: Floor, place: Vec2) -> bool:
+    """Tell whether a floor point is close to a seat that the person has just left or is about to take."""
     seats = (seat for node in floor.things for seat in floor.seats(node))
     return any(math.dist(seat.edge, place) < 0.3 for seat in seats)
 
 
-def _named(floor: Floor, place: Vec2) -> bool:
+def _is_at_set_mark(floor: Floor, place: Vec2) -> bool:
+    """Tell whether a floor point is at a mark of the set."""
     return any(math.dist(mark.location[:2], place) < 0.3 for mark in floor.marks)
 
 
-def _overlaps(floor: Floor, scales: dict[str, float], shot: ShotStaging, name: str) -> list[Fault]:
-    embraced = {frozenset((cue.asset_id, cue.target_id)) for cue in shot.cues if cue.clip in EMBRACES}
+def _find_overlaps(floor: Floor, scales: dict[str, float], shot: ShotStaging, name: str) -> list[Fault]:
+    """Return the faults of people who stand on one spot at the start or the end of a shot."""
+    embraced = {frozenset((cue.asset_id, cue.target_id)) for cue in shot.cues if cue.clip in CLOSE_CLIPS}
     faults = []
     for which in ("start", "end"):
         marks: list[Mark] = [getattr(each, which) for each in shot.blocking]
         for one, two in itertools.combinations(marks, 2):
             apart = math.dist(one.location[:2], two.location[:2])
-            if apart >= TOGETHER or frozenset((one.asset_id, two.asset_id)) in embraced:
+            if apart >= LEAST_DISTANCE or frozenset((one.asset_id, two.asset_id)) in embraced:
                 continue
             mover = two if two.posture == "stand" else one
             others = [m.location[:2] for m in marks if m is not mover]
-            goal = floor.free_near(mover.location[:2], scales.get(mover.asset_id, 1.0), others)
+            goal = floor.free_spot(mover.location[:2], scales.get(mover.asset_id, 1.0), others)
             message = f"{name}: {one.asset_id} and {two.asset_id} are on one spot ({apart:.2f} m)"
             faults.append(_fault("overlap", mover, message, goal if mover.posture == "stand" else None))
     return faults
 
 
-def _ways(floor: Floor, scales: dict[str, float], shot: ShotStaging, name: str) -> list[Fault]:
-    """Check that every walk has a way, from mark to mark in the order of the cues."""
+def _find_blocked_walks(floor: Floor, scales: dict[str, float], shot: ShotStaging, name: str) -> list[Fault]:
+    """Return the faults of walks without a way, from mark to mark in the order of the cues."""
     place = {each.start.asset_id: each.start for each in shot.blocking}
     faults = []
     for cue in shot.cues:
@@ -114,6 +122,7 @@ def _ways(floor: Floor, scales: dict[str, float], shot: ShotStaging, name: str) 
 
 
 def _fault(kind: str, mark: Mark, message: str, goal: Vec2 | None = None, severity: float = 1.5) -> Fault:
+    """Return a fault at a mark; ``goal`` is the floor point to which the mark should move."""
     x, y, _ = mark.location
     fix: dict[str, float | str] = {"x": x, "y": y}
     if goal is not None:

@@ -1,4 +1,4 @@
-"""What people have with them before anybody saw them take it. Pure."""
+"""Props that people have with them before the audience sees them take anything."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from storyblender.catalog.motions import clip_of
 from storyblender.memory.shot_context import CharacterAction, ShotContext
 
 
-def brought_along(shots: Sequence[ShotContext]) -> list[str]:
-    """Return what comes out of a pocket, and what is in a hand before anybody handled it or looked at it.
+def find_props_brought_along(shots: Sequence[ShotContext]) -> list[str]:
+    """Return the asset ids of props taken out of clothes, or in a hand before anybody handled or looked at them.
 
     Args:
-        shots: Of one scene, in order.
+        shots: All shots of one scene, in order.
     """
     found: dict[str, None] = {}
     seen: set[str] = set()
@@ -26,12 +26,14 @@ def brought_along(shots: Sequence[ShotContext]) -> list[str]:
     return list(found)
 
 
-def players_of(shots: Sequence[ShotContext], prop_of: Callable[[CharacterAction], str | None]) -> dict[str, str]:
-    """Return who plays a carried instrument that nobody handled before, and which.
+def find_instrument_players(
+    shots: Sequence[ShotContext], prop_of: Callable[[CharacterAction], str | None]
+) -> dict[str, str]:
+    """Return the carried instrument that each player has from the first frame on, by the player's asset id.
 
     Args:
-        shots: Of one scene, in order.
-        prop_of: The thing that an action handles.
+        shots: All shots of one scene, in order.
+        prop_of: Returns the asset id of the prop that an action handles.
     """
     players: dict[str, str] = {}
     handled: set[str] = set()

@@ -9,10 +9,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from storyblender.agents.visual_effects_artist.company import Company
-from storyblender.agents.visual_effects_artist.crossings import Crossing, aboard, vessel_at
-from storyblender.agents.visual_effects_artist.floor import BODY, PERSONAL, WAY_OUT, facing
-from storyblender.agents.visual_effects_artist.person import Person
+from storyblender.agents.visual_effects_artist.crossings import Crossing, find_boarding_way, vessel_at
+from storyblender.agents.visual_effects_artist.floor import BODY, PERSONAL, WALK_ON_OUTDOORS, facing
+from storyblender.agents.visual_effects_artist.person import StagedPerson
+from storyblender.agents.visual_effects_artist.stage_state import StageState
 from storyblender.agents.visual_effects_artist.ways import point_on_line, shorten_way, turn_towards_audience
 from storyblender.catalog.motions import AIMED, MOTIONS, natural_seconds, turning_seconds
 from storyblender.geometry.boxes import shortest_turn
@@ -46,7 +46,7 @@ class CueSheet:
     """The cues of one shot, while they are being written.
 
     Args:
-        company: People and props.
+        stage: People and props.
         seconds: The Director's length of the shot.
         fps: Frames per second.
         leaving: Asset ids of people who are not on stage in the next shot.
@@ -60,20 +60,20 @@ class CueSheet:
 
     def __init__(
         self,
-        company: Company,
+        stage: StageState,
         seconds: float,
         fps: int,
         leaving: set[str],
         starts: dict[str, Mark],
         props: tuple[PropState, ...],
     ) -> None:
-        self.company, self.length, self.fps, self.leaving = company, seconds, fps, leaving
+        self.stage, self.length, self.fps, self.leaving = stage, seconds, fps, leaving
         self.starts, self.start_props = starts, props
         self.cues: list[Cue] = []
         self.cheats: list[Flaw] = []
         self.clock = 0.2
 
-    def note_cheat(self, person: Person, what: str) -> None:
+    def note_cheat(self, person: StagedPerson, what: str) -> None:
         """Note how a person's action differs from the script; ``what`` follows the name: ``starts 2.0 m nearer``."""
         self.cheats.append(Flaw(kind="cheat", subject=person.asset_id, message=f"{person.asset_id} {what}"))
 
@@ -87,7 +87,7 @@ class CueSheet:
         """Seconds to which the shot may grow at most."""
         return self.soft_limit + LAST_ACTION
 
-    def add_cue(self, person: Person, clip: str, start: float, length: float, **fields: object) -> float:
+    def add_cue(self, person: StagedPerson, clip: str, start: float, length: float, **fields: object) -> float:
         """Write a cue; return the second of the shot at which it ends.
 
         Args:
@@ -108,11 +108,11 @@ class CueSheet:
         self.cues.append(Cue.model_validate({**values, **fields}))
         return start + length
 
-    def earliest_start(self, person: Person) -> float:
+    def earliest_start(self, person: StagedPerson) -> float:
         """Return the second of the shot from which a person may begin the next action."""
         return max(self.clock, person.busy)
 
-    def finish_action(self, person: Person, start: float, end: float, *, holds: bool = False) -> None:
+    def finish_action(self, person: StagedPerson, start: float, end: float, *, holds: bool = False) -> None:
         """Keep a person busy to the end of an action, and set the clock for the next action of anybody.
 
         Args:
@@ -124,18 +124,18 @@ class CueSheet:
         person.busy, person.acted = max(person.busy, end), True
         self.clock = max(self.clock, end if holds else start + min(0.9, end - start))
 
-    def stand_up(self, person: Person, now: float) -> float:
+    def stand_up(self, person: StagedPerson, now: float) -> float:
         """Let a person stand up from second ``now`` on, if they do not stand; return the second at which they stand."""
         if person.upright:
             return now
         end = self.add_cue(person, "rise", now, natural_seconds(MOTIONS["rise"], stature=1.7 * person.scale))
         if person.posture in ("lie", "asleep"):
             end += 1.6
-        places = self.company.floor.seats(person.support, asked=True)
+        places = self.stage.floor.seats(person.support, asked=True)
         seats = [s for s in places if math.dist(s.edge, person.place) < 0.7]
         if seats:
-            person.place = self.company.floor.access(seats[0], person.scale)
-            end += SLIDE if math.dist(person.place, seats[0].before(person.scale)) > 0.12 else 0.0
+            person.place = self.stage.floor.seat_access(seats[0], person.scale)
+            end += SLIDE if math.dist(person.place, seats[0].standing_spot(person.scale)) > 0.12 else 0.0
         elif person.posture in ("lie", "asleep") and person.support:
             x, y = person.place
             person.place = (
@@ -146,7 +146,7 @@ class CueSheet:
         return end
 
     def walk_to(
-        self, person: Person, goal: Vec2, yaw: float | None, now: float, clip: str = "walk", then: float = 0.0
+        self, person: StagedPerson, goal: Vec2, yaw: float | None, now: float, clip: str = "walk", then: float = 0.0
     ) -> float:
         """Let a person walk to a place; return the second of the arrival. A walk too long for the shot starts nearer.
 
@@ -162,9 +162,9 @@ class CueSheet:
         if clip == "walk" and person.pace:
             clip, person.pace = person.pace, ""
         motion = MOTIONS[clip]
-        people = [p.place for p in self.company.people.values() if p.present and p is not person]
+        people = [p.place for p in self.stage.people.values() if p.present and p is not person]
         people = [spot for spot in people if math.dist(spot, goal) > 0.5 and math.dist(spot, person.place) > 0.3]
-        floor = self.company.floor
+        floor = self.stage.floor
         way = floor.path(person.place, goal, person.scale, people) or floor.path(person.place, goal, person.scale)
         if way is None:
             return self.place_by_cut(person, goal, yaw, now)
@@ -196,7 +196,7 @@ class CueSheet:
         person.acted = True
         return end
 
-    def raise_arrival(self, person: Person, height: float, now: float) -> float:
+    def raise_arrival(self, person: StagedPerson, height: float, now: float) -> float:
         """End a person's last walk at a height in metres, such as on steps or a stage; return its end time."""
         person.z = height
         for index in range(len(self.cues) - 1, -1, -1):
@@ -208,30 +208,30 @@ class CueSheet:
                 break
         return now
 
-    def cross_obstacle(self, person: Person, way: Crossing, now: float, clip: str, thing: str) -> float:
+    def cross_obstacle(self, person: StagedPerson, way: Crossing, now: float, clip: str, thing: str) -> float:
         """Let a person leap or climb (``clip``) over a thing (node id), from the near end of a way to its far end.
 
         ``now`` and the return value are the seconds at which that starts and ends."""
         person.place, person.yaw, person.acted = way.far, facing(way.near, way.far), True
         return self.add_cue(person, clip, now, natural_seconds(MOTIONS[clip]), mark=person.mark(), target_id=thing)
 
-    def _leave_or_board_boat(self, person: Person, goal: Vec2, now: float) -> float:
+    def _leave_or_board_boat(self, person: StagedPerson, goal: Vec2, now: float) -> float:
         """Let a person climb out of a boat, or into one at the goal; return the second at which that ends."""
-        floor = self.company.floor
+        floor = self.stage.floor
         here, there = vessel_at(floor, person.place), vessel_at(floor, goal)
         if here is there:
             return now
         if here is not None:
-            way = aboard(floor, here, person.place, goal, person.scale)
+            way = find_boarding_way(floor, here, person.place, goal, person.scale)
             now = self.cross_obstacle(person, way.back, now, "climb", here.node_id) if way else now
         if there is not None:
-            way = aboard(floor, there, goal, person.place, person.scale)
+            way = find_boarding_way(floor, there, goal, person.place, person.scale)
             if way is not None:
                 now = self.walk_to(person, way.near, facing(way.near, way.far), now)
                 now = self.cross_obstacle(person, way, now, "climb", there.node_id)
         return now
 
-    def place_by_cut(self, person: Person, goal: Vec2, yaw: float | None, now: float) -> float:
+    def place_by_cut(self, person: StagedPerson, goal: Vec2, yaw: float | None, now: float) -> float:
         """Place a person without a walk, at the start of the shot if they have stayed so far, else at its end."""
         if not person.acted:
             self.move_start_mark(person, goal, person.yaw if yaw is None else yaw)
@@ -247,11 +247,11 @@ class CueSheet:
             self.note_cheat(person, "is there when the shot begins: there is no way to walk")
             return self.turn_to_yaw(person, yaw, now)
         else:
-            self.company.jumps[person.asset_id] = (goal, person.yaw if yaw is None else yaw)
+            self.stage.next_places[person.asset_id] = (goal, person.yaw if yaw is None else yaw)
             self.note_cheat(person, "is there when the next shot begins: there is no way to walk")
         return now
 
-    def _has_stayed(self, person: Person) -> bool:
+    def _has_stayed(self, person: StagedPerson) -> bool:
         """Tell whether a person has stood on their start mark in this shot so far and has handled no prop."""
         start = self.starts[person.asset_id]
         own = [cue for cue in self.cues if cue.asset_id == person.asset_id]
@@ -260,12 +260,12 @@ class CueSheet:
         handled = any(MOTIONS[cue.clip].hands and cue.prop_id for cue in own)
         return start.posture == "stand" and on_the_spot and not handled
 
-    def move_start_mark(self, person: Person, place: Vec2, yaw: float) -> None:
+    def move_start_mark(self, person: StagedPerson, place: Vec2, yaw: float) -> None:
         """Let a person begin the shot at another place and yaw."""
         person.place, person.yaw = place, yaw
         self.starts[person.asset_id] = person.mark(held=self.starts[person.asset_id].held)
 
-    def turn_to_yaw(self, person: Person, yaw: float | None, now: float) -> float:
+    def turn_to_yaw(self, person: StagedPerson, yaw: float | None, now: float) -> float:
         """Turn a standing person on the spot, if by 30 degrees or more; return the second at which the turn ends."""
         if yaw is None or abs(shortest_turn(person.yaw, yaw)) < math.radians(30) or not person.upright:
             return now
@@ -275,16 +275,16 @@ class CueSheet:
         person.acted = True
         return now + seconds
 
-    def turn_to_person(self, person: Person, other: Person, now: float) -> float:
+    def turn_to_person(self, person: StagedPerson, other: StagedPerson, now: float) -> float:
         """Turn to another person and a little towards the audience; only if they are more than 55 degrees aside."""
         yaw = facing(person.place, other.place)
         if abs(shortest_turn(person.yaw, yaw)) < math.radians(55):
             return now
         return self.turn_to_yaw(person, turn_towards_audience(yaw), now)
 
-    def start_with_prop_in_hand(self, person: Person, prop: str) -> None:
+    def start_with_prop_in_hand(self, person: StagedPerson, prop: str) -> None:
         """Let a person hold a prop (asset id) from the shot's first frame on."""
-        hand = self.company.hand_over(person, prop)
+        hand = self.stage.put_in_hand(person, prop)
         if hand is None:
             return
         start = self.starts[person.asset_id]
@@ -293,7 +293,7 @@ class CueSheet:
         kept = [state for state in self.start_props if state.asset_id != prop]
         self.start_props = (*kept, PropState(asset_id=prop, held_by=person.asset_id, hand=hand))
 
-    def move_to_other_hand(self, person: Person, prop: str) -> None:
+    def move_to_other_hand(self, person: StagedPerson, prop: str) -> None:
         """Change the hand that holds a prop (asset id) in the whole shot, if the other hand is free all the time."""
         hand = person.hand_of(prop)
         other: Hand = "L" if hand == "R" else "R"
@@ -316,23 +316,23 @@ class CueSheet:
             for cue in self.cues
         ]
 
-    def start_with_prop_in_clothes(self, person: Person, prop: str) -> None:
+    def start_with_prop_in_clothes(self, person: StagedPerson, prop: str) -> None:
         """Let a person carry a prop (asset id) out of sight, in no hand, from the shot's first frame on."""
         kept = [state for state in self.start_props if state.asset_id != prop]
         self.start_props = (*kept, PropState(asset_id=prop, held_by=person.asset_id))
 
-    def find_spot_beside(self, person: Person, partner: Person, distance: float) -> tuple[Vec2, float]:
+    def find_spot_beside(self, person: StagedPerson, partner: StagedPerson, distance: float) -> tuple[Vec2, float]:
         """Return the free spot ``distance`` metres from a partner that shows both best, and the yaw there."""
-        others = [spot for spot in self.company.others(person) if spot != partner.place]
+        others = [spot for spot in self.stage.others(person) if spot != partner.place]
         x, y = partner.place
         best: tuple[float, Vec2] | None = None
         for step in range(24):
             angle = 2 * math.pi * step / 24
             spot = (x + distance * math.sin(angle), y - distance * math.cos(angle))
-            room = self.company.floor.room_at(spot)
+            room = self.stage.floor.room_at(spot)
             if (
                 room < BODY * person.scale
-                or not self.company.floor.inside(spot)
+                or not self.stage.floor.inside(spot)
                 or any(math.dist(spot, p) < 0.6 for p in others)
             ):
                 continue
@@ -345,56 +345,56 @@ class CueSheet:
         spot = (
             best[1]
             if best
-            else self.company.floor.free_near((x, y), person.scale, [*others, partner.place], apart=distance)
+            else self.stage.floor.free_spot((x, y), person.scale, [*others, partner.place], apart=distance)
         )
         return spot, turn_towards_audience(facing(spot, partner.place))
 
     def find_goal(
-        self, action: CharacterAction, person: Person, partner: Person | None, speed: float
+        self, action: CharacterAction, person: StagedPerson, partner: StagedPerson | None, speed: float
     ) -> tuple[Vec2, float | None]:
         """Return the goal and the final yaw of a walk to a partner, a thing, an exit, a point ahead or the own place.
 
         ``speed``, in m/s, limits the length of a walk without a goal in the script.
         """
-        others = self.company.others(person)
+        others = self.stage.others(person)
         if partner is not None:
             return self.find_spot_beside(person, partner, TALK_DISTANCE)
-        leaves = person.asset_id in self.leaving and bool(self.company.exit_marks())
-        thing = self.company.floor.thing(action.target_id)
-        point = thing.rim(person.place) if thing is not None else person.place
-        if leaves and not self.company.floor.inside(point):  # to a plane on the field: out, on its side
+        leaves = person.asset_id in self.leaving and bool(self.stage.exit_marks())
+        thing = self.stage.floor.thing(action.target_id)
+        point = thing.nearest_edge(person.place) if thing is not None else person.place
+        if leaves and not self.stage.floor.inside(point):  # to a plane on the field: out, on its side
             return self._find_exit_towards(person, point, others), None
         if thing is not None and not (leaves and math.dist(point, person.place) < BY_IT):
-            spot = self.company.floor.spot_at(point, person.place, person.scale, others, REACH)
-            spot = spot or self.company.floor.free_near(point, person.scale, others)
+            spot = self.stage.floor.spot_around(point, person.place, person.scale, others, REACH)
+            spot = spot or self.stage.floor.free_spot(point, person.scale, others)
             return spot, facing(spot, thing.location[:2])
         up = "stairs" if action.motion == "climb" and not person.entering else None
-        named = self.company.floor.mark_of(action.target_id or up)
+        named = self.stage.floor.mark_of(action.target_id or up)
         if named is not None:
-            return self.company.floor.free_near(named, person.scale, others), None
+            return self.stage.floor.free_spot(named, person.scale, others), None
         if leaves:
-            return min(self.company.exit_marks(), key=lambda spot: math.dist(spot, person.place)), None
+            return min(self.stage.exit_marks(), key=lambda spot: math.dist(spot, person.place)), None
         if action.distance:
             x, y = person.place
             wish = (x + action.distance * math.sin(person.yaw), y - action.distance * math.cos(person.yaw))
-            return self.company.floor.free_near(wish, person.scale, others), None
-        home, yaw = self.company.home.get(person.asset_id, (self.company.middle(), 0.0))
+            return self.stage.floor.free_spot(wish, person.scale, others), None
+        home, yaw = self.stage.home.get(person.asset_id, (self.stage.middle(), 0.0))
         if math.dist(home, person.place) > 1.0:
-            return self.company.floor.free_near(home, person.scale, others), yaw
-        across = 2 * (self.company.middle()[0] - person.place[0])
+            return self.stage.floor.free_spot(home, person.scale, others), yaw
+        across = 2 * (self.stage.middle()[0] - person.place[0])
         most = max(2.5, ON_THE_MOVE * speed)
         step = max(-most, min(most, across)) or 2.0
-        return self.company.floor.free_near((person.place[0] + step, person.place[1]), person.scale, others), None
+        return self.stage.floor.free_spot((person.place[0] + step, person.place[1]), person.scale, others), None
 
-    def _find_exit_towards(self, person: Person, point: Vec2, others: Sequence[Vec2]) -> Vec2:
+    def _find_exit_towards(self, person: StagedPerson, point: Vec2, others: Sequence[Vec2]) -> Vec2:
         """Return the spot where a person who leaves for a point off stage is last seen: on the way or at an exit."""
-        floor, apart = self.company.floor, math.dist(point, person.place)
+        floor, apart = self.stage.floor, math.dist(point, person.place)
         for part in (1.0, 0.8, 0.6) if floor.open_air else ():
-            step = part * min(WAY_OUT, apart - REACH)
+            step = part * min(WALK_ON_OUTDOORS, apart - REACH)
             spot = point_on_line(person.place, point, step)
             free = (
                 all(math.dist(spot, other) > PERSONAL for other in others) and floor.room_at(spot) > BODY * person.scale
             )
-            if step > REACH and free and floor.inside(spot, -floor.beyond):
+            if step > REACH and free and floor.inside(spot, -floor.walk_on_distance):
                 return spot
-        return min(self.company.exit_marks(), key=lambda spot: math.dist(spot, point))
+        return min(self.stage.exit_marks(), key=lambda spot: math.dist(spot, point))

@@ -14,11 +14,11 @@ from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.base import Vec2, Vec3, content_hash
 from storyblender.memory.scene_context import LayoutObject
 
-_TOUCH = 0.03
+_MAX_OVERLAP = 0.03
 """Metres that two props may share before one of them has to go."""
-TUCKED = 0.3
+TUCKED_OVERLAP = 0.3
 """The same for a seat, which goes under its table."""
-_CLEAR_PER_PERSON = 0.15
+_FREE_WIDTH_PER_PERSON = 0.15
 """Metres by which each further person widens the square in the middle that dressing leaves to people."""
 
 
@@ -76,7 +76,7 @@ def _words(text: str) -> list[str]:
 
 
 @dataclass
-class Standing:
+class PlacedFurnishing:
     """A furnishing of the plan and what stands in its place.
 
     Attributes:
@@ -92,7 +92,7 @@ class Standing:
     location: Vec3
 
     @classmethod
-    def of(cls, item: Furnishing, taken_by: Asset | None) -> Standing:
+    def of(cls, item: Furnishing, taken_by: Asset | None) -> PlacedFurnishing:
         """Return a furnishing as planned, or the script's own thing in its place."""
         if taken_by is None:
             asset = dressing_asset(item.prop, item.params)
@@ -118,7 +118,7 @@ class Standing:
     @property
     def tolerance(self) -> float:
         """Metres it may reach into another footprint: a chair goes under its table."""
-        return TUCKED if _is_seat(self.item.prop) else _TOUCH
+        return TUCKED_OVERLAP if _is_seat(self.item.prop) else _MAX_OVERLAP
 
     @property
     def in_the_way(self) -> bool:
@@ -150,7 +150,7 @@ def size_of_asset(asset: Asset) -> Vec3:
     return prop_size(prop, {}) if prop is not None else (0.6, 0.6, 0.8)
 
 
-def settle_on_new_tops(standing: list[Standing]) -> None:
+def raise_to_new_tops(standing: list[PlacedFurnishing]) -> None:
     """Move what stands on a table or a counter to the height of the thing that took its place."""
     for base in standing:
         if not base.scripted:
@@ -159,11 +159,11 @@ def settle_on_new_tops(standing: list[Standing]) -> None:
         top = base.item.location[2] + old[2]
         for item in standing:
             x, y, z = item.location
-            if item is not base and abs(z - top) < 0.12 and _over(base, (x, y), old):
+            if item is not base and abs(z - top) < 0.12 and _is_above(base, (x, y), old):
                 item.location = (x, y, base.location[2] + base.size[2])
 
 
-def draw_up_seats(standing: list[Standing]) -> None:
+def draw_up_seats(standing: list[PlacedFurnishing]) -> None:
     """Keep the seats around a table at its edge when a larger or smaller one took its place."""
     for base in standing:
         if not base.scripted:
@@ -183,41 +183,43 @@ def _is_seat(prop: str) -> bool:
     return prop in PROPS and PROPS[prop].seats > 0
 
 
-def _over(base: Standing, point: Vec2, size: Vec3) -> bool:
+def _is_above(base: PlacedFurnishing, point: Vec2, size: Vec3) -> bool:
     box = box_at(base.item.location, base.item.yaw, size)
     across, along = box.to_local(*point)
     return abs(across) < size[0] / 2 and abs(along) < size[1] / 2
 
 
-def without_clutter(standing: list[Standing], plan: SetPlan, people: int) -> tuple[list[Standing], list[str]]:
+def drop_clutter(
+    standing: list[PlacedFurnishing], plan: SetPlan, people: int
+) -> tuple[list[PlacedFurnishing], list[str]]:
     """Keep the script's things and the required furniture; keep dressing only where it stands free of them."""
     ranked = sorted(standing, key=lambda item: (not item.scripted, not item.item.required))
-    stage = stage_box(plan, _CLEAR_PER_PERSON * max(0, people - 4))
-    kept: list[Standing] = []
+    stage = stage_box(plan, _FREE_WIDTH_PER_PERSON * max(0, people - 4))
+    kept: list[PlacedFurnishing] = []
     gone: set[str] = set()
     for item in ranked:
         optional = not item.scripted and not item.item.required
         if optional and item.in_the_way:
             others = [other.box for other in kept if other.in_the_way and other.scripted]
             crowds = any(penetration(item.box, other, 0.02)[0] > item.tolerance for other in others)
-            if crowds or (item.location[2] < 0.05 and penetration(item.box, stage)[0] > _TOUCH):
+            if crowds or (item.location[2] < 0.05 and penetration(item.box, stage)[0] > _MAX_OVERLAP):
                 gone.add(item.item.node_id)
                 continue
         kept.append(item)
-    floating = [item for item in kept if _lost_its_support(item, standing, gone)]
+    floating = [item for item in kept if _has_lost_support(item, standing, gone)]
     gone |= {item.item.node_id for item in floating}
     order = {item.item.node_id: index for index, item in enumerate(standing)}
     kept = sorted((item for item in kept if item.item.node_id not in gone), key=lambda item: order[item.item.node_id])
     return kept, sorted(gone, key=lambda node_id: order[node_id])
 
 
-def _lost_its_support(item: Standing, standing: list[Standing], gone: set[str]) -> bool:
+def _has_lost_support(item: PlacedFurnishing, standing: list[PlacedFurnishing], gone: set[str]) -> bool:
     """Return whether a small thing stood on something that was left out."""
     x, y, z = item.item.location
     return any(
         base.item.node_id in gone
         and abs(z - base.item.location[2] - prop_size(base.item.prop, base.item.params)[2]) < 0.12
-        and _over(base, (x, y), prop_size(base.item.prop, base.item.params))
+        and _is_above(base, (x, y), prop_size(base.item.prop, base.item.params))
         for base in standing
         if base is not item
     )

@@ -10,12 +10,12 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import REACH, CueSheet
 from storyblender.agents.visual_effects_artist.floor import facing
-from storyblender.agents.visual_effects_artist.person import Person
-from storyblender.agents.visual_effects_artist.placed_things import TOPS
+from storyblender.agents.visual_effects_artist.person import StagedPerson
+from storyblender.agents.visual_effects_artist.placed_objects import TOPS
 from storyblender.agents.visual_effects_artist.prop_spots import PropSpots
+from storyblender.agents.visual_effects_artist.stage_state import StageState
 from storyblender.catalog.carrying import hand_towards
 from storyblender.catalog.hollows import OPEN_ABOVE
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
@@ -78,15 +78,15 @@ class Handling:
     """Writes the cues of people who handle props.
 
     Args:
-        company: People and props of the scene.
+        stage: People and props of the scene.
         sheet: The cue sheet that takes the cues.
     """
 
-    def __init__(self, company: Company, sheet: CueSheet) -> None:
-        self.company, self.sheet, self.spots = company, sheet, PropSpots(company)
+    def __init__(self, stage: StageState, sheet: CueSheet) -> None:
+        self.stage, self.sheet, self.spots = stage, sheet, PropSpots(stage)
 
     def handle_prop(
-        self, action: CharacterAction, motion: Motion, person: Person, prop: str, later: Sequence[CharacterAction]
+        self, action: CharacterAction, motion: Motion, person: StagedPerson, prop: str, later: Sequence[CharacterAction]
     ) -> None:
         """Write the cues of one action on a prop, including the walk to the prop and taking it in hand.
 
@@ -101,17 +101,17 @@ class Handling:
         if (getting and person.hand_of(prop)) or (motion.key == "hold" and prop in person.on_body):
             return
         now = self._put_bags_down(person, prop, start) if motion.hands == 2 else start
-        switched = motion.key == "press" and prop in self.company.lying
-        switched = switched and not fits_in_clothes(self.company.size_of(prop))
+        switched = motion.key == "press" and prop in self.stage.prop_places
+        switched = switched and not fits_in_clothes(self.stage.size_of(prop))
         where_it_is = switched or (motion.key in ("open", "close", "type") and self._is_used_in_place(prop))
         farthest = WORK_DISTANCE if where_it_is else FETCH_DISTANCE if getting else USE_DISTANCE
         now = self._go_to_prop(person, prop, farthest, now)
         lies = self._location_in_reach(person, prop)
-        bag = self.company.bag_for(person, prop) if getting else None
+        bag = self.stage.find_bag(person, prop) if getting else None
         if switched:
-            at = self.company.lying[prop]
+            at = self.stage.prop_places[prop]
             now = self.turn_to_spot(person, at, now) if person.upright else now
-            thing = self.company.floor.thing(prop)
+            thing = self.stage.floor.thing(prop)
             target = thing.node_id if thing is not None else prop
             end = self.sheet.add_cue(
                 person, motion.key, now, natural_seconds(motion), target_id=target, mood=action.mood
@@ -142,7 +142,7 @@ class Handling:
         else:
             self._use_held_prop(action, motion, person, prop, start, now)
 
-    def _show_taken_prop(self, person: Person, motion: Motion, prop: str, start: float, now: float) -> None:
+    def _show_taken_prop(self, person: StagedPerson, motion: Motion, prop: str, start: float, now: float) -> None:
         """Write a cue in which a person holds up a prop taken from out of sight, so that the audience sees it.
 
         Args:
@@ -157,7 +157,7 @@ class Handling:
             end = self.sheet.add_cue(person, "show", now, natural_seconds(MOTIONS["show"]), prop_id=prop, hand=hand)
             self.sheet.finish_action(person, start, end)
 
-    def fetch_prop(self, person: Person, prop: str) -> None:
+    def fetch_prop(self, person: StagedPerson, prop: str) -> None:
         """Let a person walk to a prop (asset id) that lies nearby and pick it up, if they have a free hand."""
         start = self.sheet.earliest_start(person)
         now = self._go_to_prop(person, prop, FETCH_DISTANCE, start)
@@ -166,12 +166,12 @@ class Handling:
             now = self._pick_up(person, prop, lies, now)
             self.sheet.finish_action(person, start, now, holds=True)
 
-    def _put_bags_down(self, person: Person, prop: str, now: float) -> float:
+    def _put_bags_down(self, person: StagedPerson, prop: str, now: float) -> float:
         """Put down all held bags but ``prop`` from second ``now`` on; return the second at which that ends."""
         bags = [held for held in person.held.values() if held != prop and self.spots.is_bag(held)]
         return self.put_props_aside(person, bags, now)
 
-    def put_props_aside(self, person: Person, props: Sequence[str], now: float) -> float:
+    def put_props_aside(self, person: StagedPerson, props: Sequence[str], now: float) -> float:
         """Put held props on the floor beside a standing person; they stay there until the script has them taken again.
 
         Args:
@@ -193,40 +193,40 @@ class Handling:
             length = natural_seconds(MOTIONS["put_down"])
             mark = _prop_mark(person, prop, spot)
             now = self.sheet.add_cue(person, "put_down", now, length, prop_id=prop, hand=hand, mark=mark)
-            self.company.lay(person, prop, spot)
-            self.company.aside.add(prop)
+            self.stage.lay_down(person, prop, spot)
+            self.stage.aside.add(prop)
         return now
 
-    def _go_to_prop(self, person: Person, prop: str, farthest: float, now: float) -> float:
+    def _go_to_prop(self, person: StagedPerson, prop: str, farthest: float, now: float) -> float:
         """Walk to a prop that lies less than ``farthest`` metres away; return the second of the shot of the arrival."""
-        lies = None if person.hand_of(prop) else self.company.lying.get(prop)
+        lies = None if person.hand_of(prop) else self.stage.prop_places.get(prop)
         if lies is None or not person.upright or not REACH < math.dist(lies[:2], person.place) < farthest:
             return now
-        spot = self.company.floor.spot_at(lies[:2], person.place, person.scale, self.company.others(person), REACH)
+        spot = self.stage.floor.spot_around(lies[:2], person.place, person.scale, self.stage.others(person), REACH)
         return now if spot is None else self.sheet.walk_to(person, spot, facing(spot, lies[:2]), now)
 
-    def _location_in_reach(self, person: Person, prop: str) -> Vec3 | None:
+    def _location_in_reach(self, person: StagedPerson, prop: str) -> Vec3 | None:
         """Return the position of a lying prop, in metres in the set, if the person can take it without walking."""
-        lies = None if person.hand_of(prop) else self.company.lying.get(prop)
+        lies = None if person.hand_of(prop) else self.stage.prop_places.get(prop)
         reach = REACH + 0.25 if person.upright else SEATED_REACH
         return lies if lies is not None and math.dist(lies[:2], person.place) <= reach else None
 
-    def _comes_out_of_clothes(self, person: Person, prop: str) -> bool:
+    def _comes_out_of_clothes(self, person: StagedPerson, prop: str) -> bool:
         """Tell whether a person can take a prop out of their clothes: it fits, nobody has it, and a hand is free."""
         return (
-            fits_in_clothes(self.company.size_of(prop))
-            and self.company.holder(prop) is None
+            fits_in_clothes(self.stage.size_of(prop))
+            and self.stage.holder_of(prop) is None
             and person.free_hand() is not None
         )
 
-    def _pick_up(self, person: Person, prop: str, lies: Vec3, now: float) -> float:
+    def _pick_up(self, person: StagedPerson, prop: str, lies: Vec3, now: float) -> float:
         """Turn to a prop at the position ``lies`` and pick it up with the hand on its side; return the end second."""
         now = self.turn_to_spot(person, lies, now)
         wish = hand_towards(person.place, person.yaw, lies[:2], LEFT_HAND_OFFSET)
         return self._take(person, MOTIONS["pick_up"], prop, now, wish=wish)
 
     def _take(
-        self, person: Person, motion: Motion, prop: str, now: float, source: str | None = None, wish: Hand = "R"
+        self, person: StagedPerson, motion: Motion, prop: str, now: float, source: str | None = None, wish: Hand = "R"
     ) -> float:
         """Write the cue in which a person takes a prop.
 
@@ -245,10 +245,10 @@ class Handling:
         now = self.sheet.add_cue(
             person, motion.key, now, natural_seconds(motion), target_id=source, prop_id=prop, hand=hand
         )
-        self.company.hand_over(person, prop, wish)
+        self.stage.put_in_hand(person, prop, wish)
         return now
 
-    def _work_in_place(self, person: Person, motion: Motion, prop: str, start: float, now: float) -> None:
+    def _work_in_place(self, person: StagedPerson, motion: Motion, prop: str, start: float, now: float) -> None:
         """Open, close or type on a prop where it stands, from second ``now`` of an action begun at ``start``."""
         end = self.sheet.add_cue(
             person, motion.key, now, natural_seconds(motion), prop_id=prop, hand=person.free_hand()
@@ -257,7 +257,7 @@ class Handling:
         self.sheet.finish_action(person, start, end)
 
     def _use_held_prop(
-        self, action: CharacterAction, motion: Motion, person: Person, prop: str, start: float, now: float
+        self, action: CharacterAction, motion: Motion, person: StagedPerson, prop: str, start: float, now: float
     ) -> None:
         """Write the cue of a motion with a held prop, from second ``now`` of an action begun at second ``start``."""
         target = action.target_id if action.target_id != prop else None
@@ -265,32 +265,32 @@ class Handling:
         mark = None
         if motion.key in ("put_down", "drop", "throw"):
             now, mark, hand = self._prepare_release(action, person, prop, now, motion.key)
-        known = target if target in self.company.people or self.company.floor.thing(target) else None
+        known = target if target in self.stage.people or self.stage.floor.thing(target) else None
         length = natural_seconds(motion)
         end = self.sheet.add_cue(
             person, motion.key, now, length, target_id=known, prop_id=prop, hand=hand, mark=mark, mood=action.mood
         )
         self.sheet.finish_action(person, start, end)
-        size = self.company.size_of(prop)
+        size = self.stage.size_of(prop)
         if motion.key == "dress" and size is not None and size[2] < RING_SIZE:
-            self.company.wear(person, prop)
+            self.stage.put_on(person, prop)
 
     def _is_used_in_place(self, prop: str) -> bool:
         """Tell whether a prop is too wide to be opened or typed on in the hand, such as a case or a laptop."""
-        size = self.company.size_of(prop)
+        size = self.stage.size_of(prop)
         return size is not None and size[1] > BOX_WIDTH
 
-    def _find_catcher(self, person: Person, prop: str, later: Sequence[CharacterAction]) -> Person | None:
+    def _find_catcher(self, person: StagedPerson, prop: str, later: Sequence[CharacterAction]) -> StagedPerson | None:
         """Return the person who catches a thrown prop in the next of the ``later`` actions; None if nobody does."""
         for action in later:
-            catcher = self.company.people.get(action.asset_id)
-            if catcher is None or catcher is person or self.company.prop_of(action) != prop:
+            catcher = self.stage.people.get(action.asset_id)
+            if catcher is None or catcher is person or self.stage.prop_of(action) != prop:
                 continue
             able = catcher.present and catcher.free_hand() and catcher.posture not in ("lie", "asleep")
             return catcher if able and clip_of(action.motion).key in TAKING_MOTIONS else None
         return None
 
-    def _throw_to_catcher(self, person: Person, catcher: Person, prop: str, now: float) -> None:
+    def _throw_to_catcher(self, person: StagedPerson, catcher: StagedPerson, prop: str, now: float) -> None:
         """Write the cues of a throw and its catch; both begin at second ``now``, or later when both people are free."""
         start = now
         now = self.sheet.turn_to_yaw(person, facing(person.place, catcher.place), max(now, catcher.busy))
@@ -304,11 +304,13 @@ class Handling:
         caught = self.sheet.add_cue(
             catcher, "catch", now, natural_seconds(MOTIONS["catch"]), target_id=person.asset_id, prop_id=prop, hand=free
         )
-        self.company.hand_over(catcher, prop)
+        self.stage.put_in_hand(catcher, prop)
         self.sheet.finish_action(person, start, end)
         self.sheet.finish_action(catcher, start, caught, holds=True)
 
-    def _prepare_release(self, action: CharacterAction, person: Person, prop: str, now: float, key: str) -> Release:
+    def _prepare_release(
+        self, action: CharacterAction, person: StagedPerson, prop: str, now: float, key: str
+    ) -> Release:
         """Choose where a prop goes when it leaves the hand, lay it there, and bring the person to that spot.
 
         Args:
@@ -319,28 +321,28 @@ class Handling:
             key: Key of the motion: ``put_down``, ``drop`` or ``throw``.
         """
         hand = person.hand_of(prop)
-        thing = self.company.floor.thing(action.target_id) if action.target_id != prop else None
+        thing = self.stage.floor.thing(action.target_id) if action.target_id != prop else None
         if key != "put_down":
-            partner = self.company.people.get(action.target_id or "")
+            partner = self.stage.people.get(action.target_id or "")
             goal = partner.place if partner is not None and partner.present else None
             ahead = 0.35 if key == "drop" else 3.0
             x, y = person.place
             landing = goal or (x + ahead * math.sin(person.yaw), y - ahead * math.cos(person.yaw))
-            self.company.lay(person, prop, (*landing, 0.0))
+            self.stage.lay_down(person, prop, (*landing, 0.0))
             return Release(now, None, hand)
         spot: Vec3 | None = None
-        hollow = thing is not None and self.company.floor.kinds.get(thing.asset_id) in OPEN_ABOVE
-        if thing is None or not (hollow or thing.of_kind("top") or thing.size[2] < 1.4):
+        hollow = thing is not None and self.stage.floor.kinds.get(thing.asset_id) in OPEN_ABOVE
+        if thing is None or not (hollow or thing.anchors_of("top") or thing.size[2] < 1.4):
             near = (
                 0.0 if self.spots.is_bag(prop, min_depth=CASE_DEPTH) else 2.5 if person.upright else SEATED_TOP_DISTANCE
             )
             highest = TOPS[1] if person.upright else HIGHEST_TOP_SEATED if person.support else HIGHEST_TOP_FROM_FLOOR
-            thing = self.company.floor.nearest_top(person.place, near, highest)
+            thing = self.stage.floor.nearest_top(person.place, near, highest)
         if thing is not None:
             spot = self.spots.find_on(thing, person, prop)
             if math.dist(spot[:2], person.place) > (REACH if person.upright else SEATED_FARTHEST):
-                stand = self.company.floor.spot_at(
-                    spot[:2], person.place, person.scale, self.company.others(person), REACH
+                stand = self.stage.floor.spot_around(
+                    spot[:2], person.place, person.scale, self.stage.others(person), REACH
                 )
                 if stand is not None:
                     now = self.sheet.walk_to(person, stand, facing(stand, spot[:2]), now)
@@ -353,10 +355,10 @@ class Handling:
         if not person.upright and hand_towards(person.place, person.yaw, spot[:2], LEFT_HAND_OFFSET) != hand:
             self.sheet.move_to_other_hand(person, prop)
             hand = person.hand_of(prop)
-        self.company.lay(person, prop, spot)
+        self.stage.lay_down(person, prop, spot)
         return Release(now, _prop_mark(person, prop, spot), hand)
 
-    def turn_to_spot(self, person: Person, spot: Vec3, now: float) -> float:
+    def turn_to_spot(self, person: StagedPerson, spot: Vec3, now: float) -> float:
         """Turn a person to a spot that is far to their side; return the second of the shot at which the turn ends."""
         if math.dist(spot[:2], person.place) < 0.2:
             return now
@@ -369,7 +371,7 @@ def fits_in_clothes(size: Sequence[float] | None) -> bool:
     return size is not None and all(side < room for side, room in zip(size, POCKET_SIZE, strict=True))
 
 
-def _prop_mark(person: Person, prop: str, spot: Vec3) -> Mark:
+def _prop_mark(person: StagedPerson, prop: str, spot: Vec3) -> Mark:
     """Return the mark of a prop that a person puts on a spot, turned as the person is."""
     rounded = (round(spot[0], 3), round(spot[1], 3), round(spot[2], 3))
     return Mark(asset_id=prop, location=rounded, yaw=round(math.degrees(person.yaw) % 360, 1))

@@ -1,4 +1,4 @@
-"""One person of the scene as the Animator sees them: place, posture, hands, as of the cue written last. Pure."""
+"""One person of the scene as the Animator stages them: place, posture and hands after the last cue written."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ SEATED: tuple[Posture, ...] = ("sit", "lie", "asleep")
 
 
 @dataclass
-class Person:
+class StagedPerson:
     """A person of the scene, as of the cue written last."""
 
     asset_id: str
@@ -47,17 +47,17 @@ class Person:
     z: float = 0.0
     """Height of the feet above the floor, metres."""
     spot: Spot | None = None
-    """The spot of the script to which the person was brought last."""
+    """The spot of the script at which the person was placed last."""
     activity: str = ""
     """Lasting activity, kept from shot to shot until it changes."""
-    told: str = ""
+    scripted_activity: str = ""
     """The last activity in the script."""
     opened: str = ""
     """Asset id of the prop opened in this shot where it stands; empty if none."""
 
     @property
     def upright(self) -> bool:
-        """Whether the person can walk off without getting up."""
+        """Whether the person stands and can walk off at once."""
         return self.posture == "stand"
 
     def mark(self, **changes: object) -> Mark:
@@ -82,7 +82,7 @@ class Person:
         self.held = {hand: held for hand, held in self.held.items() if held != prop}
         self.on_body.pop(prop, None)
 
-    def hold_as(self, prop: str, grip: Grip | None) -> None:
+    def set_grip(self, prop: str, grip: Grip | None) -> None:
         """Move a prop (asset id) to the hands or the body part of a grip; nothing changes if a hand is not free."""
         kept: dict[Hand, str] = {hand: held for hand, held in self.held.items() if held != prop}
         wish: dict[str, tuple[Hand, ...]] = {"left": ("L",), "right": ("R",), "both": ("L", "R")}

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
-from storyblender.agents.visual_effects_artist.person import Person
+from storyblender.agents.visual_effects_artist.person import StagedPerson
+from storyblender.agents.visual_effects_artist.stage_state import StageState
 from storyblender.catalog.motions import MOTIONS, clip_of
 from storyblender.memory.base import content_hash
 from storyblender.memory.shot_context import BodyState, Cue, Mark, ShotContext
@@ -46,23 +46,23 @@ class PostureCues:
     """Adds the cues of expressions, gazes, idle hands and lasting activities to the cue sheet of a shot.
 
     Args:
-        company: The people and props of the scene.
+        stage: The people and props of the scene.
         sheet: The cue sheet that takes the cues.
     """
 
-    def __init__(self, company: Company, sheet: CueSheet) -> None:
-        self.company, self.sheet = company, sheet
+    def __init__(self, stage: StageState, sheet: CueSheet) -> None:
+        self.stage, self.sheet = stage, sheet
 
     def add_posture_cues(self, shot: ShotContext) -> None:
         """Put the cues of everybody on stage before the cues of their actions."""
         cues: list[Cue] = []
         for state in shot.states:
-            person = self.company.people.get(state.asset_id)
+            person = self.stage.people.get(state.asset_id)
             if person is not None and person.present:
                 cues += self._cues(person, state)
         self.sheet.cues[:0] = cues
 
-    def _cues(self, person: Person, state: BodyState) -> list[Cue]:
+    def _cues(self, person: StagedPerson, state: BodyState) -> list[Cue]:
         """Return a person's cues from frame 0 on, as their state at the start of the shot asks for them."""
         found: list[Cue] = []
         if state.expression != "neutral":
@@ -79,7 +79,7 @@ class PostureCues:
             found.append(Cue(asset_id=person.asset_id, clip=motion, start=0, lasting=True))
         return found
 
-    def _idle_hand_motion(self, person: Person, state: BodyState) -> str:
+    def _idle_hand_motion(self, person: StagedPerson, state: BodyState) -> str:
         """Return the key of the motion that shows the mood in a person's hands; empty if they act or hold something."""
         busy = any(cue.asset_id == person.asset_id and cue.clip not in ATTENDING for cue in self.sheet.cues)
         habits = IDLE_HAND_MOTIONS.get(state.expression, ())
@@ -88,7 +88,7 @@ class PostureCues:
         habit = habits[int(content_hash(person.asset_id), 16) % len(habits)]
         return SEATED_HAND_MOTIONS.get(habit, habit) if person.posture == "sit" else habit
 
-    def _gaze_mark(self, person: Person, gaze: GazeDirection) -> Mark:
+    def _gaze_mark(self, person: StagedPerson, gaze: GazeDirection) -> Mark:
         """Return a mark on the point off screen that a person looks at, left and right as the audience sees them."""
         x, y = person.place
         aside = {"left": -OFF_SCREEN_DISTANCE, "right": OFF_SCREEN_DISTANCE}.get(gaze, 0.0)
@@ -96,24 +96,24 @@ class PostureCues:
         ahead = OFF_SCREEN_DISTANCE if gaze == "camera" else OFF_SCREEN_FORWARD
         return Mark(asset_id=person.asset_id, location=(round(x + aside, 3), round(y - ahead, 3), height), yaw=0.0)
 
-    def _lasting_activity(self, person: Person, state: BodyState) -> str:
+    def _lasting_activity(self, person: StagedPerson, state: BodyState) -> str:
         """Return the key of a person's lasting activity; empty if none, or if their actions contain or end it."""
-        if state.activity or person.told:
+        if state.activity or person.scripted_activity:
             person.activity = state.activity
-        person.told = state.activity
+        person.scripted_activity = state.activity
         clip = clip_of(person.activity).key if person.activity else ""
         own = [cue.clip for cue in self.sheet.cues if cue.asset_id == person.asset_id]
         if not clip or clip in own or clip == "idle" or MOTIONS[clip].speed is not None:
             return ""
         return clip
 
-    def _activity_cue(self, person: Person, state: BodyState, clip: str) -> Cue:
+    def _activity_cue(self, person: StagedPerson, state: BodyState, clip: str) -> Cue:
         """Return the cue of a lasting activity ``clip``, with the prop in hand and the furniture it is done at."""
         motion = MOTIONS[clip]
         hand: Hand | None = next((side for side in HANDS if side in person.held), None)
         prop = person.held[hand] if hand is not None else None
         place = state.spot.anchor_id if state.spot is not None else None
-        thing = self.company.floor.thing(place or state.support_id) if motion.reach == "thing" else None
+        thing = self.stage.floor.thing(place or state.support_id) if motion.reach == "thing" else None
         return Cue(
             asset_id=person.asset_id,
             clip=clip,

@@ -1,52 +1,57 @@
-"""The rehearsal of one scene: shot after shot, everybody goes on from where they were. Pure."""
+"""Stages a scene shot after shot: in each, everybody goes on from where they were."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
+from storyblender.agents.visual_effects_artist.action_resolver import PHONE_CALL
 from storyblender.agents.visual_effects_artist.actions import Actions
-from storyblender.agents.visual_effects_artist.company import Company
+from storyblender.agents.visual_effects_artist.animals import Animals
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
-from storyblender.agents.visual_effects_artist.deeds import CALL
-from storyblender.agents.visual_effects_artist.fallen import Fallen
+from storyblender.agents.visual_effects_artist.fallen_props import FallenProps
 from storyblender.agents.visual_effects_artist.floor import Floor
-from storyblender.agents.visual_effects_artist.menagerie import Menagerie
 from storyblender.agents.visual_effects_artist.posture_cues import PostureCues, extend_lasting_cues
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN, Speeches
+from storyblender.agents.visual_effects_artist.stage_state import StageState
 from storyblender.catalog.motions import clip_of
 from storyblender.catalog.states import Condition
 from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.base import Frozen
 from storyblender.memory.outline import ScriptLine
 from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import Blocking, CharacterAction, Cue, Flaw, PropState, ShotContext
 
-AT_ONCE = 0.15
-"""Delay in seconds between one member of a group and the next."""
+GROUP_DELAY = 0.15
+"""Seconds between the starts of two members of a group who do the same thing."""
 
 
-@dataclass(frozen=True)
-class ShotPlan:
-    """What the rehearsal of one shot comes to."""
+class ShotStaging(Frozen):
+    """What the Animator decides for one shot; fields of the ShotContext."""
 
     shot_id: int
-    blocking: tuple[Blocking, ...]
-    cues: tuple[Cue, ...]
-    prop_states: tuple[PropState, ...]
+    blocking: tuple[Blocking, ...] = ()
+    cues: tuple[Cue, ...] = ()
+    prop_states: tuple[PropState, ...] = ()
     duration: int
-    cheats: tuple[Flaw, ...]
+    """Frames; the Director's, or longer where the actions need it, within the limit of the cue sheet."""
+    flaws: tuple[Flaw, ...] = ()
+    """Actions that were cut short or moved so that they fit."""
+
+    def applied(self, shot: ShotContext) -> ShotContext:
+        """Return the shot with this staging."""
+        return shot.model_copy(update=dict(self))
 
 
 class Rehearsal:
-    """A scene being staged.
+    """The staging of one scene.
 
     Args:
-        floor: Where things are.
+        floor: Everything on the floor.
         assets: Characters with their statures, objects with their sizes.
         objects: The layout, for the people's first places.
         fps: Frames per second.
-        found: States in which things are as the scene opens.
+        found: States of things as the scene opens, by asset id.
     """
 
     def __init__(
@@ -57,67 +62,74 @@ class Rehearsal:
         fps: int,
         found: Mapping[str, Condition] = {},
     ) -> None:
-        self.company, self.fps = Company(floor, assets, objects), fps
-        self.animals = Menagerie(self.company, assets, objects)
-        self.fallen = Fallen(assets, objects, found)
+        self.stage, self.fps = StageState(floor, assets, objects), fps
+        self.animals = Animals(self.stage, assets, objects)
+        self.fallen = FallenProps(assets, objects, found)
 
-    def keep(self, shot: ShotContext) -> None:
+    def keep_locked_blocking(self, shot: ShotContext) -> None:
         """Take over the ends of a shot whose blocking the user has locked."""
-        self.company.keep(shot)
+        self.stage.keep_locked_blocking(shot)
 
-    def play(self, shot: ShotContext, lines: Sequence[ScriptLine], stay: Sequence[str]) -> ShotPlan:
+    def play(self, shot: ShotContext, lines: Sequence[ScriptLine], stay: Sequence[str]) -> ShotStaging:
         """Stage one shot.
 
         Args:
-            shot: Actions, states, length.
-            lines: Its lines, for the length of speeches.
-            stay: Who is still on stage in the next shot.
+            shot: The shot with its actions and states.
+            lines: Lines of the script that it covers, for the length of speeches.
+            stay: Asset ids of people who are on stage in the next shot too.
         """
-        company = self.company
-        cast = [company.people[name] for name in shot.on_stage if name in company.people]
-        company.bring_on(shot, cast, stay)
-        company.apply_states(shot.states, shot.character_actions)
-        company.place_loose_props(shot)
-        standing = company.prop_states(shot)
+        stage = self.stage
+        cast = [stage.people[name] for name in shot.on_stage if name in stage.people]
+        stage.bring_on_stage(shot, cast, stay)
+        stage.apply_states(shot.states, shot.character_actions)
+        stage.place_loose_props(shot)
+        standing = stage.prop_states(shot)
         sheet = CueSheet(
-            company,
+            stage,
             shot.duration / self.fps,
             self.fps,
             {name for name in shot.on_stage if name not in stay},
             {person.asset_id: person.mark() for person in cast},
-            self.fallen.lay(shot, standing, company.lying),
+            self.fallen.add_fallen(shot, standing, stage.prop_places),
         )
         ends = {state.asset_id: state for state in shot.end_states}
-        calling = {state.asset_id for state in shot.states if state.activity == CALL}
-        actions, speeches = Actions(company, sheet, ends), Speeches(company, sheet, calling)
+        calling = {state.asset_id for state in shot.states if state.activity == PHONE_CALL}
+        actions, speeches = Actions(stage, sheet, ends), Speeches(stage, sheet, calling)
         seconds = speeches.speech_seconds(shot, lines)
         began = sheet.clock
         for number, action in enumerate(shot.character_actions):
-            person = company.people.get(action.asset_id)
+            person = stage.people.get(action.asset_id)
             if person is None or not person.present:
                 continue
             if number and _is_same_action(action, shot.character_actions[number - 1]):
-                sheet.clock = began + AT_ONCE
+                sheet.clock = began + GROUP_DELAY
             began = sheet.clock
             if clip_of(action.motion).key in SPOKEN:
                 speeches.add_speech(action, person, seconds.get(number, 2.0), lines, cast)
             else:
                 actions.add_action(action, person, shot.character_actions[number + 1 :])
         speeches.add_idle_looks(shot, cast)
-        PostureCues(company, sheet).add_posture_cues(shot)
+        PostureCues(stage, sheet).add_posture_cues(shot)
         duration = shot.duration
         if "duration" not in shot.locked:
             needed = math.ceil((max((person.busy for person in cast), default=0.0) + 0.25) * self.fps)
             duration = min(max(duration, needed), math.ceil(sheet.hard_limit * self.fps))
         blocking = tuple(Blocking(start=sheet.starts[person.asset_id], end=person.mark()) for person in cast)
-        company.leave(stay)
+        stage.end_shot(stay)
         going_on = extend_lasting_cues(sheet.cues, duration)
         beasts, places = self.animals.play(shot, self.fps, duration)
         going_on = [*going_on, *beasts]
         cues = tuple(sorted((_end_with_shot(cue, duration) for cue in going_on), key=lambda cue: cue.start))
         moved = {state.asset_id for state in places}
         props = (*(state for state in sheet.start_props if state.asset_id not in moved), *places)
-        return ShotPlan(shot.shot_id, blocking, cues, props, duration, tuple(sheet.cheats))
+        return ShotStaging(
+            shot_id=shot.shot_id,
+            blocking=blocking,
+            cues=cues,
+            prop_states=props,
+            duration=duration,
+            flaws=tuple(sheet.cheats),
+        )
 
 
 def _is_same_action(action: CharacterAction, before: CharacterAction) -> bool:
@@ -128,7 +140,7 @@ def _is_same_action(action: CharacterAction, before: CharacterAction) -> bool:
 
 
 def _end_with_shot(cue: Cue, frames: int) -> Cue:
-    """End what is done on the spot with the shot; ways keep their time."""
+    """Return a cue cut at the end of the shot (``frames``) if it is done on the spot; walks keep their time."""
     if cue.duration is None or cue.mark is not None or cue.start + cue.duration <= frames:
         return cue
     return cue.model_copy(update={"duration": max(1, frames - cue.start)})

@@ -15,14 +15,14 @@ from dataclasses import dataclass
 
 from storyblender.agents.layout_artist.told_places import told_relations
 from storyblender.agents.visual_effects_artist.furniture import (
-    TUCKED,
-    Standing,
+    TUCKED_OVERLAP,
+    PlacedFurnishing,
     box_at,
     draw_up_seats,
+    drop_clutter,
     prop_of,
-    settle_on_new_tops,
+    raise_to_new_tops,
     size_of_asset,
-    without_clutter,
 )
 from storyblender.catalog.props.kin import kin_of
 from storyblender.catalog.set_plan import Furnishing, SetPlan
@@ -104,10 +104,10 @@ class RulesSetDresser:
         drives = any(prop_of(asset) in _VEHICLES for asset in view.objects)
         parked = {item.node_id for item in view.plan.furnishings if drives and item.prop in _VEHICLES} - taken.keys()
         kept_items = [item for item in view.plan.furnishings if item.node_id not in parked]
-        standing = [Standing.of(item, taken.get(item.node_id)) for item in kept_items]
-        settle_on_new_tops(standing)
+        standing = [PlacedFurnishing.of(item, taken.get(item.node_id)) for item in kept_items]
+        raise_to_new_tops(standing)
         draw_up_seats(standing)
-        kept, dropped = without_clutter(standing, view.plan, view.people)
+        kept, dropped = drop_clutter(standing, view.plan, view.people)
         assets = {item.asset.asset_id: item.asset for item in kept if item.asset.origin == "dressing"}
         placed = {asset.asset_id for asset in taken.values()}
         served = _has_counter(taken)
@@ -156,7 +156,7 @@ class SetDresserCritic:
                 faults.append(
                     Fault(kind="outside", subject=item.node_id, message=f"{item.node_id} is outside the walls")
                 )
-            elif any(penetration(box, other, 0.02)[0] > TUCKED for _, other in boxes[:index]):
+            elif any(penetration(box, other, 0.02)[0] > TUCKED_OVERLAP for _, other in boxes[:index]):
                 faults.append(
                     Fault(kind="collision", subject=item.node_id, message=f"{item.node_id} stands in another")
                 )

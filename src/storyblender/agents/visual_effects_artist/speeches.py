@@ -6,9 +6,9 @@ import math
 import re
 from collections.abc import Collection, Mapping, Sequence
 
-from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
-from storyblender.agents.visual_effects_artist.person import Person
+from storyblender.agents.visual_effects_artist.person import StagedPerson
+from storyblender.agents.visual_effects_artist.stage_state import StageState
 from storyblender.catalog.motions import MOTIONS, clip_of
 from storyblender.memory.outline import ScriptLine
 from storyblender.memory.shot_context import CharacterAction, Cue, ShotContext
@@ -28,20 +28,20 @@ class Speeches:
     """Writes the speeches of one shot.
 
     Args:
-        company: People and props.
+        stage: People and props.
         sheet: Where the cues go.
         calling: People on the phone; their speech is for nobody nearby unless the script says so.
     """
 
-    def __init__(self, company: Company, sheet: CueSheet, calling: Collection[str] = ()) -> None:
-        self.company, self.sheet, self.calling = company, sheet, calling
+    def __init__(self, stage: StageState, sheet: CueSheet, calling: Collection[str] = ()) -> None:
+        self.stage, self.sheet, self.calling = stage, sheet, calling
 
     def speech_seconds(self, shot: ShotContext, lines: Sequence[ScriptLine]) -> dict[int, float]:
         """Return the length of every spoken action: its words, fitted into the shot."""
         spoken: dict[int, float] = {}
         for number, action in enumerate(shot.character_actions):
             if clip_of(action.motion).key in SPOKEN:
-                line = _line(action, lines)
+                line = _line_of_action(action, lines)
                 words = len(re.findall(r"[\w'’-]+", line.text)) if line else 0
                 spoken[number] = max(1.2, words / 2.5 + 0.4) if words else MOTIONS["talk"].seconds
         total = sum(spoken.values())
@@ -51,15 +51,15 @@ class Speeches:
     def add_speech(
         self,
         action: CharacterAction,
-        person: Person,
+        person: StagedPerson,
         seconds: float,
         lines: Sequence[ScriptLine],
-        cast: Sequence[Person],
+        cast: Sequence[StagedPerson],
     ) -> None:
         """Write a speech, and what everybody else does meanwhile."""
-        line = _line(action, lines)
+        line = _line_of_action(action, lines)
         mood = action.mood if action.mood != "neutral" else mood_of(line.parenthetical if line else "")
-        partner = self.company.people.get(action.target_id or "")
+        partner = self.stage.people.get(action.target_id or "")
         others = [p for p in cast if p is not person and p.posture != "asleep"]
         if partner is None or not partner.present or partner is person:
             nearest = min(others, key=lambda p: math.dist(p.place, person.place), default=None)
@@ -84,7 +84,7 @@ class Speeches:
         person.busy = max(person.busy, turned, end)
         self.sheet.clock = end
 
-    def add_idle_looks(self, shot: ShotContext, cast: Sequence[Person]) -> None:
+    def add_idle_looks(self, shot: ShotContext, cast: Sequence[StagedPerson]) -> None:
         """Who has nothing to do at first looks where the script says, or at whoever acts."""
         looks: Mapping[str, str | None] = {state.asset_id: state.looking_at for state in shot.states}
         elsewhere = {state.asset_id for state in shot.states if state.gaze is not None}
@@ -97,11 +97,9 @@ class Speeches:
             ):
                 continue
             wanted = looks.get(person.asset_id)
-            thing = self.company.floor.thing(wanted)
+            thing = self.stage.floor.thing(wanted)
             target = (
-                wanted
-                if wanted in self.company.people and self.company.people[wanted].present
-                else thing and thing.node_id
+                wanted if wanted in self.stage.people and self.stage.people[wanted].present else thing and thing.node_id
             )
             if target is None and first is not None and first.asset_id != person.asset_id:
                 target = first.asset_id
@@ -120,6 +118,6 @@ def mood_of(parenthetical: str) -> Mood:
     return "neutral"
 
 
-def _line(action: CharacterAction, lines: Sequence[ScriptLine]) -> ScriptLine | None:
+def _line_of_action(action: CharacterAction, lines: Sequence[ScriptLine]) -> ScriptLine | None:
     index = action.line_index
     return lines[index] if index is not None and 0 <= index < len(lines) else None

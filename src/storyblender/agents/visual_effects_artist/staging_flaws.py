@@ -1,4 +1,4 @@
-"""What a staged shot does not do as it was read: kept on the shot, told by `check` and on the page, never dropped."""
+"""Flaws of staging: what a staged shot does not do as its words say, for ``check`` and the page."""
 
 from __future__ import annotations
 
@@ -12,17 +12,23 @@ from storyblender.memory.shot_context import Flaw, ShotContext
 
 
 def staging_flaws(shot: ShotContext, assets: Mapping[str, Asset], left_out: Collection[str]) -> tuple[Flaw, ...]:
-    """Return a staged shot's cheats, actions without a performer, things left out of the set, and things stood in for.
+    """Return a staged shot's cheats, actions that are not staged, things left out of the set, and stand-ins.
 
     Args:
-        shot: With its cues.
-        assets: Of the story, by asset id.
+        shot: The shot with its cues.
+        assets: Assets of the story by asset id.
         left_out: Asset ids of the scene's things for which no place was found.
     """
-    return (*shot.flaws, *_undone(shot), *_left_out(shot, left_out), *_stood_in(shot, assets))
+    return (
+        *shot.flaws,
+        *_find_actions_not_staged(shot),
+        *_find_things_left_out(shot, left_out),
+        *_find_stand_ins(shot, assets),
+    )
 
 
-def _undone(shot: ShotContext) -> Iterator[Flaw]:
+def _find_actions_not_staged(shot: ShotContext) -> Iterator[Flaw]:
+    """Yield a flaw for every action to be seen that no cue, posture or walk stages."""
     postures = {each.start.asset_id: {each.start.posture, each.end.posture} for each in shot.blocking}
     walkers = {cue.asset_id for cue in shot.cues if clip_of(cue.clip).speed is not None}
     for action in actions_to_see(shot):
@@ -33,14 +39,16 @@ def _undone(shot: ShotContext) -> Iterator[Flaw]:
             yield Flaw(kind="undone", subject=person, message=message)
 
 
-def _left_out(shot: ShotContext, left_out: Collection[str]) -> Iterator[Flaw]:
+def _find_things_left_out(shot: ShotContext, left_out: Collection[str]) -> Iterator[Flaw]:
+    """Yield a flaw for every thing to be seen that has no place in the set."""
     there = {state.asset_id for state in shot.prop_states if state.visible}
     for thing in things_to_see(shot):
         if thing in left_out and thing not in there:
             yield Flaw(kind="left_out", subject=thing, message=f"no place was found for {thing}: it is left out")
 
 
-def _stood_in(shot: ShotContext, assets: Mapping[str, Asset]) -> Iterator[Flaw]:
+def _find_stand_ins(shot: ShotContext, assets: Mapping[str, Asset]) -> Iterator[Flaw]:
+    """Yield a flaw for every thing to be seen that another prop stands in for."""
     for thing in things_to_see(shot):
         asset = assets.get(thing)
         if asset is not None and asset.canonical is not None and asset.canonical.is_stand_in:

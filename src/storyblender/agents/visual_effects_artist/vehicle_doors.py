@@ -9,10 +9,10 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.floor import facing
-from storyblender.agents.visual_effects_artist.person import Person
-from storyblender.agents.visual_effects_artist.placed_things import Thing
+from storyblender.agents.visual_effects_artist.person import StagedPerson
+from storyblender.agents.visual_effects_artist.placed_objects import PlacedObject
+from storyblender.agents.visual_effects_artist.stage_state import StageState
 from storyblender.catalog.motions import clip_of
 from storyblender.catalog.states import DOOR_OPEN, DOORS_CLOSED
 from storyblender.geometry.solids import transform
@@ -32,55 +32,57 @@ _AT_DOOR = 0.75
 """Metres from a door's middle within which a person counts as at that door."""
 
 
-def boarding_station(company: Company, person: Person, state: BodyState) -> Station | None:
+def boarding_station(stage: StageState, person: StagedPerson, state: BodyState) -> Station | None:
     """Return the standing place of a passenger before getting in: at the door of their seat.
 
     Args:
-        company: Of the scene.
+        stage: Of the scene.
         person: Who gets in.
         state: Theirs at the end of the shot, with the vehicle as support.
     """
     spot = state.spot
-    thing = company.floor.thing(state.support_id) or company.floor.thing(spot.anchor_id if spot else None)
-    if thing is None or not thing.of_kind("door"):
+    thing = stage.floor.thing(state.support_id) or stage.floor.thing(spot.anchor_id if spot else None)
+    if thing is None or not thing.anchors_of("door"):
         return None
-    seat = company.seats.choose(person, thing.node_id, side=spot.side if spot is not None else None)
-    return None if seat is None or seat.node_id != thing.node_id else _station(thing, seat.anchor)
+    seat = stage.seats.choose(person, thing.node_id, side=spot.side if spot is not None else None)
+    return None if seat is None or seat.node_id != thing.node_id else _station_at_door(thing, seat.anchor)
 
 
-def gets_out(action: CharacterAction) -> bool:
+def is_getting_out(action: CharacterAction) -> bool:
     """Return whether an action leads out of a vehicle, by its words."""
     return clip_of(action.motion).speed is not None and _OUT.search(action.action_description) is not None
 
 
-def leaving_station(company: Company, person: Person, action: CharacterAction) -> tuple[Thing, Station] | None:
+def leaving_station(
+    stage: StageState, person: StagedPerson, action: CharacterAction
+) -> tuple[PlacedObject, Station] | None:
     """Return the vehicle a passenger gets out of and the place to stand then; None if it has no doors.
 
     Args:
-        company: Of the scene.
+        stage: Of the scene.
         person: Who sits in it, or is seen for the first time as they get out.
         action: What they do.
     """
-    anchor, thing = person.anchor, company.floor.things.get(person.support or "")
-    if thing is None and gets_out(action) and (thing := company.floor.thing(action.target_id)) is not None:
-        seat = company.seats.choose(person, thing.node_id) if thing.of_kind("door") else None
+    anchor, thing = person.anchor, stage.floor.things.get(person.support or "")
+    if thing is None and is_getting_out(action) and (thing := stage.floor.thing(action.target_id)) is not None:
+        seat = stage.seats.choose(person, thing.node_id) if thing.anchors_of("door") else None
         anchor = seat.anchor if seat is not None else ""
-    station = _station(thing, anchor) if thing is not None else None
+    station = _station_at_door(thing, anchor) if thing is not None else None
     return (thing, station) if thing is not None and station is not None else None
 
 
-def _station(thing: Thing, name: str) -> Station | None:
-    doors = thing.of_kind("door")
+def _station_at_door(thing: PlacedObject, name: str) -> Station | None:
+    doors = thing.anchors_of("door")
     door = next((door for door in doors if door.name == name), doors[0] if doors else None)
     if door is None:
         return None
     x, y, _ = door.location
-    wx, wy, _ = thing.world((x + math.copysign(_BESIDE, x), y + _BEHIND, 0.0))
-    middle = thing.world((0.0, y, 0.0))
+    wx, wy, _ = thing.to_world((x + math.copysign(_BESIDE, x), y + _BEHIND, 0.0))
+    middle = thing.to_world((0.0, y, 0.0))
     return Station(wx, wy, facing((wx, wy), middle[:2]))
 
 
-def with_open_doors(
+def add_open_doors(
     shots: Sequence[ShotContext], objects: Sequence[LayoutObject], assets: Sequence[Asset]
 ) -> tuple[ShotContext, ...]:
     """Return the shots with vehicle doors open while a passenger gets in or out, and closed after.
@@ -91,14 +93,14 @@ def with_open_doors(
         assets: Of the scene, built.
     """
     made = {asset.asset_id: asset.canonical for asset in assets if asset.canonical is not None}
-    vehicles = [item for item in objects if item.asset_id in made and _doors(made[item.asset_id].anchors)]
+    vehicles = [item for item in objects if item.asset_id in made and _door_names(made[item.asset_id].anchors)]
     open_now: dict[str, list[str]] = {}
     done: list[ShotContext] = []
     for index, shot in enumerate(shots):
         before, after = shots[index - 1] if index else None, shots[index + 1] if index + 1 < len(shots) else None
         changes: list[AssetModification] = []
         for item in vehicles:
-            doors = sorted({*_used(shot, before, after, item, made[item.asset_id].anchors)})
+            doors = sorted({*_doors_in_use(shot, before, after, item, made[item.asset_id].anchors)})
             if doors != open_now.get(item.node_id, []):
                 state = f"{' '.join(doors)}{DOOR_OPEN}" if doors else DOORS_CLOSED
                 changes.append(
@@ -115,11 +117,11 @@ def with_open_doors(
     return tuple(done)
 
 
-def _doors(anchors: Sequence[Anchor]) -> bool:
+def _door_names(anchors: Sequence[Anchor]) -> bool:
     return any(anchor.kind == "door" and anchor.name for anchor in anchors)
 
 
-def _used(
+def _doors_in_use(
     shot: ShotContext,
     before: ShotContext | None,
     after: ShotContext | None,
@@ -137,7 +139,7 @@ def _used(
     aboard |= {each.start.asset_id for each in (after.blocking if after else ()) if each.start.support_id in names}
     was = {each.end.asset_id for each in (before.blocking if before else ()) if each.end.support_id in names}
     was |= {state.asset_id for state in shot.states if state.posture == "sit" and state.support_id in names}
-    was |= {each.asset_id for each in shot.character_actions if gets_out(each) and each.target_id in names}
+    was |= {each.asset_id for each in shot.character_actions if is_getting_out(each) and each.target_id in names}
     opening = {
         action.asset_id
         for action in shot.character_actions
@@ -147,11 +149,11 @@ def _used(
         mark = blocking.end
         if mark.support_id in names or mark.asset_id not in aboard | was | opening:
             continue
-        near = [(_apart(mark, world, anchor), anchor.name) for anchor in anchors if _doors((anchor,))]
+        near = [(_distance_to_door(mark, world, anchor), anchor.name) for anchor in anchors if _door_names((anchor,))]
         if near and min(near)[0] < _AT_DOOR:
             yield min(near)[1]
 
 
-def _apart(mark: Mark, world: NDArray[np.float64], anchor: Anchor) -> float:
+def _distance_to_door(mark: Mark, world: NDArray[np.float64], anchor: Anchor) -> float:
     x, y, _ = world[:3, :3] @ np.asarray(anchor.location) + world[:3, 3]
     return math.dist(mark.location[:2], (float(x), float(y)))

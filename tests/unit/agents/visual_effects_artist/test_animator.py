@@ -331,19 +331,19 @@ def _on_bench(*shots: ShotContext) -> tuple[ShotStaging, ...]:
     )
 
 
-@pytest.mark.parametrize("company", [True, False])
-def test_what_is_put_down_on_a_seat_is_beside_who_sits_there(company: bool) -> None:
+@pytest.mark.parametrize("stage", [True, False])
+def test_what_is_put_down_on_a_seat_is_beside_who_sits_there(stage: bool) -> None:
     both = {"posture": "sit", "support_id": "bench"}
     states = (BodyState(asset_id="rick", held=("letter",), **both), BodyState(asset_id="ilsa", **both))
     put, after = _on_bench(
-        _shot(1, _do("rick", "put_down", prop_id="letter", target_id="letter"), states=states[: 1 + company]),
+        _shot(1, _do("rick", "put_down", prop_id="letter", target_id="letter"), states=states[: 1 + stage]),
         _shot(2),
     )
     (spot,) = (state.location for state in after.prop_states)
     assert spot is not None and spot[2] == pytest.approx(0.46), "on the bench"
-    sitters = [_end(put, "rick").location[0]] + [_end(put, "ilsa").location[0]] * company
+    sitters = [_end(put, "rick").location[0]] + [_end(put, "ilsa").location[0]] * stage
     assert all(abs(spot[0] - x) > 0.25 for x in sitters), "under nobody"
-    assert not company or min(sitters) < spot[0] < max(sitters), "between them"
+    assert not stage or min(sitters) < spot[0] < max(sitters), "between them"
 
 
 @pytest.mark.parametrize(("x", "hand"), [(0.3, "L"), (-0.3, "R")])
@@ -383,14 +383,14 @@ def test_nobody_goes_all_round_a_long_table_for_a_better_place_at_it(monkeypatch
     wall = _thing("counter", (5.0, 0.5, 1.0))
     layout = LAYOUT.model_copy(update={"objects": (_at("counter", 0.0, 1.0),)})
     floor = Floor(layout, (wall,), view.plan)
-    spot = floor.spot_at((0.0, 1.1), (0.0, 0.3), 1.0, (), 0.75)
+    spot = floor.spot_around((0.0, 1.1), (0.0, 0.3), 1.0, (), 0.75)
     assert spot is not None and spot[1] < 1.0, "on the near side, though back to the audience"
 
 
 def test_who_is_nearly_there_still_comes_close_and_need_not_bow_to_reach() -> None:
     floor = Floor(LAYOUT.model_copy(update={"objects": ()}), (), PLAN)
     point, reach = (0.0, 0.0), 0.62
-    spot = floor.spot_at(point, (1.2, 0.0), 1.0, (), reach)
+    spot = floor.spot_around(point, (1.2, 0.0), 1.0, (), reach)
     assert spot is not None and math.dist(spot, point) < 0.8 * reach
 
 

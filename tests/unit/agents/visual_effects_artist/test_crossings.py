@@ -6,9 +6,9 @@ import math
 
 from storyblender.agents.visual_effects_artist.animator import AnimatorView, RulesAnimator, ShotStaging
 from storyblender.agents.visual_effects_artist.animator_critic import AnimatorCritic
-from storyblender.agents.visual_effects_artist.company import Company
-from storyblender.agents.visual_effects_artist.crossings import aboard, across, vessel_at
+from storyblender.agents.visual_effects_artist.crossings import find_boarding_way, find_crossing, vessel_at
 from storyblender.agents.visual_effects_artist.floor import Floor
+from storyblender.agents.visual_effects_artist.stage_state import StageState
 from storyblender.catalog.set_plan import PlanMark, SetPlan
 from storyblender.memory.asset_sheet import Anchor, Asset, CanonicalAsset
 from storyblender.memory.base import Vec3
@@ -87,11 +87,11 @@ def _stage(*actions: CharacterAction, stay: bool = True, **fields: object) -> Sh
 
 
 def test_one_gets_over_a_fence_but_not_over_a_wall() -> None:
-    way = across(FLOOR, FLOOR.things["fence"], (0.4, -2.0), 1.0)
+    way = find_crossing(FLOOR, FLOOR.things["fence"], (0.4, -2.0), 1.0)
     assert way is not None
     assert way.near[1] < -0.3 < 0.3 < way.far[1]
     assert way.near[0] == way.far[0], "straight over it"
-    assert across(FLOOR, FLOOR.things["wall"], (0.0, 2.0), 1.0) is None
+    assert find_crossing(FLOOR, FLOOR.things["wall"], (0.0, 2.0), 1.0) is None
 
 
 def test_who_jumps_over_a_fence_goes_there_and_ends_behind_it() -> None:
@@ -103,7 +103,7 @@ def test_who_jumps_over_a_fence_goes_there_and_ends_behind_it() -> None:
 def test_a_chair_is_no_vessel_and_a_boat_is() -> None:
     assert vessel_at(FLOOR, (4.0, 1.5)) is FLOOR.things["boat"]
     assert vessel_at(FLOOR, (-4.0, -3.0)) is None
-    way = aboard(FLOOR, FLOOR.things["boat"], (4.0, 1.5), (0.0, 1.5), 1.0)
+    way = find_boarding_way(FLOOR, FLOOR.things["boat"], (4.0, 1.5), (0.0, 1.5), 1.0)
     assert way is not None
     assert way.near[0] < 4 - 0.72, "over the side one comes from"
 
@@ -111,18 +111,18 @@ def test_a_chair_is_no_vessel_and_a_boat_is() -> None:
 def test_one_comes_aboard_a_boat_that_lies_a_step_off_the_quay() -> None:
     moored = LayoutObject(node_id="boat", asset_id="boat", location=(0, 6.21, 0), rotation=(0, 0, 90))
     floor = Floor(Layout(scene_size=SIZE, objects=(moored,)), ASSETS, PLAN)
-    way = aboard(floor, floor.things["boat"], (0.0, 6.21), (0.0, 0.0), 1.0)
+    way = find_boarding_way(floor, floor.things["boat"], (0.0, 6.21), (0.0, 0.0), 1.0)
     assert way is not None
     assert floor.inside(way.near)
     assert way.near[1] > 4.5
 
 
 def test_who_could_not_walk_to_a_seat_is_on_it_when_the_next_shot_begins() -> None:
-    company = Company(FLOOR, ASSETS, LAYOUT.objects)
-    pia, seat = company.people["pia"], FLOOR.seats("chair")[0]
-    pia.present, company.jumps["pia"] = True, ((2.0, 2.0), 0.0)
-    company.take_seat(pia, seat)
-    company.leave(["pia"])
+    stage = StageState(FLOOR, ASSETS, LAYOUT.objects)
+    pia, seat = stage.people["pia"], FLOOR.seats("chair")[0]
+    pia.present, stage.next_places["pia"] = True, ((2.0, 2.0), 0.0)
+    stage.sit_by_cut(pia, seat)
+    stage.end_shot(["pia"])
     assert pia.place == seat.edge
 
 

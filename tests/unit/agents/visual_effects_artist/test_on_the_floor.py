@@ -22,7 +22,7 @@ from tests.unit.agents.visual_effects_artist.test_animator import (
 
 from storyblender.agents.visual_effects_artist.animator import RulesAnimator
 from storyblender.agents.visual_effects_artist.floor import Floor
-from storyblender.agents.visual_effects_artist.on_the_floor import SPANS, room_for
+from storyblender.agents.visual_effects_artist.on_the_floor import SPANS, find_room_on_floor
 from storyblender.geometry.boxes import shortest_turn
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.shot_context import BodyState
@@ -33,7 +33,7 @@ FLOOR = Floor(LAYOUT, ASSETS, PLAN)
 
 @pytest.mark.parametrize("posture", ["lie", "kneel"])
 def test_nobody_lies_or_kneels_in_a_table(posture: Posture) -> None:
-    place, yaw = room_for(FLOOR, posture, (0.0, 0.3), math.pi, 1.0)
+    place, yaw = find_room_on_floor(FLOOR, posture, (0.0, 0.3), math.pi, 1.0)
     for share in (0, 0.25, 0.5, 0.75, 1):
         along = SPANS[posture][0] + share * (SPANS[posture][1] - SPANS[posture][0])
         spot = (place[0] + along * math.sin(yaw), place[1] - along * math.cos(yaw))
@@ -42,15 +42,15 @@ def test_nobody_lies_or_kneels_in_a_table(posture: Posture) -> None:
 
 
 def test_who_has_room_stays() -> None:
-    assert room_for(FLOOR, "lie", (0.0, -1.5), 0.4, 1.0) == ((0.0, -1.5), 0.4)
+    assert find_room_on_floor(FLOOR, "lie", (0.0, -1.5), 0.4, 1.0) == ((0.0, -1.5), 0.4)
 
 
 def test_who_lies_keeps_away_from_who_stands_and_from_where_others_sit_down() -> None:
-    place, yaw = room_for(FLOOR, "lie", (0.0, -1.5), 0.0, 1.0, [(0.0, -1.0)])
+    place, yaw = find_room_on_floor(FLOOR, "lie", (0.0, -1.5), 0.0, 1.0, [(0.0, -1.0)])
     assert (place, yaw) != ((0.0, -1.5), 0.0)
     seat = FLOOR.seats("chair_l")[0]
-    place, yaw = room_for(FLOOR, "lie", seat.before(1.0), 0.0, 1.0)
-    assert math.dist(place, seat.before(1.0)) > 0.4
+    place, yaw = find_room_on_floor(FLOOR, "lie", seat.standing_spot(1.0), 0.0, 1.0)
+    assert math.dist(place, seat.standing_spot(1.0)) > 0.4
 
 
 def test_who_is_found_lying_before_a_chair_lies_beside_it() -> None:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from storyblender.agents.visual_effects_artist.person import Person
-from storyblender.agents.visual_effects_artist.whereabouts import whereabouts
+from storyblender.agents.visual_effects_artist.person import StagedPerson
+from storyblender.agents.visual_effects_artist.prop_states import find_prop_states
 from storyblender.catalog.carrying import ON_BODY, place_of
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset, CharacterLook, Garment
 from storyblender.memory.shot_context import CameraInstruction, ShotContext
@@ -17,21 +17,21 @@ from storyblender.memory.vocabulary import BodyPlace, Grip, Hand
     [("left", {"L": "cup"}), ("both", {"L": "cup", "R": "cup"}), ("worn", {}), (None, {"R": "cup"})],
 )
 def test_a_thing_is_held_as_the_script_says(grip: Grip | None, held: dict[Hand, str]) -> None:
-    person = Person("ann", 1.0, held={"R": "cup"})
-    person.hold_as("cup", grip)
+    person = StagedPerson("ann", 1.0, held={"R": "cup"})
+    person.set_grip("cup", grip)
     assert person.held == held
 
 
 def test_a_hand_that_holds_something_else_keeps_it() -> None:
-    person = Person("ann", 1.0, held={"R": "cup", "L": "lamp"})
-    person.hold_as("cup", "left")
+    person = StagedPerson("ann", 1.0, held={"R": "cup", "L": "lamp"})
+    person.set_grip("cup", "left")
     assert person.held == {"R": "cup", "L": "lamp"}
 
 
 @pytest.mark.parametrize("grip", sorted(ON_BODY))
 def test_what_is_on_the_body_leaves_the_hands_free(grip: Grip) -> None:
-    person = Person("ann", 1.0, held={"R": "cup", "L": "lamp"})
-    person.hold_as("cup", grip)
+    person = StagedPerson("ann", 1.0, held={"R": "cup", "L": "lamp"})
+    person.set_grip("cup", grip)
     assert person.held == {"L": "lamp"} and person.on_body == {"cup": grip}
     person.let_go("cup")
     assert not person.on_body
@@ -56,9 +56,9 @@ def test_a_grip_says_where_on_the_body_a_thing_is(grip: Grip, key: str, place: B
 def test_what_is_worn_is_shown_once_and_is_in_no_hand(dressed: bool) -> None:
     hat = _asset("hat", None)
     ann = _asset("ann", CharacterLook(garments=(Garment(key="hat"),) if dressed else ()))
-    person = Person("ann", 1.0, on_body={"hat": "worn"}, present=True)
+    person = StagedPerson("ann", 1.0, on_body={"hat": "worn"}, present=True)
     shot = ShotContext(scene_id=1, shot_id=1, on_stage=("ann",), camera_instruction=CameraInstruction())
-    (state,) = whereabouts(shot, ["hat"], {}, lambda _: person, {"hat": hat, "ann": ann})
+    (state,) = find_prop_states(shot, ["hat"], {}, lambda _: person, {"hat": hat, "ann": ann})
     assert (state.held_by, state.hand) == ("ann", None)
     assert (state.visible, state.place) == ((False, None) if dressed else (True, "head"))
 

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from storyblender.agents.visual_effects_artist.vehicle_doors import gets_out, with_open_doors
+from storyblender.agents.visual_effects_artist.vehicle_doors import add_open_doors, is_getting_out
 from storyblender.catalog.states import DOORS_CLOSED, after, looks_in
 from storyblender.memory.asset_sheet import Anchor, Asset, CanonicalAsset
 from storyblender.memory.scene_context import LayoutObject
@@ -35,8 +35,8 @@ def _shot(number: int, door: str | None, *, boards: bool = False, aboard: bool =
 
 
 def _states(*shots: ShotContext) -> list[list[str]]:
-    done = with_open_doors(shots, (_PLACE,), (_CAR,))
-    assert with_open_doors(done, (_PLACE,), (_CAR,)) == done, "staged again, it is the same"
+    done = add_open_doors(shots, (_PLACE,), (_CAR,))
+    assert add_open_doors(done, (_PLACE,), (_CAR,)) == done, "staged again, it is the same"
     return [[change.state for change in shot.asset_modifications] for shot in done]
 
 
@@ -73,4 +73,6 @@ def test_an_open_door_is_built_open_and_the_others_are_not() -> None:
     ],
 )
 def test_words_tell_who_gets_out(words: str, out: bool) -> None:
-    assert gets_out(CharacterAction(asset_id="tom", action_description=words, motion="walk", target_id="car")) == out
+    assert (
+        is_getting_out(CharacterAction(asset_id="tom", action_description=words, motion="walk", target_id="car")) == out
+    )

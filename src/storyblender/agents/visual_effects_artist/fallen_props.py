@@ -1,4 +1,4 @@
-"""Things that are tipped over, spilled or broken: from the shot that says so on, they lie on their side. Pure."""
+"""Props that the script tips over, spills or breaks: from that shot on they lie on their side."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import PropState, ShotContext
 
 
-class Fallen:
+class FallenProps:
     """Things lying on their side, carried from shot to shot.
 
     Args:
         assets: Assets of the scene, with their sizes.
         objects: The layout, for the positions of things that have not been moved.
-        found: States in which things are as the scene opens.
+        found: States of things as the scene opens, by asset id.
     """
 
     def __init__(
@@ -32,13 +32,15 @@ class Fallen:
         down = (name for name, states in found.items() if LYING & {*states})
         self._down: dict[str, None] = {name: None for name in down if self._can_fall(name)}
 
-    def lay(self, shot: ShotContext, states: tuple[PropState, ...], lying: Mapping[str, Vec3]) -> tuple[PropState, ...]:
+    def add_fallen(
+        self, shot: ShotContext, states: tuple[PropState, ...], lying: Mapping[str, Vec3]
+    ) -> tuple[PropState, ...]:
         """Return the prop states of a shot, including fallen things on their side.
 
         Args:
             shot: The shot; its state changes are applied first.
-            states: States of everything that has left its place.
-            lying: Positions of things that are not held.
+            states: States of all props that have left their places.
+            lying: Positions of props that nobody holds, by asset id.
         """
         for change in shot.asset_modifications:
             if change.state in LYING and self._can_fall(change.asset_id):
@@ -59,4 +61,5 @@ class Fallen:
         return tuple(kept.values())
 
     def _can_fall(self, name: str) -> bool:
+        """Tell whether a thing (asset id) is of a shape that falls over."""
         return name in self._sizes and topples(self._sizes[name])

@@ -20,11 +20,11 @@ from tests.unit.agents.visual_effects_artist.test_animator import (
 )
 
 from storyblender.agents.visual_effects_artist.animator import RulesAnimator, ShotStaging
-from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
 from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.agents.visual_effects_artist.handling import Handling
-from storyblender.agents.visual_effects_artist.meetings import PARTED
+from storyblender.agents.visual_effects_artist.interactions import DISTANCE_AFTER_EMBRACE
+from storyblender.agents.visual_effects_artist.stage_state import StageState
 from storyblender.memory.shot_context import BodyState, ShotContext
 
 
@@ -49,14 +49,16 @@ def test_the_last_embrace_lasts_to_the_end_of_the_shot_and_the_next_finds_them_a
     apart = [math.dist(_end(first, "rick").location, _end(first, "ilsa").location)]
     apart.append(math.dist(_start(second, "rick").location, _start(second, "ilsa").location))
     assert apart[0] < 0.5
-    assert apart[1] == pytest.approx(PARTED, abs=0.1)
+    assert apart[1] == pytest.approx(DISTANCE_AFTER_EMBRACE, abs=0.1)
 
 
 def test_who_has_more_to_do_steps_back_from_an_embrace_first() -> None:
     (shot,) = _stage(_shot(1, _do("rick", "kiss", target_id="ilsa"), _do("ilsa", "wave", target_id="rick")))
     kiss = next(cue for cue in shot.cues if cue.clip == "kiss")
     assert kiss.mark == _end(shot, "rick")
-    assert math.dist(_end(shot, "rick").location, _end(shot, "ilsa").location) == pytest.approx(PARTED, abs=0.1)
+    assert math.dist(_end(shot, "rick").location, _end(shot, "ilsa").location) == pytest.approx(
+        DISTANCE_AFTER_EMBRACE, abs=0.1
+    )
 
 
 def _with_luggage(*shots: ShotContext) -> tuple[ShotStaging, ...]:
@@ -141,10 +143,10 @@ def test_of_two_who_sit_too_far_apart_the_one_who_gives_gets_up() -> None:
 
 
 def test_who_puts_something_aside_across_themselves_turns_to_it() -> None:
-    company = Company(Floor(LAYOUT, ASSETS, PLAN), (_thing("lamp", (0.1, 0.1, 0.3)), *ASSETS), LAYOUT.objects)
-    sheet = CueSheet(company, 9.0, 24, set(), {}, ())
-    rick, ilsa = company.people["rick"], company.people["ilsa"]
+    stage = StageState(Floor(LAYOUT, ASSETS, PLAN), (_thing("lamp", (0.1, 0.1, 0.3)), *ASSETS), LAYOUT.objects)
+    sheet = CueSheet(stage, 9.0, 24, set(), {}, ())
+    rick, ilsa = stage.people["rick"], stage.people["ilsa"]
     rick.present = ilsa.present = True
     rick.place, rick.held, ilsa.place = (0.0, -1.0), {"R": "lamp"}, (-0.55, -1.1)  # on the right of who faces -Y
-    Handling(company, sheet).put_props_aside(rick, ["lamp"], 0.0)
+    Handling(stage, sheet).put_props_aside(rick, ["lamp"], 0.0)
     assert [cue.clip for cue in sheet.cues] == ["turn", "put_down"]

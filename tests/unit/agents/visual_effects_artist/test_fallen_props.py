@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from types import SimpleNamespace
 
-from storyblender.agents.visual_effects_artist.fallen import Fallen
+from storyblender.agents.visual_effects_artist.fallen_props import FallenProps
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import AssetModification, PropState
@@ -22,23 +22,23 @@ def _shot(*changes: tuple[str, str]):
     return SimpleNamespace(asset_modifications=made)
 
 
-def _fallen() -> Fallen:
+def _fallen() -> FallenProps:
     homes = [LayoutObject(node_id=name, asset_id=name, location=(1.0, 2.0, 0.75)) for name in ("vase", "plate")]
-    return Fallen([_asset("vase", 0.4), _asset("plate", 0.02)], homes)
+    return FallenProps([_asset("vase", 0.4), _asset("plate", 0.02)], homes)
 
 
 def test_it_lies_on_its_side_from_the_shot_that_tells_it_on() -> None:
     fallen = _fallen()
-    assert fallen.lay(_shot(), (), {}) == ()  # type: ignore[arg-type]
-    (state,) = fallen.lay(_shot(("vase", "tipped")), (), {})  # type: ignore[arg-type]
+    assert fallen.add_fallen(_shot(), (), {}) == ()  # type: ignore[arg-type]
+    (state,) = fallen.add_fallen(_shot(("vase", "tipped")), (), {})  # type: ignore[arg-type]
     assert state.rotation[0] == 90 and state.location == (1.0, 2.0, 0.85)
-    (later,) = fallen.lay(_shot(), (), {})  # type: ignore[arg-type]
+    (later,) = fallen.add_fallen(_shot(), (), {})  # type: ignore[arg-type]
     assert later == state
-    assert fallen.lay(_shot(("vase", "upright")), (), {}) == ()  # type: ignore[arg-type]
+    assert fallen.add_fallen(_shot(("vase", "upright")), (), {}) == ()  # type: ignore[arg-type]
 
 
 def test_what_is_flat_or_held_does_not_lie() -> None:
     fallen = _fallen()
-    assert fallen.lay(_shot(("plate", "tipped")), (), {}) == ()  # type: ignore[arg-type]
+    assert fallen.add_fallen(_shot(("plate", "tipped")), (), {}) == ()  # type: ignore[arg-type]
     held = PropState(asset_id="vase", held_by="nora", hand="R")
-    assert fallen.lay(_shot(("vase", "spilled")), (held,), {}) == (held,)  # type: ignore[arg-type]
+    assert fallen.add_fallen(_shot(("vase", "spilled")), (held,), {}) == (held,)  # type: ignore[arg-type]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from types import SimpleNamespace
 
-from storyblender.agents.visual_effects_artist.menagerie import Menagerie
+from storyblender.agents.visual_effects_artist.animals import Animals
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import CharacterAction
@@ -19,12 +19,12 @@ DOG = Asset(
 )
 
 
-def _menagerie() -> Menagerie:
+def _menagerie() -> Animals:
     floor = SimpleNamespace(free_near=lambda wish, *_, **__: wish, thing=lambda name: None)
     nora = SimpleNamespace(place=(3.0, 0.0), present=True)
-    company = SimpleNamespace(floor=floor, people={"nora": nora}, enter_marks=lambda: [(-4.0, 0.0)])
+    stage = SimpleNamespace(floor=floor, people={"nora": nora}, enter_marks=lambda: [(-4.0, 0.0)])
     home = LayoutObject(node_id="dog", asset_id="dog", location=(0.0, 0.0, 0.0))
-    return Menagerie(company, [DOG], [home])  # type: ignore[arg-type]
+    return Animals(stage, [DOG], [home])  # type: ignore[arg-type]
 
 
 def _shot(motion: str, target: str | None = None, words: str = "goes"):

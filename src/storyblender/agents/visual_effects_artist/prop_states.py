@@ -1,11 +1,11 @@
-"""Where every prop that left its place is in a shot: in a hand, on a body, on its new place, or out of sight. Pure."""
+"""The state of every prop that has left its place: in a hand, on a body, lying somewhere else, or out of sight."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 
-from storyblender.agents.visual_effects_artist.person import Person
-from storyblender.agents.visual_effects_artist.told_things import without_absent
+from storyblender.agents.visual_effects_artist.person import StagedPerson
+from storyblender.agents.visual_effects_artist.scripted_props import hide_absent_props
 from storyblender.catalog.carrying import place_of
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Vec3
@@ -13,30 +13,30 @@ from storyblender.memory.shot_context import PropState, ShotContext
 from storyblender.memory.vocabulary import BodyPlace
 
 
-def whereabouts(
+def find_prop_states(
     shot: ShotContext,
     touched: Iterable[str],
     lying: Mapping[str, Vec3],
-    holder: Callable[[str], Person | None],
+    holder: Callable[[str], StagedPerson | None],
     assets: Mapping[str, Asset],
 ) -> tuple[PropState, ...]:
-    """Return the states of the props that have left their places.
+    """Return the states of the props that have left their places in the layout.
 
     Args:
         shot: The shot.
-        touched: Asset ids of props that have left their places in the layout.
-        lying: Positions of what nobody has.
-        holder: The person with the prop.
-        assets: Of the scene, by asset id.
+        touched: Asset ids of these props.
+        lying: Position in metres of each prop that nobody has, by asset id.
+        holder: Returns the person who has a prop.
+        assets: Assets of the scene by asset id.
     """
     states, instruction = [], shot.camera_instruction
     inserted = instruction.focus_on_ids if instruction.kind == "insert" else ()
     for prop in touched:
         person, place = holder(prop), lying.get(prop)
         if place is None and prop in inserted and (person is None or person.asset_id not in shot.on_stage):
-            continue  # a picture shows the thing: it stays where the scene has it
+            continue  # an insert shows the thing: it stays at its layout place
         if person is not None and person.asset_id in shot.on_stage:
-            hand, on = person.hand_of(prop), _place_on(person, prop, assets)
+            hand, on = person.hand_of(prop), _find_body_place(person, prop, assets)
             seen = hand is not None or on is not None
             states.append(PropState(asset_id=prop, visible=seen, held_by=person.asset_id, hand=hand, place=on))
         elif person is not None:
@@ -44,11 +44,11 @@ def whereabouts(
         else:
             location = (round(place[0], 3), round(place[1], 3), round(place[2], 3)) if place else None
             states.append(PropState(asset_id=prop, visible=place is not None, location=location))
-    return without_absent(tuple(states), shot)
+    return hide_absent_props(tuple(states), shot)
 
 
-def _place_on(person: Person, prop: str, assets: Mapping[str, Asset]) -> BodyPlace | None:
-    """Return where on the body a thing is; None if a hand has it or the person's own clothes show it already."""
+def _find_body_place(person: StagedPerson, prop: str, assets: Mapping[str, Asset]) -> BodyPlace | None:
+    """Return the body part on which a person carries a prop; None if a hand has it or their clothes already show it."""
     if prop not in person.on_body:
         return None
     canonical = assets[prop].canonical if prop in assets else None
