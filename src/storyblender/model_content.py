@@ -1,4 +1,4 @@
-"""What tells a user's model from any other: a digest of its content."""
+"""What tells a user's model from any other: a digest of its file and of the credits files that apply to it."""
 
 from __future__ import annotations
 
@@ -7,12 +7,34 @@ from pathlib import Path
 
 MOST_BYTES = 256 << 20
 """A larger model is not read, so of that only the size counts."""
+CREDITS = "credits.toml"
+"""File in a folder of models that says whose work the models in it and below it are."""
 
 
-def content_of(path: Path) -> str:
-    """Return what a model's content is known by: a changed model is another model."""
+def credit_files(path: Path, folder: Path) -> list[Path]:
+    """Return the credits files that apply to a model, the nearest first.
+
+    Args:
+        path: Of the model: ``chair.glb`` has ``chair.credits.toml`` beside it, or a ``credits.toml`` there or above.
+        folder: The folder of models; nothing above it is looked at.
+    """
+    places = [place for place in path.parents if place == folder or folder in place.parents]
+    names = [path.with_name(f"{path.stem}.{CREDITS}"), *(place / CREDITS for place in places)]
+    return [name for name in names if name.is_file()]
+
+
+def content_of(path: Path, folder: Path) -> str:
+    """Return what a model's content is known by: a changed model, or one with other credits, is another model.
+
+    Args:
+        path: Of the model.
+        folder: Its folder of models.
+    """
     size = path.stat().st_size
     if size > MOST_BYTES:
         return f"{size} bytes"
     with path.open("rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()[:16]
+        digest = hashlib.file_digest(file, "sha256")
+    for credits_file in credit_files(path, folder):
+        digest.update(credits_file.read_bytes())
+    return digest.hexdigest()[:16]

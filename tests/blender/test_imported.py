@@ -228,3 +228,16 @@ def test_a_blend_that_is_damaged_inside_is_one_sentence_and_no_crash(tmp_path):
             assert "\n" not in str(error)
             outcomes.append(error.problem)
     assert len(outcomes) == 12
+
+
+def test_the_credit_of_a_blend_is_that_of_its_asset(tmp_path):
+    obj = placed(build_prop("crate").mesh)
+    collection = bpy.data.collections.new("crate")
+    bpy.context.scene.collection.children.link(collection)
+    collection.objects.link(obj)
+    collection.asset_mark()
+    collection.asset_data.author, collection.asset_data.license = "Ann", "CC0-1.0"
+    path = written(tmp_path / "crate.blend")
+    assert (build_from_file(path).credit.author, build_from_file(path).credit.license) == ("Ann", "CC0-1.0")
+    (tmp_path / "credits.toml").write_text('author = "Bob"')
+    assert (build_from_file(path).credit.author, build_from_file(path).credit.license) == ("Bob", "CC0-1.0")

@@ -168,6 +168,7 @@ class AssetStore:
             anchors=(*build.anchors, *tops),
             faces=len(build.mesh.polygons),
             notes=build.notes,
+            credit=build.credit,
         )
 
     def _make_object(self, asset: Asset, digest: str) -> PropBuild:
@@ -193,11 +194,11 @@ class AssetStore:
         mend = "put it back, or run `storyblender make` with --models FOLDER"
         found: Path | None = None
         for folder in (*self._models, self._files.path(FETCHED)):
-            path = (folder / name).resolve()
-            if not path.is_relative_to(folder.resolve()):
+            path = folder / name
+            if not path.resolve().is_relative_to(folder.resolve()):
                 raise InputError(f"the model {name!r} lies outside the folder of models")
             if path.is_file():
-                if content in ("", content_of(path)):
+                if content in ("", content_of(path, folder)):
                     return path, folder
                 found = found or path
         if found is not None:

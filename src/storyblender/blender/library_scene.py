@@ -11,7 +11,7 @@ from storyblender.blender.asset_store import AssetStore
 from storyblender.blender.merge import merge_duplicates
 from storyblender.blender.tags import tag
 from storyblender.blender.tidying import tidy
-from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.asset_sheet import Asset, Provenance
 
 LIBRARY = "00_ASSET_LIBRARY"
 
@@ -39,11 +39,21 @@ def add_assets(assets: Sequence[Asset], store: AssetStore) -> None:
                 obj.location = place
         collection.asset_mark()
         collection.asset_data.description = asset.description
-        collection.asset_data.author = "StoryBlender"
+        _credit(collection.asset_data, asset.canonical.provenance)
         for word in asset.tags:
             collection.asset_data.tags.new(word, skip_if_exists=True)
     merge_duplicates()
     tidy(library.objects)
+
+
+def _credit(data: bpy.types.AssetMetaData, provenance: Provenance | None) -> None:
+    """Write whose work an asset is into its metadata."""
+    if provenance is None:
+        data.author = "StoryBlender"
+        return
+    data.author, data.license, data.copyright = provenance.author, provenance.license, provenance.copyright
+    origin = " ".join(part for part in (provenance.file, provenance.url) if part)
+    data.description = " - ".join(part for part in (data.description, origin) if part)
 
 
 def _canonical_objects(asset: Asset, store: AssetStore) -> list[bpy.types.Object]:

@@ -14,6 +14,7 @@ from types import MappingProxyType
 
 from storyblender.deliver.checklist import Check
 from storyblender.deliver.contact_sheet import sheets_in
+from storyblender.deliver.credits import CREDITS_FILE
 from storyblender.deliver.panel import Panel, cue_of, length_of, panels
 from storyblender.deliver.speech import subtitles
 from storyblender.memory.base import scene_name
@@ -26,6 +27,7 @@ FILES = (
     ("shots.csv", "Shot list"),
     ("timeline.otio", "Timeline"),
     ("animatic.mp4", "Animatic"),
+    (CREDITS_FILE, "Credits"),
 )
 
 UNFOLDED = 24

@@ -105,7 +105,7 @@ def _model_files(folders: Sequence[Path]) -> Iterator[ModelFile]:
     for place, folder in enumerate(folders):
         for path in sorted(folder.rglob("*")):
             if path.suffix.lower() in MODEL_SUFFIXES and path.is_file():
-                yield ModelFile(path.relative_to(folder).as_posix(), path, content_of(path), place)
+                yield ModelFile(path.relative_to(folder).as_posix(), path, content_of(path, folder), place)
 
 
 def _terms_of(names: Iterable[str]) -> tuple[Term, ...]:

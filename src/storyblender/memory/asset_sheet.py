@@ -12,7 +12,8 @@ from storyblender.memory.vocabulary import AssetType, Gender
 ParamValue = float | str | bool
 _Length = Annotated[float, Field(ge=0, le=1e5)]
 """Metres."""
-Note = Annotated[str, StringConstraints(max_length=500)]
+NOTE_LENGTH = 500
+Note = Annotated[str, StringConstraints(max_length=NOTE_LENGTH)]
 """A line of text from outside."""
 
 

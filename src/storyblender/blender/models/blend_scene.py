@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import bpy
 import numpy as np
 
 from storyblender.blender.models.addresses import readable
+from storyblender.blender.models.credits import credit_of
 from storyblender.blender.models.limits import MATERIALS, NODES, PARTS
 from storyblender.blender.models.parts import Part, checked, joined, within_bounds
 from storyblender.blender.models.pictures import clean_picture
 from storyblender.blender.models.plain import PlainMaterial, PlainModel
 from storyblender.errors import InputError
+from storyblender.memory.asset_sheet import Credit
 from storyblender.memory.base import Color
 
 _SOLID = frozenset(("MESH", "CURVE", "SURFACE", "FONT", "META"))
@@ -38,7 +41,9 @@ def read_scene(path: Path, folder: Path) -> PlainModel:
     Raises:
         InputError: It holds no mesh, is too large, or takes parts from elsewhere.
     """
+    credit = Credit()
     if path.suffix.lower() == ".blend":
+        credit = _credit(path)
         _append(path, folder)
     else:
         _import_gltf(path)
@@ -60,7 +65,18 @@ def read_scene(path: Path, folder: Path) -> PlainModel:
         within_bounds(vertices, faces)
         parts += _parts(obj, mesh, np.array(instance.matrix_world), shelf)
         obj.to_mesh_clear()
-    return checked(joined(parts)).with_materials(tuple(shelf.materials), tuple(dict.fromkeys(shelf.notes)))
+    model = checked(joined(parts)).with_materials(tuple(shelf.materials), tuple(dict.fromkeys(shelf.notes)))
+    return replace(model, credit=credit)
+
+
+def _credit(path: Path) -> Credit:
+    """Return what the asset metadata in a .blend says; of several assets the first that says something."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    with bpy.data.libraries.load(str(path), link=True, assets_only=True) as (source, target):
+        target.collections, target.objects = list(source.collections)[:PARTS], list(source.objects)[:PARTS]
+    marked = [block.asset_data for block in (*target.collections, *target.objects) if block and block.asset_data]
+    found = (credit_of(data.author, data.license, data.copyright) for data in marked)
+    return next((credit for credit in found if credit != Credit()), Credit())
 
 
 def _import_gltf(path: Path) -> None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.blender.models.blend import read_aside
+from storyblender.blender.models.credits import credit_in_gltf
 from storyblender.blender.models.document import Document, Json, read_document, whole
 from storyblender.blender.models.limits import CORNERS, DEPTH, MATERIALS, NODES, PARTS, PICTURES
 from storyblender.blender.models.parts import Part, joined, within_bounds
@@ -57,7 +59,8 @@ def read_gltf(path: Path, folder: Path) -> PlainModel:
         vertices, faces = vertices + len(part.vertices), faces + len(part.triangles)
         within_bounds(vertices, faces)
         parts.append(part)
-    return joined(parts).with_materials(materials, tuple(dict.fromkeys(notes)))
+    model = joined(parts).with_materials(materials, tuple(dict.fromkeys(notes)))
+    return replace(model, credit=credit_in_gltf(document.json.get("asset")))
 
 
 def _unpacked(document: Document, path: Path, folder: Path) -> PlainModel:
@@ -73,7 +76,7 @@ def _unpacked(document: Document, path: Path, folder: Path) -> PlainModel:
     for image in document.items("images"):
         if image.get("uri") is not None:
             clean_picture(document.resource(image["uri"], -1), str(image.get("name", ""))[:60])
-    return read_aside(path, folder)
+    return replace(read_aside(path, folder), credit=credit_in_gltf(document.json.get("asset")))
 
 
 # ---------------------------------------------------------------------- nodes

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.errors import InputError
+from storyblender.memory.asset_sheet import Credit
 from storyblender.memory.base import Color
 
 Floats = NDArray[np.float32]
@@ -62,6 +63,7 @@ class PlainModel:
         paint: (c, 3) scene-linear vertex colours, or (0, 3) if the file has none.
         materials: Of the faces.
         notes: Sentences about what was left out.
+        credit: Whose work it is, as the file says.
     """
 
     vertices: Floats
@@ -73,6 +75,7 @@ class PlainModel:
     paint: Floats
     materials: tuple[PlainMaterial, ...] = ()
     notes: tuple[str, ...] = field(default=())
+    credit: Credit = field(default_factory=Credit)
 
     def with_materials(self, materials: tuple[PlainMaterial, ...], notes: tuple[str, ...]) -> PlainModel:
         """Return the same surface with materials and further notes."""
@@ -89,7 +92,9 @@ def save(model: PlainModel, folder: Path) -> None:
     for index, material in enumerate(model.materials):
         (folder / f"{index}.picture").write_bytes(material.picture)
         materials.append({key: value for key, value in vars(material).items() if key != "picture"})
-    (folder / "model.json").write_text(json.dumps({"materials": materials, "notes": model.notes}))
+    (folder / "model.json").write_text(
+        json.dumps({"materials": materials, "notes": model.notes, "credit": dict(model.credit)})
+    )
 
 
 def load(folder: Path) -> PlainModel:
@@ -106,9 +111,10 @@ def load(folder: Path) -> PlainModel:
             PlainMaterial(picture=(folder / f"{index}.picture").read_bytes(), **_tuples(fields))
             for index, fields in enumerate(record["materials"])
         )
+        credit = Credit(**record["credit"])
     except (OSError, ValueError, KeyError, EOFError) as error:
         raise InputError("what was read of it is not whole") from error
-    return PlainModel(**arrays, materials=materials, notes=tuple(record["notes"]))
+    return PlainModel(**arrays, materials=materials, notes=tuple(record["notes"]), credit=credit)
 
 
 def _tuples(fields: dict[str, Any]) -> dict[str, Any]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import bpy
 import numpy as np
@@ -16,7 +16,7 @@ from storyblender.blender.props.registry import PropSpec, builders
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.writing import SCREENS, WRITING
 from storyblender.errors import InputError
-from storyblender.memory.asset_sheet import Anchor, AssetDimension, ParamValue
+from storyblender.memory.asset_sheet import Anchor, AssetDimension, Credit, ParamValue
 from storyblender.memory.base import Vec3
 
 
@@ -29,12 +29,14 @@ class PropBuild:
         anchors: What its builder declared; tops are found by ``measure.surfaces``.
         dimensions: Width, depth, height as built.
         notes: Sentences for the user about what was changed or left out; of models from files only.
+        credit: Whose work it is; of models from files only.
     """
 
     mesh: bpy.types.Mesh
     anchors: Anchors
     dimensions: Vec3
     notes: tuple[str, ...] = ()
+    credit: Credit = field(default_factory=Credit)
 
 
 def build_prop(

@@ -12,6 +12,7 @@ import numpy as np
 from storyblender.blender.measure.surfaces import level_field
 from storyblender.blender.models.addresses import readable
 from storyblender.blender.models.blend import read_blend
+from storyblender.blender.models.credits import with_files
 from storyblender.blender.models.gltf import read_gltf
 from storyblender.blender.models.obj import read_obj
 from storyblender.blender.models.plain import PlainModel
@@ -68,6 +69,7 @@ def build_from_file(
     model = read_model(path, folder or path.parent)
     mesh = build_mesh(model, path.stem[:40])
     entry, notes = called(name or path.stem), list(model.notes)
+    credit = with_files(model.credit, path, folder or path.parent, notes)
     if path.suffix.lower() == ".obj":
         _stand(mesh, entry, dimension, notes)
     extent = np.ptp(_points(mesh), axis=0)
@@ -83,7 +85,7 @@ def build_from_file(
     build = settle(mesh, places.anchors)
     if not build.anchors:
         build = replace(build, anchors=_grips(find_hold(_points(mesh), _triangles(mesh))))
-    return replace(build, notes=tuple(f"{path.name}: {note}" for note in notes))
+    return replace(build, notes=tuple(f"{path.name}: {note}" for note in notes), credit=credit)
 
 
 def read_model(path: Path, folder: Path) -> PlainModel:

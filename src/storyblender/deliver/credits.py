@@ -1,0 +1,46 @@
+"""``credits.md``: the models from outside that a storyboard shows, with author, licence and origin."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from storyblender.memory.asset_sheet import Provenance
+from storyblender.memory.graph import ContinuityMemoryGraph
+
+CREDITS_FILE = "credits.md"
+_COLUMNS = ("Shown as", "File", "Author", "Licence", "Copyright", "Origin", "SHA-256")
+_SPECIAL = re.compile(r"([\\`*_{}\[\]<>|#&])")
+_ADDRESS = re.compile(r"https?://[^\s<>|]+")
+_NOT_SAID = "not stated"
+
+
+def credited_models(graph: ContinuityMemoryGraph) -> dict[Provenance, list[str]]:
+    """Return every model from outside with the names of the assets that show it, in the order of the asset sheet."""
+    shown: dict[Provenance, list[str]] = {}
+    for asset in graph.assets:
+        if asset.canonical is not None and asset.canonical.provenance is not None:
+            shown.setdefault(asset.canonical.provenance, []).append(asset.name or asset.asset_id)
+    return shown
+
+
+def write_credits(graph: ContinuityMemoryGraph, part: Path) -> None:
+    """Write the credits as one Markdown table.
+
+    Args:
+        graph: The story.
+        part: The file to write.
+    """
+    rows = [_COLUMNS, ("---",) * len(_COLUMNS)]
+    for model, names in credited_models(graph).items():
+        told = (", ".join(names), model.file, model.author, model.license, model.copyright, model.url)
+        rows.append((*(_cell(text) for text in told), model.digest[:16]))
+    lines = ["# Credits", "", f"Models in “{_cell(graph.title)}” that are not part of StoryBlender.", ""]
+    part.write_text("\n".join([*lines, *(f"| {' | '.join(row)} |" for row in rows), ""]), encoding="utf-8")
+
+
+def _cell(text: str) -> str:
+    """Return text from outside as Markdown that shows it and does nothing else."""
+    if _ADDRESS.fullmatch(text):
+        return f"<{text}>"
+    return _SPECIAL.sub(r"\\\1", text) or _NOT_SAID
