@@ -1,8 +1,7 @@
-"""Facial expressions: shape keys, the sixteen expressions mixed from them, and their synonyms. Data."""
+"""Facial expressions: shape keys, the sixteen expressions mixed from them. Data."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 
 from storyblender.memory.vocabulary import Mood
@@ -61,36 +60,7 @@ OF_MOOD: Mapping[Mood, str] = {
 }  # fmt: skip
 """Mood to facial expression."""
 
-_WORDS: tuple[tuple[str, str], ...] = (
-    ("eyes_closed", r"(eyes|lids) (are |tightly )?(closed|shut)|shut eyes|closed eyes"),
-    ("neutral", r"neutral|blank|deadpan|expressionless|poker|calm|stoic|serene|impassive"),
-    ("cry", r"cry|tears?\b|teary|tearful|sob|weep|wail|bawl"),
-    ("laugh", r"laugh|giggl|chuckl|guffaw|hysteric|cackl"),
-    ("rage", r"rage|raging|furious|fury|shout|scream|yell|roar|livid|seeth"),
-    ("terrified", r"terrif|horrif|horror|panic|petrif|terror|scared to death|aghast"),
-    ("surprised", r"surpris|astonish|shock|amaz|stun|startl|gasp|wide.?eyed|jaw drop|gape|incredul|awe"),
-    ("disgusted", r"disgust|revolt|repuls|sneer|contempt|distaste|nause|sick"),
-    ("pained", r"pain|hurt|agon|winc|grimac|ache|suffer|strain|exert|effort"),
-    ("suspicious", r"suspici|wary|distrust|squint|doubt|skeptic|sceptic|narrow|sly|smirk|cunning|scheming"),
-    ("angry", r"ang(e)?r|cross|glar|scowl|frown|annoy|irritat|stern|grim|hostile|fierce|bitter|cold|snap|indignan"),
-    ("afraid", r"afraid|fear|anxi|nervous|worr|scare|frighten|alarm|tens|uneasy|concern|urgent|trembl"),
-    ("tender", r"tender|lov|gentl|warm|soft|fond|affection|kind|longing|wistful|grateful|touched"),
-    ("sad", r"\bsad|sorrow|grie|mourn|melanchol|gloom|heartbr|broken|depress|disappoint|pout|downcast|hopeless"),
-    ("tired", r"tired|weary|exhaust|sleepy|drows|fatigu|bored|worn out|drunk|dazed|weak"),
-    ("thoughtful", r"thought|ponder|pensive|puzzl|confus|curious|concentrat|focus|attentive|intent|studi|determin"),
-    ("smile", r"smil|happ|grin|beam|pleas|cheer|joy|delight|amus|content|excit|proud|glad|relie|bright|hope|joke"),
-)
-"""Expressions and their synonyms, the more distinctive ones first."""
-
 
 def values_of(weights: Mapping[str, float]) -> tuple[float, ...]:
     """Return the shape key values in the order of ``FACE``; missing keys are 0."""
     return tuple(weights.get(key, 0.0) for key in FACE)
-
-
-def expression_of(words: str) -> str | None:
-    """Return the expression that words mean: by its name, else by its synonyms; None without a match."""
-    said = words.strip().lower()
-    if said in EXPRESSIONS:
-        return said
-    return next((name for name, pattern in _WORDS if re.search(pattern, said)), None)

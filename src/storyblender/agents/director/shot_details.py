@@ -10,13 +10,14 @@ from string import capwords
 from storyblender.agents.director.camera_phrases import from_behind
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import frame_count, shot_seconds
+from storyblender.agents.director.feelings import mood_of
 from storyblender.agents.director.fine_motions import UNREAD, fine_motion
 from storyblender.agents.director.motion_families import GETTING, SPOKEN, TRAVEL
 from storyblender.agents.director.reading import Deed, SceneReading, Unit
 from storyblender.agents.director.scene_continuity import absent_until_brought
 from storyblender.agents.director.staging import Staging
 from storyblender.agents.director.story_assets import StoryAssets, unique
-from storyblender.agents.director.wording import deed_words, mood_of, wanted_camera
+from storyblender.agents.director.wording import deed_words, wanted_camera
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.places import find_kit
 from storyblender.memory.scene_context import Spot
@@ -270,7 +271,7 @@ class ShotDetails:
                     target_id=target if target in self.story.assets | self.story.fixtures else None,
                     prop_id=prop if prop in self.story.assets else None,
                     distance=deed.distance,
-                    mood=deed.mood if deed.mood != "neutral" else mood_of(face),
+                    mood=deed.mood if deed.mood != "neutral" else mood_of(face, direction=True),
                     line_index=index,
                 )
             )
@@ -278,7 +279,9 @@ class ShotDetails:
         for person, face in unit.expressions.items():
             if person in self.story.actors and person not in acting and person != unit.speaker:
                 found.append(
-                    CharacterAction(asset_id=person, action_description=face, mood=mood_of(face), line_index=index)
+                    CharacterAction(
+                        asset_id=person, action_description=face, mood=mood_of(face, direction=True), line_index=index
+                    )
                 )
         return found
 
@@ -296,7 +299,7 @@ class ShotDetails:
                 action_description=f"speaks to {self.story.names[to]}" if to else "speaks",
                 motion=motion,
                 target_id=to,
-                mood=spoken.mood if spoken and spoken.mood != "neutral" else mood_of(words),
+                mood=spoken.mood if spoken and spoken.mood != "neutral" else mood_of(words, direction=True),
                 line_index=index,
             )
         ]

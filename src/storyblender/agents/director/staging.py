@@ -8,9 +8,9 @@ from itertools import takewhile
 from typing import get_args
 
 from storyblender.agents.director.draft import ShotDraft
+from storyblender.agents.director.feelings import expression_of
 from storyblender.agents.director.motion_families import GETTING, HOLDING, PARTING, PORTABLE, POSES, POSING, TRAVEL
 from storyblender.agents.director.reading import Deed, Unit
-from storyblender.agents.director.wording import expression_of
 from storyblender.memory.scene_context import Spot
 from storyblender.memory.shot_context import BodyState
 from storyblender.memory.vocabulary import Expression, GazeDirection, Grip, Posture

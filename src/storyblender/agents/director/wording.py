@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from typing import Final, get_args
+from typing import Final
 
 from storyblender.agents.director.draft import ShotDraft
 from storyblender.agents.director.lexicon import ADJECTIVES, DETERMINERS, POSSESSIVES, PREPOSITIONS
@@ -12,39 +12,9 @@ from storyblender.agents.director.reading import Deed, Thing, Unit
 from storyblender.catalog.props.variants import COLORS, MATERIALS, PLAIN, TOY_WORDS
 from storyblender.memory.camera_words import camera_sentence, listed
 from storyblender.memory.shot_context import CameraInstruction
-from storyblender.memory.vocabulary import Expression, Mood
 from storyblender.screenplay.comments import without_comments
 from storyblender.screenplay.cues import strip_emphasis
 
-_MOODS: Final[dict[Mood, str]] = {
-    "happy": "happ|smil|grin|laugh|cheer|joy|delight|amus|beam|excited|proud|playful",
-    "sad": "sad|tear|cry|sob|weep|grie|mourn|broken|bitter|lonel|regret|heartbroken",
-    "angry": "angr|furious|rage|scowl|glare|frown|snarl|yell|shout|harsh|cold|snap|spit|hiss|annoy|irritat|stern",
-    "afraid": "afraid|fear|scare|terrif|panic|nervous|trembl|shak|anxious|worr|pale|alarm|frantic|horrif|startl",
-    "tender": "tender|gentl|soft|warm|kind|lov|sooth|affection",
-}
-_EXPRESSIONS: Final[dict[Expression, str]] = {
-    "terrified": "terrif|horror|horrif|aghast|scream",
-    "rage": "rage|furious|fury|livid|yell|snarl|roar|bellow",
-    "cry": "cry|cries|crying|sob|weep|tears|in tears|bawl",
-    "laugh": "laugh|giggl|chuckl|guffaw|crack(?:s|ed|ing)? up|hilar",
-    "surprised": "surpris|startl|amaz|astonish|shock|stunn|gasp|wide-eyed|jaw drop|double take|baffl|confus",
-    "disgusted": "disgust|revolt|nause|sneer|contempt|distast|repuls",
-    "pained": "pain|winc|grimac|hurt|agony|ache|groan",
-    "afraid": "afraid|fear|scare|panic|nervous|trembl|anxious|worr|alarm|uneasy|tense|dread",
-    "angry": "angr|scowl|glar|frown|harsh|cold|hiss|annoy|irritat|stern|grim|cross|sulk",
-    "suspicious": "suspic|squint|narrow|sceptic|skeptic|doubt|wary|sly|smirk",
-    "thoughtful": "thought|pensiv|ponder|consider|concentrat|puzzl|curious|intent|focus|serious|dreamy|absent",
-    "tired": "tired|weary|exhaust|sleepy|drows|yawn|bored|dull|drained",
-    "tender": "tender|gentl|soft|warm|kind|lov|sooth|affection|fond",
-    "sad": "sad|grie|mourn|broken|bitter|lonel|regret|wistful|melanchol|disappoint|crestfallen|glum|unhapp|sorry",
-    "smile": "smil|grin|happ|cheer|joy|delight|amus|beam|excited|proud|playful|pleased|relie|content|triumph|hopeful",
-}
-"""Stems of the words for each expression, the stronger first."""
-_MOOD_OF_EXPRESSION: Final[dict[Expression, Mood]] = {
-    "smile": "happy", "laugh": "happy", "sad": "sad", "cry": "sad", "pained": "sad", "angry": "angry", "rage": "angry",
-    "disgusted": "angry", "afraid": "afraid", "terrified": "afraid", "tender": "tender",
-}  # fmt: skip
 _LOOSE_END: Final = re.compile(
     r"[\s,;]*(?:\b(?:with|and|then|while|as|but|until|till|who|in|on)\b)?[\s,;]*(?:\b(?:an?|the|his|her|he|she|they|it)\b)?[\s,;.]*$",
     re.IGNORECASE,
@@ -53,34 +23,6 @@ _LOOSE_END: Final = re.compile(
 _DETERMINERS: Final = DETERMINERS | POSSESSIVES
 _DESCRIBING: Final = COLORS.keys() | MATERIALS.keys() | PLAIN | TOY_WORDS
 _MOTION_WORDS: Final = {"idle": "is there", "talk": "speaks", "whisper": "whispers", "shout": "shouts", "sing": "sings"}
-
-
-def mood_of(words: str) -> Mood:
-    """Return the mood that a parenthetical or an expression names; tenderness only where nothing stronger is said."""
-    named = mood_of_expression(expression_of(words)) if words in get_args(Expression) else "neutral"
-    if named != "neutral":
-        return named
-    for mood, pattern in _MOODS.items():
-        if re.search(rf"\b(?:{pattern})", words.lower()):
-            return mood
-    return "neutral"
-
-
-def expression_of(words: str) -> Expression:
-    """Return the expression that a description of a face means: one of the sixteen by name, else by word stems."""
-    plain = words.lower().strip()
-    for expression in get_args(Expression):
-        if plain == expression:
-            return expression
-    for expression, stems in _EXPRESSIONS.items():
-        if re.search(rf"\b(?:{stems})", plain):
-            return expression
-    return "neutral"
-
-
-def mood_of_expression(expression: Expression) -> Mood:
-    """Return the mood in which a person with this expression speaks and acts."""
-    return _MOOD_OF_EXPRESSION.get(expression, "neutral")
 
 
 def one_line(text: str) -> str:

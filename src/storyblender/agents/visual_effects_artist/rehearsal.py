@@ -105,7 +105,7 @@ class Rehearsal:
                 sheet.clock = began + GROUP_DELAY
             began = sheet.clock
             if clip_of(action.motion).key in SPOKEN:
-                speeches.add_speech(action, person, seconds.get(number, 2.0), lines, cast)
+                speeches.add_speech(action, person, seconds.get(number, 2.0), cast)
             else:
                 actions.add_action(action, person, shot.character_actions[number + 1 :])
         speeches.add_idle_looks(shot, cast)

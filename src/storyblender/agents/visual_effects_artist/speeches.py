@@ -12,16 +12,8 @@ from storyblender.agents.visual_effects_artist.stage_state import StageState
 from storyblender.catalog.motions import MOTIONS, clip_of
 from storyblender.memory.outline import ScriptLine
 from storyblender.memory.shot_context import CharacterAction, Cue, ShotContext
-from storyblender.memory.vocabulary import Mood
 
 SPOKEN = ("talk", "whisper", "shout")
-PARENTHETICALS: tuple[tuple[str, Mood], ...] = (
-    (r"angr|furious|shout|snap|cold|bitter|rage", "angry"),
-    (r"smil|laugh|happ|cheer|excit|grin|joke|bright|amus", "happy"),
-    (r"sad|tear|cry|sob|quiet|broken|weary|tired|mourn", "sad"),
-    (r"afraid|scared|nervous|panick|trembl|whisper|urgent|alarm", "afraid"),
-    (r"soft|tender|gentl|warm|lov|kind", "tender"),
-)
 
 
 class Speeches:
@@ -53,12 +45,9 @@ class Speeches:
         action: CharacterAction,
         person: StagedPerson,
         seconds: float,
-        lines: Sequence[ScriptLine],
         cast: Sequence[StagedPerson],
     ) -> None:
         """Write a speech, and what everybody else does meanwhile."""
-        line = _line_of_action(action, lines)
-        mood = action.mood if action.mood != "neutral" else mood_of(line.parenthetical if line else "")
         partner = self.stage.people.get(action.target_id or "")
         others = [p for p in cast if p is not person and p.posture != "asleep"]
         if partner is None or not partner.present or partner is person:
@@ -72,7 +61,7 @@ class Speeches:
         elif partner is not None and person.upright:  # words begin on the way: who has come turns to whom they address
             turned = self.sheet.turn_to_person(person, partner, walking)
         target = partner.asset_id if partner else None
-        end = self.sheet.add_cue(person, clip_of(action.motion).key, start, seconds, target_id=target, mood=mood)
+        end = self.sheet.add_cue(person, clip_of(action.motion).key, start, seconds, target_id=target, mood=action.mood)
         for listener in others:
             if listener.busy <= start + 0.3:
                 if math.dist(listener.place, person.place) < 6:
@@ -107,15 +96,6 @@ class Speeches:
                 self.sheet.cues.append(
                     Cue(asset_id=person.asset_id, clip="look", start=0, duration=12, target_id=target)
                 )
-
-
-def mood_of(parenthetical: str) -> Mood:
-    """Return the mood a parenthetical asks for."""
-    words = parenthetical.lower()
-    for pattern, mood in PARENTHETICALS:
-        if re.search(pattern, words):
-            return mood
-    return "neutral"
 
 
 def _line_of_action(action: CharacterAction, lines: Sequence[ScriptLine]) -> ScriptLine | None:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 from storyblender.agents.director.breakdown import storyboard
+from storyblender.agents.director.feelings import expression_of
 from storyblender.agents.director.reader import read_script
 from storyblender.agents.director.reading import Reading
 from storyblender.agents.director.settings import DirectorSettings
-from storyblender.agents.director.wording import expression_of
 from storyblender.memory.graph import Storyboard
 from storyblender.memory.scene_context import Spot
 from storyblender.memory.shot_context import BodyState, ShotContext, Tether

@@ -233,10 +233,13 @@ def test_who_leaves_walks_to_the_door() -> None:
 def test_speeches_are_timed_over_the_shot_and_heard() -> None:
     span = SourceSpan(start=0, end=1)
     lines = (
-        ScriptLine(kind="dialogue", text="word " * 10, span=span, speaker="rick", parenthetical="angrily"),
+        ScriptLine(kind="dialogue", text="word " * 10, span=span, speaker="rick"),
         ScriptLine(kind="dialogue", text="word " * 5, span=span, speaker="ilsa"),
     )
-    talk = (_do("rick", "talk", target_id="ilsa", line_index=0), _do("ilsa", "talk", target_id="rick", line_index=1))
+    talk = (
+        _do("rick", "talk", target_id="ilsa", line_index=0, mood="angry"),
+        _do("ilsa", "talk", target_id="rick", line_index=1),
+    )
     (shot,) = _stage(_shot(1, *talk, seconds=7), lines={1: lines})
     first, second = (cue for cue in shot.cues if cue.clip == "talk")
     assert first.mood == "angry"

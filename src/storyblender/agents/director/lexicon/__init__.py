@@ -218,7 +218,7 @@ WEATHER_WORDS: dict[str, Weather] = cast(dict[str, Weather], _pairs(_time["weath
 
 EXPRESSION_OF_WORD = cast(dict[str, Expression], _inverse(_read("expressions.tsv")))
 """Word describing a person, in any form -> facial expression."""
-MOOD_OF_WORD = _inverse(_read("moods.tsv"))
+MOOD_OF_WORD = cast(dict[str, Mood], _inverse(_read("moods.tsv")))
 
 # -- function words ----------------------------------------------------------------------------------------------
 PRONOUNS = _pairs(_function["pronoun"])
@@ -234,14 +234,6 @@ ADJECTIVES, OTHER_VERBS = _wordnet["adjective"], _wordnet["verb"]
 """Words that are adjectives before all; verbs whose motion nobody knows."""
 NOT_PEOPLE = frozenset(_function["caps"])
 """Words in capitals that are never people: noises, title cards, transitions."""
-
-
-def mood_of(text: str) -> Mood:
-    """The first mood a text names; neutral where it names none."""
-    for word in text.lower().replace(",", " ").replace(".", " ").split():
-        if word in MOOD_OF_WORD:
-            return cast(Mood, MOOD_OF_WORD[word])
-    return "neutral"
 
 
 def noun_class(key: str) -> NounClass:

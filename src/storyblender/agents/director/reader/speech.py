@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import lru_cache
 
 from storyblender.agents.director import lexicon
+from storyblender.agents.director.feelings import mood_of
 from storyblender.agents.director.reader.action import read_action
 from storyblender.agents.director.reader.bearing.calls import is_far_end, joins, take_call
 from storyblender.agents.director.reader.language.morphology import FORMS
@@ -145,7 +146,7 @@ def _say(stage: Stage, speaker: Person, speech: Speech, prose: bool, at: int) ->
         stage.inventory.seen(thing, "handled")
         unit.things.append(thing)
     unit.deeds = [deed for deed in unit.deeds if deed not in told]
-    mood = lexicon.mood_of(speech.parenthetical or speech.verb)
+    mood = mood_of(speech.parenthetical or speech.verb)
     unit.deeds.append(Deed(speaker.id, manner, listener.id if listener else None, at=at, verb=speech.verb, mood=mood))
     if listener and listener.id not in stage.scene.on:
         discourse.subjects, discourse.last_speaker, discourse.last_listener = [speaker], speaker, None

@@ -6,6 +6,7 @@ import re
 from itertools import pairwise
 
 from storyblender.agents.director import lexicon
+from storyblender.agents.director.feelings import mood_of
 from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.language.words import joined
 from storyblender.agents.director.reader.people.roles import Place, Roles
@@ -81,7 +82,7 @@ def act(stage: Stage, clause: Clause, roles: Roles, motion: str) -> list[Deed]:
         for person in actors
     ]
     deeds = _mutual(stage, roles, deeds, motion)
-    mood = lexicon.mood_of(joined(stage.sentence.words))
+    mood = mood_of(joined(stage.sentence.words))
     for deed in deeds:
         deed.mood = mood
     deeds += _companions(roles, clause, motion)
