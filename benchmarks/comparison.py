@@ -15,8 +15,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from storyblender.agents.director.lexicon import CONJUNCTIONS, DETERMINERS, POSSESSIVES, PREPOSITIONS
-from storyblender.agents.director.reader.language.morphology import singular
 from storyblender.agents.director.reading import Person, Reading, Thing, Unit
+from storyblender.catalog.inflection import singular
 from storyblender.catalog.motions import clip_of
 from storyblender.catalog.sets.places import kit_of
 from storyblender.memory.scene_context import SceneSetup

@@ -24,9 +24,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from storyblender.agents.director.reader import read_script
-from storyblender.agents.director.reader.language.morphology import singular
 from storyblender.agents.director.reader.people.roster import bare
 from storyblender.agents.director.reading import Person, Reading
+from storyblender.catalog.inflection import singular
 from storyblender.screenplay.source import read
 
 MEASURES = ("cast", "scene", "on-stage", "objects", "props", "action", "action+target", "relation", "pronoun")

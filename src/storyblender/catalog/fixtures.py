@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
+from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.openings import openings_of
-from storyblender.catalog.props.variants import singular, words_of
+from storyblender.catalog.props.variants import words_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box, yaw_along
 
@@ -56,7 +57,7 @@ def fixtures_called(plan: SetPlan, name: str | None) -> list[Fixture]:
         plan: The set.
         name: An id or words: ``doorway``, ``kitchen_window``, ``the back wall``.
     """
-    words = [singular(word) for word in words_of((name or "").replace("_", " "))]
+    words = [noun_key(word) for word in words_of((name or "").replace("_", " "))]
     if not words:
         return []
     last = words[-1]
@@ -85,7 +86,7 @@ def _fixtures(plan: SetPlan) -> Iterator[Fixture]:
         width, depth = (size * piece.scale for size in piece.footprint or (_MARK, _MARK))
         height = float(piece.params.get("tall", _TALL))
         box = Box(*piece.location, width, depth, height, math.radians(piece.yaw))
-        tags = (piece.part, *(singular(word) for word in piece.part.split("_")))
+        tags = (piece.part, *(noun_key(word) for word in piece.part.split("_")))
         yield Fixture(piece.node_id, "piece", box, tags)
     for mark in plan.marks:
         box = Box(*mark.location, _MARK, _MARK, 0.0, math.radians(mark.yaw))

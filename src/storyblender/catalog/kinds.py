@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from functools import cache
 from importlib.resources import files
 
-from storyblender.catalog.props.variants import singular, words_of
+from storyblender.catalog.inflection import noun_key
+from storyblender.catalog.props.variants import words_of
 
 
 def near_kind(words: Sequence[str]) -> tuple[str, str] | None:
@@ -15,7 +16,7 @@ def near_kind(words: Sequence[str]) -> tuple[str, str] | None:
     Args:
         words: Words of a noun phrase in lower case, head noun last; the longest listed suffix decides.
     """
-    phrase = tuple(singular(word) for word in words)
+    phrase = tuple(noun_key(word) for word in words)
     for start in range(len(phrase)):
         if (key := kinds().get(phrase[start:])) is not None:
             return key, " ".join(words[start:])
@@ -31,5 +32,5 @@ def kinds() -> dict[tuple[str, ...], str]:
             continue
         key, nouns = line.split("\t")
         for noun in nouns.split():
-            kinds.setdefault(tuple(singular(word) for word in words_of(noun)), key)
+            kinds.setdefault(tuple(noun_key(word) for word in words_of(noun)), key)
     return kinds

@@ -6,6 +6,8 @@ import re
 from dataclasses import dataclass
 from typing import Literal
 
+from storyblender.catalog.inflection import noun_key
+
 Ear = Literal["none", "round", "point", "long", "flop", "side", "fan"]
 Mouth = Literal["snout", "cone", "flat", "hook", "wide", "trunk"]
 Tail = Literal["none", "stub", "thin", "even", "bushy", "plume", "rings", "tuft", "hair", "paddle", "fan", "thick"]
@@ -216,7 +218,7 @@ _BY_WORD: dict[str, Species] = {word: each for each in SPECIES.values() for word
 
 def being_of(words: str) -> Species | None:
     """Return the robot or alien that a phrase names."""
-    said = {word.removesuffix("s") for word in re.findall(r"[a-z]+", words.lower())}
+    said = {noun_key(word) for word in re.findall(r"[a-z]+", words.lower())}
     return next((each for each in _BEINGS if said & {*each.words}), None)
 
 
@@ -224,7 +226,7 @@ def species_of(words: str) -> Species | None:
     """Return the species that a phrase names; its last known word, or pair of words, decides."""
     said = re.findall(r"[a-z]+", words.lower())
     for end in range(len(said), 0, -1):
-        for known in (" ".join(said[max(0, end - 2) : end]), said[end - 1], said[end - 1].removesuffix("s")):
+        for known in (" ".join(said[max(0, end - 2) : end]), said[end - 1], noun_key(said[end - 1])):
             if known in _BY_WORD:
                 return _BY_WORD[known]
     return None

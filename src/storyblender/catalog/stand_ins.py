@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Literal
 
+from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.registry import Catalog
 from storyblender.memory.base import Frozen, Identifier, Vec3
 
@@ -270,8 +271,8 @@ def guess_class(name: str, among: Iterable[StandIn] = ()) -> StandIn | None:
     """
     classes = tuple(among) or tuple(STAND_INS.values())
     for word in head_words(name):
-        for singular in (word, word.removesuffix("s"), word.removesuffix("es")):
+        for form in (word, noun_key(word)):
             for entry in classes:
-                if singular in entry.tags:
+                if form in entry.tags:
                     return entry
     return None

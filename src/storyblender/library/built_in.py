@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cache
 
+from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.kinds import near_kind
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.phrases import kept_words, noun_words
-from storyblender.catalog.props.variants import read_variant, singular, words_of
+from storyblender.catalog.props.variants import read_variant, words_of
 from storyblender.catalog.recipe import EXACT, HEAD, AssetQuery, Recipe
 from storyblender.folder import Folder
 from storyblender.library.matching import UNEXPLAINED, Likeness, Match, Term, by_words
@@ -83,7 +84,7 @@ def _meant(match: Match, phrase: str, means: Mapping[str, str]) -> str:
     """Return the prop that a match means in its place, by the plain word or by what that usually is."""
     if match.score < HEAD - 2 * UNEXPLAINED:
         return match.key
-    plain = [singular(word) for word in kept_words(words_of(phrase))]
+    plain = [noun_key(word) for word in kept_words(words_of(phrase))]
     called = len(plain) > 1 and any(" ".join(plain) in (each.name, *each.tags) for each in PROPS.values())
     word = plain[-1] if plain and not called else ""
     return means.get(word) or means.get(match.key, match.key)

@@ -12,9 +12,10 @@ from functools import cached_property
 
 import numpy as np
 
+from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.phrases import HEAPS, MODIFIERS, kept_words, thing_words
-from storyblender.catalog.props.variants import TOY_WORDS, singular, words_of
+from storyblender.catalog.props.variants import TOY_WORDS, words_of
 from storyblender.catalog.recipe import EXACT, HEAD, LEAST, AssetQuery
 from storyblender.catalog.stand_ins import STAND_INS
 from storyblender.ports import Embedder
@@ -118,13 +119,13 @@ class Likeness:
 
 def by_words(phrase: str, terms: tuple[Term, ...]) -> list[Match]:
     """Return matches of whole phrases and of their ends, best first, longer ends before shorter ones."""
-    full = [singular(word) for word in words_of(phrase)]
-    bare = [singular(word) for word in kept_words(words_of(phrase))]
+    full = [noun_key(word) for word in words_of(phrase)]
+    bare = [noun_key(word) for word in kept_words(words_of(phrase))]
     found: list[tuple[float, int, Match]] = []
     said = words_of(phrase)
     counted = bool(_NUMBERS & {*said}) or ("of" in said[1:] and said[said.index("of", 1) - 1] not in HEAPS)
     for term in terms:
-        name = tuple(singular(word) for word in term.words)
+        name = tuple(noun_key(word) for word in term.words)
         score, length = _fit(name, full, bare, term.is_name)
         if score > 0:
             score -= _OTHER_NUMBER * ((said[-1] == term.words[-1]) is counted)
@@ -155,7 +156,7 @@ def _fit(name: tuple[str, ...], full: list[str], bare: list[str], is_name: bool)
 
 def _begins_alike(word: str, other: str) -> bool:
     """Tell whether one word only begins like another, which the model takes for likeness: hatch and hatchet."""
-    short, long = sorted((singular(word), singular(other)), key=len)
+    short, long = sorted((noun_key(word), noun_key(other)), key=len)
     return short != long and long.startswith(short)
 
 

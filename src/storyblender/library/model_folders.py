@@ -7,8 +7,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePath
 
+from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.props.phrases import MODIFIERS, kept_words, noun_words
-from storyblender.catalog.props.variants import TOY_WORDS, singular, words_of
+from storyblender.catalog.props.variants import TOY_WORDS, words_of
 from storyblender.catalog.recipe import EXACT, AssetQuery, Recipe
 from storyblender.errors import InputError
 from storyblender.folder import Folder
@@ -125,14 +126,14 @@ def _named(phrase: str, files: Iterable[ModelFile], terms: tuple[Term, ...]) -> 
     A model whose name has the thing's noun and explains the words before it is the thing itself, in whatever order the
     name has them; of several the one comes first that shares most words with the phrase and has fewest others.
     """
-    said = {singular(word) for word in words_of(phrase)}
-    thing = [singular(word) for word in noun_words(phrase)]
+    said = {noun_key(word) for word in words_of(phrase)}
+    thing = [noun_key(word) for word in noun_words(phrase)]
     meant: list[tuple[int, int, int, str]] = []
     for file in files:
         name = words_of_file(file.name)
-        own = {singular(word) for word in name.words}
+        own = {noun_key(word) for word in name.words}
         unexplained = [word for word in thing[:-1] if word not in own | MODIFIERS | TOY_WORDS]
-        if thing and singular(name.noun) == thing[-1] and not unexplained:
+        if thing and noun_key(name.noun) == thing[-1] and not unexplained:
             meant.append((-len(own & said), len(own - said), file.place, file.name))
     matches = [Match(name, EXACT, f"its name has the noun {thing[-1]!r}") for *_, name in sorted(meant)]
     return best_of(matches + by_words(phrase, terms))

@@ -7,7 +7,7 @@ from typing import TypeVar
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reading import Person, Reading, Unit
-from storyblender.catalog.props.variants import singular
+from storyblender.catalog.inflection import noun_key
 from storyblender.memory.scene_context import Relation, Spot
 from storyblender.memory.vocabulary import Gender
 
@@ -64,7 +64,7 @@ def _count(group: Person, text: str) -> int:
 
 def _member(group: Person, number: int) -> Person:
     """Return one member of a group; without a description, women and men in turn, at several ages."""
-    words = {singular(word) for word in f"{group.name} {group.role}".lower().split()}
+    words = {noun_key(word) for word in f"{group.name} {group.role}".lower().split()}
     mixed: Gender = "male" if words & _MEN else ("female", "male")[number % 2]
     gender = group.gender if group.gender != "unknown" or group.count < _CROWD else mixed
     return replace(

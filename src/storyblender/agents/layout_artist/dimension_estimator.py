@@ -14,6 +14,7 @@ from typing import Literal
 
 from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD
 from storyblender.catalog.bodies import typical_stature
+from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import TOY_WORDS
 from storyblender.catalog.sets import SETS
@@ -242,7 +243,7 @@ def _of_stand_in(noun: str, size: Vec3) -> tuple[Side, float]:
 
 def _head(asset: Asset) -> str:
     """Return the last word of a thing's name, in the singular."""
-    return (asset.name or asset.asset_id.replace("_", " ")).lower().split(" ")[-1].removesuffix("s")
+    return noun_key((asset.name or asset.asset_id.replace("_", " ")).split(" ")[-1])
 
 
 def _stature(look: CharacterLook, text: str) -> float:
@@ -281,7 +282,7 @@ def _usual(asset: Asset, text: str) -> tuple[Side, float]:
     name = (asset.name or asset.asset_id.replace("_", " ")).lower()
     words = re.findall(r"[a-z]+", name)
     for start in range(len(words)):
-        for key in ("_".join(words[start:]), "_".join(words[start:]).removesuffix("s")):
+        for key in ("_".join(words[start:]), "_".join([*words[start:-1], noun_key(words[-1])])):
             if key in PROPS:
                 return _largest(PROPS[key].size)
     by_tag = {tag: entry for entry in PROPS.values() for tag in entry.tags}
@@ -289,7 +290,7 @@ def _usual(asset: Asset, text: str) -> tuple[Side, float]:
         if (entry := by_tag.get(" ".join(words[start:]))) is not None:
             return _largest(entry.size)
     for word in [*reversed(words), *re.findall(r"[a-z]+", text)]:
-        for noun in (word, word.removesuffix("s")):
+        for noun in (word, noun_key(word)):
             if noun in NOUNS:
                 return NOUNS[noun]
             if noun in PROPS:

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from functools import cache
 
+from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.entry import PropEntry
-from storyblender.catalog.props.variants import singular, words_of
+from storyblender.catalog.props.variants import words_of
 
 
 def called(name: str) -> PropEntry | None:
     """Return the prop whose name, or other name, ends a phrase; the longest that does. None if none does."""
-    words = tuple(singular(word) for word in words_of(name))
+    words = tuple(noun_key(word) for word in words_of(name))
     for start in range(len(words)):
         if (found := _names().get(words[start:])) is not None:
             return found
@@ -24,5 +25,5 @@ def _names() -> dict[tuple[str, ...], PropEntry]:
     names: dict[tuple[str, ...], PropEntry] = {}
     for entry in PROPS.values():
         for term in entry.tags:
-            names.setdefault(tuple(singular(word) for word in words_of(term)), entry)
-    return names | {tuple(singular(word) for word in words_of(entry.name)): entry for entry in PROPS.values()}
+            names.setdefault(tuple(noun_key(word) for word in words_of(term)), entry)
+    return names | {tuple(noun_key(word) for word in words_of(entry.name)): entry for entry in PROPS.values()}

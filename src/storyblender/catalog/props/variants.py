@@ -297,15 +297,6 @@ def words_of(phrase: str) -> list[str]:
     return re.findall(r"[a-z0-9]+", phrase)
 
 
-def singular(word: str) -> str:
-    """Return a lower-case word without the ending of a plural."""
-    if len(word) > 4 and word.endswith("ies"):
-        return word[:-3] + "y"
-    if len(word) > 4 and word.endswith(("ches", "shes", "xes", "sses")):
-        return word[:-2]
-    return word[:-1] if len(word) > 3 and word.endswith("s") and not word.endswith("ss") else word
-
-
 def read_variant(entry: PropEntry, phrase: str) -> dict[str, ParamValue]:
     """Return the parameters that a phrase such as ``an old red leather armchair`` asks of an entry."""
     words = words_of(phrase)

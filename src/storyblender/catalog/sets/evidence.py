@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 
+from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.sets import SETS
 
 _ENOUGH = 3
@@ -62,17 +63,11 @@ def told_by_things(words: Iterable[str], kits: Iterable[str]) -> str | None:
         words: Names and ids of what and who is there, in any order; each word counts once.
         kits: Keys that may be chosen.
     """
-    seen = {word for text in words for word in _singular(text)}
+    told = (word for text in words for word in re.findall(r"[^\W\d_]+", text.lower()))
+    seen = {form for word in told for form in (word, noun_key(word))}
     best, most = None, _ENOUGH - 1
     for kit in sorted(set(kits) & set(_POINTS)):
         points = sum(value for word, value in _POINTS[kit].items() if word in seen)
         if points > most:
             best, most = kit, points
     return best
-
-
-def _singular(text: str) -> Iterable[str]:
-    for word in re.findall(r"[^\W\d_]+", text.lower()):
-        yield word
-        if len(word) > 3 and word.endswith("s"):
-            yield word.removesuffix("es") if word.endswith(("sses", "shes", "ches")) else word.removesuffix("s")

@@ -6,6 +6,7 @@ import re
 from functools import cache
 from typing import NamedTuple
 
+from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.evidence import told_by_things
 from storyblender.memory.scene_context import SceneSetup
@@ -253,4 +254,4 @@ def _phrase(tag: str) -> list[str]:
 
 def _tokens(text: str) -> list[str]:
     words = re.findall(r"[a-zà-ÿ]+", re.sub(r"['’]s?\b", "", text.lower()))
-    return [word[:-1] if len(word) > 3 and word.endswith("s") and not word.endswith("ss") else word for word in words]
+    return [noun_key(word) for word in words]

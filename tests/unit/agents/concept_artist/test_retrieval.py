@@ -5,10 +5,11 @@ import pytest
 from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD, AssetRetrieverView
 from storyblender.agents.concept_artist.generator import RulesAssetGenerator
 from storyblender.agents.concept_artist.retriever import RulesAssetRetriever
+from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.kinds import kinds
 from storyblender.catalog.meanings import MEANT_IN
 from storyblender.catalog.props import PROPS
-from storyblender.catalog.props.variants import singular, words_of
+from storyblender.catalog.props.variants import words_of
 from storyblender.catalog.recipe import Recipe
 from storyblender.catalog.sets import SETS
 from storyblender.crew import rules_crew
@@ -224,7 +225,7 @@ def test_a_stand_in_has_the_colour_that_is_told():
 def test_every_listed_kind_is_a_prop_and_no_name_of_the_catalog():
     assert set(kinds().values()) <= set(PROPS)
     names = {name for entry in PROPS.values() for name in (entry.name, *entry.tags)}
-    named = {tuple(singular(word) for word in words_of(name)) for name in names} & set(kinds())
+    named = {tuple(noun_key(word) for word in words_of(name)) for name in names} & set(kinds())
     assert not named
 
 

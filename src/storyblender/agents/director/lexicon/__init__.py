@@ -155,7 +155,6 @@ SUITING: dict[str, frozenset[str]] = {
     for verb in verbs
 }
 """Verb -> nouns that ``it`` rather means as its object."""
-PLURAL_ONLY, IRREGULAR_PLURALS = frozenset(_nouns["plural_only"]), _pairs(_nouns["irregular_plural"])
 SOUNDS = _pairs(_nouns["sound"])
 """Word for a noise -> name of the sound effect."""
 

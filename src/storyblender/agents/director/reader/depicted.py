@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.language.morphology import FORMS, singular
+from storyblender.agents.director.reader.language.morphology import FORMS
 from storyblender.agents.director.reader.language.words import Word
+from storyblender.catalog.inflection import singular
 
 _IMAGES = lexicon.words("images")
 _SCREENS = lexicon.words("screens")

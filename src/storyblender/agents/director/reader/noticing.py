@@ -7,13 +7,13 @@ from collections.abc import Sequence
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clause import Clause
-from storyblender.agents.director.reader.language.morphology import singular
 from storyblender.agents.director.reader.language.phrases import NounPhrase, Phrase
 from storyblender.agents.director.reader.language.words import Word, joined
 from storyblender.agents.director.reader.people.person_reference import is_neuter
 from storyblender.agents.director.reader.people.roles import Roles
 from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.rules import rule
+from storyblender.catalog.inflection import singular
 
 _OBJECTLIKE = frozenset({"prop", "worn", "unknown", "set_piece"})
 _TROPHIES = lexicon.words("trophies")

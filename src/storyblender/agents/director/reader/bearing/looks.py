@@ -7,7 +7,6 @@ from collections.abc import Sequence
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clauses import Clause
-from storyblender.agents.director.reader.language.morphology import singular
 from storyblender.agents.director.reader.language.phrases import Phrase
 from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.people.look import age_of, describe
@@ -16,6 +15,7 @@ from storyblender.agents.director.reader.people.roles import Roles
 from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
+from storyblender.catalog.inflection import singular
 
 _BEING = frozenset({"be", "look"})
 _WEARING = frozenset({"wear", "sport", "dress"})

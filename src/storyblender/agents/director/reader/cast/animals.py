@@ -6,11 +6,12 @@ import re
 from functools import lru_cache
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.language.morphology import FORMS, singular
+from storyblender.agents.director.reader.language.morphology import FORMS
 from storyblender.agents.director.reader.language.person_nouns import PersonNoun, find_person_nouns
 from storyblender.agents.director.reader.manuscript import Manuscript
 from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.rules import rule
+from storyblender.catalog.inflection import singular
 
 _CLAUSE = r"(?:,? (?:who|which|that) [^.;,]*,?|, [^.;,]*,| (?:in|on|with|of|at) [^.;,]*?)?"
 _ANY = frozenset({"animal", "creature", "beast"})

@@ -9,11 +9,12 @@ from functools import lru_cache
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.cast.name_evidence import gender_told
 from storyblender.agents.director.reader.cast.namings import Naming
-from storyblender.agents.director.reader.language.morphology import is_person_noun, singular
+from storyblender.agents.director.reader.language.morphology import is_person_noun
 from storyblender.agents.director.reader.language.words import TextIndex
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
+from storyblender.catalog.inflection import singular
 
 _SOON, _LATER = 900, 2500
 """Characters from where somebody without a name was told of last to his title, and to a name that just turns up."""

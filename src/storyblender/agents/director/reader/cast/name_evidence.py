@@ -7,8 +7,9 @@ from functools import lru_cache
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import unaccented
-from storyblender.agents.director.reader.language.morphology import form_kind, is_person_noun, singular
+from storyblender.agents.director.reader.language.morphology import form_kind, is_person_noun
 from storyblender.agents.director.reader.language.words import TextIndex
+from storyblender.catalog.inflection import singular
 
 _REACH = 40
 """Characters before and after a name that are searched."""

@@ -7,12 +7,13 @@ import re
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER, unaccented
 from storyblender.agents.director.reader.cast.name_evidence import gender_told
-from storyblender.agents.director.reader.language.morphology import form_kind, is_person_noun, singular
+from storyblender.agents.director.reader.language.morphology import form_kind, is_person_noun
 from storyblender.agents.director.reader.language.person_nouns import find_person_nouns
 from storyblender.agents.director.reader.people.look import describe
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
+from storyblender.catalog.inflection import singular
 
 _TITLE = rf"(?:{'|'.join(sorted(title.title() for title in lexicon.TITLES | {'master'}))})"
 _WORDS = rf"[{UPPER}][{LOWER}]+(?:-[{UPPER}][{LOWER}]+)*(?:[ ][{UPPER}][{LOWER}]+)*"

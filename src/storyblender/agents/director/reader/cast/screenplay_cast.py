@@ -17,7 +17,7 @@ from storyblender.agents.director.reader.cast.aliases import (
 )
 from storyblender.agents.director.reader.cast.later_names import call_by_nouns
 from storyblender.agents.director.reader.cast.walk_ons import add_walk_ons
-from storyblender.agents.director.reader.language.morphology import form_kind, is_person_noun, singular
+from storyblender.agents.director.reader.language.morphology import form_kind, is_person_noun
 from storyblender.agents.director.reader.language.person_nouns import find_person_nouns
 from storyblender.agents.director.reader.language.words import TextIndex
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph, without_quotations
@@ -25,6 +25,7 @@ from storyblender.agents.director.reader.people.look import describe
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import by_rule, holds, rule
+from storyblender.catalog.inflection import singular
 
 _CAPITAL = UPPER + "ʿʾʻ"
 _RUN = re.compile(

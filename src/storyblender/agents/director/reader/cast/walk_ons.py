@@ -9,12 +9,13 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER
 from storyblender.agents.director.reader.cast.animals import add_animals
 from storyblender.agents.director.reader.cast.prose_names import names_in
-from storyblender.agents.director.reader.language.morphology import FORMS, form_kind, is_person_noun, singular
+from storyblender.agents.director.reader.language.morphology import FORMS, form_kind, is_person_noun
 from storyblender.agents.director.reader.language.person_nouns import PersonNoun, find_person_nouns
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph, without_brackets, without_quotations
 from storyblender.agents.director.reader.people.look import describe
 from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.rules import rule
+from storyblender.catalog.inflection import singular
 
 _BETWEEN = r"(?:\s*,? (?:who|which|that)\b[^.;,]*,?|\s*,\s[^.;,]*,|\s+(?:in|on|with|of|at|from|behind|by)\s[^.;,]*?)?"
 _FOLLOWING = re.compile(rf"{_BETWEEN}\s+(?:[a-z]+ly\s+|both\s+|all\s+|then\s+)?([a-z]+)\b")

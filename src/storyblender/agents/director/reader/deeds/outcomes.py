@@ -8,12 +8,12 @@ from itertools import zip_longest
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clauses import Clause
-from storyblender.agents.director.reader.language.morphology import singular
 from storyblender.agents.director.reader.language.words import joined
 from storyblender.agents.director.reader.people.roles import Roles
 from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.reading import Deed, Person
 from storyblender.agents.director.rules import rule
+from storyblender.catalog.inflection import singular
 from storyblender.memory.vocabulary import Posture
 
 _POSTURE_OF_MOTION: dict[str, Posture] = {

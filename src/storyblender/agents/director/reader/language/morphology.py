@@ -1,4 +1,4 @@
-"""English word forms: singulars, and which verb a written form belongs to."""
+"""Verb forms: which verb a written form belongs to; and which nouns name people."""
 
 from __future__ import annotations
 
@@ -96,23 +96,6 @@ def guess_lemma(form: str) -> str:
     if re.search(r"(sh|ch|x|ss|zz)es$", form):
         return form[:-2]
     return form[:-3] + "y" if form.endswith("ies") else form[:-1]
-
-
-@cache
-def singular(word: str) -> str:
-    """The singular of a noun, lower case: ``knives`` -> ``knife``; words that are always plural stay."""
-    word = word.lower()
-    if word in lexicon.PLURAL_ONLY:
-        return word
-    if word in lexicon.IRREGULAR_PLURALS:
-        return lexicon.IRREGULAR_PLURALS[word]
-    if word.endswith("men") and len(word) > 5:
-        return word[:-2] + "an"
-    if word.endswith("ies") and len(word) > 4:
-        return word[:-3] + "y"
-    if re.search(r"(ch|sh|x|ss)es$", word) or re.search(r"(at|et|er|ch|ng|ed|rg|it)oes$", word):
-        return word[:-2]
-    return word[:-1] if word.endswith("s") and not word.endswith(("ss", "us", "is")) and len(word) > 3 else word
 
 
 _NOT_PERSON = frozenset({"human", "german", "roman", "talisman"})

@@ -8,7 +8,8 @@ from typing import NamedTuple
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import unaccented
-from storyblender.agents.director.reader.language.morphology import is_person_noun, singular
+from storyblender.agents.director.reader.language.morphology import is_person_noun
+from storyblender.catalog.inflection import singular
 
 _DETERMINER = re.compile(
     r"\b(the|a|an|his|her|their|my|our|two|three|four|five|one|(?<=[a-z])['’]s)\s+(?=((?:[a-z’'-]+,?\s+){0,3}[a-z-]+))",

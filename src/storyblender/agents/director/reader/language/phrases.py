@@ -10,8 +10,9 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.language.morphology import VerbForm, singular
+from storyblender.agents.director.reader.language.morphology import VerbForm
 from storyblender.agents.director.reader.language.words import Mention, Word
+from storyblender.catalog.inflection import PLURAL_ONLY, singular
 
 _SMALL = (
     frozenset({"open", "shut"})
@@ -274,7 +275,7 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
         whole.noun.plural = whole.noun.plural or noun != words[head].low
         return replace(whole, first=at)
     key = _compound(words, first, head, noun)
-    plural = noun != words[head].low or noun in lexicon.PLURAL_ONLY
+    plural = noun != words[head].low or noun in PLURAL_ONLY
     thing = NounPhrase("thing", head, noun, key, possessor=possessor, plural=plural, determiner=determiner)
     return Phrase("noun", at, end - 1, noun=thing)
 

@@ -5,14 +5,9 @@ from __future__ import annotations
 import re
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.language.morphology import (
-    RARE_FORMS,
-    VerbForm,
-    form_kind,
-    guess_lemma,
-    singular,
-)
+from storyblender.agents.director.reader.language.morphology import RARE_FORMS, VerbForm, form_kind, guess_lemma
 from storyblender.agents.director.reader.language.words import Row, Word
+from storyblender.catalog.inflection import singular
 
 OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
 OBJECTS = OPENERS | {"him", "her", "it", "them", "himself", "herself", "itself", "themselves", "each"}

@@ -7,7 +7,7 @@ the subject of ``Grabs a shovel.``, the ``was`` of ``MAN #2 on the bed``; apposi
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.language.morphology import VerbForm, form_kind, singular
+from storyblender.agents.director.reader.language.morphology import VerbForm, form_kind
 from storyblender.agents.director.reader.language.tagging import (
     OPENERS,
     as_participles,
@@ -17,6 +17,7 @@ from storyblender.agents.director.reader.language.tagging import (
 )
 from storyblender.agents.director.reader.language.words import Mention, Row, Word, was
 from storyblender.agents.director.reader.language.written_verbs import is_outcome, written_verb
+from storyblender.catalog.inflection import singular
 
 _PREDICATES = frozenset({"asleep", "awake", "alone", "unconscious", "dead", "naked", "up", "seated", "ready"})
 _NO_FRAGMENT = frozenset({"of", "with", "to", "as"})

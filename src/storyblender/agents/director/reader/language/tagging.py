@@ -7,13 +7,7 @@ where a verb fits; the words to its left are already tagged.
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.language.morphology import (
-    FORMS,
-    RARE_FORMS,
-    VerbForm,
-    form_kind,
-    singular,
-)
+from storyblender.agents.director.reader.language.morphology import FORMS, RARE_FORMS, VerbForm, form_kind
 from storyblender.agents.director.reader.language.rare_verbs import (
     AFTER_VERB,
     BEFORE_NOUN,
@@ -26,6 +20,7 @@ from storyblender.agents.director.reader.language.rare_verbs import (
     rare_verb,
 )
 from storyblender.agents.director.reader.language.words import Row, Word, is_adverb
+from storyblender.catalog.inflection import singular
 
 _LINKS = lexicon.CONJUNCTIONS | {",", ";", "-", "--", "—", "–"}
 _CLAUSE_LINKS = frozenset({"and", "but", "as", "while", "when", "then", ";", ":", "—", "–", "--"})

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.language.morphology import FORMS, RARE_FORMS, VerbForm, singular
+from storyblender.agents.director.reader.language.morphology import FORMS, RARE_FORMS, VerbForm
 from storyblender.agents.director.reader.language.rare_verbs import OBJECTS, OPENERS
 from storyblender.agents.director.reader.language.tagging import (
     PLURAL_PRONOUNS,
@@ -11,6 +11,7 @@ from storyblender.agents.director.reader.language.tagging import (
     names_a_kind,
 )
 from storyblender.agents.director.reader.language.words import Word
+from storyblender.catalog.inflection import singular
 
 _RISING = frozenset({"as", "and", "from", "to", "when", "with", ".", ",", "up"})
 _ATTIRING = frozenset({"dress", "wrap", "swathe", "veil", "bundle", "cloak", "robe", "shroud"})

@@ -14,6 +14,7 @@ from storyblender.agents.director.reader.page.hours import heading_time, is_time
 from storyblender.agents.director.reader.page.prose_places import leading_place, scene_type_of
 from storyblender.agents.director.reading import SceneReading
 from storyblender.agents.director.rules import rule
+from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.sets import SETS
 from storyblender.memory.vocabulary import SceneType, TimeOfDay
 from storyblender.screenplay.headings import LEADING_WORDS, heading_words, is_heading
@@ -149,7 +150,7 @@ def _kind_at_end(words: list[str]) -> str:
     if len(words) > 1 and (pair in place_words() or pair in lexicon.PLACE_KINDS):
         return pair
     last = words[-1]
-    single = last[:-1] if last.endswith("s") and last not in lexicon.PLACES else last
+    single = last if last in lexicon.PLACES else noun_key(last)
     if last in lexicon.PLACES or single in lexicon.PLACES or last in place_words() or single in place_words():
         return leading_place(words) or last
     return ""
@@ -197,8 +198,8 @@ def _has_verb(low: str) -> bool:
             continue
         if (
             word not in place_words()
-            and word.rstrip("s") not in lexicon.PLACES
-            and lexicon.noun_class(word.rstrip("s")) == "unknown"
+            and noun_key(word) not in lexicon.PLACES
+            and lexicon.noun_class(noun_key(word)) == "unknown"
         ):
             return True
     return False

@@ -5,10 +5,11 @@ from __future__ import annotations
 import re
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.language.morphology import is_person_noun, singular
+from storyblender.agents.director.reader.language.morphology import is_person_noun
 from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
+from storyblender.catalog.inflection import singular
 from storyblender.memory.vocabulary import Gender
 
 _GENDER_WORDS: dict[str, Gender] = {

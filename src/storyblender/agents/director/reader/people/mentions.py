@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.language.morphology import FORMS, form_kind, is_person_noun, singular
+from storyblender.agents.director.reader.language.morphology import FORMS, form_kind, is_person_noun
 from storyblender.agents.director.reader.language.words import EVERYBODY, Mention, Word
 from storyblender.agents.director.reader.people.look import years
 from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.reading import Person
+from storyblender.catalog.inflection import singular
 
 _OLD = 50
 """Years from which somebody may be ``the old man``."""

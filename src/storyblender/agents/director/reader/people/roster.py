@@ -9,10 +9,11 @@ from functools import lru_cache
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import asset_id
-from storyblender.agents.director.reader.language.morphology import is_person_noun, singular
+from storyblender.agents.director.reader.language.morphology import is_person_noun
 from storyblender.agents.director.reader.language.words import key_of
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import decided
+from storyblender.catalog.inflection import singular
 
 _WORN = re.compile(r" (?:in|with) (?=(?P<article>(?:an?|the) )?)")
 _ARTICLE = re.compile(r"^(the|a|an) ")

@@ -8,6 +8,7 @@ from typing import Literal
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.state import Stage
 from storyblender.agents.director.reading import Person
+from storyblender.catalog.inflection import PLURAL_ONLY
 
 Use = Literal["subject", "object", "place"]
 
@@ -102,4 +103,4 @@ def _placed_here(stage: Stage, index: int) -> str | None:
 def _can_be_it(stage: Stage, thing: str) -> bool:
     head = stage.inventory.head(thing)
     weather = head in lexicon.WEATHER_NOUNS | lexicon.WEATHER_WORDS.keys()
-    return stage.inventory.class_of(thing) != "abstract" and not weather and head not in lexicon.PLURAL_ONLY
+    return stage.inventory.class_of(thing) != "abstract" and not weather and head not in PLURAL_ONLY
