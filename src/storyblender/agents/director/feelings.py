@@ -50,12 +50,15 @@ def mood_of(words: str, *, direction: bool = False) -> Mood:
             ``cold`` in a parenthetical is a mood, in a sentence it may be the weather.
     """
     if direction and words in get_args(Expression):
-        return next((mood for expression, mood in _MOOD_OF_EXPRESSION.items() if expression == words), "neutral")
+        return _MOOD_OF_EXPRESSION.get(expression_of(words), "neutral")
     plain = words.lower()
-    named = next((MOOD_OF_WORD[word] for word in re.split(r"[\s,.]+", plain) if word in MOOD_OF_WORD), "neutral")
-    if named != "neutral" or not direction:
-        return named
-    return next((mood for mood, stems in _MOODS.items() if re.search(rf"\b(?:{stems})", plain)), "neutral")
+    for word in re.split(r"[\s,.]+", plain):
+        if word in MOOD_OF_WORD:
+            return MOOD_OF_WORD[word]
+    for mood, stems in _MOODS.items() if direction else ():
+        if re.search(rf"\b(?:{stems})", plain):
+            return mood
+    return "neutral"
 
 
 def expression_of(words: str) -> Expression:
