@@ -8,7 +8,16 @@ from pydantic import Field
 
 from storyblender.memory.asset_sheet import ParamValue
 from storyblender.memory.base import Color, Coordinate, Frozen, Identifier, SceneId, Vec3
-from storyblender.memory.vocabulary import Facing, RelationKind, Relationship, SceneType, Side, TimeOfDay, Weather
+from storyblender.memory.vocabulary import (
+    Facing,
+    LightQuality,
+    RelationKind,
+    Relationship,
+    SceneType,
+    Side,
+    TimeOfDay,
+    Weather,
+)
 
 
 class Relation(Frozen):
@@ -55,6 +64,8 @@ class SceneSetup(Frozen):
     weather: Weather = "clear"
     layout_description: str = ""
     lighting_description: str = ""
+    light: tuple[LightQuality, ...] = ()
+    """Qualities of the light."""
     ground_description: str = ""
     wall_description: str | None = None
     relations: tuple[Relation, ...] = ()

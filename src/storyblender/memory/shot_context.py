@@ -19,6 +19,7 @@ from storyblender.memory.vocabulary import (
     GazeDirection,
     Grip,
     Hand,
+    LightQuality,
     ModificationType,
     Moment,
     Mood,
@@ -26,6 +27,7 @@ from storyblender.memory.vocabulary import (
     Posture,
     ShotKind,
     TetherKind,
+    TimeOfDay,
 )
 
 FNumber = Annotated[float, Field(ge=0.5, le=64)]
@@ -85,6 +87,16 @@ class Tether(Frozen):
     """The person who leads, or the object that it is tied to."""
     held: Identifier
     kind: TetherKind = "rope"
+
+
+class LightChange(Frozen):
+    """A change of the light of a place in a shot; the first of hour and lamps that is set counts, qualities else."""
+
+    lamps: Literal["on", "off"] | None = None
+    """Whether the lamps go on or out."""
+    hour: TimeOfDay | None = None
+    """Another hour: the sun rises or sets."""
+    qualities: tuple[LightQuality, ...] = ()
 
 
 class CameraInstruction(Frozen):
@@ -352,6 +364,9 @@ class ShotContext(Frozen):
     asset_modifications: tuple[AssetModification, ...] = ()
     character_actions: tuple[CharacterAction, ...] = ()
     new_lighting_description: str | None = None
+    """The script's words on a change of the light."""
+    light_change: LightChange | None = None
+    """What those words change, if they change anything."""
     sound_effect: str | None = None
     camera_instruction: CameraInstruction
     """The Director's camera plan, with ``camera_retake`` and ``camera_decision`` applied on top."""

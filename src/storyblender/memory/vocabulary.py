@@ -59,5 +59,7 @@ Hand = Literal["L", "R"]
 BodyPart = Literal["hand", "eyes", "mouth", "feet"]
 Mood = Literal["neutral", "happy", "sad", "angry", "afraid", "tender"]
 TimeOfDay = Literal["dawn", "morning", "day", "noon", "afternoon", "sunset", "dusk", "evening", "night"]
+LightQuality = Literal["dim", "bright", "harsh", "soft", "candlelight", "cold", "warm", "red"]
+"""The character of a light, besides its hour and weather."""
 Weather = Literal["clear", "cloudy", "fog", "rain", "storm", "snow"]
 Gender = Literal["female", "male", "unknown"]

@@ -139,8 +139,8 @@ def _light(
     usual = run.reflect(role, scene_name(scene_id), graph, scene_id).draft
 
     def change(current: Lighting, shot: ShotContext) -> Lighting:
-        name, words = shot_name(scene_id, shot.shot_id), shot.new_lighting_description or ""
-        return run.reflect(role, name, graph, scene_id, current, words).draft
+        name = shot_name(scene_id, shot.shot_id)
+        return run.reflect(role, name, graph, scene_id, current, shot.light_change).draft
 
     first, lit, found = lit_shots(usual, lighting_arranger_view(graph, scene_id), shots, scene.setup.found, change)
     setup = scene.setup if found == scene.setup.found else scene.setup.model_copy(update={"found": found})

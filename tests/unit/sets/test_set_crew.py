@@ -11,6 +11,7 @@ import pytest
 from tests.crew import RULES
 from tests.every import every
 
+from storyblender.agents.director.light_words import light_change, light_qualities
 from storyblender.agents.visual_effects_artist.environment_designer import (
     EnvironmentDesignerCritic,
     EnvironmentDesignerView,
@@ -228,7 +229,7 @@ def test_the_sun_stands_where_it_is_told() -> None:
 
 def lighting_of(kit: str, time: str, weather: str = "clear", words: str = ""):
     where = "indoor" if SETS[kit].indoor else "outdoor"
-    setup = SceneSetup(scene_type=where, time_of_day=time, weather=weather, lighting_description=words)  # type: ignore[arg-type]
+    setup = SceneSetup(scene_type=where, time_of_day=time, weather=weather, light=light_qualities(words))  # type: ignore[arg-type]
     environment = Environment(kit=kit, seed=1)
     return LightingArrangerView(setup, plan_of(environment), environment)
 
@@ -259,23 +260,22 @@ def test_rain_and_fog_are_in_the_air() -> None:
 def test_the_lights_go_out_and_come_back() -> None:
     view, arranger = lighting_of("cafe", "night"), RulesLightingArranger()
     lit = arranger.propose(view)
-    dark = arranger.propose(replace(view, current=lit, change="Suddenly the lights go out."))
+    dark = arranger.propose(replace(view, current=lit, change=light_change("Suddenly the lights go out.")))
     assert dark.set_luminance < lit.set_luminance / 2
     assert not any(light.role == "practical" for light in dark.lights)
-    assert arranger.propose(replace(view, current=dark, change="The lamps flicker back on.")) == lit
+    assert arranger.propose(replace(view, current=dark, change=light_change("The lamps flicker back on."))) == lit
 
 
 def test_words_that_change_no_light_change_nothing() -> None:
     view, arranger = lighting_of("office", "day"), RulesLightingArranger()
     lit = arranger.propose(view)
-    assert arranger.propose(replace(view, current=lit, change="He signs the letter.")) is lit
+    assert arranger.propose(replace(view, current=lit, change=light_change("He signs the letter."))) is lit
 
 
 def test_the_sun_goes_down_over_a_scene() -> None:
     view, arranger = lighting_of("beach", "day"), RulesLightingArranger()
-    assert arranger.propose(replace(view, current=arranger.propose(view), change="The sun sets.")) != arranger.propose(
-        view
-    )
+    day, change = arranger.propose(view), light_change("The sun sets.")
+    assert arranger.propose(replace(view, current=day, change=change)) != day
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,8 @@ import re
 from collections.abc import Collection, Iterable, Sequence
 
 from storyblender.agents.director.fixtures import is_fixture
-from storyblender.agents.director.reading import Reading, SceneReading, Unit
+from storyblender.agents.director.light_words import light_change
+from storyblender.agents.director.reading import Reading, SceneReading, StateChange, Unit
 from storyblender.catalog.states import GONE, Condition, after
 from storyblender.memory.scene_context import Relation
 
@@ -53,9 +54,18 @@ def inherited_states(reading: Reading) -> dict[int, dict[str, Condition]]:
         for change in (change for unit in units for change in unit.changes):
             gone = change.state == GONE
             key = root if change.subject in bound or gone else None, change.subject
-            now[key] = after(now.get(key, ()), change.state)
+            if (state := _state(change)) is not None:
+                now[key] = after(now.get(key, ()), state)
         last[root] = before = scene
     return found
+
+
+def _state(change: StateChange) -> str | None:
+    """Return the state that a change leaves; of the light of a place ``on`` or ``off``, None if its lamps stay."""
+    if change.subject != LIGHT:
+        return change.state
+    light = light_change(change.state)
+    return light.lamps if light is not None else None
 
 
 def _things_in_action(units: Iterable[Unit]) -> set[str]:

@@ -12,6 +12,7 @@ from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import frame_count, shot_seconds
 from storyblender.agents.director.feelings import mood_of
 from storyblender.agents.director.fine_motions import UNREAD, fine_motion
+from storyblender.agents.director.light_words import light_change
 from storyblender.agents.director.motion_families import GETTING, SPOKEN, TRAVEL
 from storyblender.agents.director.reading import Deed, SceneReading, Unit
 from storyblender.agents.director.scene_continuity import absent_until_brought
@@ -124,6 +125,7 @@ class ShotDetails:
             asset_modifications=tuple(self._modifications(fresh)),
             character_actions=tuple(self._actions(draft, on_stage)),
             new_lighting_description=light,
+            light_change=light_change(light or ""),
             sound_effect=", ".join(unique(sound for unit in fresh for sound in unit.sounds)) or None,
             camera_instruction=self._camera(draft),
             duration=frame_count(shot_seconds(draft, self.text), fps),

@@ -5,12 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Literal
 
-from storyblender.agents.visual_effects_artist.lighting_arranger import (
-    is_lighting_up,
-    is_outage,
-    lights_out,
-)
+from storyblender.agents.visual_effects_artist.lighting_arranger import lights_out
 from storyblender.agents.visual_effects_artist.lighting_arranger_view import (
     MOST_LIGHTS,
     Carried,
@@ -69,16 +66,16 @@ class LampStates:
             for state in states:
                 self._note(asset_id, state)
         for state in self.found.get(LIGHT, ()):
-            self.dark_at_first = tuple(self._switched(state, ()))
+            if state in DARK | LIT:
+                self.dark_at_first = tuple(self._switched("off" if state in DARK else "on", ()))
 
     def play(self, shot: ShotContext) -> tuple[ShotContext, LightingArrangerView]:
         """Follow one shot; return it with the lamps that go out or on with the light, and the view of its end."""
         for change in shot.asset_modifications:
             self._note(change.asset_id, change.state)
-        words = shot.new_lighting_description
-        if words:
+        if shot.light_change is not None and shot.light_change.lamps is not None:
             changes = shot.asset_modifications
-            switched = self._switched(words, {change.asset_id for change in changes})
+            switched = self._switched(shot.light_change.lamps, {change.asset_id for change in changes})
             shot = shot.model_copy(update={"asset_modifications": (*changes, *switched)})
         held = {state.asset_id for state in shot.prop_states if state.held_by is not None and state.visible}
         gone = {state.asset_id for state in shot.prop_states if not state.visible} | {*shot.absent}
@@ -94,16 +91,15 @@ class LampStates:
             self.told[asset_id] = True
             self.cut.pop(asset_id, None)
 
-    def _switched(self, words: str, changed: Collection[str]) -> Iterator[AssetModification]:
+    def _switched(self, lamps: Literal["on", "off"], changed: Collection[str]) -> Iterator[AssetModification]:
         """Yield the changes of the lamps that a change of the light switches: all that no flame or battery feeds."""
-        out, on = is_outage(words), is_lighting_up(words)
-        self.dark = out or (self.dark and not on)
-        if on and not out:
+        self.dark = lamps == "off"
+        if lamps == "on":
             fed = [lamp for lamp in self.cut if lamp not in changed]
             self.cut.clear()
             self.told |= dict.fromkeys(fed, True)
             yield from (_modification(lamp, "on") for lamp in fed)
-        elif out:
+        else:
             placed = {item.asset_id for item in self.view.layout.objects} if self.view.layout else set[str]()
             for asset in self.view.assets:
                 key, lit = prop_key(asset), self.told.get(asset.asset_id)
@@ -130,7 +126,7 @@ def lit_shots(
         view: The scene.
         shots: Of the scene, staged.
         found: States in which things are as the scene opens.
-        change: Gives the light after the words of a shot change it.
+        change: Gives the light after a shot changes it.
     """
     lamps = LampStates(view, found)
     plan = lights_out(usual, indoor=view.plan.indoor) if lamps.dark else usual
@@ -138,7 +134,7 @@ def lit_shots(
     lit: list[ShotContext] = []
     for shot in shots:
         shot, seen = lamps.play(shot)
-        plan = change(plan, shot) if shot.new_lighting_description else plan
+        plan = change(plan, shot) if shot.light_change else plan
         now = with_lamps(plan, seen, dark=lamps.dark)
         lit.append(shot.model_copy(update={"lighting": now}) if now != current else shot)
         current = now

@@ -5,7 +5,7 @@ Faces are not lit here: key, fill and rim of a shot are solved by the renderer f
 
 from __future__ import annotations
 
-import re
+from collections.abc import Sequence
 from dataclasses import replace
 
 from storyblender.agents.visual_effects_artist.exterior_light import exterior
@@ -21,7 +21,8 @@ from storyblender.catalog.light_recipes import DARKENED, MOON, mix
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.memory.base import Color
 from storyblender.memory.scene_context import Environment, Lighting, SceneSetup
-from storyblender.memory.vocabulary import TimeOfDay
+from storyblender.memory.shot_context import LightChange
+from storyblender.memory.vocabulary import LightQuality
 from storyblender.reflection import Critique, Fault
 
 __all__ = [
@@ -33,47 +34,24 @@ __all__ = [
     "lights_out",
 ]
 
-_SWITCHES = r"turn(s|ed)?|switch(es|ed)?|flip(s|ped)?|snuff(s|ed)?|blow(s|n)?"
-_OUT = (
-    r"\b(lights?|lamps?|power|electricity|bulbs?|candles?)\b.{0,24}\b(out|off|dies?|fails?|blow)\b"
-    r"|\b(black ?out|pitch dark|plunged? into darkness|goes dark|total darkness)\b"
-    rf"|\b({_SWITCHES}) (off|out)\b|^(off|out|dead|dark|darkness|black)\.?$"
-)
-_ON = (
-    r"\b(lights?|lamps?|power|bulbs?|candles?)\b.{0,24}\b(on|back|up|lit)\b"
-    rf"|\b({_SWITCHES}) on\b|\blights? (a|the) (lamp|candle)\b|^(on|lit|bright|back)\.?$"
-)
-_HOUR_WORDS: tuple[tuple[str, TimeOfDay], ...] = (
-    (r"\b(sun ?rise|sun rises|sun (comes|is coming) up|dawn breaks|first light)\b", "dawn"),
-    (r"\b(sun ?set|sun sets|sun (goes|is going) down)\b", "sunset"),
-    (r"\b(night falls|night has fallen)\b", "night"),
-    (r"\b(dusk|twilight) (falls|comes)\b", "dusk"),
-)
-
-_MOODS: tuple[tuple[str, dict[str, object]], ...] = (
-    # Windows are dark and lamps burn "in the dark" on every night; only a dark place or dark light asks for less.
-    (
-        r"\b(dim|dimly|gloomy|low key|low-key|shadowy|murky|(?<!in the )dark(?! (blue|windows?|sk(y|ies)|panes?)))\b",
-        {"set": 0.7, "ratio": 1.3},
-    ),
-    (r"\b(bright|brightly|high key|high-key|well lit|well-lit|sunny|radiant)\b", {"set": 1.3, "ratio": 0.75}),
-    (r"\b(harsh|hard light|stark)\b", {"ratio": 1.8}),
-    (r"\b(soft|gentle|diffuse)\b", {"ratio": 0.75}),
-    (
-        r"\b(firelight|fire ?light|fire-lit|candle ?lit|candle ?light|by candle)\b",
-        {"set": 0.75, "key": (1.0, 0.66, 0.36)},
-    ),
-    (r"\b(cold|blue light|bluish|moonlit|moonlight)\b", {"key": (0.72, 0.84, 1.0)}),
-    (r"\b(warm|golden|amber)\b", {"key": (1.0, 0.82, 0.58)}),
-    (r"\b(red light|red glow|emergency light)\b", {"key": (1.0, 0.36, 0.26), "set": 0.7}),
-)
+_QUALITIES: dict[LightQuality, dict[str, object]] = {
+    "dim": {"set": 0.7, "ratio": 1.3},
+    "bright": {"set": 1.3, "ratio": 0.75},
+    "harsh": {"ratio": 1.8},
+    "soft": {"ratio": 0.75},
+    "candlelight": {"set": 0.75, "key": (1.0, 0.66, 0.36)},
+    "cold": {"key": (0.72, 0.84, 1.0)},
+    "warm": {"key": (1.0, 0.82, 0.58)},
+    "red": {"key": (1.0, 0.36, 0.26), "set": 0.7},
+}
+"""Factors on the level of the set and on the key to fill ratio, and the colour of the key light."""
 
 
 class RulesLightingArranger:
     """Lights by recipe (notes: sets and light, 1.4; director, 4.5)."""
 
     def propose(self, view: LightingArrangerView) -> Lighting:
-        """Return the light plan of a scene, or the light after a change of it; words of no known change change none."""
+        """Return the light plan of a scene, or the light after a change of it."""
         return _of_scene(view) if view.current is None else _changed(view.current, view)
 
     def refine(self, draft: Lighting, critique: Critique, view: LightingArrangerView) -> Lighting:
@@ -91,21 +69,20 @@ class RulesLightingArranger:
 
 def _of_scene(view: LightingArrangerView) -> Lighting:
     lighting = exterior(view) if view.plan.under_the_sky else interior(view)
-    return _described(lighting, view.setup.lighting_description)
+    return _with_qualities(lighting, view.setup.light)
 
 
 def _changed(current: Lighting, view: LightingArrangerView) -> Lighting:
-    """Return the light after a change; the current light itself if the words name no change that is known."""
-    words = view.change.lower()
-    hour = next((time for pattern, time in _HOUR_WORDS if re.search(pattern, words)), None)
-    if hour is not None and hour != view.setup.time_of_day:
-        return _of_scene(replace(view, setup=view.setup.model_copy(update={"time_of_day": hour})))
-    if is_outage(words):
+    """Return the light after a change."""
+    change, setup = view.change or LightChange(), view.setup
+    if change.hour is not None and change.hour != setup.time_of_day:
+        return _of_scene(replace(view, setup=setup.model_copy(update={"time_of_day": change.hour})))
+    if change.lamps == "off":
         return lights_out(current, indoor=view.plan.indoor)
-    if is_lighting_up(words):
-        plan = _of_scene(replace(view, setup=view.setup.model_copy(update={"lighting_description": ""})))
+    if change.lamps == "on":
+        plan = _of_scene(replace(view, setup=setup.model_copy(update={"light": ()})))
         return plan if _practicals(plan) else _lamps_burn(plan, view)
-    return _described(current, words)
+    return _with_qualities(current, change.qualities)
 
 
 class LightingArrangerCritic:
@@ -130,16 +107,6 @@ class LightingArrangerCritic:
 def light_place(setup: SceneSetup, plan: SetPlan, environment: Environment) -> Lighting:
     """Return the light plan of a place without props of the script: what ``propose`` gives before the layout."""
     return RulesLightingArranger().propose(LightingArrangerView(setup, plan, environment))
-
-
-def is_outage(words: str) -> bool:
-    """Return whether words on light say that it goes out."""
-    return re.search(_OUT, words.lower()) is not None
-
-
-def is_lighting_up(words: str) -> bool:
-    """Return whether words on light say that it goes on."""
-    return not is_outage(words) and re.search(_ON, words.lower()) is not None
 
 
 def lights_out(lighting: Lighting, *, indoor: bool) -> Lighting:
@@ -172,12 +139,10 @@ def _lamps_burn(plan: Lighting, view: LightingArrangerView) -> Lighting:
     return plan.model_copy(update={"lights": strongest((*plan.lights, *burning_lamps(view, 1.0)), MOST_LIGHTS)})
 
 
-def _described(lighting: Lighting, words: str) -> Lighting:
-    """Bend a plan by the words on light: dim, bright, harsh, soft, warm, cold, candlelight."""
+def _with_qualities(lighting: Lighting, qualities: Sequence[LightQuality]) -> Lighting:
+    """Return a plan with its level, contrast and key colour changed by the qualities of the light."""
     update: dict[str, object] = {}
-    for pattern, change in _MOODS:
-        if not re.search(pattern, words.lower()):
-            continue
+    for change in (_QUALITIES[quality] for quality in qualities):
         if "set" in change:
             update["set_luminance"] = round(lighting.set_luminance * float(str(change["set"])), 4)
         if "ratio" in change:

@@ -16,6 +16,7 @@ from storyblender.memory.asset_sheet import Asset, ParamValue
 from storyblender.memory.base import Color, Vec3
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.scene_context import Environment, Layout, Light, Lighting, SceneSetup
+from storyblender.memory.shot_context import LightChange
 
 MOST_LIGHTS = 20
 """Lamps a plan may have; every one costs time in every frame."""
@@ -41,7 +42,7 @@ class LightingArrangerView:
         layout: Where lamp props stand; without it the plan's furnishings count.
         assets: To know which of the layout's objects are lamps.
         current: The light until now, where the script changes it.
-        change: The words of the change, e.g. ``The lights go out``.
+        change: What changes about it.
         told: Whether a lamp burns, by asset id, for those of which the story tells it.
         carried: Where lamps are that have left their places, by asset id.
     """
@@ -52,13 +53,13 @@ class LightingArrangerView:
     layout: Layout | None = None
     assets: tuple[Asset, ...] = ()
     current: Lighting | None = None
-    change: str = ""
+    change: LightChange | None = None
     told: Mapping[str, bool] = field(default_factory=dict[str, bool])
     carried: Mapping[str, Carried] = field(default_factory=dict[str, Carried])
 
 
 def lighting_arranger_view(
-    graph: ContinuityMemoryGraph, scene_id: int, current: Lighting | None = None, change: str = ""
+    graph: ContinuityMemoryGraph, scene_id: int, current: Lighting | None = None, change: LightChange | None = None
 ) -> LightingArrangerView:
     """Return the Lighting Arranger's projection of the graph.
 
@@ -66,7 +67,7 @@ def lighting_arranger_view(
         graph: With the scene's set and layout.
         scene_id: Of the scene.
         current: The light until now, where the script changes it.
-        change: The words of the change.
+        change: What changes about it.
     """
     scene = graph.scene(scene_id)
     assert scene.environment is not None, "the set comes before its light"

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 
+from storyblender.agents.director.light_words import light_change
 from storyblender.agents.visual_effects_artist.lamp_states import lit_shots
 from storyblender.agents.visual_effects_artist.lighting_arranger import LightingArrangerView, RulesLightingArranger
 from storyblender.agents.visual_effects_artist.lighting_arranger_view import prop_key
@@ -48,15 +49,15 @@ def _shot(number: int, *changes: tuple[str, str], light: str | None = None, **fi
     made = tuple(
         AssetModification(asset_id=name, modification_type="transform", state=state) for name, state in changes
     )
-    told = {"asset_modifications": made, "new_lighting_description": light, **fields}
+    told = {"asset_modifications": made, "light_change": light_change(light or ""), **fields}
     return ShotContext.model_validate(
         {"scene_id": 1, "shot_id": number, "camera_instruction": CameraInstruction(), **told}
     )
 
 
 def _changed(current: Lighting, shot: ShotContext) -> Lighting:
-    words = shot.new_lighting_description or ""
-    return RulesLightingArranger().propose(replace(_view("floor_lamp", "table_lamp"), current=current, change=words))
+    view = replace(_view("floor_lamp", "table_lamp"), current=current, change=shot.light_change)
+    return RulesLightingArranger().propose(view)
 
 
 def _plans(
