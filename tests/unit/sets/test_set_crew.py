@@ -11,7 +11,7 @@ import pytest
 from tests.crew import RULES
 from tests.every import every
 
-from storyblender.agents.director.light_words import light_change, light_qualities
+from storyblender.agents.director.lighting import light_change, light_qualities
 from storyblender.agents.visual_effects_artist.environment_designer import (
     EnvironmentDesignerCritic,
     EnvironmentDesignerView,

@@ -11,7 +11,7 @@ from string import capwords
 from storyblender.agents.director.casting import age_word, cast_look, describe_person, introduction_words
 from storyblender.agents.director.creatures import describe_creature, size_in_script
 from storyblender.agents.director.draft import Beat, ShotDraft
-from storyblender.agents.director.light_words import light_qualities
+from storyblender.agents.director.lighting import light_qualities
 from storyblender.agents.director.motion_families import GETTING, PARTING
 from storyblender.agents.director.place_words import ground_words, light_words, wall_words
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Thing, Unit

@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection, Iterable, Sequence
 
 from storyblender.agents.director.fixtures import is_fixture
-from storyblender.agents.director.light_words import light_change
+from storyblender.agents.director.lighting import light_change
 from storyblender.agents.director.reading import Reading, SceneReading, StateChange, Unit
 from storyblender.catalog.states import GONE, Condition, after
 from storyblender.memory.scene_context import Relation

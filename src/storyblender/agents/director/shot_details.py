@@ -12,7 +12,7 @@ from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import frame_count, shot_seconds
 from storyblender.agents.director.feelings import mood_of
 from storyblender.agents.director.fine_motions import UNREAD, fine_motion
-from storyblender.agents.director.light_words import light_change
+from storyblender.agents.director.lighting import light_change
 from storyblender.agents.director.motion_families import GETTING, SPOKEN, TRAVEL
 from storyblender.agents.director.reading import Deed, SceneReading, Unit
 from storyblender.agents.director.scene_continuity import absent_until_brought

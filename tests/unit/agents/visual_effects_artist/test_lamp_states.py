@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from storyblender.agents.director.light_words import light_change
+from storyblender.agents.director.lighting import light_change
 from storyblender.agents.visual_effects_artist.lamp_states import lit_shots
 from storyblender.agents.visual_effects_artist.lighting_arranger import LightingArrangerView, RulesLightingArranger
 from storyblender.agents.visual_effects_artist.lighting_arranger_view import prop_key
