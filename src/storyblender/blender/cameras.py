@@ -6,9 +6,8 @@ import bpy
 from mathutils import Matrix
 
 from storyblender.blender.tags import tag
-from storyblender.geometry.camera_path import camera_at
+from storyblender.geometry.camera_path import camera_at, focus_at
 from storyblender.geometry.framing import Film
-from storyblender.geometry.orbit import Orbit
 from storyblender.memory.base import shot_name
 from storyblender.memory.shot_context import CameraState, ShotContext
 
@@ -34,30 +33,35 @@ def make_camera(
     data.sensor_width = state.sensor_width
     data.sensor_fit = "HORIZONTAL"
     data.clip_start, data.clip_end = 0.05, 1000.0
-    data.dof.aperture_fstop = state.f_number
+    data.dof.use_dof, data.dof.aperture_fstop = bool(state.focus), state.f_number
     camera = bpy.data.objects.new(name, data)
     camera.rotation_mode = "QUATERNION"
     tag(camera, kind="camera", node_id=name.lower())
     collection.objects.link(camera)
     _key(camera, state, shot.duration, start)
     # A new action is played only when the timeline moves: until then the camera stands where it was set last.
-    _set(camera, camera_at(state, scene.frame_current - start, Film(state.sensor_width)))
+    _set(camera, state, scene.frame_current - start)
     return camera
 
 
 def _key(camera: bpy.types.Object, state: CameraState, duration: int, start: int) -> None:
-    _set(camera, camera_at(state, 0, Film(state.sensor_width)))
-    if len(state.poses) == 1:
-        return
+    _set(camera, state, 0)
+    moves, pulls = len(state.poses) > 1, bool(state.focus) and len(state.poses) + len(state.focus) > 2
     last = max(duration - 1, 1)
-    for frame in [*range(0, last, KEY_EVERY), last]:
-        _set(camera, camera_at(state, frame, Film(state.sensor_width)))
-        camera.keyframe_insert("location", frame=start + frame)
-        camera.keyframe_insert("rotation_quaternion", frame=start + frame)
-        camera.data.keyframe_insert("lens", frame=start + frame)
+    for frame in [*range(0, last, KEY_EVERY), last] if moves or pulls else ():
+        _set(camera, state, frame)
+        if moves:
+            camera.keyframe_insert("location", frame=start + frame)
+            camera.keyframe_insert("rotation_quaternion", frame=start + frame)
+            camera.data.keyframe_insert("lens", frame=start + frame)
+        if pulls:
+            camera.data.keyframe_insert("dof.focus_distance", frame=start + frame)
 
 
-def _set(camera: bpy.types.Object, orbit: Orbit) -> None:
+def _set(camera: bpy.types.Object, state: CameraState, frame: float) -> None:
+    """Put a camera where it is at a frame of its shot, with its lens and its focus."""
+    film = Film(state.sensor_width)
+    orbit, focus = camera_at(state, frame, film), focus_at(state, frame, film)
     world = Matrix(orbit.world.tolist())
     location, rotation, _ = world.decompose()
     if camera.rotation_quaternion.dot(rotation) < 0:
@@ -65,4 +69,4 @@ def _set(camera: bpy.types.Object, orbit: Orbit) -> None:
     camera.location, camera.rotation_quaternion = location, rotation
     camera.matrix_world = world
     camera.data.lens = orbit.lens
-    camera.data.dof.focus_distance = orbit.distance
+    camera.data.dof.focus_distance = orbit.distance if focus is None else focus

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 
-from storyblender.geometry.framing import Film
+from storyblender.geometry.framing import Film, project
 from storyblender.geometry.moves import ease_in_out, interpolate_cameras
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.shot_context import CameraPose, CameraState
@@ -35,3 +35,26 @@ def camera_at(state: CameraState, frame: float, film: Film) -> Orbit:
             share = (frame - before.frame) / max(1, after.frame - before.frame)
             return interpolate_cameras(orbit_of(before, film), orbit_of(after, film), ease_in_out(share))
     return orbit_of(state.poses[-1], film)
+
+
+def focus_at(state: CameraState, frame: float, film: Film) -> float | None:
+    """Return the depth in metres that is sharp at a frame of a shot; None where everything is.
+
+    It follows whom it is on, and is eased where it is racked from one to another.
+
+    Args:
+        state: The camera.
+        frame: Counted from the start of the shot.
+        film: Sensor and aspect of the project.
+    """
+    if not state.focus:
+        return None
+    depths = project(camera_at(state, frame, film), [key.point for key in state.focus])[1]
+    keys = list(zip(state.focus, depths.tolist(), strict=True))
+    if frame <= state.focus[0].frame:
+        return keys[0][1]
+    for (before, start), (after, end) in itertools.pairwise(keys):
+        if frame <= after.frame:
+            share = (frame - before.frame) / max(1, after.frame - before.frame)
+            return start + (end - start) * (share if before.node_id == after.node_id else ease_in_out(share))
+    return keys[-1][1]

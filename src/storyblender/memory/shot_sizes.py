@@ -19,7 +19,8 @@ class SizeStandard:
         distance: The paper's word.
         lens: Default focal length in mm on a 36 mm wide sensor; a lens kit may replace it.
         widest: Shortest focal length in mm that the lens may be widened to where the room is short; inf keeps it.
-        f_number: Tight shots part the face from its background.
+        f_number: Aperture; tight shots part the face from its background, in wider ones everything is sharp unless the
+            script or a person says otherwise.
         head: Head height (crown to chin) as a share of the picture's height. A head is 0.13 of a body: FS holds the
             body with a little air, MS cuts at the waist, CU at the shoulders.
         crown: Where the top of the head goes, as a share of the picture's height from the top.
@@ -54,9 +55,9 @@ SIZES: dict[ShotSize, SizeStandard] = {
     "FS": SizeStandard("full shot", "long shot", 35, 20, 5.6, 0.108, 0.08, fill_large=0.7, reach=4.0),
     "MWS": SizeStandard("medium wide shot", "medium shot", 40, 22, 4.0, 0.150, 0.09, fill_large=0.8, reach=3.0),
     "MS": SizeStandard("medium shot", "medium shot", 50, 27, 4.0, 0.210, 0.10, 36.0, 0.3, reach=2.6),
-    "MCU": SizeStandard("medium close-up", "close-up", 65, 35, 2.8, 0.310, 0.09, 34.0, 0.42),
-    "CU": SizeStandard("close-up", "close-up", 85, math.inf, 2.4, 0.450, 0.06, 30.0, 0.55),
-    "ECU": SizeStandard("extreme close-up", "close-up", 100, math.inf, 2.8, 0.750, -0.12, 24.0, 0.75),
+    "MCU": SizeStandard("medium close-up", "close-up", 65, 35, 4.0, 0.310, 0.09, 34.0, 0.42),
+    "CU": SizeStandard("close-up", "close-up", 85, math.inf, 4.0, 0.450, 0.06, 30.0, 0.55),
+    "ECU": SizeStandard("extreme close-up", "close-up", 100, math.inf, 5.6, 0.750, -0.12, 24.0, 0.75),
 }
 """From the widest to the tightest."""
 SHOT_SIZES: tuple[ShotSize, ...] = tuple(SIZES)

@@ -24,6 +24,7 @@ from storyblender.look.gbuffer import GBuffer
 from storyblender.look.grade import display_of, to_bytes, to_display
 from storyblender.look.illumination import sky_light
 from storyblender.look.ink import apply_ink, draw_ink, people_nearby
+from storyblender.look.lens_blur import blurred_frame
 from storyblender.look.looks import LOOKS, Look
 from storyblender.look.modelling import lift_hands, model_flesh
 from storyblender.look.pencil import draw_pencil, level_ground
@@ -137,6 +138,7 @@ def render_frame(
         shot = ShotLight(session, passes, set_light, people, step * look.light_step, shadows=cast)
         lights = shot.set_lights + shot.lights
         picture = _relit(session, passes.gbuffer, shot, look, request, step)
+        lens = session.lens()
     gbuffer, (through, clear), ink = inked.result()
     depth, rays, eye = gbuffer.depth, gbuffer.view.rays(), gbuffer.view.eye
     picture = add_fog(add_smoke(picture, puffs, clear, shot.set_lights, plan.set_luminance), plan.fog, through, rays)
@@ -148,10 +150,14 @@ def render_frame(
     picture *= 2.0**stops
     lift = shadow_lift(picture)
     picture = with_shadows_raised(picture, lift)
+    masks = _masks(passes.gbuffer, look, step)
+    if lens is not None:
+        surfaces, ink = blurred_frame(np.dstack([picture, *masks]), ink, passes.gbuffer.depth, lens, step)
+        picture, masks = surfaces[..., :3], list(np.moveaxis(surfaces[..., 3:], 2, 0))
     picture = add_rain(picture, depth, plan.rain, request.seed)
     display = to_display(picture, look.contrast)
     statistics = _statistics(passes, picture, display, faces, (stops, lift))
-    drawing = _drawn(display, passes.gbuffer, ink, look, step)
+    drawing = _drawn(display, ink, masks, look)
     return FrameResult(to_bytes(drawing), shot.lights, shot.set_lights, statistics, set_light)
 
 
@@ -165,13 +171,23 @@ def _inked(
     return small, (through, clear), draw_ink(gbuffer, step, through * clear) if look.ink > 0 else None
 
 
-def _drawn(display: Image, gbuffer: GBuffer, ink: Image | None, look: Look, step: int) -> Image:
+def _masks(gbuffer: GBuffer, look: Look, step: int) -> list[Image]:
+    """Return what the look's drawing wants to know of each pixel, (h, w), 0 to 1."""
+    if look.ink <= 0:
+        return []
+    if look.style == "pencil":
+        return [gbuffer.coverage(FLESH, step), level_ground(gbuffer.reduced(step))]
+    return [people_nearby(gbuffer, step)]
+
+
+def _drawn(display: Image, ink: Image | None, masks: Sequence[Image], look: Look) -> Image:
     """Return the display picture with the look's lines, or as the look's drawing."""
     if ink is None:
         return display
     if look.style == "pencil":
-        return draw_pencil(display, ink, gbuffer.coverage(FLESH, step), level_ground(gbuffer.reduced(step)), look.ink)
-    return apply_ink(display, ink, people_nearby(gbuffer, step), look.ink)
+        flesh, level = masks
+        return draw_pencil(display, ink, flesh, level, look.ink)
+    return apply_ink(display, ink, masks[0], look.ink)
 
 
 def _look_of(request: FrameRequest) -> Look:

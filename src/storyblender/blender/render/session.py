@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from storyblender.blender.hiding import out_of_picture
 from storyblender.blender.render.exr import Channels, read_channels
 from storyblender.look.gbuffer import View
+from storyblender.look.optics import Lens
 from storyblender.look.raster import Window
 from storyblender.look.surface import Surface
 
@@ -92,6 +93,7 @@ class RenderSession:
         self.hidden_objects: list[bpy.types.Object] = []
         self.smoke_objects: list[bpy.types.Object] = []
         """Smoke that is seen in this frame, and left to the air."""
+        self._focused = bool(camera.data.dof.use_dof)
         self._stack = ExitStack()
 
     def __enter__(self) -> RenderSession:
@@ -99,6 +101,8 @@ class RenderSession:
         try:
             stack.enter_context(changed(bpy.context.window, {"scene": self.scene}))
             stack.enter_context(changed(self.scene, {"camera": self.camera}))
+            # Passes are sharp: what is out of focus is blurred in the picture (look.lens_blur).
+            stack.enter_context(changed(self.camera.data.dof, {"use_dof": False}))
             start = self.scene.frame_current
             stack.callback(lambda: self.go_to(start))
             if self._frame is not None:
@@ -145,6 +149,13 @@ class RenderSession:
             half_height=1 / projection[1, 1],
             shift=(float(projection[0, 2]), float(projection[1, 2])),
         )
+
+    def lens(self) -> Lens | None:
+        """Return the camera's lens as it is set at the frame; None where everything is sharp."""
+        data = self.camera.evaluated_get(self.scene.view_layers[0].depsgraph).data
+        if not self._focused:
+            return None
+        return Lens(data.lens, data.dof.aperture_fstop, data.dof.focus_distance, data.sensor_width)
 
     def exr(self, width: int, height: int, *, depth: bool = False) -> Channels:
         """Render with the engine that is set and return the channels of the multilayer EXR.
