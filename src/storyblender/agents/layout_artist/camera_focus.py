@@ -67,11 +67,11 @@ def _focused_on(view: CameraOperatorView, wanted: str | None) -> str | None:
 def _track(view: CameraOperatorView, node: str) -> list[tuple[int, Vec3]]:
     """Return frames and world points of what the lens is focused on: eyes, or the middle of a thing."""
     if node == "" and view.detail is not None:
-        return [(view.drawn.frame, _middle(view.detail))]
+        return [(view.story_moment.frame, _middle(view.detail))]
     figures = [(moment.frame, figure) for moment in view.moments if (figure := moment.figure(node)) is not None]
     if figures:
         return [(frame, _eyes(figure.face, figure.forward, figure.head)) for frame, figure in figures]
-    return [(view.drawn.frame, _middle(view.props[node]))] if node in view.props else []
+    return [(view.story_moment.frame, _middle(view.props[node]))] if node in view.props else []
 
 
 def _eyes(face: Vec3, forward: Vec3, head: float) -> Vec3:
@@ -102,7 +102,7 @@ def _kept_on(view: CameraOperatorView, node: str, first: int = 0, last: int | No
 
 def _racked(view: CameraOperatorView, first: str, second: str) -> tuple[FocusKey, ...]:
     """Return the keys of a rack focus: before or after the moment that is drawn, where there is more time for it."""
-    end, drawn = max(view.duration - 1, 1), view.drawn.frame
+    end, drawn = max(view.duration - 1, 1), view.story_moment.frame
     time = min(max(round(view.duration / 3), _RACK[0]), _RACK[1], end)
     begins, ends = (0, drawn) if drawn > end / 2 else (drawn, end)
     time = min(time, max(ends - begins, 1))
