@@ -16,7 +16,7 @@ from storyblender.agents.director.places_by_meaning import choose_kits_by_meanin
 from storyblender.agents.director.reader import read_script
 from storyblender.agents.director.reading import Reading
 from storyblender.agents.director.reading_file import read_reading
-from storyblender.agents.director.rules import RULES, Ledger, keeping
+from storyblender.agents.director.rules import RULES, Ledger, using_ledger
 from storyblender.library.embedder import load_embedder
 from storyblender.screenplay.source import load
 
@@ -47,7 +47,7 @@ def compared(careful: list[Reading]) -> dict[str, Tally]:
 def ablated(careful: list[Reading]) -> Iterator[tuple[str, dict[str, Tally]]]:
     """Return each rule with the tallies of readings that do without it."""
     for name in sorted(RULES):
-        with keeping(Ledger(off=frozenset({name}))):
+        with using_ledger(Ledger(off=frozenset({name}))):
             yield name, compared(careful)
 
 

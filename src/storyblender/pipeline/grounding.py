@@ -9,7 +9,7 @@ from pathlib import Path
 from storyblender.agents.director.reader.reasons import Reason, reasons_of
 from storyblender.agents.director.reading import Reading
 from storyblender.agents.director.reading_file import is_reading_of, read_reading, write_reading
-from storyblender.agents.director.rules import Ledger, keeping
+from storyblender.agents.director.rules import Ledger, using_ledger
 from storyblender.agents.director.settings import DirectorSettings
 from storyblender.errors import InputError
 from storyblender.folder import Folder
@@ -99,7 +99,7 @@ def explain(run: Run, script: Path) -> list[Reason]:
     screenplay = load(script)
     if _kept_reading(run, screenplay) is not None:
         raise InputError("was read by a person, not by rules", mend="leave out --why", path=script)
-    with keeping(Ledger()) as ledger:
+    with using_ledger(Ledger()) as ledger:
         return reasons_of(_understood(run, screenplay, None), ledger)
 
 

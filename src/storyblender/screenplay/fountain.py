@@ -22,7 +22,7 @@ from storyblender.screenplay.cues import (
 from storyblender.screenplay.headings import is_heading, scene_label, split_number
 from storyblender.screenplay.layout.front import titled
 from storyblender.screenplay.layout.labels import element_of_label
-from storyblender.screenplay.layout.spacing import Row, line_spacing
+from storyblender.screenplay.layout.spacing import PageRow, line_spacing
 from storyblender.screenplay.model import Element, ElementKind, Screenplay
 
 _SECTION = re.compile(
@@ -79,7 +79,7 @@ def parse(text: str, path: str = "") -> Screenplay:
     Raises:
         InputError: A boneyard or a note is opened and never closed.
     """
-    return _Reader(text, path).read()
+    return _FountainReader(text, path).read()
 
 
 def kind_of_words(words: str) -> ElementKind | None:
@@ -93,7 +93,7 @@ def kind_of_words(words: str) -> ElementKind | None:
     return "page_break" if _PAGE_FURNITURE.fullmatch(words) else None
 
 
-class _Reader:
+class _FountainReader:
     def __init__(self, text: str, path: str) -> None:
         self.text = text
         self.path = path
@@ -128,7 +128,7 @@ class _Reader:
         for number, raw in enumerate(self.text.split("\n"), 1):
             lines.append(_Line(number, start, raw, self.shown[start : start + len(raw)]))
             start += len(raw) + 1
-        spacing = line_spacing([Row(len(line.raw) - len(line.raw.lstrip()), line.words) for line in lines])
+        spacing = line_spacing([PageRow(len(line.raw) - len(line.raw.lstrip()), line.words) for line in lines])
         return [line for index, line in enumerate(lines) if index not in spacing]
 
     def _title_page(self) -> tuple[tuple[str, str], ...]:

@@ -1,6 +1,6 @@
 """The rules of a reading by name: which of them decided what, on which words, and what is read without one of them.
 
-A rule is a function under ``rule``, or a test inside one, ``by_rule``. While a ledger is kept, whatever a rule adds to
+A rule is a function under ``rule``, or a test inside one, ``as_rule``. While a ledger is kept, whatever a rule adds to
 the facts of the reading is written down with its name; without a ledger nothing is recorded, and nothing costs time.
 """
 
@@ -90,7 +90,7 @@ _KEPT: ContextVar[Ledger | None] = ContextVar("ledger", default=None)
 
 
 @contextmanager
-def keeping(ledger: Ledger) -> Iterator[Ledger]:
+def using_ledger(ledger: Ledger) -> Iterator[Ledger]:
     """Keep a ledger of what is read inside the block."""
     token = _KEPT.set(ledger)
     try:
@@ -128,7 +128,7 @@ def rule(name: str, without: object = None) -> Callable[[Callable[P, R]], Callab
 
 
 @contextmanager
-def by_rule(name: str, start: int, end: int) -> Iterator[None]:
+def as_rule(name: str, start: int, end: int) -> Iterator[None]:
     """Do as a rule what is inside the block, on these words."""
     RULES.add(name)
     ledger = _KEPT.get()
@@ -142,21 +142,21 @@ def by_rule(name: str, start: int, end: int) -> Iterator[None]:
         ledger.leave()
 
 
-def holds(name: str, evidence: object) -> bool:
+def rule_applies(name: str, evidence: object) -> bool:
     """Return whether there is evidence and its rule is not switched off."""
     RULES.add(name)
     ledger = _KEPT.get()
     return bool(evidence) and (ledger is None or name not in ledger.off)
 
 
-def decided(kind: str, what: str, start: int, end: int) -> None:
+def record_fact(kind: str, what: str, start: int, end: int) -> None:
     """Write a fact into the ledger, if one is kept, as decided by the rule at work."""
     ledger = _KEPT.get()
     if ledger is not None:
         ledger.decide(Fact(kind, what, words=(start, end)))
 
 
-def watch(facts: Callable[[], Iterable[Fact]]) -> None:
+def watch_facts(facts: Callable[[], Iterable[Fact]]) -> None:
     """Let the ledger, if one is kept, see what is decided."""
     ledger = _KEPT.get()
     if ledger is not None:

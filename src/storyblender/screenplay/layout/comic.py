@@ -59,7 +59,7 @@ def parse(text: str, path: str = "") -> Screenplay:
         text: The script, newlines as ``\\n``.
         path: File path, for display only.
     """
-    reader = _Reader(text)
+    reader = _ComicReader(text)
     reader.read()
     page = reader.page
     return Screenplay(
@@ -72,7 +72,7 @@ def parse(text: str, path: str = "") -> Screenplay:
     )
 
 
-class _Reader:
+class _ComicReader:
     def __init__(self, text: str) -> None:
         self.page = Page(text)
         self.lines = lines_of(text)

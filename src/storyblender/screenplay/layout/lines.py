@@ -6,7 +6,7 @@ import re
 from bisect import bisect_right
 from typing import NamedTuple
 
-from storyblender.screenplay.layout.spacing import Row, line_spacing
+from storyblender.screenplay.layout.spacing import PageRow, line_spacing
 from storyblender.screenplay.model import Element, ElementKind
 
 _EMPHASIS = re.compile(r"(?<![\w*])([*_]{1,3})(?=\S)([^*_\n]{1,300}?)(?<=\S)\1(?![\w*])")
@@ -37,7 +37,7 @@ def lines_of(text: str) -> list[Line]:
         lead = raw[: len(raw) - len(raw.lstrip())] if words else ""
         found.append(Line(number, position + len(lead), words, len(lead.expandtabs(4))))
         position += len(raw) + 1
-    spacing = line_spacing([Row(line.indent, line.words) for line in found])
+    spacing = line_spacing([PageRow(line.indent, line.words) for line in found])
     return [line for index, line in enumerate(found) if index not in spacing]
 
 

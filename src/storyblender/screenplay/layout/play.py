@@ -69,7 +69,7 @@ def parse(text: str, path: str = "") -> Screenplay:
         text: The script, newlines as ``\\n``.
         path: File path, for display only.
     """
-    return _Reader(text).read(path)
+    return _PlayReader(text).read(path)
 
 
 def names_speakers(text: str) -> bool:
@@ -92,7 +92,7 @@ def _listed(lines: Sequence[Line]) -> frozenset[str]:
     return read_front(Page(""), lines[head:end])
 
 
-class _Reader:
+class _PlayReader:
     def __init__(self, text: str) -> None:
         self.page = Page(text)
         self.lines = lines_of(text)

@@ -18,7 +18,7 @@ _DEEP = 40
 """Most lines of one bracket."""
 
 
-class Row(NamedTuple):
+class PageRow(NamedTuple):
     """A line of a page: spaces before its words, and the words."""
 
     indent: int
@@ -36,7 +36,7 @@ class Row(NamedTuple):
         return not self.spoken and words[:1] != "(" and len(words.split()) <= _CUE_WORDS and looks_like_cue(words)
 
 
-def line_spacing(rows: Sequence[Row]) -> frozenset[int]:
+def line_spacing(rows: Sequence[PageRow]) -> frozenset[int]:
     """Return the indices of the empty lines that stand inside a speech or a sentence of a double-spaced page."""
     cues = [i for i in range(len(rows) - 2) if rows[i].words and (not i or not rows[i - 1].words) and rows[i].cue]
     apart = [i for i in cues if not rows[i + 1].words and rows[i + 2].spoken]
@@ -50,7 +50,7 @@ def line_spacing(rows: Sequence[Row]) -> frozenset[int]:
     return frozenset(_Walk(rows, frozenset(apart), indented).spacing())
 
 
-def _loud(rows: Sequence[Row], apart: set[int]) -> bool:
+def _loud(rows: Sequence[PageRow], apart: set[int]) -> bool:
     """Whether action stands in capitals: small letters are found below a name or more of them only."""
     told = [row for row in rows if row.words and not is_heading(row.words) and len(row.words.split()) > _CUE_WORDS]
     large = sum(not row.spoken for row in told)
@@ -63,7 +63,7 @@ def _loud(rows: Sequence[Row], apart: set[int]) -> bool:
 class _Walk:
     """Goes down a page, and knows whether it is inside a speech."""
 
-    rows: Sequence[Row]
+    rows: Sequence[PageRow]
     apart: frozenset[int]
     indented: bool
 
@@ -100,7 +100,7 @@ class _Walk:
         aside = row.words[:1] == "(" and at + 2 < len(self.rows) and self.rows[at + 2].spoken
         return (row.spoken or (aside and len(row.words.split()) <= _CUE_WORDS)) and not is_heading(row.words)
 
-    def _sentence_goes_on(self, row: Row, following: Row) -> bool:
+    def _sentence_goes_on(self, row: PageRow, following: PageRow) -> bool:
         """Whether a line of action that fills its line ends no sentence."""
         told = len(row.words) > _FULL and not row.cue and not is_heading(row.words) and row.indent == following.indent
         return told and not row.words.endswith((".", "!", "?", ":", ")")) and not is_heading(following.words)

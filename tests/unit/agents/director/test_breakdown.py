@@ -82,7 +82,7 @@ def test_a_budget_gives_fewer_and_longer_shots_without_touching_orders() -> None
     full, tight = board_of(script), board_of(script, DirectorSettings(shots_per_scene=3))
     assert len(tight.shot_details) < len(full.shot_details)
     assert len(tight.shot_details) <= 5
-    assert [shot.camera_instruction.size for shot in tight.shot_details if shot.camera_instruction.has_note] == ["CU"]
+    assert [shot.camera_instruction.size for shot in tight.shot_details if shot.camera_instruction.explicit] == ["CU"]
     assert_covers(tight, script.read())
 
 
@@ -234,7 +234,7 @@ def test_shot_notes_reach_the_next_unit_and_the_script_words_stay() -> None:
     reading = read_script(read(script))
     board = storyboard(reading)
     last = board.shot_details[-1].camera_instruction
-    assert (last.has_note, last.angle, last.size) == (True, "low angle", "CU")
+    assert (last.explicit, last.angle, last.size) == (True, "low angle", "CU")
     assert re.search(r"never", board.storyboard_outline[0].shots[-1].lines[0].text, re.IGNORECASE)
 
 

@@ -29,5 +29,5 @@ def test_a_part_that_stays_on_is_shown_by_its_whole() -> None:
         Thing("lid", "lid", part_of="kettle"),
     ]
     company = StoryAssets(script.read())
-    assert company.shown("message") == "laptop" and "message" not in company.assets
-    assert company.shown("lid") == "lid" and "lid" in company.assets, "somebody holds it: it comes off"
+    assert company.visible_id("message") == "laptop" and "message" not in company.assets
+    assert company.visible_id("lid") == "lid" and "lid" in company.assets, "somebody holds it: it comes off"

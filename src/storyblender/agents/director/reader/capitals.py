@@ -41,7 +41,7 @@ _SMALL = (
 _COMMON = lexicon.PROPS | lexicon.SET_PIECES | lexicon.SCENERY | lexicon.BODY | lexicon.ANIMALS | lexicon.WORN
 
 
-def usually_written(screenplay: Screenplay) -> str:
+def in_sentence_case(screenplay: Screenplay) -> str:
     """Return the text of a script with its action in the usual capitals: a sentence's first letter, and names.
 
     Action is changed where a page writes it all without capitals or mostly in them, and a sentence in capitals
@@ -55,11 +55,13 @@ def usually_written(screenplay: Screenplay) -> str:
     small = sum(letter.islower() for letter in sample)
     if not large + small:
         return text
-    names = _Names.of(screenplay, told)
+    names = _NameWords.of(screenplay, told)
     pieces, done = [], 0
     for element in told:
         written = text[element.start : element.end]
-        read = _raised(written, names) if not large else _lowered(written, names, large > _MOSTLY * (large + small))
+        read = (
+            _capitalised(written, names) if not large else _lowered(written, names, large > _MOSTLY * (large + small))
+        )
         if read != written:
             pieces += [text[done : element.start], read]
             done = element.end
@@ -67,7 +69,7 @@ def usually_written(screenplay: Screenplay) -> str:
 
 
 @dataclass(frozen=True)
-class _Names:
+class _NameWords:
     """Words that are names, where capitals do not tell."""
 
     spoken: frozenset[str]
@@ -78,7 +80,7 @@ class _Names:
     """In small letters: written as a name elsewhere."""
 
     @classmethod
-    def of(cls, screenplay: Screenplay, told: list[Element]) -> _Names:
+    def of(cls, screenplay: Screenplay, told: list[Element]) -> _NameWords:
         """Collect the names of a script."""
         named = {element.name.upper() for element in screenplay.elements if element.kind == "cue"}
         named |= {element.text.upper() for element in screenplay.elements if element.kind == "cast"}
@@ -89,7 +91,7 @@ class _Names:
             given |= {word.lower() for match in _TITLED.finditer(written) for word in _WORD.findall(match.group())}
             marked = (match.group(1) for match in _MARKED.finditer(written))
             aged = (_last_name(match["name"]) for match in _AGED.finditer(written))
-            named |= {name for name in (*marked, *aged) if name and not _does(name)}
+            named |= {name for name in (*marked, *aged) if name and not _is_action(name)}
         words = {word for name in named for word in _WORD.findall(name)}
         kept = {word for word in words if word.lower() not in _SMALL and len(word) > 1}
         return cls(frozenset(kept), frozenset(name for name in named if " " in name), frozenset(given))
@@ -119,12 +121,12 @@ def _last_name(words: str) -> str:
     return " ".join(name)
 
 
-def _does(name: str) -> bool:
+def _is_action(name: str) -> bool:
     """Whether marked words tell of something that happens: ``_EXITS_``, ``_CROSSES TO THE DOOR_``."""
     return any(form_kind(word.lower()) in ("3sg", "ing") or word.lower() in _SMALL for word in name.split())
 
 
-def _lowered(text: str, names: _Names, page: bool) -> str:
+def _lowered(text: str, names: _NameWords, page: bool) -> str:
     """Return action with what stands in capitals as it is usually written.
 
     Args:
@@ -136,7 +138,7 @@ def _lowered(text: str, names: _Names, page: bool) -> str:
     out = list(text)
     for start, end in _sentences(text):
         words = text[start:end]
-        if any(letter.islower() for letter in _QUOTED.sub("", words)) or not (page or _tells(words)):
+        if any(letter.islower() for letter in _QUOTED.sub("", words)) or not (page or _is_sentence(words)):
             continue
         camera = camera_phrases.parse_direction(words)[0]
         begins = _OPENING.match(words).end()  # pyright: ignore[reportOptionalMemberAccess]
@@ -154,7 +156,7 @@ def _lowered(text: str, names: _Names, page: bool) -> str:
     return "".join(out)
 
 
-def _tells(words: str) -> bool:
+def _is_sentence(words: str) -> bool:
     """Whether words in capitals on an ordinary page are a sentence: it has a verb and an article or a pronoun."""
     low = [word.lower() for word in _WORD.findall(words)]
     if len(low) < _SENTENCE_WORDS or not words.rstrip(' \n"”)').endswith((".", "!", "?")):
@@ -166,13 +168,13 @@ def _sentences(text: str) -> Iterator[tuple[int, int]]:
     return (match.span() for match in _SENTENCE.finditer(text))
 
 
-def _whole_names(words: str, names: _Names) -> Iterator[tuple[int, int]]:
+def _whole_names(words: str, names: _NameWords) -> Iterator[tuple[int, int]]:
     """Find the names of several words, ``MAN ON THE STAIRS``, which stay as they are."""
     for name in names.whole:
         yield from (match.span() for match in re.finditer(rf"(?<!\w){re.escape(name)}(?!\w)", words))
 
 
-def _raised(text: str, names: _Names) -> str:
+def _capitalised(text: str, names: _NameWords) -> str:
     """Return action text in sentence case: sentences and the names of speakers begin with a capital."""
     opens = {start + match.end() for start, end in _sentences(text) if (match := _OPENING.match(text[start:end]))}
 

@@ -23,18 +23,18 @@ _RESTING = frozenset({"stand", "sit", "lie", "lean", "hang", "rest"})
 _STOPS = frozenset({",", ";", ".", ":", "!", "?", "--", "—", "–", "(", ")"})
 
 
-def without_depicted(words: list[Word], lately: Sequence[str]) -> tuple[list[Word], list[Word]]:
+def split_depicted(words: list[Word], lately: Sequence[str]) -> tuple[list[Word], list[Word]]:
     """Part the words of a sentence into what is there, and what a screen in it shows; what a picture shows is neither.
 
     Args:
         words: A sentence.
         lately: Head nouns of the things named before it, the last first.
     """
-    start = _shown_from(words, lately)
+    start = _depiction_start(words, lately)
     return words[:start], words[start:]
 
 
-def _shown_from(words: Sequence[Word], lately: Sequence[str]) -> int:
+def _depiction_start(words: Sequence[Word], lately: Sequence[str]) -> int:
     """Index of the first word that tells what a screen or a picture shows; behind the last where none does."""
     screen = any(head in _SCREENS for head in lately)
     place = _opening_place(words, screen)

@@ -72,7 +72,7 @@ _TOLD: frozenset[ElementKind] = frozenset(
 _SAID: frozenset[ElementKind] = frozenset({"dialogue", "lyric"})
 
 
-def told_and_said(screenplay: Screenplay) -> tuple[str, str]:
+def narration_and_speech(screenplay: Screenplay) -> tuple[str, str]:
     """Return what the story tells and what its people say, a paragraph a line.
 
     Of the title page only the title belongs to the story: contact, dates and copyright tell when and where it was
@@ -92,10 +92,10 @@ def told_and_said(screenplay: Screenplay) -> tuple[str, str]:
 
 def age_of(screenplay: Screenplay) -> Age | None:
     """Return the age that the words of a script speak of most; None where none is sure, and all is as usual today."""
-    return age_told(*told_and_said(screenplay))
+    return age_in_words(*narration_and_speech(screenplay))
 
 
-def age_told(story: str, said: str = "") -> Age | None:
+def age_in_words(story: str, said: str = "") -> Age | None:
     """Return the age that words speak of most, or None.
 
     Args:

@@ -14,7 +14,7 @@ from storyblender.agents.director.reader.deeds.outcomes import hold
 from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.page.sentences import Sentence
 from storyblender.agents.director.reader.people.person_reference import resolve_mention
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Deed, Person, StateChange
 from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Posture, RelationKind
@@ -37,23 +37,23 @@ _CHANGES = {"open": "open", "close": "closed"}
 
 
 @rule("deeds.another_language")
-def read_foreign(stage: Stage, sentence: Sentence, tongue: Tongue) -> None:
+def read_foreign(state: ReaderState, sentence: Sentence, tongue: Tongue) -> None:
     """Read a sentence of action into its unit, which is already open.
 
     Args:
-        stage: The state before the sentence.
+        state: The state before the sentence.
         sentence: The sentence, with the names of the cast marked.
         tongue: The language of the sentence.
     """
-    stage.sentence.words = sentence.words
-    subjects = _carried(stage)
+    state.sentence.words = sentence.words
+    subjects = _carried(state)
     for clause in _clauses(sentence.words, tongue):
-        subjects = _read_clause(stage, clause, tongue, subjects)
-    stage.discourse.subjects = subjects
+        subjects = _read_clause(state, clause, tongue, subjects)
+    state.discourse.subjects = subjects
 
 
-def _carried(stage: Stage) -> list[Person]:
-    return [person for person in stage.discourse.subjects if person.id in stage.scene.on]
+def _carried(state: ReaderState) -> list[Person]:
+    return [person for person in state.discourse.subjects if person.id in state.scene.on]
 
 
 def _clauses(words: Sequence[Word], tongue: Tongue) -> list[list[Word]]:
@@ -73,21 +73,21 @@ def _clauses(words: Sequence[Word], tongue: Tongue) -> list[list[Word]]:
     return joined
 
 
-def _read_clause(stage: Stage, words: Sequence[Word], tongue: Tongue, before: list[Person]) -> list[Person]:
+def _read_clause(state: ReaderState, words: Sequence[Word], tongue: Tongue, before: list[Person]) -> list[Person]:
     verb = next((at for at in range(len(words)) if _is_verb(words, at, tongue)), None)
-    named = [(at, person) for at, word in enumerate(words) for person in _people(stage, words, at, word, tongue)]
-    things = [(at, thing) for at, word in enumerate(words) if (thing := _thing(stage, word, tongue))]
+    named = [(at, person) for at, word in enumerate(words) for person in _people(state, words, at, word, tongue)]
+    things = [(at, thing) for at, word in enumerate(words) if (thing := _thing(state, word, tongue))]
     for _, person in named:
-        stage.mention(person, 1.0)
-        stage.enter(person)
-        stage.involve(person)
+        state.mention(person, 1.0)
+        state.enter(person)
+        state.add_to_unit(person)
     if verb is None:
         return [person for _, person in named[:1]] or before
-    subjects = _subjects(stage, words, verb, named, things, before, tongue)
+    subjects = _subjects(state, words, verb, named, things, before, tongue)
     motion = _motion(words, verb, tongue)
     if motion is None or not subjects:
         return subjects or before
-    _act(stage, words, verb, motion, subjects, [p for at, p in named if p not in subjects], things, tongue)
+    _act(state, words, verb, motion, subjects, [p for at, p in named if p not in subjects], things, tongue)
     return subjects
 
 
@@ -98,23 +98,23 @@ def _is_verb(words: Sequence[Word], at: int, tongue: Tongue) -> bool:
     return words[at].mention is None and words[at].low in tongue.verbs and not (placed or noun)
 
 
-def _people(stage: Stage, words: Sequence[Word], at: int, word: Word, tongue: Tongue) -> list[Person]:
+def _people(state: ReaderState, words: Sequence[Word], at: int, word: Word, tongue: Tongue) -> list[Person]:
     """Return the people a word names; a person after ``von``, ``de`` only owns something."""
     if at and words[at - 1].low in ("von", "de", "del", "di"):
         return []
     if word.mention is None:
-        return stage.roster.find(word.low)[:1] if word.low in tongue.people or word.text[0].isupper() else []
-    return resolve_mention(stage, word.mention) or word.mention.candidates[:1]
+        return state.roster.find(word.low)[:1] if word.low in tongue.people or word.text[0].isupper() else []
+    return resolve_mention(state, word.mention) or word.mention.candidates[:1]
 
 
-def _thing(stage: Stage, word: Word, tongue: Tongue) -> str | None:
+def _thing(state: ReaderState, word: Word, tongue: Tongue) -> str | None:
     english = _english(word, tongue) if word.mention is None else None
     if english is None:
         return None
-    thing = stage.inventory.id_of(english, word.start)
-    stage.inventory.seen(thing, "seen")
-    if thing not in stage.unit.things:
-        stage.unit.things.append(thing)
+    thing = state.inventory.id_of(english, word.start)
+    state.inventory.note(thing, "seen")
+    if thing not in state.unit.things:
+        state.unit.things.append(thing)
     return thing
 
 
@@ -127,7 +127,7 @@ def _english(word: Word, tongue: Tongue) -> str | None:
 
 
 def _subjects(
-    stage: Stage,
+    state: ReaderState,
     words: Sequence[Word],
     verb: int,
     named: Sequence[tuple[int, Person]],
@@ -141,7 +141,7 @@ def _subjects(
         return leading
     for word in words[:verb] or words[verb + 1 : verb + 2]:
         if word.low in tongue.pronouns:
-            return _pronoun(stage, tongue.pronouns[word.low], before)
+            return _pronoun(state, tongue.pronouns[word.low], before)
     if any(at < verb and not _is_placed(words, at, tongue) for at, _ in things) or _is_of_a_noun(words[:verb], tongue):
         return []  # the door flies open
     inverted = [person for at, person in named if at > verb and not _is_placed(words, at, tongue)]
@@ -165,15 +165,15 @@ def _is_placed(words: Sequence[Word], at: int, tongue: Tongue) -> bool:
     )
 
 
-def _pronoun(stage: Stage, gender: str, before: list[Person]) -> list[Person]:
-    here = stage.spoken_of()
+def _pronoun(state: ReaderState, gender: str, before: list[Person]) -> list[Person]:
+    here = state.referable_people()
     if gender == "unknown":
         return [person for person in here if person.kind != "animal"]
     fitting = [person for person in here if person.gender in (gender, "unknown")]
     for person in before:
         if person in fitting:
             return [person]
-    best = max(fitting, key=stage.presence, default=None)
+    best = max(fitting, key=state.prominence, default=None)
     return [best] if best else before
 
 
@@ -187,7 +187,7 @@ def _motion(words: Sequence[Word], verb: int, tongue: Tongue) -> str | None:
 
 
 def _act(
-    stage: Stage,
+    state: ReaderState,
     words: Sequence[Word],
     verb: int,
     motion: str,
@@ -208,29 +208,29 @@ def _act(
     prop = handled[0] if handled else None
     target = others[0].id if others else prop or (anchor[0] if anchor else None)
     for person in subjects:
-        stage.unit.deeds.append(Deed(person.id, motion, target, prop, words[verb].start, words[verb].low))
+        state.unit.deeds.append(Deed(person.id, motion, target, prop, words[verb].start, words[verb].low))
         if motion in _POSTURES:
             support = anchor[0] if anchor and motion in _RESTING else None
-            stage.scene.posture[person.id] = (_POSTURES[motion], support)
+            state.scene.posture[person.id] = (_POSTURES[motion], support)
         if anchor and motion in _RESTING:
-            seat = anchor[1] == "in" and stage.inventory.head(anchor[0]) in lexicon.SEATS
-            stage.relate(person.id, "on" if seat else anchor[1], anchor[0])
+            seat = anchor[1] == "in" and state.inventory.head(anchor[0]) in lexicon.SEATS
+            state.relate(person.id, "on" if seat else anchor[1], anchor[0])
         if prop and motion in _TAKING:
-            hold(stage, person.id, prop)
+            hold(state, person.id, prop)
         elif prop and motion == "give" and others:
-            hold(stage, others[0].id, prop)
-        elif prop and prop in stage.scene.held.get(person.id, ()) and motion in ("put_down", "throw", "drop"):
-            stage.scene.held[person.id].remove(prop)
+            hold(state, others[0].id, prop)
+        elif prop and prop in state.scene.held.get(person.id, ()) and motion in ("put_down", "throw", "drop"):
+            state.scene.held[person.id].remove(prop)
     for thing in handled:
-        stage.inventory.seen(thing, "handled", determined=True)
+        state.inventory.note(thing, "handled", determined=True)
     for thing, kind in placed:
-        stage.inventory.seen(thing, "related")
+        state.inventory.note(thing, "related")
         if prop and motion == "put_down":
-            stage.relate(prop, kind, thing)
-    if prop and motion in _CHANGES and stage.inventory.head(prop) in lexicon.OPENABLE:
-        stage.unit.changes.append(StateChange(prop, _CHANGES[motion], words[verb].start))
+            state.relate(prop, kind, thing)
+    if prop and motion in _CHANGES and state.inventory.head(prop) in lexicon.OPENABLE:
+        state.unit.changes.append(StateChange(prop, _CHANGES[motion], words[verb].start))
     if {word.low for word in words} & _LEAVING[tongue.key]:
-        stage.scene.leaving += [person.id for person in subjects if person.id not in stage.scene.leaving]
+        state.scene.leaving += [person.id for person in subjects if person.id not in state.scene.leaving]
 
 
 def _relation(words: Sequence[Word], at: int, tongue: Tongue) -> RelationKind | None:

@@ -11,8 +11,8 @@ from storyblender.agents.director.reader.language.phrases import NounPhrase, fin
 from storyblender.agents.director.reader.language.rewrite import regularise
 from storyblender.agents.director.reader.language.words import Word, tokenize
 from storyblender.agents.director.reader.people.coreference import resolve_pronoun
-from storyblender.agents.director.reader.people.thing_reference import ASIDE, weigh
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.people.thing_reference import ASIDE, raise_things
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import CameraNote, Person
 from storyblender.agents.director.rules import rule
 
@@ -21,35 +21,35 @@ _SOLID = ("prop", "set_piece")
 
 
 @rule("things.shown_by_camera")
-def show_thing(stage: Stage, camera: CameraNote) -> str | None:
+def note_insert(state: ReaderState, camera: CameraNote) -> str | None:
     """Note the thing that a direction shows; in somebody's hand it is theirs. Return its id.
 
     Args:
-        stage: Its unit is the one the direction holds for.
+        state: Its unit is the one the direction holds for.
         camera: The direction.
     """
-    words = regularise(tokenize(camera.subject, stage.unit.start))
+    words = regularise(tokenize(camera.subject, state.unit.start))
     phrases = find_phrases(words)
     nouns = [phrase.noun for phrase in phrases if phrase.noun and phrase.noun.kind == "thing"]
     if not nouns or lexicon.noun_class(nouns[0].key) not in _SOLID:
         return None
-    thing = stage.inventory.id_of(nouns[0].key, stage.unit.start)
-    stage.inventory.seen(thing, "shown")
-    stage.unit.things.append(thing)
+    thing = state.inventory.id_of(nouns[0].key, state.unit.start)
+    state.inventory.note(thing, "shown")
+    state.unit.things.append(thing)
     for noun in nouns[1:]:
-        for person in _owners(stage, noun, words) if noun.head in _GRIPS else ():
-            stage.enter(person)
-            hold(stage, person.id, thing)
-    _mean(stage, thing)
+        for person in _hand_owners(state, noun, words) if noun.head in _GRIPS else ():
+            state.enter(person)
+            hold(state, person.id, thing)
+    _set_it(state, thing)
     return thing
 
 
 @rule("relations.shown_by_camera")
-def lies_there(stage: Stage, thing: str, words: list[Word]) -> None:
+def locate_insert(state: ReaderState, thing: str, words: list[Word]) -> None:
     """``alone on the table``: say where what was shown is; ``it`` is what was shown.
 
     Args:
-        stage: The state after the sentence.
+        state: The state after the sentence.
         thing: What was shown.
         words: The rest of the sentence, in which nobody does anything.
     """
@@ -58,23 +58,23 @@ def lies_there(stage: Stage, thing: str, words: list[Word]) -> None:
         noun = phrase.noun
         kind = lexicon.relation_of(before.text) if before.kind == "preposition" else None
         if kind and noun and noun.kind == "thing" and lexicon.noun_class(noun.key) in _SOLID:
-            stage.relate(thing, kind, stage.inventory.id_of(noun.key, words[noun.index].start))
-    _mean(stage, thing)
+            state.relate(thing, kind, state.inventory.id_of(noun.key, words[noun.index].start))
+    _set_it(state, thing)
 
 
-def _mean(stage: Stage, thing: str) -> None:
+def _set_it(state: ReaderState, thing: str) -> None:
     """Let ``it`` mean what was shown."""
-    weigh(stage, [thing], ASIDE)
-    stage.discourse.recent_things.insert(0, thing)
+    raise_things(state, [thing], ASIDE)
+    state.discourse.recent_things.insert(0, thing)
 
 
-def _owners(stage: Stage, noun: NounPhrase, words: Sequence[Word]) -> list[Person]:
+def _hand_owners(state: ReaderState, noun: NounPhrase, words: Sequence[Word]) -> list[Person]:
     """Whose hand it is."""
     if noun.possessor is None:
         return []
     word = words[noun.possessor]
-    person = stage.find(word.text)
+    person = state.find(word.text)
     if person:
         return [person]
     known = lexicon.PRONOUNS.get(word.low, "thing") in ("male", "female")
-    return resolve_pronoun(stage, word.low, "possessor", (), stage.discourse.subjects) if known else []
+    return resolve_pronoun(state, word.low, "possessor", (), state.discourse.subjects) if known else []

@@ -14,7 +14,7 @@ from typing import Literal
 from storyblender.agents.director import camera_phrases
 from storyblender.agents.director.lexicon.foreign import Tongue, tongue_of
 from storyblender.agents.director.naming import UPPER
-from storyblender.agents.director.reader.capitals import usually_written
+from storyblender.agents.director.reader.capitals import in_sentence_case
 from storyblender.agents.director.reader.language.morphology import form_kind
 from storyblender.agents.director.reading import CameraNote
 from storyblender.screenplay.model import Element, Screenplay
@@ -109,7 +109,7 @@ def without_quotations(text: str) -> str:
 
 def open_manuscript(screenplay: Screenplay) -> Manuscript:
     """Lay out a screenplay for reading."""
-    text = usually_written(screenplay)
+    text = in_sentence_case(screenplay)
     told: list[tuple[int, ParagraphKind, list[Element]]] = []
     for index, element in enumerate(screenplay.elements):
         kind = _KINDS.get(element.kind)

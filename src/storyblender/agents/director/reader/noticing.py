@@ -9,9 +9,9 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clause import Clause
 from storyblender.agents.director.reader.language.phrases import NounPhrase, Phrase
 from storyblender.agents.director.reader.language.words import Word, joined
-from storyblender.agents.director.reader.people.person_reference import is_neuter
+from storyblender.agents.director.reader.people.person_reference import may_be_it
 from storyblender.agents.director.reader.people.roles import Roles
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.rules import rule
 from storyblender.catalog.inflection import singular
 
@@ -48,11 +48,11 @@ _ONLY_WORN = frozenset({"touch", "cut", "open", "clean"})
 
 
 @rule("things.named")
-def notice_nouns(stage: Stage, phrases: list[Phrase]) -> None:
+def notice_nouns(state: ReaderState, phrases: list[Phrase]) -> None:
     """Every noun that names a thing is seen; in capitals it is shown.
 
     Args:
-        stage: The state before the sentence; the things of its sentence and unit are noted.
+        state: The state before the sentence; the things of its sentence and unit are noted.
         phrases: The phrases of the sentence.
     """
     for index, phrase in enumerate(phrases):
@@ -63,42 +63,42 @@ def notice_nouns(stage: Stage, phrases: list[Phrase]) -> None:
             noun.key = lexicon.OWN_BODY[noun.head]
         if noun.plural and noun.head in _IN_PLURAL:
             noun.key = _IN_PLURAL[noun.head]
-        if _is_only_told(stage, phrases, index, noun):
+        if _is_not_present(state, phrases, index, noun):
             noun.key = _NO_THING
             continue
-        word = stage.sentence.words[noun.index]
-        if stage.place.weather == "clear" and noun.head in lexicon.WEATHER_WORDS:
-            _notice_weather(stage, noun.head, phrases[index - 1] if index else None)
-        thing = stage.inventory.id_of(noun.key, word.start, noun.determiner == "the")
-        if noun.head in _TROPHIES and noun.determiner and not any(is_neuter(p) for p in stage.roster.people):
-            stage.inventory.detach(thing)
-        stage.sentence.things.append((noun.index, thing))
+        word = state.sentence.words[noun.index]
+        if state.place.weather == "clear" and noun.head in lexicon.WEATHER_WORDS:
+            _notice_weather(state, noun.head, phrases[index - 1] if index else None)
+        thing = state.inventory.id_of(noun.key, word.start, noun.determiner == "the")
+        if noun.head in _TROPHIES and noun.determiner and not any(may_be_it(p) for p in state.roster.people):
+            state.inventory.detach(thing)
+        state.sentence.things.append((noun.index, thing))
         if noun.plural:
-            stage.sentence.plurals.add(thing)
+            state.sentence.plurals.add(thing)
         loud = word.text.isupper() and len(word.text) > 2 and singular(word.low) in lexicon.PROPS
-        stage.inventory.seen(thing, "shown" if loud else "seen")
-        stage.discourse.recent_things = [thing, *stage.discourse.recent_things[:_RECENT]]
+        state.inventory.note(thing, "shown" if loud else "seen")
+        state.discourse.recent_things = [thing, *state.discourse.recent_things[:_RECENT]]
         if noun.head not in lexicon.BODY and _is_at_a_part(phrases, index):
-            stage.inventory.seen(thing, "met")
-        if stage.inventory.class_of(thing) in _OBJECTLIKE and thing not in stage.unit.things:
-            stage.unit.things.append(thing)
+            state.inventory.note(thing, "met")
+        if state.inventory.class_of(thing) in _OBJECTLIKE and thing not in state.unit.things:
+            state.unit.things.append(thing)
 
 
-def _is_only_told(stage: Stage, phrases: list[Phrase], index: int, noun: NounPhrase) -> bool:
+def _is_not_present(state: ReaderState, phrases: list[Phrase], index: int, noun: NounPhrase) -> bool:
     """Whether a noun names no thing here: ``like a tree``, ``in plaster``, the picture on a screen."""
     before = phrases[index - 1] if index else None
     if before is not None and before.kind == "preposition" and before.text in _LIKENING | {"without"}:
         return True
-    if noun.determiner == "no" or _is_likened(stage.sentence.words, noun.index) or _is_said_of_it(phrases, index, noun):
+    if noun.determiner == "no" or _is_likened(state.sentence.words, noun.index) or _is_predicate(phrases, index, noun):
         return True
-    if _is_in_an_idiom(stage, noun):
+    if _is_in_an_idiom(state, noun):
         return True
     bare = not noun.determiner and noun.possessor is None and not noun.plural
-    if bare and stage.sentence.words[noun.index].text.istitle() and lexicon.noun_class(noun.key) == "unknown":
+    if bare and state.sentence.words[noun.index].text.istitle() and lexicon.noun_class(noun.key) == "unknown":
         return True  # somebody who is nobody here
     if before is not None and before.text == "in" and bare and lexicon.noun_class(noun.key) == "prop":
         return True
-    lately = {stage.inventory.head(thing) for thing in stage.discourse.recent_things}
+    lately = {state.inventory.head(thing) for thing in state.discourse.recent_things}
     return noun.head in _SHOWN and noun.determiner == "the" and bool(lately & _SCREENS)
 
 
@@ -122,7 +122,7 @@ def _is_likened(words: Sequence[Word], at: int) -> bool:
 
 
 @rule("things.said_of_it", without=False)
-def _is_said_of_it(phrases: list[Phrase], index: int, noun: NounPhrase) -> bool:
+def _is_predicate(phrases: list[Phrase], index: int, noun: NounPhrase) -> bool:
     """``It's an oven in here``, ``Now it is a boat``: a noun that describes something else."""
     if noun.determiner not in ("a", "an") or index < 2:
         return False
@@ -132,9 +132,9 @@ def _is_said_of_it(phrases: list[Phrase], index: int, noun: NounPhrase) -> bool:
 
 
 @rule("things.idiom", without=False)
-def _is_in_an_idiom(stage: Stage, noun: NounPhrase) -> bool:
+def _is_in_an_idiom(state: ReaderState, noun: NounPhrase) -> bool:
     """``in any case``, ``knows the ropes``, ``throws a tantrum``: the noun is part of an idiom."""
-    text = f" {joined(stage.sentence.words)} "
+    text = f" {joined(state.sentence.words)} "
     return any(noun.head in idiom and f" {idiom} " in text for idiom in _IDIOMS)
 
 
@@ -150,24 +150,24 @@ def _is_at_a_part(phrases: list[Phrase], index: int) -> bool:
     return False
 
 
-def _notice_weather(stage: Stage, word: str, left: Phrase | None) -> None:
+def _notice_weather(state: ReaderState, word: str, left: Phrase | None) -> None:
     """Rain hammers the windows; somebody walks through the fog. ``like thunder`` is no weather."""
     if left is None or left.kind in ("mark", "link") or left.text in ("in", "through", "into", "under", "of"):
-        stage.place.weather = lexicon.WEATHER_WORDS[word]
+        state.place.weather = lexicon.WEATHER_WORDS[word]
 
 
 @rule("things.acted_on")
-def notice_things(stage: Stage, clause: Clause, roles: Roles, motion: str | None) -> None:
+def notice_things(state: ReaderState, clause: Clause, roles: Roles, motion: str | None) -> None:
     """Note how the things of a clause come up.
 
     Args:
-        stage: The state before the clause.
+        state: The state before the clause.
         clause: A clause that happens.
         roles: Who and what it is about.
         motion: What its people do; None where they do nothing to see.
     """
-    inventory = stage.inventory
-    if motion == "write" and clause.verb in _DRAWING and not any(_is_known(noun) for noun in clause.object):
+    inventory = state.inventory
+    if motion == "write" and clause.verb in _DRAWING and not any(_is_existing_thing(noun) for noun in clause.object):
         for thing in roles.things:
             inventory.forget(thing)
         roles.things = []
@@ -175,23 +175,23 @@ def notice_things(stage: Stage, clause: Clause, roles: Roles, motion: str | None
     for thing in roles.things if roles.subjects else ():
         determined = _is_determined(clause.object, inventory.head(thing))
         if how == "held" or not (motion in _ONLY_WORN and inventory.class_of(thing) == "worn"):
-            inventory.seen(thing, how if how != "met" or determined else "seen", determined)
+            inventory.note(thing, how if how != "met" or determined else "seen", determined)
     grasped = any(noun.head in _GRASP for noun in clause.object)
     for place in roles.places if roles.subjects else ():
         used = how != "met" and not roles.things and place.preposition in _USING
         for thing in place.things:
             if used and inventory.class_of(thing) == "prop":
-                inventory.seen(thing, "handled")
+                inventory.note(thing, "handled")
             elif place.preposition in _WITH or (place.preposition == "of" and grasped):
-                inventory.seen(thing, "with")
+                inventory.note(thing, "with")
             elif place.preposition in _TOWARDS and _is_determined(place.nouns, inventory.head(thing)):
-                inventory.seen(thing, "met")
+                inventory.note(thing, "met")
     for thing in roles.subject_things:
         if inventory.class_of(thing) == "prop":
-            inventory.seen(thing, "related")
+            inventory.note(thing, "related")
 
 
-def _is_known(noun: NounPhrase) -> bool:
+def _is_existing_thing(noun: NounPhrase) -> bool:
     """``paints the door``: a thing that is there, while ``draws a tree`` makes none."""
     return noun.determiner not in ("", "a", "an") or noun.possessor is not None
 

@@ -141,7 +141,7 @@ class Inventory:
         item = self._by_id.get(id or "")
         return item.key.rsplit(" ", 1)[-1] if item else ""
 
-    def seen(self, id: str, how: Notice, determined: bool = False) -> None:
+    def note(self, id: str, how: Notice, determined: bool = False) -> None:
         """A thing comes up in the text. People are passed over."""
         item = self._by_id.get(id)
         if item:
@@ -181,7 +181,7 @@ class Inventory:
                 kind = "vehicle" if head in VEHICLES else "set_piece"
                 kind = "prop" if head in MOVABLE and (handled or item.id in borne) else kind
                 things.append((Thing(item.id, item.key, kind, handled=handled, first=item.first), False))
-            elif _matters(item, item.id in apart):
+            elif _belongs_on_sheet(item, item.id in apart):
                 thing = Thing(item.id, item.key, "prop", handled=handled, first=item.first)
                 thing.kind = "set_piece" if item.id in mounted and not handled else "prop"
                 things.append((thing, item.noun_class == "unknown"))
@@ -198,7 +198,7 @@ class Inventory:
         return {id for id in used if self.head(id) in PARTS | LIQUIDS or self._is_part(self._by_id[id])}
 
 
-def _matters(item: Item, apart: bool) -> bool:
+def _belongs_on_sheet(item: Item, apart: bool) -> bool:
     """Whether a prop, a garment or an unknown noun belongs on the asset sheet.
 
     Args:
@@ -208,7 +208,7 @@ def _matters(item: Item, apart: bool) -> bool:
     notices, head = item.notices, item.key.rsplit(" ", 1)[-1]
     used = notices["handled"] + notices["held"]
     if item.noun_class == "unknown":
-        return notices["held"] > 0 and item.determined and not _is_no_noun(head)
+        return notices["held"] > 0 and item.determined and not _names_no_thing(head)
     if item.noun_class == "worn" or (item.noun_class == "prop" and head in WORN):
         return used > 0 or apart
     if item.noun_class != "prop":
@@ -220,7 +220,7 @@ def _matters(item: Item, apart: bool) -> bool:
     return True
 
 
-def _is_no_noun(word: str) -> bool:
+def _names_no_thing(word: str) -> bool:
     """``lets go of it``, ``takes hold``, ``so wet``, ``sunburned``, ``his partner``: no name of a thing."""
     somebody = word in _PEOPLE or (is_person_noun(word) and word not in ANIMALS)
     other = word in ADJECTIVES or word in _ORDINALS or word in _MANNER or word.endswith("ed")

@@ -11,12 +11,12 @@ from storyblender.agents.director.reader.action import read_action
 from storyblender.agents.director.reader.bearing.calls import keep_calls
 from storyblender.agents.director.reader.cast.foreign_cast import add_foreign
 from storyblender.agents.director.reader.cast.prose_cast import find_prose_cast
-from storyblender.agents.director.reader.cast.screenplay_cast import find_cast
-from storyblender.agents.director.reader.deeds.entrances import bring_along, come_back
+from storyblender.agents.director.reader.cast.screenplay_cast import find_screenplay_cast
+from storyblender.agents.director.reader.deeds.entrances import carry_over_people, restore_people
 from storyblender.agents.director.reader.deeds.exits import clear_exits
 from storyblender.agents.director.reader.era import age_of
 from storyblender.agents.director.reader.foreign import read_foreign
-from storyblender.agents.director.reader.inserts import lies_there, show_thing
+from storyblender.agents.director.reader.inserts import locate_insert, note_insert
 from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.manuscript import Manuscript, open_manuscript
 from storyblender.agents.director.reader.page.cutting import cut_page
@@ -24,10 +24,10 @@ from storyblender.agents.director.reader.page.sentences import Sentence
 from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.reader.props import Inventory
 from storyblender.agents.director.reader.reasons import page_facts, stage_facts
-from storyblender.agents.director.reader.speech import act_beside, speak
-from storyblender.agents.director.reader.state import SceneState, Stage
+from storyblender.agents.director.reader.speech import read_parenthetical_action, read_speech
+from storyblender.agents.director.reader.state import ReaderState, SceneState
 from storyblender.agents.director.reading import CameraNote, Person, Reading, Unit
-from storyblender.agents.director.rules import by_rule, rule, watch
+from storyblender.agents.director.rules import as_rule, rule, watch_facts
 from storyblender.memory.vocabulary import Gender
 from storyblender.screenplay.model import Screenplay
 
@@ -50,26 +50,26 @@ def read_script(screenplay: Screenplay) -> Reading:
     """
     script = open_manuscript(screenplay)
     reading = Reading(screenplay, age=age_of(screenplay))
-    watch(lambda: page_facts(reading))
-    with by_rule("people.described", 0, len(script.text)):
+    watch_facts(lambda: page_facts(reading))
+    with as_rule("people.described", 0, len(script.text)):
         roster = _find_people(script, reading)
     sentences = cut_page(script, roster, reading.scenes)
     _guess_genders(sentences, roster, script.prose)
-    stage = Stage(roster, Inventory(roster.ids), reading, script.tongue, age=reading.age)
-    watch(lambda: stage_facts(stage))
+    state = ReaderState(roster, Inventory(roster.ids), reading, script.tongue, age=reading.age)
+    watch_facts(lambda: stage_facts(state))
     if script.tongue:
         reason = f"the page is in {script.tongue.name}: what people do is told by a table of common words"
-        stage.flag("language", script.tongue.key, reason, 0, 0)
+        state.flag("language", script.tongue.key, reason, 0, 0)
     for sentence in sentences:
-        with by_rule("page.sentence", sentence.start, sentence.end):
-            _read(stage, sentence)
-    _close(stage)
+        with as_rule("page.sentence", sentence.start, sentence.end):
+            _read(state, sentence)
+    _finish_reading(state)
     return reading
 
 
 def _find_people(script: Manuscript, reading: Reading) -> Roster:
     """Find the cast, with the looks that stand beside their names."""
-    roster = find_prose_cast(script) if script.prose else find_cast(script)
+    roster = find_prose_cast(script) if script.prose else find_screenplay_cast(script)
     add_foreign(roster, script)
     roster.index()
     reading.people = roster.people
@@ -102,7 +102,7 @@ def _guess_genders(sentences: list[Sentence], roster: Roster, prose: bool) -> No
         if alone:
             start, one = named[0]
             voting = ("he", "she") if one.kind == "animal" else tuple(lexicon.PRONOUNS)
-            own = (w for at, w in enumerate(sentence.words) if at >= start and not _another(sentence.words, at))
+            own = (w for at, w in enumerate(sentence.words) if at >= start and not _is_other_person(sentence.words, at))
             kinds = (lexicon.PRONOUNS[word.low] for word in own if word.low in voting)
             votes[one.id].update(kind for kind in kinds if kind in ("male", "female"))
         gendered = any(lexicon.PRONOUNS.get(word.low) in ("male", "female") for word in sentence.words)
@@ -125,7 +125,7 @@ def _enough_votes(person: Person) -> tuple[float, float]:
     return (2, 0.6) if names & lexicon.UNISEX else (3, 0.9) if names & lexicon.FIRST_NAMES else (math.inf, 1.0)
 
 
-def _another(words: list[Word], at: int) -> bool:
+def _is_other_person(words: list[Word], at: int) -> bool:
     """``watches her in the mirror``: an object is somebody else; ``her ear`` and ``behind her`` may be one's own."""
     if not at or words[at - 1].low in lexicon.PREPOSITIONS:
         return False
@@ -138,15 +138,15 @@ def _as_gender(word: str) -> Gender:
     return "female" if word == "female" else "male"
 
 
-def _read(stage: Stage, sentence: Sentence) -> None:
+def _read(state: ReaderState, sentence: Sentence) -> None:
     """Read one sentence: open its unit, tell it to the stage, note who and what is there after it."""
-    stage.discourse.next_sentence()
-    units = stage.reading.units
+    state.discourse.next_sentence()
+    units = state.reading.units
     if not units or units[-1].scene != sentence.scene:
-        _open_scene(stage, sentence)
+        _open_scene(state, sentence)
     elif units:
-        clear_exits(stage)
-    text = stage.reading.screenplay.text
+        clear_exits(state)
+    text = state.reading.screenplay.text
     start = max(sentence.paragraph.start, len(text[: sentence.start].rstrip("_*")))
     unit = Unit(
         sentence.beside or "action",
@@ -159,117 +159,117 @@ def _read(stage: Stage, sentence: Sentence) -> None:
     )
     units.append(unit)
     if sentence.beside:
-        _stay(stage, sentence)
+        _keep_people(state, sentence)
         return
-    shown = _look_at(stage, sentence.camera) if sentence.camera else None
-    if sentence.words and stage.tongue:
-        read_foreign(stage, sentence, stage.tongue)
+    shown = _note_camera(state, sentence.camera) if sentence.camera else None
+    if sentence.words and state.tongue:
+        read_foreign(state, sentence, state.tongue)
     elif sentence.words:
-        _read_action(stage, sentence)
+        _read_action(state, sentence)
     if shown and not unit.deeds:
-        lies_there(stage, shown, sentence.words)
+        locate_insert(state, shown, sentence.words)
     if sentence.speech:
-        speak(stage, sentence, sentence.speech)
-        act_beside(stage, sentence, sentence.speech)
+        read_speech(state, sentence, sentence.speech)
+        read_parenthetical_action(state, sentence, sentence.speech)
     if (
         sentence.camera
         and sentence.camera.kind == "pov"
         and _THROUGH.search(sentence.camera.phrase + sentence.camera.subject)
     ):
-        stage.scene.leaving += [person for person in unit.entering if person not in stage.scene.leaving]
-    unit.leaving = list(stage.scene.leaving)
-    _note_the_stage(stage)
+        state.scene.leaving += [person for person in unit.entering if person not in state.scene.leaving]
+    unit.leaving = list(state.scene.leaving)
+    _write_present(state)
 
 
-def _read_action(stage: Stage, sentence: Sentence) -> None:
-    if stage.reading.screenplay.format != "prose":
-        bring_along(stage, sentence)
-    read_action(stage, sentence)
+def _read_action(state: ReaderState, sentence: Sentence) -> None:
+    if state.reading.screenplay.format != "prose":
+        carry_over_people(state, sentence)
+    read_action(state, sentence)
 
 
-def _stay(stage: Stage, sentence: Sentence) -> None:
+def _keep_people(state: ReaderState, sentence: Sentence) -> None:
     """Keep all people in place for on-screen text, sounds and asides."""
-    unit = stage.unit
+    unit = state.unit
     if sentence.beside == "sound":
         unit.sounds = [" ".join(unit.text.split())]
-    _note_the_stage(stage)
+    _write_present(state)
 
 
-def _note_the_stage(stage: Stage) -> None:
+def _write_present(state: ReaderState) -> None:
     """Write into the unit the people present, their postures and the things in their hands."""
-    unit = stage.unit
-    keep_calls(stage)
-    unit.on_stage = list(stage.scene.on)
-    unit.posture = dict(stage.scene.posture)
-    unit.held = {person: list(things) for person, things in stage.scene.held.items() if things}
+    unit = state.unit
+    keep_calls(state)
+    unit.on_stage = list(state.scene.on)
+    unit.posture = dict(state.scene.posture)
+    unit.held = {person: list(things) for person, things in state.scene.held.items() if things}
 
 
 @rule("camera.subject")
-def _look_at(stage: Stage, camera: CameraNote) -> str | None:
+def _note_camera(state: ReaderState, camera: CameraNote) -> str | None:
     """Note a camera direction: whom it shows or looks through is there; ``She`` after CLOSE ON KIRA is Kira.
 
     Returns the thing it shows, if it is one.
     """
-    stage.unit.camera = camera
+    state.unit.camera = camera
     person = None
     for name, shown in ((camera.who, False), (camera.subject, True)):
-        person = stage.find(name) if name else None
+        person = state.find(name) if name else None
         if person:
-            stage.enter(person)
-            stage.involve(person)
-            stage.mention(person, 1.0)
+            state.enter(person)
+            state.add_to_unit(person)
+            state.mention(person, 1.0)
             if shown:
-                stage.discourse.subjects = [person]
-    return None if person else show_thing(stage, camera)
+                state.discourse.subjects = [person]
+    return None if person else note_insert(state, camera)
 
 
 @rule("people.carried_over")
-def _open_scene(stage: Stage, sentence: Sentence) -> None:
-    prose = stage.reading.screenplay.format == "prose"
-    before = stage.scene
-    stage.intercut = stage.intercut and not stage.reading.scenes[sentence.scene].heading
-    stage.scene = SceneState(sentence.scene, before=_on_their_feet(before))
-    stage.inventory.open_scene(sentence.start)
+def _open_scene(state: ReaderState, sentence: Sentence) -> None:
+    prose = state.reading.screenplay.format == "prose"
+    before = state.scene
+    state.intercut = state.intercut and not state.reading.scenes[sentence.scene].heading
+    state.scene = SceneState(sentence.scene, before=_able_to_go_on(before))
+    state.inventory.open_scene(sentence.start)
     first = [word.low for word in sentence.words[:_CARRIED]]
     if prose and sentence.scene and any(word in ("they", "he", "she", "it", "i", "we") for word in first):
-        stage.scene.on = [person for person in before.on if person not in before.leaving]
+        state.scene.on = [person for person in before.on if person not in before.leaving]
         single = next(
             (lexicon.PRONOUNS.get(word, "") for word in first if word in ("they", "he", "she", "i", "we", "it")), ""
         )
         if single in ("male", "female"):
-            stage.scene.on = _of_whom_it_is_told(stage, stage.scene.on, single)
+            state.scene.on = _main_person(state, state.scene.on, single)
     elif before.index != sentence.scene:
-        come_back(stage)
-    stage.discourse.next_scene(keep_groups=prose)
+        restore_people(state)
+    state.discourse.next_scene(keep_groups=prose)
 
 
-def _on_their_feet(scene: SceneState) -> list[str]:
+def _able_to_go_on(scene: SceneState) -> list[str]:
     """Who is there when a scene ends and can go on: not who left, nor who lies on the floor."""
     down = {person for person, (posture, on) in scene.posture.items() if posture in ("lie", "asleep") and on is None}
     return [person for person in scene.on if person not in down | {*scene.leaving}]
 
 
-def _of_whom_it_is_told(stage: Stage, people: list[str], gender: str) -> list[str]:
+def _main_person(state: ReaderState, people: list[str], gender: str) -> list[str]:
     """``That night she``: of several women there, the one the story has told most of."""
-    told = Counter(id for unit in stage.reading.units for id in unit.people)
-    fitting = [id for id in people if (person := stage.person(id)) and person.gender == gender]
+    told = Counter(id for unit in state.reading.units for id in unit.people)
+    fitting = [id for id in people if (person := state.person(id)) and person.gender == gender]
     return [max(fitting, key=lambda id: told[id])] if len(fitting) > 1 else people
 
 
-def _close(stage: Stage) -> None:
+def _finish_reading(state: ReaderState) -> None:
     """Put the things on the sheet, drop targets that name nothing on it, flag unknown nouns."""
-    reading = stage.reading
-    for thing, unknown in stage.inventory.story_things([relation for _, relation in reading.relations]):
+    reading = state.reading
+    for thing, unknown in state.inventory.story_things([relation for _, relation in reading.relations]):
         reading.things.append(thing)
         if unknown:
             end = thing.first + len(thing.name)
-            stage.flag("prop", thing.id, f"“{thing.name}” is not a word the reader knows", thing.first, end)
+            state.flag("prop", thing.id, f"“{thing.name}” is not a word the reader knows", thing.first, end)
     known = {thing.id for thing in reading.things} | {person.id for person in reading.people}
-    parts = stage.inventory.parts()
+    parts = state.inventory.parts()
     placed = known | {
         thing
-        for thing in stage.inventory.ids()
-        if stage.inventory.head(thing) in _SURFACES or stage.inventory.class_of(thing) == "worn"
+        for thing in state.inventory.ids()
+        if state.inventory.head(thing) in _SURFACES or state.inventory.class_of(thing) == "worn"
     }
     reading.relations[:] = [
         (scene, relation)

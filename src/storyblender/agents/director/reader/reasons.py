@@ -6,7 +6,7 @@ from bisect import bisect_right
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Deed, Person, Reading, Unit
 from storyblender.agents.director.rules import Decision, Fact, Ledger
 
@@ -38,26 +38,28 @@ def page_facts(reading: Reading) -> Iterator[Fact]:
     for person in reading.people:
         for look in (person.age, *person.build, *person.hair, *person.outfit, *person.face):
             if look:
-                yield Fact("look", f"{person.id}: {look}", words=_said_of(person, look, reading.screenplay.text))
+                yield Fact(
+                    "look", f"{person.id}: {look}", words=_words_about_look(person, look, reading.screenplay.text)
+                )
         if person.gender != "unknown":
-            yield Fact("gender", f"{person.id}: {person.gender}", words=_said_of(person, person.name, ""))
+            yield Fact("gender", f"{person.id}: {person.gender}", words=_words_about_look(person, person.name, ""))
 
 
-def stage_facts(stage: Stage) -> Iterator[Fact]:
+def stage_facts(state: ReaderState) -> Iterator[Fact]:
     """Return everything that is so at one point of the script."""
-    reading = stage.reading
+    reading = state.reading
     yield from page_facts(reading)
     for scene, relation in reading.relations:
         ends = (relation.asset_id, relation.kind, relation.anchor_asset_id, relation.second_anchor_asset_id)
         yield Fact("relation", " ".join(filter(None, ends)), scene)
-    for thing, notices in stage.inventory.notices():
+    for thing, notices in state.inventory.notices():
         for how in notices:
             yield Fact("thing", f"{thing} {how}")
     if reading.units:
         yield from _unit_facts(reading.units[-1], len(reading.units))
-    for person, (posture, support) in stage.scene.posture.items():
+    for person, (posture, support) in state.scene.posture.items():
         yield Fact("posture", " ".join(filter(None, (person, posture, support))))
-    for person, things in stage.scene.held.items():
+    for person, things in state.scene.held.items():
         for thing in things:
             yield Fact("held", f"{person} {thing}")
 
@@ -137,7 +139,7 @@ def _unit_at(at: int, reading: Reading, starts: list[int]) -> int:
     return number if within else min(number + 1, len(starts))
 
 
-def _said_of(person: Person, look: str, text: str) -> tuple[int, int]:
+def _words_about_look(person: Person, look: str, text: str) -> tuple[int, int]:
     """Return where a look is told: the first time its words stand after the first mention of its person."""
     at = text.lower().find(look.lower(), person.first)
     return (at, at + len(look)) if at >= 0 else (person.first, person.first + len(person.name))

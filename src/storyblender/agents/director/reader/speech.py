@@ -10,14 +10,14 @@ from functools import lru_cache
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.feelings import mood_of
 from storyblender.agents.director.reader.action import read_action
-from storyblender.agents.director.reader.bearing.calls import is_far_end, joins, take_call
+from storyblender.agents.director.reader.bearing.calls import is_far_end, is_other_end, take_call
 from storyblender.agents.director.reader.language.morphology import FORMS
 from storyblender.agents.director.reader.language.words import Mention, Word, is_adverb, tokenize
-from storyblender.agents.director.reader.page.sentences import Sentence, Speech
-from storyblender.agents.director.reader.people.look import years
+from storyblender.agents.director.reader.page.sentences import Sentence, SpokenText
+from storyblender.agents.director.reader.people.look import approximate_age
 from storyblender.agents.director.reader.people.mentions import mark_mentions
 from storyblender.agents.director.reader.people.person_reference import resolve_mention
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Deed, Person
 from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Gender
@@ -72,93 +72,93 @@ _TO_THE_YOUNG = frozenset({"child", "kid", "boy", "girl", "son"})
 
 
 @rule("speech.speaker")
-def speak(stage: Stage, sentence: Sentence, speech: Speech) -> None:
+def read_speech(state: ReaderState, sentence: Sentence, speech: SpokenText) -> None:
     """Read a speech into the unit: speaker, manner, addressee."""
-    unit, prose = stage.unit, stage.reading.screenplay.format == "prose"
-    speaker = _narrated_speaker(stage, speech) if prose else stage.find(speech.name)
+    unit, prose = state.unit, state.reading.screenplay.format == "prose"
+    speaker = _narrated_speaker(state, speech) if prose else state.find(speech.name)
     unit.kind, unit.text, unit.parenthetical, unit.dual = "dialogue", speech.text, speech.parenthetical, speech.dual
     unit.speaker_name = speech.name.title() if speech.name else speaker.name if speaker else ""
-    far = is_far_end(stage, speaker, speech.extension) if speaker else None
+    far = is_far_end(state, speaker, speech.extension) if speaker else None
     unit.off_screen = bool(_OFF.search(speech.extension)) if far is None else far
     if speaker is None:
         return
     unit.speaker = speaker.id
     speaker.speaks = True
-    if not unit.off_screen and speaker.id in stage.scene.off_screen | stage.scene.pictured:
+    if not unit.off_screen and speaker.id in state.scene.off_screen | state.scene.pictured:
         unit.off_screen = True
-    stage.mention(speaker, 0.3 if unit.off_screen else 1.0)
-    stage.discourse.last_sentence[speaker.id] = stage.discourse.sentence
+    state.mention(speaker, 0.3 if unit.off_screen else 1.0)
+    state.discourse.last_sentence[speaker.id] = state.discourse.sentence
     if unit.off_screen:
-        stage.scene.off_screen |= {speaker.id} - set(stage.scene.on)
+        state.scene.off_screen |= {speaker.id} - set(state.scene.on)
         return
-    stage.enter(speaker)
-    stage.involve(speaker)
-    if far is False or _ON_THE_PHONE.search(speech.parenthetical.lower()) or joins(stage, speaker):
-        take_call(stage, speaker)
-    _say(stage, speaker, speech, prose, sentence.start)
+    state.enter(speaker)
+    state.add_to_unit(speaker)
+    if far is False or _ON_THE_PHONE.search(speech.parenthetical.lower()) or is_other_end(state, speaker):
+        take_call(state, speaker)
+    _add_speech(state, speaker, speech, prose, sentence.start)
 
 
-def _narrated_speaker(stage: Stage, speech: Speech) -> Person | None:
+def _narrated_speaker(state: ReaderState, speech: SpokenText) -> Person | None:
     """Prose: the subject of ``said``; without one, whoever acted last."""
-    if not speech.subject and speech.verb == "answer" and stage.discourse.last_listener:
-        return stage.discourse.last_listener
+    if not speech.subject and speech.verb == "answer" and state.discourse.last_listener:
+        return state.discourse.last_listener
     if not speech.subject:
-        return _unnamed_speaker(stage, speech)
+        return _unnamed_speaker(state, speech)
     mention = next((word.mention for word in speech.subject if word.mention), None)
     if mention:
-        people = resolve_mention(stage, mention) or mention.candidates
+        people = resolve_mention(state, mention) or mention.candidates
         return people[0] if people else None
-    for index, word in enumerate(stage.sentence.words):
-        if any(word is said for said in speech.subject) and stage.sentence.pronouns.get(index, ([], None))[0]:
-            return stage.sentence.pronouns[index][0][0]
+    for index, word in enumerate(state.sentence.words):
+        if any(word is said for said in speech.subject) and state.sentence.pronouns.get(index, ([], None))[0]:
+            return state.sentence.pronouns[index][0][0]
     return None
 
 
-def _unnamed_speaker(stage: Stage, speech: Speech) -> Person | None:
+def _unnamed_speaker(state: ReaderState, speech: SpokenText) -> Person | None:
     """Nobody is said to speak: who does something next does, in a dialogue who was spoken to, else who acted last."""
-    discourse = stage.discourse
+    discourse = state.discourse
     turns = [person for person in (discourse.last_listener, discourse.last_speaker) if person]
     if speech.after and speech.after.mention:
-        people = resolve_mention(stage, speech.after.mention)
+        people = resolve_mention(state, speech.after.mention)
         return people[0] if people else None
     if speech.after:
         gender = lexicon.PRONOUNS[speech.after.low]
-        fitting = [p for p in turns if p.gender in (gender, "unknown") and p is not stage.roster.narrator]
+        fitting = [p for p in turns if p.gender in (gender, "unknown") and p is not state.roster.narrator]
         if fitting:
             return fitting[0]
-    replies = speech.alone and len(stage.reading.units) > 1 and stage.reading.units[-2].kind == "dialogue"
-    if replies and discourse.last_listener and discourse.last_listener.id in stage.scene.on:
+    replies = speech.alone and len(state.reading.units) > 1 and state.reading.units[-2].kind == "dialogue"
+    if replies and discourse.last_listener and discourse.last_listener.id in state.scene.on:
         return discourse.last_listener
     return discourse.subjects[0] if discourse.subjects else None
 
 
-def _say(stage: Stage, speaker: Person, speech: Speech, prose: bool, at: int) -> None:
-    unit, discourse = stage.unit, stage.discourse
+def _add_speech(state: ReaderState, speaker: Person, speech: SpokenText, prose: bool, at: int) -> None:
+    unit, discourse = state.unit, state.discourse
     device = _INTO.search(speech.parenthetical.lower())
     manner = _manner(speech, prose, device)
     said_already = lexicon.MOTION_OF_VERB.get(speech.verb) if prose else None
     told = [d for d in unit.deeds if d.motion in _SAYING or (d.actor == speaker.id and d.motion == said_already)]
-    named = next((stage.person(d.target or "") for d in told if d.actor == speaker.id and d.target), None)
-    called = speaker.id in stage.calls and not _TO.match(speech.parenthetical.lower())
-    listener = None if device or called else named or _listener(stage, speaker, speech, prose)
+    named = next((state.person(d.target or "") for d in told if d.actor == speaker.id and d.target), None)
+    called = speaker.id in state.calls and not _TO.match(speech.parenthetical.lower())
+    listener = None if device or called else named or _listener(state, speaker, speech, prose)
     if device and not called:
-        thing = stage.inventory.id_of(device.group(1), at)
-        stage.inventory.seen(thing, "handled")
+        thing = state.inventory.id_of(device.group(1), at)
+        state.inventory.note(thing, "handled")
         unit.things.append(thing)
     unit.deeds = [deed for deed in unit.deeds if deed not in told]
     mood = mood_of(speech.parenthetical or speech.verb)
     unit.deeds.append(Deed(speaker.id, manner, listener.id if listener else None, at=at, verb=speech.verb, mood=mood))
-    if listener and listener.id not in stage.scene.on:
+    if listener and listener.id not in state.scene.on:
         discourse.subjects, discourse.last_speaker, discourse.last_listener = [speaker], speaker, None
         return
     unit.to = listener.id if listener else None
     if listener:
-        stage.discourse.raise_(listener, 0.4)
+        state.discourse.raise_salience(listener, 0.4)
     discourse.subjects = [speaker]
     discourse.last_speaker, discourse.last_listener = (None, None) if device or called else (speaker, listener)
 
 
-def _manner(speech: Speech, prose: bool, device: re.Match[str] | None) -> str:
+def _manner(speech: SpokenText, prose: bool, device: re.Match[str] | None) -> str:
     """Talk, whisper or shout."""
     parenthetical = speech.parenthetical.lower()
     if _QUIET.search(parenthetical):
@@ -180,77 +180,77 @@ def _is_loud(text: str) -> bool:
 
 
 @rule("speech.listener")
-def _listener(stage: Stage, speaker: Person, speech: Speech, prose: bool) -> Person | None:
+def _listener(state: ReaderState, speaker: Person, speech: SpokenText, prose: bool) -> Person | None:
     """Whom a line is for: said in brackets, called by name, the last speaker, the only other; else a guess."""
-    others = [person for person in stage.on_stage() if person is not speaker]
-    here = [person for person in others if _may_be_told(stage, person)]
+    others = [person for person in state.on_stage() if person is not speaker]
+    here = [person for person in others if _may_be_addressed(state, person)]
     if prose and not here:
         here = others
     directed = _TO.match(speech.parenthetical.lower())
-    named = stage.find(directed.group(1)) if directed else None
+    named = state.find(directed.group(1)) if directed else None
     if named and named is not speaker:
         return named
-    called = _called(stage, others, speech.text) or _shouted_for(stage, speaker, speech.text)
+    called = _vocative_person(state, others, speech.text) or _absent_addressee(state, speaker, speech.text)
     if called:
         return called
-    last, listener = stage.discourse.last_speaker, stage.discourse.last_listener
+    last, listener = state.discourse.last_speaker, state.discourse.last_listener
     if speech.dual and listener and listener is not speaker:
         return listener
     if len(here) < 2:
         return here[0] if here else None
-    turned_to = _acted_on(stage, speaker) or _acted_since(stage, speaker)
+    turned_to = _last_target(state, speaker) or _last_actor(state, speaker)
     if turned_to in here:
         return turned_to
-    if last and last is not speaker and last.id in stage.scene.on:
+    if last and last is not speaker and last.id in state.scene.on:
         return last
-    guess = max(here, key=lambda person: stage.discourse.last_named.get(person.id, 0))
+    guess = max(here, key=lambda person: state.discourse.last_named.get(person.id, 0))
     if last is speaker and listener in here:
         guess = listener or guess
-    unit = stage.unit
-    stage.flag("addressee", guess.id, f"{speaker.name} may speak to any of {len(here)} people", unit.start, unit.end)
+    unit = state.unit
+    state.flag("addressee", guess.id, f"{speaker.name} may speak to any of {len(here)} people", unit.start, unit.end)
     return guess
 
 
-def _shouted_for(stage: Stage, speaker: Person, text: str) -> Person | None:
+def _absent_addressee(state: ReaderState, speaker: Person, text: str) -> Person | None:
     """Somebody of the cast who is not there: ``Tully! Open up!`` is for Tully behind the door."""
     called = _CALLED_OUT.match(text)
     if called is None:
         return None
-    here = {speaker.id, *stage.scene.on}
-    away = [person for person in stage.roster.people if person.id not in here and person.kind != "animal"]
-    return _named(away, called.group())
+    here = {speaker.id, *state.scene.on}
+    away = [person for person in state.roster.people if person.id not in here and person.kind != "animal"]
+    return _person_named(away, called.group())
 
 
-def _may_be_told(stage: Stage, person: Person) -> bool:
+def _may_be_addressed(state: ReaderState, person: Person) -> bool:
     """Whether a line may be for somebody who is not named: no sleeper, and an animal only where it speaks too."""
-    awake = stage.scene.posture.get(person.id, ("", None))[0] != "asleep"
+    awake = state.scene.posture.get(person.id, ("", None))[0] != "asleep"
     return awake and (person.kind != "animal" or person.speaks)
 
 
-def _acted_on(stage: Stage, speaker: Person) -> Person | None:
+def _last_target(state: ReaderState, speaker: Person) -> Person | None:
     """Whom the speaker did something to last, since the last speech."""
-    for unit in reversed(stage.reading.units[:-1]):
-        if unit.kind == "dialogue" or unit.scene != stage.unit.scene:
+    for unit in reversed(state.reading.units[:-1]):
+        if unit.kind == "dialogue" or unit.scene != state.unit.scene:
             break
         for deed in reversed(unit.deeds):
-            target = stage.person(deed.target or "")
+            target = state.person(deed.target or "")
             if deed.actor == speaker.id and target:
                 return target
     return None
 
 
-def _acted_since(stage: Stage, speaker: Person) -> Person | None:
+def _last_actor(state: ReaderState, speaker: Person) -> Person | None:
     """Who did something last since the last speech, except the speaker."""
-    for unit in reversed(stage.reading.units[:-1]):
-        if unit.kind == "dialogue" or unit.scene != stage.unit.scene:
+    for unit in reversed(state.reading.units[:-1]):
+        if unit.kind == "dialogue" or unit.scene != state.unit.scene:
             break
         for deed in reversed(unit.deeds):
             if deed.actor != speaker.id and deed.motion not in _POSES:
-                return stage.person(deed.actor)
+                return state.person(deed.actor)
     return None
 
 
-def _named(people: Iterable[Person], text: str) -> Person | None:
+def _person_named(people: Iterable[Person], text: str) -> Person | None:
     """The first of these people whom a speech calls by name."""
     low = text.lower()
     if not any(mark in low for mark in ",.!?"):
@@ -281,9 +281,9 @@ def _call_names(aliases: tuple[str, ...]) -> tuple[tuple[str, frozenset[str]], .
     return tuple((name, frozenset(_WORDS.findall(name))) for name in sorted(names - lexicon.TITLES - {"i"}))
 
 
-def _called(stage: Stage, here: list[Person], text: str) -> Person | None:
+def _vocative_person(state: ReaderState, here: list[Person], text: str) -> Person | None:
     """Somebody called by name (``Wake up, Tom``) or by what they are (``Careful, child!``)."""
-    named = _named(here, text)
+    named = _person_named(here, text)
     if named:
         return named
     address = _VOCATIVE.search(text.lower().replace("’", "'"))
@@ -296,11 +296,11 @@ def _called(stage: Stage, here: list[Person], text: str) -> Person | None:
     fitting = [person for person in here if gender != "unknown" and person.gender in (gender, "unknown")]
     if word in _TO_THE_YOUNG and not by_role:
         fitting = fitting or list(here)
-        fitting.sort(key=years)
+        fitting.sort(key=approximate_age)
     else:
-        fitting.sort(key=lambda person: -stage.discourse.last_named.get(person.id, 0))
+        fitting.sort(key=lambda person: -state.discourse.last_named.get(person.id, 0))
         if word in ("ma'am", "madam", "sir"):
-            fitting.sort(key=lambda person: -years(person))
+            fitting.sort(key=lambda person: -approximate_age(person))
     return next(iter(by_role + fitting), None)
 
 
@@ -315,28 +315,28 @@ _VOICE = frozenset({"talk", "whisper", "shout", "sing", "phone"})
 
 
 @rule("speech.brackets")
-def act_beside(stage: Stage, sentence: Sentence, speech: Speech) -> None:
+def read_parenthetical_action(state: ReaderState, sentence: Sentence, speech: SpokenText) -> None:
     """Read what the brackets of a speech tell of the speaker into the unit of the speech.
 
     Args:
-        stage: Its unit is the speech, with its speaker.
+        state: Its unit is the speech, with its speaker.
         sentence: Of the speech.
         speech: With what stands in brackets.
     """
-    speaker = stage.person(stage.unit.speaker or "")
-    if speaker is None or stage.unit.off_screen:
+    speaker = state.person(state.unit.speaker or "")
+    if speaker is None or state.unit.off_screen:
         return
-    discourse, spoken = stage.discourse, len(stage.unit.deeds)
+    discourse, spoken = state.discourse, len(state.unit.deeds)
     present, subjects = discourse.salience.get(speaker.id, 0.0), discourse.subjects
     for part in re.split(r"[,;]\s*|\s+and\s+(?=[a-z]+(?:s|ing)\b)", speech.parenthetical.strip("()[] ")):
-        words = mark_mentions(tokenize(part, sentence.start), stage.roster)
+        words = mark_mentions(tokenize(part, sentence.start), state.roster)
         first = next((word for word in words if not is_adverb(word)), None)
         form = FORMS.get(first.low) if first else None
         if form and form.kind in ("ing", "3sg") and lexicon.MOTION_OF_VERB.get(form.lemma, "talk") not in _VOICE:
             mention = Mention("name", [speaker], speaker.name.lower(), start=sentence.start)
             name = Word(speaker.name, sentence.start, sentence.start, mention)
-            read_action(stage, replace(sentence, words=[name, *words], speech=None))
-    deeds = stage.unit.deeds
-    stage.unit.deeds = deeds[spoken:] + deeds[:spoken]
+            read_action(state, replace(sentence, words=[name, *words], speech=None))
+    deeds = state.unit.deeds
+    state.unit.deeds = deeds[spoken:] + deeds[:spoken]
     # Brackets are no sentence: who ``she`` is next is told by the speech.
     discourse.salience[speaker.id], discourse.subjects = present, subjects

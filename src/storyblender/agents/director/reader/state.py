@@ -58,7 +58,7 @@ class Discourse:
     last_speaker: Person | None = None
     last_listener: Person | None = None
 
-    def raise_(self, person: Person, weight: float) -> None:
+    def raise_salience(self, person: Person, weight: float) -> None:
         """Somebody is spoken of."""
         self.salience[person.id] = max(self.salience.get(person.id, 0.0), 0.0) + weight
         self.clock += 1
@@ -147,7 +147,7 @@ class UnreadAct:
 
 
 @dataclass
-class Stage:
+class ReaderState:
     """The state all passes share."""
 
     roster: Roster
@@ -185,12 +185,12 @@ class Stage:
         """Everybody on stage, in the order of the cast."""
         return self.roster.in_order(filter(None, map(self.roster.person, self.scene.on)))
 
-    def told_of(self) -> list[Person]:
+    def seen_or_mentioned(self) -> list[Person]:
         """Return the people on stage or mentioned in this scene, in the order of the cast."""
         ids = dict.fromkeys((*self.scene.on, *self.scene.named))
         return self.roster.in_order(filter(None, map(self.roster.person, ids)))
 
-    def spoken_of(self) -> list[Person]:
+    def referable_people(self) -> list[Person]:
         """Everybody on stage whom ``they`` or ``the man`` may mean: not who tells the story."""
         return [person for person in self.on_stage() if person is not self.roster.narrator]
 
@@ -207,10 +207,10 @@ class Stage:
 
     def mention(self, person: Person, weight: float) -> None:
         """Somebody is spoken of in this scene."""
-        self.discourse.raise_(person, weight)
+        self.discourse.raise_salience(person, weight)
         self.scene.named.add(person.id)
 
-    def involve(self, person: Person) -> None:
+    def add_to_unit(self, person: Person) -> None:
         """Somebody takes part in this unit."""
         self.discourse.last_sentence[person.id] = self.discourse.sentence
         if person.id not in self.unit.people:
@@ -222,9 +222,9 @@ class Stage:
         people = people or self.roster.find(name) or [p for p in self.roster.people if p.role == bare(name)]
         if not people and bare(name) in lexicon.TITLES:
             people = [p for p in self.roster.people if bare(p.name).startswith(f"{bare(name)} ")]  # CHIEF, of Chief Ba
-        return max(people, key=self.presence) if people else None
+        return max(people, key=self.prominence) if people else None
 
-    def presence(self, person: Person) -> tuple[bool, float]:
+    def prominence(self, person: Person) -> tuple[bool, float]:
         """Sort key: on stage, salience. The first introduced wins a tie, because max takes the first."""
         return person.id in self.scene.on, self.discourse.salience.get(person.id, 0.0)
 
@@ -245,12 +245,12 @@ class Stage:
             self.scene.relations.append(stated)
             self.reading.relations.append(stated)
         for end in (subject, anchor, second or anchor):
-            self.inventory.seen(end, "related")
+            self.inventory.note(end, "related")
         if not self.person(anchor) and not self.person(subject):
-            self.inventory.seen(subject, "placed")
-            self.inventory.seen(anchor, "placed" if kind in ("in", "on") else "related")
+            self.inventory.note(subject, "placed")
+            self.inventory.note(anchor, "placed" if kind in ("in", "on") else "related")
 
-    def record(self, at: int, word: str, who: Iterable[str]) -> None:
+    def record_pronoun(self, at: int, word: str, who: Iterable[str]) -> None:
         """Keep what a pronoun means."""
         self.reading.pronouns.append((at, word, tuple(who)))
 

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import pytest
 
-from storyblender.agents.director.reader.people.look import age_of
+from storyblender.agents.director.reader.people.look import age_phrase
 from storyblender.agents.director.reading import Reading, Unit
 
 Read = Callable[[str], Reading]
@@ -103,7 +103,7 @@ def test_looks_are_told_anywhere(read_scene: Read) -> None:
     ],
 )
 def test_ages_in_all_forms(written: str, age: str) -> None:
-    assert age_of(written) == age
+    assert age_phrase(written) == age
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ import re
 import pytest
 
 from storyblender.agents.director.reader import read_script
-from storyblender.agents.director.reader.capitals import usually_written
+from storyblender.agents.director.reader.capitals import in_sentence_case
 from storyblender.agents.director.reading import Reading
 from storyblender.screenplay.source import read
 
@@ -61,7 +61,7 @@ def test_a_page_in_capitals_tells_what_it_would_in_small_letters() -> None:
 @pytest.mark.parametrize("page", [SITCOM, ORDINARY])
 def test_units_quote_the_page_as_it_is_written(page: str) -> None:
     script = read(page)
-    told = usually_written(script)
+    told = in_sentence_case(script)
     assert len(told) == len(script.text) and told.lower() == script.text.lower() and told != script.text
     for unit in read_script(script).units:
         assert unit.text.split() == script.text[unit.start : unit.end].split()
@@ -80,11 +80,11 @@ def test_a_paragraph_in_capitals_on_an_ordinary_page_is_read_like_others() -> No
 
 
 def test_written_words_and_short_noises_keep_their_capitals() -> None:
-    assert '"FRAGILE"' in usually_written(read(SITCOM))
-    assert "KA-CHUNK. KA-CHUNK." in usually_written(read(ORDINARY))
-    assert "CLOSE ON THE LAMP." in usually_written(read(ORDINARY))
+    assert '"FRAGILE"' in in_sentence_case(read(SITCOM))
+    assert "KA-CHUNK. KA-CHUNK." in in_sentence_case(read(ORDINARY))
+    assert "CLOSE ON THE LAMP." in in_sentence_case(read(ORDINARY))
 
 
 def test_sentences_begin_with_a_capital() -> None:
-    told = usually_written(read(SITCOM))
+    told = in_sentence_case(read(SITCOM))
     assert re.search(r"He does not look up\. _BOYD_ enters with a birdcage\.", told)

@@ -6,7 +6,7 @@ import pytest
 
 from storyblender.agents.director.breakdown import storyboard
 from storyblender.agents.director.reader import read_script
-from storyblender.agents.director.reader.era import age_told
+from storyblender.agents.director.reader.era import age_in_words
 from storyblender.screenplay.source import read
 
 _TODAY = "INT. KITCHEN - DAY\n\nANNA (30) makes coffee.\n\nANNA\nMorning.\n"
@@ -78,4 +78,4 @@ def test_the_year_that_the_story_tells_dresses_its_people(script: str) -> None:
     ],
 )
 def test_the_words_of_a_story_tell_its_age(story: str, age: str | None) -> None:
-    assert age_told(story) == age
+    assert age_in_words(story) == age

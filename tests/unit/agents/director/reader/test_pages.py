@@ -7,7 +7,7 @@ import pytest
 
 from storyblender.agents.director.breakdown import storyboard
 from storyblender.agents.director.places_by_meaning import choose_kits_by_meaning
-from storyblender.agents.director.reader.page.named_places import place_set_down
+from storyblender.agents.director.reader.page.named_places import place_without_verb
 from storyblender.agents.director.reader.reader import read_script
 from storyblender.agents.director.reading import Reading
 from storyblender.screenplay.source import read
@@ -70,7 +70,7 @@ def test_words_before_the_first_heading_belong_to_its_scene() -> None:
     ],
 )
 def test_a_fragment_sets_down_a_place(text: str, place: str, side: str) -> None:
-    told = place_set_down(text)
+    told = place_without_verb(text)
     assert told is not None
     assert (told.place, told.scene_type) == (place, side)
 
@@ -79,7 +79,7 @@ def test_a_fragment_sets_down_a_place(text: str, place: str, side: str) -> None:
     "text", ["Rook opens the kitchen door.", "The stage is set.", "A red lamp on the wall.", "Rook, tired."]
 )
 def test_a_sentence_about_something_else_sets_down_none(text: str) -> None:
-    assert place_set_down(text) is None
+    assert place_without_verb(text) is None
 
 
 def test_a_picture_of_somebody_goes_back_to_where_they_were() -> None:

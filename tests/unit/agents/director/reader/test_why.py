@@ -7,7 +7,7 @@ import pytest
 from storyblender.agents.director.reader import read_script
 from storyblender.agents.director.reader.reasons import Reason, reasons_of
 from storyblender.agents.director.reading import Reading
-from storyblender.agents.director.rules import RULES, Ledger, keeping
+from storyblender.agents.director.rules import RULES, Ledger, using_ledger
 from storyblender.screenplay.source import load, read
 
 EXAMPLES = sorted((Path(__file__).parents[5] / "examples").glob("*.*t*"))
@@ -16,7 +16,7 @@ PAGE = "INT. KITCHEN - NIGHT\n\nADA (30) sits on a chair and opens a letter.\n\n
 
 def told(text_or_path: str | Path) -> tuple[Reading, list[Reason]]:
     screenplay = load(text_or_path) if isinstance(text_or_path, Path) else read(text_or_path)
-    with keeping(Ledger()) as ledger:
+    with using_ledger(Ledger()) as ledger:
         reading = read_script(screenplay)
     return reading, reasons_of(reading, ledger)
 
@@ -52,13 +52,13 @@ def test_an_age_in_brackets_makes_a_person_of_a_name_without_a_line() -> None:
 
 
 def test_without_a_rule_nothing_is_decided_by_it() -> None:
-    with keeping(Ledger(off=frozenset({"people.age_in_brackets", "deeds.verb"}))):
+    with using_ledger(Ledger(off=frozenset({"people.age_in_brackets", "deeds.verb"}))):
         reading = read_script(read("INT. ROOM - DAY\n\nADA (30) sits.\n\nADA\nNo.\n"))
     assert [deed.motion for unit in reading.units for deed in unit.deeds] == ["talk"]
 
 
 def test_a_ledger_changes_nothing_and_is_gone_afterwards() -> None:
-    with keeping(Ledger()) as ledger:
+    with using_ledger(Ledger()) as ledger:
         watched = read_script(read(PAGE))
     count = len(ledger.decisions)
     assert read_script(read(PAGE)) == watched

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.words import Word, joined
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 
@@ -19,11 +19,11 @@ _LOOK_BACK = 4
 
 
 @rule("bearing.face")
-def note_faces_told(stage: Stage, words: Sequence[Word], people: Sequence[Person]) -> None:
+def note_expressions(state: ReaderState, words: Sequence[Word], people: Sequence[Person]) -> None:
     """Note the facial expressions in a sentence, each with its person.
 
     Args:
-        stage: Its unit takes the expressions.
+        state: Its unit takes the expressions.
         words: The sentence.
         people: The people of the sentence, or of the one before if it names none.
     """
@@ -31,8 +31,8 @@ def note_faces_told(stage: Stage, words: Sequence[Word], people: Sequence[Person
         expression = lexicon.EXPRESSION_OF_WORD.get(word.low)
         if expression is None or word.mention or word.quotation or _is_denied(words, at) or _is_of_a_thing(words, at):
             continue
-        for person in _whose(stage, words, at) or people:
-            stage.unit.expressions[person.id] = expression
+        for person in _owner_of_expression(state, words, at) or people:
+            state.unit.expressions[person.id] = expression
 
 
 def _is_denied(words: Sequence[Word], at: int) -> bool:
@@ -52,27 +52,27 @@ def _is_of_a_thing(words: Sequence[Word], at: int) -> bool:
     return False
 
 
-def _whose(stage: Stage, words: Sequence[Word], at: int) -> list[Person]:
+def _owner_of_expression(state: ReaderState, words: Sequence[Word], at: int) -> list[Person]:
     """Return the last person named before the word, or right after it at the start: ``Furious, Otto leaves``."""
-    if at > 2 and words[at - 1].text == "," and stage.sentence.subjects:
+    if at > 2 and words[at - 1].text == "," and state.sentence.subjects:
         return []  # Otto looks at Nora, puzzled.
     for index in range(at - 1, -1, -1):
         if words[index].text in ";:" and index:
             break
-        people = _people_of(stage, words, index)
+        people = _people_of(state, words, index)
         if people:
             return people
     following = next(
-        (people for index in range(at + 1, min(at + 4, len(words))) if (people := _people_of(stage, words, index))), []
+        (people for index in range(at + 1, min(at + 4, len(words))) if (people := _people_of(state, words, index))), []
     )
     return following if at < 2 else []
 
 
-def _people_of(stage: Stage, words: Sequence[Word], index: int) -> list[Person]:
+def _people_of(state: ReaderState, words: Sequence[Word], index: int) -> list[Person]:
     word = words[index]
     if word.mention and word.mention.people:
-        return [person for person in word.mention.people if person.id in stage.scene.on]
-    return [person for person in stage.sentence.pronouns.get(index, ([], None))[0] if person.id in stage.scene.on]
+        return [person for person in word.mention.people if person.id in state.scene.on]
+    return [person for person in state.sentence.pronouns.get(index, ([], None))[0] if person.id in state.scene.on]
 
 
 _WAYS = ("closed", "camera", "up", "down", "left", "right")
@@ -81,40 +81,40 @@ _DENIED = re.compile(r"\b(?:not|n't|never|without|cannot)\b")
 
 
 @rule("bearing.gaze")
-def note_gaze(stage: Stage, people: Sequence[Person]) -> None:
+def note_gaze(state: ReaderState, people: Sequence[Person]) -> None:
     """Note the gaze of the people of a sentence, and end an earlier gaze when they look at something.
 
     Args:
-        stage: Its unit takes the directions; the scene remembers the people with a gaze.
+        state: Its unit takes the directions; the scene remembers the people with a gaze.
         people: The people of the sentence.
     """
-    turned = stage.scene.gaze
-    for deed in stage.unit.deeds:
+    turned = state.scene.gaze
+    for deed in state.unit.deeds:
         if deed.motion in ("look", "read", "talk", "peek") and deed.target and deed.actor in turned:
-            stage.unit.gaze[deed.actor] = deed.target
+            state.unit.gaze[deed.actor] = deed.target
             turned.discard(deed.actor)
-    text = joined(stage.sentence.words)
+    text = joined(state.sentence.words)
     way = next((way for way in _WAYS if lexicon.BEARING[f"gaze_{way}"].search(text)), None)
     if way and people and not _DENIED.search(text):
         for person in people:
-            stage.unit.gaze[person.id] = way
+            state.unit.gaze[person.id] = way
             turned.add(person.id)
-        _forget_the_camera(stage, way)
+        _forget_the_camera(state, way)
     elif _OPENED.search(text):
         for person in (person for person in people if person.id in turned):
-            stage.unit.gaze[person.id] = "camera"
+            state.unit.gaze[person.id] = "camera"
             turned.discard(person.id)
 
 
-def _forget_the_camera(stage: Stage, way: str) -> None:
+def _forget_the_camera(state: ReaderState, way: str) -> None:
     """A look at the camera is a look at the audience: there is no camera on the set."""
     if way != "camera":
         return
     cameras = {
-        thing for _, thing in stage.sentence.things if stage.inventory.head(thing) in ("camera", "lens", "audience")
+        thing for _, thing in state.sentence.things if state.inventory.head(thing) in ("camera", "lens", "audience")
     }
     for thing in cameras:
-        stage.inventory.forget(thing)
-    stage.unit.things = [thing for thing in stage.unit.things if thing not in cameras]
-    for deed in stage.unit.deeds:
+        state.inventory.forget(thing)
+    state.unit.things = [thing for thing in state.unit.things if thing not in cameras]
+    for deed in state.unit.deeds:
         deed.target = None if deed.target in cameras else deed.target

@@ -10,7 +10,7 @@ from storyblender.agents.director.reader.deeds.outcomes import hold
 from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.language.words import Word, joined
 from storyblender.agents.director.reader.people.roles import Roles
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 from storyblender.memory.shot_context import Tether
@@ -35,52 +35,52 @@ _HAVING = frozenset(
 
 
 @rule("bearing.grip")
-def note_grips(stage: Stage, words: Sequence[Word], people: Sequence[Person]) -> None:
+def note_grips(state: ReaderState, words: Sequence[Word], people: Sequence[Person]) -> None:
     """Note how the things of a sentence are carried, and that they are in hand.
 
     Args:
-        stage: Its unit takes the grips.
+        state: Its unit takes the grips.
         words: The sentence.
         people: The people of the sentence.
     """
-    if not people or stage.sentence.pictured:
+    if not people or state.sentence.pictured:
         return
-    for index, thing in stage.sentence.things:
-        if stage.inventory.class_of(thing) not in ("prop", "unknown", "worn") or index >= len(words):
+    for index, thing in state.sentence.things:
+        if state.inventory.class_of(thing) not in ("prop", "unknown", "worn") or index >= len(words):
             continue
         told = " ".join(word.low for word in words[index + 1 : index + 1 + _REACH] if not word.inserted)
         after: Grip | None = next((grip for grip, pattern in _GRIPS if pattern.match(told)), None)
-        grip: Grip | None = after or _before(words, index)
-        if grip is None or stage.inventory.class_of(thing) == "worn":
+        grip: Grip | None = after or _grip_before(words, index)
+        if grip is None or state.inventory.class_of(thing) == "worn":
             continue
-        bearer = _bearer(stage, words, index, people)
-        stage.inventory.seen(thing, "handled", determined=True)
-        hold(stage, bearer.id, thing)
+        bearer = _bearer(state, words, index, people)
+        state.inventory.note(thing, "handled", determined=True)
+        hold(state, bearer.id, thing)
         if grip != "right" or "right" in told:
-            stage.unit.grips.setdefault(bearer.id, {})[thing] = grip
+            state.unit.grips.setdefault(bearer.id, {})[thing] = grip
 
 
 @rule("things.had")
-def note_had(stage: Stage, clause: Clause, roles: Roles) -> None:
+def note_possession(state: ReaderState, clause: Clause, roles: Roles) -> None:
     """``Rose has the drill``, ``The kid has a pistol``: put a prop that a person has into their hand.
 
     Args:
-        stage: The state before the clause.
+        state: The state before the clause.
         clause: A clause that is neither negated nor hypothetical.
         roles: The people and things of the clause.
     """
     if clause.verb != "have" or len(roles.subjects) != 1 or clause.earlier:
         return
     apart = any(place.preposition not in ("in", "with") or place.things for place in roles.places)
-    if apart or stage.sentence.pictured or roles.subjects[0].kind == "animal":
+    if apart or state.sentence.pictured or roles.subjects[0].kind == "animal":
         return
     for thing in roles.things:
-        if stage.inventory.class_of(thing) == "prop" and stage.inventory.head(thing) not in _NOT_IN_HAND:
-            stage.inventory.seen(thing, "handled", determined=True)
-            hold(stage, roles.subjects[0].id, thing)
+        if state.inventory.class_of(thing) == "prop" and state.inventory.head(thing) not in _NOT_IN_HAND:
+            state.inventory.note(thing, "handled", determined=True)
+            hold(state, roles.subjects[0].id, thing)
 
 
-def _before(words: Sequence[Word], index: int) -> Grip | None:
+def _grip_before(words: Sequence[Word], index: int) -> Grip | None:
     """Return the grip of a phrase before the thing: ``holds in his lap a birdcage``, ``in each hand a bucket``."""
     told = " ".join(word.low for word in words[max(0, index - _REACH) : index] if not word.inserted)
     for grip, pattern in _GRIPS:
@@ -92,10 +92,10 @@ def _before(words: Sequence[Word], index: int) -> Grip | None:
     return None
 
 
-def _bearer(stage: Stage, words: Sequence[Word], index: int, people: Sequence[Person]) -> Person:
+def _bearer(state: ReaderState, words: Sequence[Word], index: int, people: Sequence[Person]) -> Person:
     """Return the last person named before the thing, else the first person of the sentence."""
     for word in reversed(words[:index]):
-        named = [person for person in (word.mention.people if word.mention else []) if person.id in stage.scene.on]
+        named = [person for person in (word.mention.people if word.mention else []) if person.id in state.scene.on]
         if named:
             return named[0]
     return people[0]
@@ -106,11 +106,11 @@ _HAND, _BOUND = lexicon.BEARING["hand_in_hand"], lexicon.BEARING["bound"]
 
 
 @rule("bearing.tether")
-def note_tethers(stage: Stage, words: Sequence[Word], people: Sequence[Person]) -> None:
+def note_tethers(state: ReaderState, words: Sequence[Word], people: Sequence[Person]) -> None:
     """Note who leads whom in a sentence, and what a person is tied to.
 
     Args:
-        stage: Its unit takes the tethers.
+        state: Its unit takes the tethers.
         words: The sentence.
         people: The people of the sentence.
     """
@@ -121,20 +121,20 @@ def note_tethers(stage: Stage, words: Sequence[Word], people: Sequence[Person]) 
     for kind in _LEADS:
         holder = next((person for person in [*people, *named] if person.kind == "human"), None)
         if animals and holder and lexicon.BEARING[kind].search(text):
-            _add(stage, holder.id, animals[-1].id, kind)
+            _add_tether(state, holder.id, animals[-1].id, kind)
             return
     if _HAND.search(text) and people:
         together = [person.id for person in people[1:2]] or others
         if together:
-            _add(stage, people[0].id, together[0], "hand")
+            _add_tether(state, people[0].id, together[0], "hand")
     bound = _BOUND.search(text)
     if bound and people:
         anchor = next(
-            (thing for at, thing in stage.sentence.things if words[at].start >= _offset(words, text, bound)), None
+            (thing for at, thing in state.sentence.things if words[at].start >= _offset(words, text, bound)), None
         )
         if anchor:
-            _add(
-                stage, anchor, people[0].id, "chain" if "cuff" in bound.group() or "chain" in bound.group() else "rope"
+            _add_tether(
+                state, anchor, people[0].id, "chain" if "cuff" in bound.group() or "chain" in bound.group() else "rope"
             )
 
 
@@ -145,7 +145,7 @@ def _offset(words: Sequence[Word], text: str, match: re.Match[str]) -> int:
     return written[min(count, len(written) - 1)].start
 
 
-def _add(stage: Stage, holder: str, held: str, kind: TetherKind) -> None:
+def _add_tether(state: ReaderState, holder: str, held: str, kind: TetherKind) -> None:
     tether = Tether(holder=holder, held=held, kind=kind)
-    if holder != held and tether not in stage.unit.tethers:
-        stage.unit.tethers.append(tether)
+    if holder != held and tether not in state.unit.tethers:
+        state.unit.tethers.append(tether)

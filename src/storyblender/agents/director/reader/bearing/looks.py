@@ -9,10 +9,10 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.language.phrases import Phrase
 from storyblender.agents.director.reader.language.words import Word
-from storyblender.agents.director.reader.people.look import age_of, describe
+from storyblender.agents.director.reader.people.look import age_phrase, read_description
 from storyblender.agents.director.reader.people.person_reference import resolve_mention
 from storyblender.agents.director.reader.people.roles import Roles
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 from storyblender.catalog.inflection import singular
@@ -39,36 +39,36 @@ _FRAGMENT = 7
 
 
 @rule("looks.told")
-def note_looks(stage: Stage, clause: Clause, roles: Roles) -> None:
+def note_looks(state: ReaderState, clause: Clause, roles: Roles) -> None:
     """Add the appearance that a clause describes to its person.
 
     Args:
-        stage: The state before the clause.
+        state: The state before the clause.
         clause: Any clause that really happens.
         roles: The people and things of the clause.
     """
-    if clause.negated or clause.unreal or clause.earlier or stage.sentence.pictured:
+    if clause.negated or clause.unreal or clause.earlier or state.sentence.pictured:
         return
-    words = _rest(stage.sentence.words, clause.index)
+    words = _words_after(state.sentence.words, clause.index)
     if len(roles.subjects) == 1:
         person = roles.subjects[0]
         worn = any(_is_worn(noun.head) for noun in clause.object)
         if clause.verb in _WEARING and (worn or clause.places):
-            _dress(stage, person, words)
+            _dress(state, person, words)
         elif (clause.verb in _BEING and not clause.passive) or (
             clause.verb in _HAVING and any(n.head in _HAIRY | _FEATURES for n in clause.object)
         ):
-            _tell(stage, person, words)
+            _add_appearance(state, person, words)
     elif not roles.subjects and clause.subject and (clause.verb in _BEING or clause.passive):
-        _of_a_part(stage, clause, [stage.sentence.words[clause.index]] if clause.passive else words)
+        _describe_part(state, clause, [state.sentence.words[clause.index]] if clause.passive else words)
 
 
 @rule("looks.fragment")
-def note_fragment(stage: Stage, words: Sequence[Word], people: Sequence[Person], start: int) -> None:
+def note_fragment(state: ReaderState, words: Sequence[Word], people: Sequence[Person], start: int) -> None:
     """Read ``Sixty-six.``, ``Bald, in a torn coat.`` after a person was introduced in the same paragraph.
 
     Args:
-        stage: The state before.
+        state: The state before.
         words: A sentence without a clause.
         people: The people of the sentence before.
         start: Offset of the paragraph.
@@ -76,43 +76,43 @@ def note_fragment(stage: Stage, words: Sequence[Word], people: Sequence[Person],
     if len(people) != 1 or people[0].first < start or any(word.mention for word in words):
         return
     written = [word.text for word in words if not word.inserted and word.text not in _STOPS]
-    before = stage.reading.units[-2] if len(stage.reading.units) > 1 else None
-    named = [thing for thing in before.things if stage.inventory.class_of(thing) != "unknown"] if before else []
+    before = state.reading.units[-2] if len(state.reading.units) > 1 else None
+    named = [thing for thing in before.things if state.inventory.class_of(thing) != "unknown"] if before else []
     if not 0 < len(written) <= _FRAGMENT or named:
         return
-    _tell(stage, people[0], words)
+    _add_appearance(state, people[0], words)
 
 
 @rule("looks.worn")
-def note_worn(stage: Stage, phrases: Sequence[Phrase]) -> None:
+def note_worn(state: ReaderState, phrases: Sequence[Phrase]) -> None:
     """Add a garment that a person owns (``tips his hat``) or wears (``a boy in a torn coat``).
 
     Args:
-        stage: The state after the clauses of the sentence, in which owners are known.
+        state: The state after the clauses of the sentence, in which owners are known.
         phrases: The phrases of the sentence.
     """
     for index, phrase in enumerate(phrases):
         noun = phrase.noun
         if noun is None or noun.kind != "thing" or not _is_worn(noun.head):
             continue
-        owner = stage.person(noun.owner or "") or _who_is_in(stage, phrases, index)
+        owner = state.person(noun.owner or "") or _wearer_before(state, phrases, index)
         if owner is None or any(noun.head in piece.lower() or noun.key in piece.lower() for piece in owner.outfit):
             continue
-        before = (word for word in stage.sentence.words[phrase.first : noun.index] if not word.inserted)
+        before = (word for word in state.sentence.words[phrase.first : noun.index] if not word.inserted)
         said = [word.text for word in before if word.low not in _DETERMINING and word.solid]
-        _add_outfit(stage, owner, " ".join([*said, stage.sentence.words[noun.index].text.lower()]))
+        _add_outfit(state, owner, " ".join([*said, state.sentence.words[noun.index].text.lower()]))
 
 
-def _who_is_in(stage: Stage, phrases: Sequence[Phrase], index: int) -> Person | None:
+def _wearer_before(state: ReaderState, phrases: Sequence[Phrase], index: int) -> Person | None:
     """Return the person that the noun before ``in`` means, if it is one."""
     if index < _INSIDE or phrases[index - 1].text not in ("in", "wearing"):
         return None
     noun = phrases[index - _INSIDE].noun
-    people = resolve_mention(stage, noun.mention) if noun and noun.mention else []
+    people = resolve_mention(state, noun.mention) if noun and noun.mention else []
     return people[0] if len(people) == 1 else None
 
 
-def _rest(words: Sequence[Word], index: int) -> list[Word]:
+def _words_after(words: Sequence[Word], index: int) -> list[Word]:
     """Return the words after a verb, up to a full stop or the next verb."""
     rest: list[Word] = []
     for word in words[index + 1 :]:
@@ -128,7 +128,7 @@ def _parts(words: Sequence[Word]) -> list[str]:
     return [part.strip() for part in re.split(r" , |,| and | with |^with ", text) if part.strip()]
 
 
-def _tell(stage: Stage, person: Person, words: Sequence[Word]) -> None:
+def _add_appearance(state: ReaderState, person: Person, words: Sequence[Word]) -> None:
     """Add the parts of a description that concern appearance."""
     for part in _parts(words):
         low = part.lower().split()
@@ -137,24 +137,24 @@ def _tell(stage: Stage, person: Person, words: Sequence[Word]) -> None:
         worn = any(_is_worn(word) for word in low)
         plain = re.sub(r"^(?:an?|the|very|quite|rather|so|now|still|his|her) ", "", part.lower())
         if worn and low[0] in ("in", "wearing"):
-            _add_outfit(stage, person, part)
-        elif age_of(plain) or (not worn and (_LOOKS | _HAIRY | _FEATURES) & set(low)):
-            _describe_once(stage, person, plain)
+            _add_outfit(state, person, part)
+        elif age_phrase(plain) or (not worn and (_LOOKS | _HAIRY | _FEATURES) & set(low)):
+            _describe_once(state, person, plain)
 
 
-def _describe_once(stage: Stage, person: Person, part: str) -> None:
+def _describe_once(state: ReaderState, person: Person, part: str) -> None:
     """Add a description once: a known age stays, hair keeps only a few words."""
-    if (age_of(part) and person.age) or part in person.hair or len(person.hair) >= _MOST:
+    if (age_phrase(part) and person.age) or part in person.hair or len(person.hair) >= _MOST:
         return
     kind, role = person.kind, person.role
-    describe(stage.roster, person, part)
+    read_description(state.roster, person, part)
     person.kind, person.role = kind, role
 
 
-def _of_a_part(stage: Stage, clause: Clause, words: Sequence[Word]) -> None:
+def _describe_part(state: ReaderState, clause: Clause, words: Sequence[Word]) -> None:
     """``His hair is grey``, ``Her coat is torn``: add to the appearance of the owner."""
     noun = clause.subject[0]
-    owner = stage.person(noun.owner or "") if noun.kind == "thing" else None
+    owner = state.person(noun.owner or "") if noun.kind == "thing" else None
     said = [
         word for part in _parts(words)[:1] for word in part.split() if word.lower() not in ("a", "the", "all", "so")
     ]
@@ -162,23 +162,23 @@ def _of_a_part(stage: Stage, clause: Clause, words: Sequence[Word]) -> None:
         return
     phrase = f"{' '.join(said)} {noun.head}"
     if noun.head in _HAIRY or noun.head in _FEATURES:
-        _describe_once(stage, owner, phrase)
+        _describe_once(state, owner, phrase)
     elif _is_worn(noun.head):
-        _add_outfit(stage, owner, phrase)
+        _add_outfit(state, owner, phrase)
 
 
-def _dress(stage: Stage, person: Person, words: Sequence[Word]) -> None:
+def _dress(state: ReaderState, person: Person, words: Sequence[Word]) -> None:
     """``wears a red dress and boots``, ``is dressed in black``."""
     pieces = [part for part in _parts(words) if any(_is_worn(word) for word in part.lower().split())]
     for piece in pieces:
-        _add_outfit(stage, person, piece)
+        _add_outfit(state, person, piece)
 
 
-def _add_outfit(stage: Stage, person: Person, piece: str) -> None:
+def _add_outfit(state: ReaderState, person: Person, piece: str) -> None:
     """Add clothes from the first scene that describes any; later changes of clothes are deeds."""
-    scene = stage.scene_dressed.setdefault(person.id, stage.unit.scene)
+    scene = state.scene_dressed.setdefault(person.id, state.unit.scene)
     plain = re.sub(r"^(?:in |wearing |an? |the |his |her |their )+", "", piece.strip(), flags=re.IGNORECASE)
-    if scene == stage.unit.scene and plain and plain not in person.outfit:
+    if scene == state.unit.scene and plain and plain not in person.outfit:
         person.outfit = (*person.outfit, plain)
 
 

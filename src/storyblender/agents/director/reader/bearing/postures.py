@@ -12,7 +12,7 @@ from storyblender.agents.director.reader.bearing.calls import ACTIVITY
 from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.language.words import joined
 from storyblender.agents.director.reader.people.roles import Place, Roles
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Posture
@@ -29,11 +29,11 @@ _PASSING = frozenset({"up", "out", "around", "round", "on"})
 
 
 @rule("postures.told")
-def note_posture(stage: Stage, clause: Clause, roles: Roles) -> None:
+def note_posture(state: ReaderState, clause: Clause, roles: Roles) -> None:
     """Set the posture that a clause describes in the scene.
 
     Args:
-        stage: The state before.
+        state: The state before.
         clause: A clause that is neither negated nor hypothetical.
         roles: The people and things of the clause.
     """
@@ -41,32 +41,32 @@ def note_posture(stage: Stage, clause: Clause, roles: Roles) -> None:
         return
     posture: Posture | None = None
     if clause.verb in _HANGING and clause.particle not in _PASSING:
-        posture = "upside_down" if _is_upside_down(stage) else "hang"
+        posture = "upside_down" if _is_upside_down(state) else "hang"
     elif clause.verb in _FLOATING:
         posture = "float"
-    elif clause.verb in ("be", "ride", "sit") and (mount := _mount(stage, roles)):
+    elif clause.verb in ("be", "ride", "sit") and (mount := _mount(state, roles)):
         for person in roles.subjects:
-            stage.scene.posture[person.id] = ("ride", mount)
+            state.scene.posture[person.id] = ("ride", mount)
         return
     support = next((thing for place in roles.places if place.preposition in _FROM for thing in place.things), None)
     for person in roles.subjects if posture else ():
-        stage.scene.posture[person.id] = (posture or "hang", support)
+        state.scene.posture[person.id] = (posture or "hang", support)
 
 
-def _is_upside_down(stage: Stage) -> bool:
-    text = stage.unit.text.lower()
+def _is_upside_down(state: ReaderState) -> bool:
+    text = state.unit.text.lower()
     return "upside down" in text or "upside-down" in text or "by his feet" in text or "by her feet" in text
 
 
-def _mount(stage: Stage, roles: Roles) -> str | None:
+def _mount(state: ReaderState, roles: Roles) -> str | None:
     """Return the id of the animal or vehicle a person rides."""
-    return next((found for place in roles.places if (found := _mount_of(stage, place))), None)
+    return next((found for place in roles.places if (found := _mount_of(state, place))), None)
 
 
-def _mount_of(stage: Stage, place: Place) -> str | None:
+def _mount_of(state: ReaderState, place: Place) -> str | None:
     if place.preposition not in _ASTRIDE:
         return None
-    thing = next((thing for thing in place.things if stage.inventory.head(thing) in _MOUNTS), None)
+    thing = next((thing for thing in place.things if state.inventory.head(thing) in _MOUNTS), None)
     return thing or next((person.id for person in place.people if person.role in _MOUNTS), None)
 
 
@@ -84,36 +84,36 @@ _OVER = lexicon.BEARING["over"]
 
 
 @rule("bearing.activity")
-def note_lasting(stage: Stage, clauses: Sequence[Clause], people: Sequence[Person]) -> None:
+def note_lasting_activities(state: ReaderState, clauses: Sequence[Clause], people: Sequence[Person]) -> None:
     """Begin and end lasting activities.
 
     Args:
-        stage: Its unit has the deeds of the sentence; the scene keeps the activities.
+        state: Its unit has the deeds of the sentence; the scene keeps the activities.
         clauses: The clauses of the sentence.
         people: The people of the sentence.
     """
-    text = joined(stage.sentence.words)
-    going_on = stage.scene.activities
+    text = joined(state.sentence.words)
+    going_on = state.scene.activities
     progressive = {clause.at for clause in clauses if clause.participle and not clause.negated and not clause.unreal}
     over = _OVER.search(text) is not None
-    for deed in stage.unit.deeds:
+    for deed in state.unit.deeds:
         if going_on.get(deed.actor, ACTIVITY) != ACTIVITY and (
             over or deed.motion not in _BESIDE_IT | {going_on[deed.actor]}
         ):
-            _end(stage, deed.actor)
+            _end_activity(state, deed.actor)
         if deed.motion in _LASTING and deed.at in progressive and not over:
-            _begin(stage, deed.actor, deed.motion)
+            _begin_activity(state, deed.actor, deed.motion)
     for person in people:
         if over and going_on.get(person.id, ACTIVITY) != ACTIVITY:
-            _end(stage, person.id)
+            _end_activity(state, person.id)
 
 
-def _begin(stage: Stage, person: str, motion: str) -> None:
-    if stage.scene.activities.get(person) != motion:
-        stage.scene.activities[person] = motion
-        stage.unit.activities[person] = motion
+def _begin_activity(state: ReaderState, person: str, motion: str) -> None:
+    if state.scene.activities.get(person) != motion:
+        state.scene.activities[person] = motion
+        state.unit.activities[person] = motion
 
 
-def _end(stage: Stage, person: str) -> None:
-    del stage.scene.activities[person]
-    stage.unit.activities[person] = ""
+def _end_activity(state: ReaderState, person: str) -> None:
+    del state.scene.activities[person]
+    state.unit.activities[person] = ""

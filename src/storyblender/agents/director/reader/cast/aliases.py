@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection
 
 from storyblender.agents.director.naming import UPPER
-from storyblender.agents.director.reader.cast.later_names import join
+from storyblender.agents.director.reader.cast.later_names import merge_people
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
@@ -26,13 +26,13 @@ _ALSO = re.compile(
 )
 
 
-def also_known(look: str) -> str:
+def bracketed_alias(look: str) -> str:
     """Another name in brackets: ``(48, known as DEN, the coach)``; else empty."""
     also = _ALSO.search(look)
     return also.group(1) if also else ""
 
 
-def nicknamed(text: str) -> list[tuple[int, int, str, str]]:
+def find_nicknames(text: str) -> list[tuple[int, int, str, str]]:
     """Find ``BEATRIZ "BEA" LUNA``: where it starts and ends, the whole name, the nickname."""
     return [
         (match.start(), match.end(), f"{match.group('first')} {match.group('last')}", match.group("nick"))
@@ -40,12 +40,12 @@ def nicknamed(text: str) -> list[tuple[int, int, str, str]]:
     ]
 
 
-def worn_name(roster: Roster, name: str) -> Person | None:
+def person_in_clothes(roster: Roster, name: str) -> Person | None:
     """``GREY SUIT``, who is the MAN IN A GREY SUIT."""
     return next(iter(roster.wearing(bare(name))), None)
 
 
-def tagged_name(look: str, names: Collection[str]) -> str:
+def name_on_tag(look: str, names: Collection[str]) -> str:
     """The name on a tag in brackets, ``(40s, name tag: MARGE)``, if it is a name of the script; else empty."""
     tag = _TAGGED.search(look)
     return tag.group(1) if tag and tag.group(1) in names else ""
@@ -70,4 +70,4 @@ def join_revealed(roster: Roster, text: str) -> None:
     for match in _REVEALING.finditer(text):
         shown, known = roster.find(match.group("who")), roster.find(match.group("name").strip())
         if shown and known and shown[0] is not known[0] and shown[0].role and shown[0].first < known[0].first:
-            join(roster, known[0], shown[0])
+            merge_people(roster, known[0], shown[0])

@@ -42,7 +42,7 @@ _TINY = frozenset({"ant", "bee", "beetle", "butterfly", "fly", "moth", "spider",
 
 
 @lru_cache(maxsize=256)
-def does_something(animal: str, told: str) -> bool:
+def animal_acts(animal: str, told: str) -> bool:
     """Whether an animal is once the subject of something it does, also as ``the bird`` or ``the animal``.
 
     Args:
@@ -52,7 +52,7 @@ def does_something(animal: str, told: str) -> bool:
     called = {animal} | _ANY | {kind for kind, animals in lexicon.KINDS.items() if animal in animals}
     nouns = "|".join(sorted(called))
     acting = re.compile(rf"\b\w+ (?:[\w-]+ ){{0,2}}((?:{nouns})\w*){_CLAUSE} (?:\w+ly )?([a-z]+)\b", re.IGNORECASE)
-    if any(singular(match.group(1)) in called and _acts(match.group(2)) for match in acting.finditer(told)):
+    if any(singular(match.group(1)) in called and _is_action_word(match.group(2)) for match in acting.finditer(told)):
         return True
     appearing = re.compile(rf"\b([a-z]+) (?:an?|the|his|her|their) (?:[\w-]+ ){{0,2}}(?:{animal})\b")
     return any(_appears(match.group(1)) for match in appearing.finditer(told))
@@ -86,7 +86,7 @@ def _moves_about(animal: PersonNoun, text: str) -> bool:
     return moves and animal.determiner in ("a", "an") and animal.noun not in _TINY
 
 
-def _acts(word: str) -> bool:
+def _is_action_word(word: str) -> bool:
     form = FORMS.get(word)
     if form is None or form.kind not in ("past", "3sg", "aux"):
         return False

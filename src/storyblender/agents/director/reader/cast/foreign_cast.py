@@ -48,10 +48,10 @@ def add_foreign(roster: Roster, script: Manuscript) -> None:
     for person in roster.people:
         english = _person_noun(person.name.split()[-1], tongue)
         if english and not person.role and " " not in person.name:
-            _be(person, english)
+            _set_kind(person, english)
         if person.gender == "unknown" and person.kind == "human":
             others = {alias for other in roster.people if other is not person for alias in other.aliases}
-            person.gender = _told(person, others, script.text, tongue)
+            person.gender = _gender_of(person, others, script.text, tongue)
     roster.sort()
 
 
@@ -70,17 +70,17 @@ def _add(roster: Roster, word: str, english: str, at: int) -> None:
     known = roster.find(word) or [person for person in roster.people if word.upper() in person.name.upper().split()]
     if known:
         return
-    _be(roster.add(word, at), english)
+    _set_kind(roster.add(word, at), english)
 
 
-def _be(person: Person, english: str) -> None:
+def _set_kind(person: Person, english: str) -> None:
     person.role = english
     person.gender = lexicon.gender_of_word(english)
     person.kind = "animal" if english in lexicon.ANIMALS else person.kind
     person.age = person.age or lexicon.AGE_NOUNS.get(english, "")
 
 
-def _told(person: Person, others: set[str], text: str, tongue: Tongue) -> Gender:
+def _gender_of(person: Person, others: set[str], text: str, tongue: Tongue) -> Gender:
     """Return the gender by the name's ending, else by the next pronoun before another name."""
     first = person.name.split()[0].lower()
     if tongue.key != "fr" and first[-1] in _ENDINGS:

@@ -33,10 +33,10 @@ def is_known_relative(roster: Roster, phrase: PersonNoun, at: int, after: str, t
     noun = phrase.noun
     for person in roster.people:
         if person.role and person.role == _PARENTS_SIBLING.get(noun) and not phrase.plural:
-            roster.call(person, noun)
+            roster.add_alias(person, noun)
             return True
     often = len(re.findall(rf"\b{noun}\b", text)) > 1
-    named = _who_may_be(roster, phrase)
+    named = _possible_relatives(roster, phrase)
     following = re.match(r"\s+(?:\w+ly )?(\w+)", after)
     verb = following.group(1) if following else ""
     acts = form_kind(verb) in ("past", "3sg", "aux")
@@ -44,14 +44,14 @@ def is_known_relative(roster: Roster, phrase: PersonNoun, at: int, after: str, t
         before = [person for person in named if person.first < at]
         if often or not acts or verb in _COMING or not before:
             return False
-        roster.call(before[-1], noun)
+        roster.add_alias(before[-1], noun)
         return True
     if noun not in lexicon.CONVERSE_KIN | {"cousin": ()} or often or len(roster.people) < 2:
         return False
     return not acts or (bool(named) and noun not in _ANCESTORS)
 
 
-def _who_may_be(roster: Roster, phrase: PersonNoun) -> list[Person]:
+def _possible_relatives(roster: Roster, phrase: PersonNoun) -> list[Person]:
     """Everybody named of that gender, but for who is ``his`` or ``her``."""
     gender = lexicon.gender_of_word(phrase.noun)
     named = [p for p in roster.people if p.kind == "human" and not p.role and p.gender == gender]
@@ -75,7 +75,7 @@ class Kinship(NamedTuple):
     person: Person
 
 
-def is_family(told: str) -> bool:
+def mentions_family(told: str) -> bool:
     """Whether a story speaks of parents and children, so that one surname may be several people's."""
     return _FAMILY.search(told) is not None
 
@@ -93,14 +93,14 @@ def link_surnames(roster: Roster) -> None:
         family = [person for person in families[_surname(head)] if person is not head]
         if title in _HUSBANDS:
             for person in family:
-                roster.call_no_longer(person, _surname(head))
+                roster.remove_aliases(person, _surname(head))
         if any(_title(person) in _COUPLE for person in family):
-            roster.call(head, _COUPLE[title])
+            roster.add_alias(head, _COUPLE[title])
         children = [person for person in family if not _title(person)]
         for child in children:
-            roster.call(child, _CHILD.get(child.gender, "child"))
+            roster.add_alias(child, _CHILD.get(child.gender, "child"))
         if children:
-            roster.call(head, _PARENT[title])
+            roster.add_alias(head, _PARENT[title])
 
 
 @rule("people.kin")
@@ -125,7 +125,7 @@ def link_kin(roster: Roster, kinships: Sequence[Kinship], names: Sequence[tuple[
                 owner.gender = "male" if gender == "male" else "female"
             for converse in _SIBLING_NOUNS.get(kinship.noun) or lexicon.CONVERSE_KIN.get(kinship.noun, ()):
                 if lexicon.gender_of_word(converse) == owner.gender:
-                    roster.call(owner, converse)
+                    roster.add_alias(owner, converse)
 
 
 def _title(person: Person) -> str:

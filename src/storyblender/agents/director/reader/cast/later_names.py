@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.cast.name_evidence import gender_told
+from storyblender.agents.director.reader.cast.name_evidence import gender_by_pronouns
 from storyblender.agents.director.reader.cast.namings import Naming
 from storyblender.agents.director.reader.language.morphology import is_person_noun
 from storyblender.agents.director.reader.language.words import TextIndex
@@ -76,19 +76,19 @@ def name_the_nameless(roster: Roster, told: str, namings: Sequence[Naming]) -> N
         namings: Where people get names.
     """
     for naming in namings:
-        _name(roster, told, naming)
+        _give_name(roster, told, naming)
     nameless = [person for person in roster.people if is_nameless(person)]
     for person in sorted(roster.people, key=lambda person: person.first):
         plain = person.role != bare(person.name) and person is not roster.narrator and person.kind == "human"
         if plain and told.startswith(person.name, person.first) and not is_person_noun(singular(person.name)):
             nameless = [each for each in nameless if roster.person(each.id) is each]
-            _turns_up(roster, person, told, nameless)
+            _match_new_name(roster, person, told, nameless)
 
 
 # -- names that are said -----------------------------------------------------------------------------------------
 
 
-def _name(roster: Roster, told: str, naming: Naming) -> None:
+def _give_name(roster: Roster, told: str, naming: Naming) -> None:
     """Give a name that is said to whom it belongs, if that is somebody without one."""
     known = roster.find(naming.name) or roster.find(naming.name.split()[-1]) or roster.find(naming.name.split()[0])
     named = known[0] if known else None
@@ -108,8 +108,8 @@ def _name(roster: Roster, told: str, naming: Naming) -> None:
         return
     if named is None:
         named = roster.add(naming.name, naming.at)
-    roster.call(named, bare(naming.name))
-    join(roster, named, nameless)
+    roster.add_alias(named, bare(naming.name))
+    merge_people(roster, named, nameless)
 
 
 def _is_a_name(name: str) -> bool:
@@ -135,7 +135,7 @@ def _can_be_called(roster: Roster, person: Person, named: Person | None, told: s
         return False
     if not _may_bear(person, naming.name) or _distance(told, person, naming) > _NEAR:
         return False
-    return named is None or (_may_have(named, person, told) and not are_two(told, person, named))
+    return named is None or (_genders_may_agree(named, person, told) and not appear_together(told, person, named))
 
 
 def _may_bear(person: Person, name: str) -> bool:
@@ -179,28 +179,28 @@ def _places(told: str, pattern: str) -> tuple[int, ...]:
 # -- names that turn up ------------------------------------------------------------------------------------------
 
 
-def _turns_up(roster: Roster, named: Person, told: str, nameless: Sequence[Person]) -> None:
+def _match_new_name(roster: Roster, named: Person, told: str, nameless: Sequence[Person]) -> None:
     """``a man came up the path … said Arlo``: a new name without anybody coming in."""
     nameless = [each for each in nameless if is_nameless(each) and each.first < named.first]
     nameless = [each for each in nameless if each is not roster.narrator and each.role not in _BABIES]
     for each in sorted(
         nameless, key=lambda each: -max((at for at in _mentions(told, each) if at < named.first), default=0)
     ):
-        if _may_be(each, named, told, len(nameless) == 1):
-            join(roster, named, each)
+        if _may_be_same(each, named, told, len(nameless) == 1):
+            merge_people(roster, named, each)
             return
 
 
-def _may_be(nameless: Person, named: Person, told: str, alone: bool) -> bool:
+def _may_be_same(nameless: Person, named: Person, told: str, alone: bool) -> bool:
     """Whether a name can be that of somebody without one: by gender, title, distance and how both are told.
 
     ``alone``: nobody else is without a name.
     """
     last = max((at for at in _mentions(told, nameless) if at < named.first), default=-_LATER)
     since = named.first - last
-    if since > _LATER or not _may_have(named, nameless, told):
+    if since > _LATER or not _genders_may_agree(named, nameless, told):
         return False
-    if _is_told_after_all(nameless, named, told):
+    if _is_introduced_later(nameless, named, told):
         return True
     title, noun = bare(named.name).split()[0].strip("."), nameless.role
     if (title in lexicon.TITLES - GENTLE and " " in named.name) or (title in GENTLE and noun in _SOMEBODY):
@@ -216,7 +216,7 @@ def _may_be(nameless: Person, named: Person, told: str, alone: bool) -> bool:
         since > (_LATER if alone else _SOON)
         or noun in _PASSING
         or _is_brought_in(named, told)
-        or are_two(told, nameless, named)
+        or appear_together(told, nameless, named)
     ):
         return False
     sentence = re.split(r"[.!?\n]", told[nameless.first :])[0]
@@ -234,7 +234,7 @@ def _is_brought_in(named: Person, told: str) -> bool:
     )
 
 
-def _is_told_after_all(nameless: Person, named: Person, told: str) -> bool:
+def _is_introduced_later(nameless: Person, named: Person, told: str) -> bool:
     """``at his side an old woman with a goose: Mother Kern``, ``A man stood there. It was Goran``."""
     between = told[nameless.first : named.first]
     if len(between) > _SOON or _INDEFINITE.match(between) is None or nameless.role not in GENERIC | _YOUNG:
@@ -250,7 +250,7 @@ def _sentences(told: str) -> tuple[str, ...]:
     return tuple(re.split(r"(?<!\bMr)(?<!\bMrs)(?<!\bDr)[.!?\n]", told))
 
 
-def are_two(told: str, nameless: Person, named: Person) -> bool:
+def appear_together(told: str, nameless: Person, named: Person) -> bool:
     """Whether a sentence tells of both: ``Bess looked at the old woman``."""
     names = "|".join(re.escape(alias) for alias in sorted(named.aliases, key=len, reverse=True))
     if not names:
@@ -268,13 +268,13 @@ def are_two(told: str, nameless: Person, named: Person) -> bool:
     return False
 
 
-def _may_have(named: Person, nameless: Person, told: str) -> bool:
+def _genders_may_agree(named: Person, nameless: Person, told: str) -> bool:
     """Whether their genders agree; where a word does not tell one, the pronouns after it do."""
     unsure = named.gender == "unknown" or bool(set(named.aliases) & lexicon.UNISEX)
-    gender = gender_told(told, rf"(?:{re.escape(named.name)})") if unsure else named.gender
+    gender = gender_by_pronouns(told, rf"(?:{re.escape(named.name)})") if unsure else named.gender
     other = nameless.gender
     if other == "unknown" or nameless.role in _EITHER:
-        other = gender_told(told, rf"(?:(?:[Aa]n?|[Tt]he) (?:[\w-]+ )?{re.escape(nameless.role)})")
+        other = gender_by_pronouns(told, rf"(?:(?:[Aa]n?|[Tt]he) (?:[\w-]+ )?{re.escape(nameless.role)})")
     return _agree(gender, other)
 
 
@@ -282,7 +282,7 @@ def _agree(gender: str, other: str) -> bool:
     return "unknown" in (gender, other) or gender == other
 
 
-def join(roster: Roster, named: Person, nameless: Person) -> None:
+def merge_people(roster: Roster, named: Person, nameless: Person) -> None:
     """Make two of the cast one person, who keeps the name.
 
     Args:
@@ -291,7 +291,7 @@ def join(roster: Roster, named: Person, nameless: Person) -> None:
         nameless: The same person, as they were called before.
     """
     for alias in nameless.aliases:
-        roster.call(named, alias)
+        roster.add_alias(named, alias)
     named.first = min(named.first, nameless.first)
     named.role = nameless.role if _has_no_name(named) else named.role or nameless.role
     named.kind = nameless.kind
@@ -304,7 +304,7 @@ def join(roster: Roster, named: Person, nameless: Person) -> None:
 
 
 @rule("people.called_by_nouns")
-def call_by_nouns(roster: Roster, text: str) -> None:
+def add_noun_aliases(roster: Roster, text: str) -> None:
     """``A MOVER``, later ``the mover``: the name is a noun for what they do, though no list knows it."""
     written = TextIndex(text)
     for person in roster.people:

@@ -26,7 +26,7 @@ _AGED = re.compile(r"\s*[,(]\s*(?:aged?\s)?\d\d?\b")
 _OPENS = re.compile(r"(?:^|[.!?;…”\"\n(\[—–-])\s*$")
 
 
-def is_somebody(name: str, told: TextIndex) -> bool:
+def is_person_name(name: str, told: TextIndex) -> bool:
     """Return whether a name is a person's: known, acts, speaks, has an age, or occurs inside sentences.
 
     Args:
@@ -42,7 +42,7 @@ def is_somebody(name: str, told: TextIndex) -> bool:
     for at in places:
         before, after = told.text[max(0, at - _REACH) : at], told.text[at + len(name) : at + len(name) + _REACH]
         determined = _is_determined(before)
-        if _AGED.match(after) or _SAID.search(before) or (not determined and _acts(after)):
+        if _AGED.match(after) or _SAID.search(before) or (not determined and _is_action(after)):
             return True
         inside = inside or not (determined or _OPENS.search(before))
     return not places or (inside and (known or not _is_common(words)))
@@ -57,7 +57,7 @@ def _is_determined(before: str) -> bool:
     return left is not None and (between is None or lexicon.noun_class(singular(between)) == "unknown")
 
 
-def _acts(after: str) -> bool:
+def _is_action(after: str) -> bool:
     """Whether a verb of human action follows."""
     following = _AFTER.match(after)
     word = following.group(1) if following else ""
@@ -75,7 +75,7 @@ def _is_common(words: list[str]) -> bool:
 
 
 @lru_cache(maxsize=1024)
-def gender_told(told: str, called: str) -> str:
+def gender_by_pronouns(told: str, called: str) -> str:
     """The gender of ``he`` or ``she`` in a sentence that somebody opens, or at the start of the one after it.
 
     Args:

@@ -59,7 +59,7 @@ class Naming(NamedTuple):
     """Whether nothing else is said."""
 
 
-def told_text(script: Manuscript) -> str:
+def narration_only(script: Manuscript) -> str:
     """The script with everything but narration blanked, character for character."""
     told = [" " if letter != "\n" else letter for letter in script.text]
     for paragraph in script.paragraphs:
@@ -72,7 +72,7 @@ def _next_words(told: str, at: int) -> str:
     return words[0] if words else ""
 
 
-def namings(script: Manuscript) -> list[Naming]:
+def find_namings(script: Manuscript) -> list[Naming]:
     """Find every place where somebody is named, in reading order."""
     found: list[Naming] = []
     asked = False
@@ -116,7 +116,7 @@ _SOON, _JUST_BEFORE = 800, 200
 """Characters between ``a tall, burly man`` and his name, told after or before."""
 
 
-def spoken_names(script: Manuscript) -> list[tuple[int, str]]:
+def find_spoken_names(script: Manuscript) -> list[tuple[int, str]]:
     """Find titled names by which somebody is introduced or called, with their offsets."""
     found: list[tuple[int, str]] = []
     for paragraph in script.paragraphs:
@@ -127,19 +127,19 @@ def spoken_names(script: Manuscript) -> list[tuple[int, str]]:
     return found
 
 
-def announced(roster: Roster, spoken: Sequence[tuple[int, str]], at: int, noun: str) -> str:
+def name_called_soon(roster: Roster, spoken: Sequence[tuple[int, str]], at: int, noun: str) -> str:
     """The name by which ``a tall, burly man`` is called soon after he came in, or an empty string.
 
     Args:
         roster: The cast so far: the name is nobody else's.
-        spoken: From ``spoken_names``.
+        spoken: From ``find_spoken_names``.
         at: Offset of the noun phrase.
         noun: Its head.
     """
     gender = lexicon.gender_of_word(noun)
     for place, name in spoken:
         title = bare(name).split()[0].strip(".")
-        known = roster.find(name) or roster.find(name.split()[-1]) or _called_by_role(roster, name)
+        known = roster.find(name) or roster.find(name.split()[-1]) or _people_with_title(roster, name)
         fits = title in lexicon.RANKS.get(noun, (title,)) and lexicon.TITLE_GENDER.get(title, gender) == gender
         if -_JUST_BEFORE < place - at < _SOON and not known and fits:
             return name
@@ -153,14 +153,14 @@ def title_noun(name: str) -> str:
 
 
 @rule("people.title")
-def call_by_title(roster: Roster, spoken: Sequence[tuple[int, str]]) -> None:
+def name_by_title(roster: Roster, spoken: Sequence[tuple[int, str]]) -> None:
     """``"You win, Doctor Lebedev"``: the doctor has a name."""
     for _, name in spoken:
         words = bare(name).split()
-        for person in [] if roster.find(words[-1]) else _called_by_role(roster, name):
-            roster.call(person, bare(name))
-            roster.call(person, words[-1])
+        for person in [] if roster.find(words[-1]) else _people_with_title(roster, name):
+            roster.add_alias(person, bare(name))
+            roster.add_alias(person, words[-1])
 
 
-def _called_by_role(roster: Roster, name: str) -> list[Person]:
+def _people_with_title(roster: Roster, name: str) -> list[Person]:
     return [person for person in roster.people if person.role == title_noun(name)][:1]

@@ -9,24 +9,30 @@ from typing import NamedTuple
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER
-from storyblender.agents.director.reader.cast.animals import does_something
-from storyblender.agents.director.reader.cast.kin import Kinship, is_family, is_known_relative, link_kin, link_surnames
+from storyblender.agents.director.reader.cast.animals import animal_acts
+from storyblender.agents.director.reader.cast.kin import (
+    Kinship,
+    is_known_relative,
+    link_kin,
+    link_surnames,
+    mentions_family,
+)
 from storyblender.agents.director.reader.cast.later_names import name_the_nameless
-from storyblender.agents.director.reader.cast.name_evidence import is_somebody
+from storyblender.agents.director.reader.cast.name_evidence import is_person_name
 from storyblender.agents.director.reader.cast.namings import (
-    announced,
-    call_by_title,
-    namings,
-    spoken_names,
+    find_namings,
+    find_spoken_names,
+    name_by_title,
+    name_called_soon,
+    narration_only,
     title_noun,
-    told_text,
 )
 from storyblender.agents.director.reader.cast.prose_names import add_name, names_in
-from storyblender.agents.director.reader.cast.trades import call_by_trade
+from storyblender.agents.director.reader.cast.trades import join_trades
 from storyblender.agents.director.reader.language.person_nouns import PersonNoun, find_person_nouns
 from storyblender.agents.director.reader.language.words import TextIndex
 from storyblender.agents.director.reader.manuscript import Manuscript, without_quotations
-from storyblender.agents.director.reader.people.look import describe
+from storyblender.agents.director.reader.people.look import read_description
 from storyblender.agents.director.reader.people.narrator import find_narrator
 from storyblender.agents.director.reader.people.person_reference import is_epithet
 from storyblender.agents.director.reader.people.roster import Roster, bare
@@ -61,7 +67,7 @@ _CHESSMEN = frozenset({"king", "queen", "knight", "bishop", "pawn"})
 _GAMES = re.compile(r"\b(?:chess|checkmate|playing cards|whist|draughts)\b")
 
 
-class _Role(NamedTuple):
+class _RoleNoun(NamedTuple):
     """A noun for a person where it stands in the story."""
 
     at: int
@@ -80,23 +86,23 @@ def find_prose_cast(script: Manuscript) -> Roster:
     """Collect the people of a story: longer names first, then roles in the order they appear."""
     roster = Roster()
     names: list[tuple[int, str]] = []
-    roles: list[_Role] = []
-    family = is_family(script.text)
-    whole = told_text(script)
+    roles: list[_RoleNoun] = []
+    family = mentions_family(script.text)
+    whole = narration_only(script)
     playing = _GAMES.search(script.text) is not None
     for paragraph in script.paragraphs:
         told = without_quotations(paragraph.raw)
         names += names_in(told, paragraph.start)
         for phrase in find_person_nouns(told):
             piece = playing and phrase.noun in _CHESSMEN
-            idle = phrase.noun in lexicon.ANIMALS and not does_something(phrase.noun, whole)
+            idle = phrase.noun in lexicon.ANIMALS and not animal_acts(phrase.noun, whole)
             listed = phrase.plural and _are_listed(phrase.noun, whole)
-            nobody = piece or idle or listed or _is_boarded(phrase.noun, whole) or _only_compared(told, phrase)
+            nobody = piece or idle or listed or _is_vehicle(phrase.noun, whole) or _only_compared(told, phrase)
             if phrase.noun not in _NOT_ROLES and not nobody:
-                roles.append(_Role(paragraph.start + phrase.start, phrase, told[phrase.end : phrase.end + 60]))
+                roles.append(_RoleNoun(paragraph.start + phrase.start, phrase, told[phrase.end : phrase.end + 60]))
     index = TextIndex(whole)
     distinct = {name: None for _, name in names}
-    absent = {name for name in distinct if not is_somebody(name, index)}
+    absent = {name for name in distinct if not is_person_name(name, index)}
     names = [(at, name) for at, name in names if name not in absent]
     for at, name in sorted(names, key=lambda item: (-len(item[1].split()), item[0])):
         add_name(roster, at, name, whole, family)
@@ -105,14 +111,14 @@ def find_prose_cast(script: Manuscript) -> Roster:
     kinships = [Kinship(r.at, r.phrase.determiner, r.phrase.noun, p) for r in kin for p in roster.find(r.name)[:1]]
     link_kin(roster, kinships, sorted(names))
     find_narrator(script, roster)
-    spoken = spoken_names(script)
+    spoken = find_spoken_names(script)
     titled = [name for at, name in spoken if any(title_noun(name) == r.phrase.noun and r.at < at for r in roles)]
     for role in sorted(roles, key=lambda role: (not role.name, is_epithet(role.phrase.noun), role.at)):
         _admit(roster, role, script.text, [(at, name) for at, name in spoken if name not in titled])
-    call_by_title(roster, spoken)
-    call_by_trade(roster, script.text, whole)
-    name_the_nameless(roster, whole, namings(script))
-    call_by_trade(roster, script.text, whole)
+    name_by_title(roster, spoken)
+    join_trades(roster, script.text, whole)
+    name_the_nameless(roster, whole, find_namings(script))
+    join_trades(roster, script.text, whole)
     roster.sort()
     roster.link_variants()
     return roster
@@ -124,7 +130,7 @@ def _are_listed(noun: str, told: str) -> bool:
 
 
 @lru_cache(maxsize=256)
-def _is_boarded(noun: str, told: str) -> bool:
+def _is_vehicle(noun: str, told: str) -> bool:
     """``climbed into the coach``: a vehicle with the name of a trade."""
     boarding = r"\b(?:(?:climb|clamber|got|get|step|sat|sit)\w* (?:back )?(?:up )?(?:in|into|inside|out of)|aboard)"
     return re.search(rf"{boarding} (?:an?|the|his|her|their) (?:[\w-]+ )?{noun}\b", told) is not None
@@ -138,7 +144,7 @@ def _only_compared(told: str, phrase: PersonNoun) -> bool:
 
 
 @rule("people.noun_in_story")
-def _admit(roster: Roster, role: _Role, text: str, spoken: Sequence[tuple[int, str]]) -> None:
+def _admit(roster: Roster, role: _RoleNoun, text: str, spoken: Sequence[tuple[int, str]]) -> None:
     phrase, look = role.phrase, " ".join(role.phrase.adjectives)
     named = _NAMED.match(role.after)
     apposed = _is_apposed(role, text)
@@ -152,32 +158,32 @@ def _admit(roster: Roster, role: _Role, text: str, spoken: Sequence[tuple[int, s
         return
     if role.name:
         _name_by_kin(roster, role, role.name)
-    elif fresh and (name := announced(roster, spoken, role.at, phrase.noun)):
+    elif fresh and (name := name_called_soon(roster, spoken, role.at, phrase.noun)):
         person = roster.add(name, role.at)
         person.gender = person.gender if person.gender != "unknown" else lexicon.gender_of_word(phrase.noun)
-        describe(roster, person, look)
+        read_description(roster, person, look)
     elif named:
         person = roster.add(named.group(1), role.at)
         if person.gender == "unknown":
             person.gender = lexicon.gender_of_word(phrase.noun)
         person.role = person.role or phrase.noun
         person.kind = "animal" if person.role in lexicon.ANIMALS else person.kind
-        roster.call(person, phrase.noun)
-        describe(roster, person, look)
+        roster.add_alias(person, phrase.noun)
+        read_description(roster, person, look)
     elif _is_another(roster, role, text, apposed):
         _add_role(roster, role, look, f"{look} {phrase.noun}")
-    elif old := _is_not_the_old_one(roster, role, text, apposed):
-        roster.call_no_longer(old, phrase.noun)
+    elif old := _contrasting_person(roster, role, text, apposed):
+        roster.remove_aliases(old, phrase.noun)
         roster.rename(old, f"Old {phrase.noun}")
         _add_role(roster, role, look)
     elif known := [person for person in roster.people if person.role == phrase.noun]:
         for person in known if not (phrase.noun in _LATER and lexicon.AGED & set(phrase.adjectives)) else ():
-            describe(roster, person, look)
-    elif not _is_somebody_known(roster, role, text):
+            read_description(roster, person, look)
+    elif not _is_known_person(roster, role, text):
         _add_role(roster, role, look)
 
 
-def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
+def _is_known_person(roster: Roster, role: _RoleNoun, text: str) -> bool:
     """``her uncle`` of a niece, ``the man`` where a man is known, ``Clara, a tall girl``, ``as a baby``."""
     phrase = role.phrase
     if phrase.determiner not in ("a", "an") and not phrase.plural and _is_kind(roster, phrase.noun):
@@ -191,7 +197,7 @@ def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
     apposed = _is_apposed(role, text)
     if apposed and phrase.determiner == "the" and _names_before(roster, role, text):
         return True
-    if phrase.determiner not in ("a", "an") and _goes_by(roster, role, text):
+    if phrase.determiner not in ("a", "an") and _is_other_role_of_known(roster, role, text):
         return True
     converse = lexicon.CONVERSE_KIN.get(phrase.noun, ())
     if phrase.determiner in lexicon.POSSESSIVES and any(person.role in converse for person in roster.people):
@@ -214,11 +220,11 @@ def _is_kind(roster: Roster, noun: str) -> bool:
     kinds = lexicon.KINDS.get(noun, frozenset())
     same = [person for person in roster.people if person.kind == "animal" and person.role in kinds]
     for person in same[:1]:
-        roster.call(person, noun)
+        roster.add_alias(person, noun)
     return bool(same)
 
 
-def _is_apposed(role: _Role, text: str) -> bool:
+def _is_apposed(role: _RoleNoun, text: str) -> bool:
     """``Prado came in, a fat man``, but not ``and next to him, wrapped in a blanket, a boy``."""
     sentence = re.split(r"[.!?]", text[max(0, role.at - 90) : role.at])[-1]
     beside = re.search(r"\band (?:next to|beside|behind|with|between|in front of|on)\b", sentence)
@@ -226,19 +232,19 @@ def _is_apposed(role: _Role, text: str) -> bool:
     return text[max(0, role.at - 2) : role.at] == ", " and beside is None and alone is None
 
 
-def _goes_by(roster: Roster, role: _Role, text: str) -> bool:
+def _is_other_role_of_known(roster: Roster, role: _RoleNoun, text: str) -> bool:
     """``his son`` of a family, ``the visitor`` among others, ``the soldier`` who is a sergeant."""
     phrase = role.phrase
-    ranked = [person for person in roster.people if phrase.noun in _rank(person) and not phrase.plural]
+    ranked = [person for person in roster.people if phrase.noun in _title_nouns(person) and not phrase.plural]
     before = [person for person in roster.people if person.first < role.at]
     nameless = [person for person in before if person.role in _LATER and person.role == bare(person.name)]
     if phrase.noun in _STRANGERS and nameless:
-        roster.call(nameless[-1], phrase.noun)
+        roster.add_alias(nameless[-1], phrase.noun)
         return True
     if len(ranked) > 1 and phrase.noun in lexicon.FEMALE_NOUNS:
         ranked = []  # of two ladies nobody knows who is the landlady
     for person in ranked:
-        roster.call(person, phrase.noun)
+        roster.add_alias(person, phrase.noun)
     if ranked or any(phrase.noun in person.aliases for person in roster.people if phrase.noun not in _LATER):
         return True
     others = [person for person in before if person.kind == "human" and not is_epithet(person.role)]
@@ -248,7 +254,7 @@ def _goes_by(roster: Roster, role: _Role, text: str) -> bool:
     return is_epithet(phrase.noun) and len(others) > 1
 
 
-def _rank(person: Person) -> set[str]:
+def _title_nouns(person: Person) -> set[str]:
     """The nouns a title stands for: a sergeant is a soldier, Dr. Fell a doctor."""
     title = bare(person.name).split()[0].strip(".")
     nouns = {noun for noun, titles in lexicon.RANKS.items() if title in titles or person.role in titles}
@@ -256,7 +262,7 @@ def _rank(person: Person) -> set[str]:
     return nouns | ({lexicon.TITLE_SYNONYMS.get(title, title)} if title in lexicon.TITLES else set())
 
 
-def _names_before(roster: Roster, role: _Role, text: str) -> bool:
+def _names_before(roster: Roster, role: _RoleNoun, text: str) -> bool:
     """``Mrs. Finch, the new caretaker,``: she is the caretaker from then on."""
     before = text[max(0, role.at - 60) : role.at - 2].lower()
     person = next((p for p in roster.people for alias in p.aliases if before.endswith(alias)), None)
@@ -264,13 +270,13 @@ def _names_before(roster: Roster, role: _Role, text: str) -> bool:
     closed = text[end - 1 : end + 1].endswith((",", ".", ", ")) or text[end : end + 4] == " of "
     if person is None or not closed:
         return False
-    roster.call(person, bare(role.phrase.noun))
+    roster.add_alias(person, bare(role.phrase.noun))
     person.role = person.role or role.phrase.noun
-    describe(roster, person, " ".join(role.phrase.adjectives))
+    read_description(roster, person, " ".join(role.phrase.adjectives))
     return True
 
 
-def _is_another(roster: Roster, role: _Role, text: str, apposed: bool) -> bool:
+def _is_another(roster: Roster, role: _RoleNoun, text: str, apposed: bool) -> bool:
     """``A man in a grey coat opened``, and much later ``knelt a young man``: somebody else."""
     phrase = role.phrase
     if phrase.noun not in _LATER or phrase.determiner not in ("a", "an") or phrase.plural or apposed:
@@ -285,7 +291,7 @@ def _is_another(roster: Roster, role: _Role, text: str, apposed: bool) -> bool:
     return bool(known and look) and not told and not near and is_said is None
 
 
-def _is_not_the_old_one(roster: Roster, role: _Role, text: str, apposed: bool) -> Person | None:
+def _contrasting_person(roster: Roster, role: _RoleNoun, text: str, apposed: bool) -> Person | None:
     """Whoever is always ``the old man``, where much later ``a man`` comes, who is somebody else."""
     noun = role.phrase.noun
     if noun not in _LATER or role.phrase.determiner not in ("a", "an") or role.phrase.plural or apposed:
@@ -298,24 +304,24 @@ def _is_not_the_old_one(roster: Roster, role: _Role, text: str, apposed: bool) -
     return None
 
 
-def _add_role(roster: Roster, role: _Role, look: str, name: str = "") -> None:
+def _add_role(roster: Roster, role: _RoleNoun, look: str, name: str = "") -> None:
     phrase = role.phrase
     person = roster.add(name or phrase.noun, role.at)
     person.count = lexicon.NUMBERS.get(phrase.determiner, 2) if phrase.plural else 1
     if person.count > 1 and person.kind == "human":
         person.kind = "group"
     if look:
-        describe(roster, person, look)
-        roster.call(person, f"{look} {phrase.noun}")
+        read_description(roster, person, look)
+        roster.add_alias(person, f"{look} {phrase.noun}")
 
 
-def _name_by_kin(roster: Roster, role: _Role, name: str) -> None:
+def _name_by_kin(roster: Roster, role: _RoleNoun, name: str) -> None:
     """``His niece Clara``: Clara, a woman, somebody's niece."""
     known = roster.find(name)
     person = known[0] if known else roster.add(name, role.at)
     gender = lexicon.gender_of_word(role.phrase.noun)
     person.gender = gender if gender != "unknown" else person.gender
     person.role = person.role or role.phrase.noun
-    roster.call(person, bare(role.phrase.noun))
+    roster.add_alias(person, bare(role.phrase.noun))
     if {"little", "younger", "small"} & set(role.phrase.adjectives):
         person.age = person.age or "child"

@@ -6,10 +6,10 @@ import re
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER, unaccented
-from storyblender.agents.director.reader.cast.name_evidence import gender_told
+from storyblender.agents.director.reader.cast.name_evidence import gender_by_pronouns
 from storyblender.agents.director.reader.language.morphology import form_kind, is_person_noun
 from storyblender.agents.director.reader.language.person_nouns import find_person_nouns
-from storyblender.agents.director.reader.people.look import describe
+from storyblender.agents.director.reader.people.look import read_description
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
@@ -84,7 +84,7 @@ def names_in(text: str, start: int) -> list[tuple[int, str]]:
         known = first.strip(".") in _KNOWN
         if (
             not known
-            and _is_somewhere(name, before)
+            and _is_place_name(name, before)
             and not _is_apposed_to_somebody(text[match.end() : match.end() + 62])
         ):
             continue
@@ -92,7 +92,7 @@ def names_in(text: str, start: int) -> list[tuple[int, str]]:
     return found
 
 
-def _is_somewhere(name: str, before: str) -> bool:
+def _is_place_name(name: str, before: str) -> bool:
     """``since Tulsa``, ``into the Starlite Motel``, ``Laburnam Villa``: a place, a ship or a car."""
     owned = _OWNED.search(before)
     named = any(form_kind(word) for word in owned.group(1).split()) if owned else False
@@ -133,34 +133,34 @@ def add_name(roster: Roster, at: int, name: str, text: str, family: bool) -> Non
     if len(words) == 1 and words[0] in lexicon.TITLES:
         titled = [person for person in roster.people if bare(person.name).split()[0] == words[0]]
         for person in titled:
-            roster.call(person, words[0])
+            roster.add_alias(person, words[0])
         if titled:
             return
     if not family and words[0].strip(".") in lexicon.TITLES and len(words) == 2:
         gender = lexicon.TITLE_GENDER.get(words[0].strip("."), "unknown")
         for person in roster.find(words[1]):
             if "unknown" in (gender, person.gender) or gender == person.gender:
-                roster.call(person, bare(name))
+                roster.add_alias(person, bare(name))
     for namesake in roster.find(name):
-        if len(words) == 1 and _is_her_husbands(namesake, words[0], text):
-            roster.call_no_longer(namesake, words[0])
+        if len(words) == 1 and _is_husband_of(namesake, words[0], text):
+            roster.remove_aliases(namesake, words[0])
     if roster.find(name):
         return
     person = roster.add(name, at)
     look = re.match(r"\s*,\s*(an? [^,.;]*)", text[at + len(name) : at + len(name) + 80])
     if look:
-        describe(roster, person, look.group(1))
+        read_description(roster, person, look.group(1))
     calling = _CALLING.match(text[at + len(name) : at + len(name) + 80])
     if calling and is_person_noun(calling.group(1)):
         person.role = person.role or calling.group(1)
-        roster.call(person, calling.group(1))
+        roster.add_alias(person, calling.group(1))
     later = _LATER_LOOK.match(text[at + len(name) : at + len(name) + 160])
     if later:
-        describe(roster, person, later.group(1))
+        read_description(roster, person, later.group(1))
 
 
-def _is_her_husbands(namesake: Person, surname: str, told: str) -> bool:
+def _is_husband_of(namesake: Person, surname: str, told: str) -> bool:
     """``said Coker. He lit the lantern``, in a story of Mrs. Coker: he is somebody else."""
     title = bare(namesake.name).split()[0].strip(".")
     called = title in lexicon.TITLES and lexicon.TITLE_GENDER.get(title) == "female"
-    return called and gender_told(told, rf"(?:{surname.title()})") == "male"
+    return called and gender_by_pronouns(told, rf"(?:{surname.title()})") == "male"

@@ -9,22 +9,22 @@ from dataclasses import dataclass, replace
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER, unaccented
 from storyblender.agents.director.reader.cast.aliases import (
-    also_known,
+    bracketed_alias,
+    find_nicknames,
     join_revealed,
-    nicknamed,
-    tagged_name,
-    worn_name,
+    name_on_tag,
+    person_in_clothes,
 )
-from storyblender.agents.director.reader.cast.later_names import call_by_nouns
+from storyblender.agents.director.reader.cast.later_names import add_noun_aliases
 from storyblender.agents.director.reader.cast.walk_ons import add_walk_ons
 from storyblender.agents.director.reader.language.morphology import form_kind, is_person_noun
 from storyblender.agents.director.reader.language.person_nouns import find_person_nouns
 from storyblender.agents.director.reader.language.words import TextIndex
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph, without_quotations
-from storyblender.agents.director.reader.people.look import describe
+from storyblender.agents.director.reader.people.look import read_description
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
-from storyblender.agents.director.rules import by_rule, holds, rule
+from storyblender.agents.director.rules import as_rule, rule, rule_applies
 from storyblender.catalog.inflection import singular
 
 _CAPITAL = UPPER + "ʿʾʻ"
@@ -88,7 +88,7 @@ _PART_OF = re.compile(r"\b(?:OF|DE|DEL|DU|DES|DI|DELLA|VON|DER)\b")
 """``LA MANO DE ROSA``: a part of a person, and no name."""
 
 
-def find_cast(script: Manuscript) -> Roster:
+def find_screenplay_cast(script: Manuscript) -> Roster:
     """Collect the people of a screenplay in the order they appear.
 
     Longer names win: a cue HALE belongs to OFFICER HALE, JO and JOANNA stay two people.
@@ -101,16 +101,16 @@ def find_cast(script: Manuscript) -> Roster:
         if paragraph.kind == "cue" and paragraph.name.lower() not in _CHORUS:
             sightings.append(_Sighting(paragraph.start, paragraph.name, ""))
         elif paragraph.kind in ("action", "cast"):
-            named = _in_action(written, paragraph.body, paragraph.start, cues)
+            named = _sightings_in_action(written, paragraph.body, paragraph.start, cues)
             sightings += [replace(each, after="") for each in named[:1]] if paragraph.kind == "cast" else named
-            sightings += _in_camera_notes(paragraph, cues)
+            sightings += _sightings_in_camera_notes(paragraph, cues)
     singles = [
         part for sighting in sightings for part in _split(sighting) if part.name in cues or "'S " not in part.name
     ]
     roster = Roster()
     full_names = _FullNames(_ARTICLE_OR_COUNT.sub("", sighting.name) for sighting in singles)
     for sighting in sorted(singles):
-        with by_rule(sighting.rule, sighting.at, sighting.at + len(sighting.name)):
+        with as_rule(sighting.rule, sighting.at, sighting.at + len(sighting.name)):
             _admit(roster, sighting, full_names, script.text)
     for paragraph in script.paragraphs:
         if paragraph.kind == "cast":
@@ -120,7 +120,7 @@ def find_cast(script: Manuscript) -> Roster:
         person.speaks = any(alias in speaking for alias in person.aliases)
     join_revealed(roster, script.text)
     add_walk_ons(roster, script)
-    call_by_nouns(roster, script.text)
+    add_noun_aliases(roster, script.text)
     if not roster.people:
         _add_unnamed(roster, script)
     roster.link_variants()
@@ -133,7 +133,7 @@ def _describe_entry(roster: Roster, line: str) -> None:
     entry = re.match(rf"(?:A |AN |THE )?([{UPPER}][{UPPER}.'’ -]+[{UPPER}])[\s,:.(–—-]+(.+)", line.strip())
     people = roster.find(entry.group(1)) if entry else []
     if entry and people:
-        describe(roster, people[0], entry.group(2).replace(")", "").strip(" ."))
+        read_description(roster, people[0], entry.group(2).replace(")", "").strip(" ."))
 
 
 @rule("people.unnamed_pair")
@@ -144,10 +144,10 @@ def _add_unnamed(roster: Roster, script: Manuscript) -> None:
             roster.add("Woman" if word.group().lower() == "she" else "Man", paragraph.start + word.start())
 
 
-def _in_action(written: TextIndex, text: str, start: int, cues: set[str]) -> list[_Sighting]:
+def _sightings_in_action(written: TextIndex, text: str, start: int, cues: set[str]) -> list[_Sighting]:
     found: list[_Sighting] = []
     pieces, done = [], 0
-    for at, end, name, nickname in nicknamed(text):
+    for at, end, name, nickname in find_nicknames(text):
         found.append(_Sighting(start + at, name, text[end : end + _FOLLOWING], nickname, "people.nickname"))
         pieces += [text[done:at], " " * (end - at)]
         done = end
@@ -168,7 +168,7 @@ def _in_action(written: TextIndex, text: str, start: int, cues: set[str]) -> lis
     return found
 
 
-def _in_camera_notes(paragraph: Paragraph, cues: set[str]) -> list[_Sighting]:
+def _sightings_in_camera_notes(paragraph: Paragraph, cues: set[str]) -> list[_Sighting]:
     """CLOSE ON KIRA, BEN'S POV: people named to the camera."""
     found: list[_Sighting] = []
     for _, camera in paragraph.cameras:
@@ -186,17 +186,17 @@ def _in_camera_notes(paragraph: Paragraph, cues: set[str]) -> list[_Sighting]:
 def _rule_of_person(name: str, before: str, after: str, cues: set[str], written: TextIndex) -> str:
     """Return the rule by which words in capitals name a person; empty for a noise, a thing or a camera."""
     base = _ARTICLE_OR_COUNT.sub("", name)
-    if holds("people.cue", base in cues or name in cues):
+    if rule_applies("people.cue", base in cues or name in cues):
         return "people.cue"
     if re.search(r" (?:DE|DEL|DI|VON|OF) ", base) and base.split()[-1] in cues:
         return ""  # LA MANO DE ROSA
     part = " " in base and {base.split()[0], base.split()[-1]} & cues and base.split()[-1].lower() not in _THINGS
-    if holds("people.part_of_cue", part):
+    if rule_applies("people.part_of_cue", part):
         return "people.part_of_cue"
     unnumbered = _NUMBERED.sub("", re.split(r" (?:IN|OF|WITH) ", base)[0]) or "x"
     head = singular(unnumbered.split()[-1])
     title = base.split()[0].strip(".").lower()
-    told = _told_before(before) and re.match(r"[,.;]| \(", after)
+    told = _noun_before(before) and re.match(r"[,.;]| \(", after)
     first = {unaccented(head), unaccented(unnumbered.split()[-1].lower())} & lexicon.FIRST_NAMES
     for found, evidence in (
         ("people.trade_or_kin", is_person_noun(head)),
@@ -209,10 +209,10 @@ def _rule_of_person(name: str, before: str, after: str, cues: set[str], written:
         ("people.introduced", _INTRODUCED.match(after)),
         ("", head in _THINGS),
     ):
-        if holds(found, evidence) if found else evidence:
+        if rule_applies(found, evidence) if found else evidence:
             return found
     acts = "people.name_in_capitals_acts"
-    return acts if holds(acts, _acts_like_a_person(base, before, after, written)) else ""
+    return acts if rule_applies(acts, _acts_like_a_person(base, before, after, written)) else ""
 
 
 def _is_called_a_person(after: str) -> bool:
@@ -278,27 +278,27 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: _FullNames, text: st
     known = roster.find(name)
     if not known and full_names.have_part(name):
         return
-    other = None if known else _apposed(roster, sighting, name, text) or worn_name(roster, name)
+    other = None if known else _apposed(roster, sighting, name, text) or person_in_clothes(roster, name)
     if other:
-        roster.call(other, bare(name))
+        roster.add_alias(other, bare(name))
     before = text[max(0, sighting.at - 40) : sighting.at]
-    person = known[0] if known else other or _newcomer(roster, sighting, base, before)
+    person = known[0] if known else other or _add_person(roster, sighting, base, before)
     if sighting.nickname:
-        roster.call(person, bare(sighting.nickname))
+        roster.add_alias(person, bare(sighting.nickname))
     after = sighting.at + len(sighting.name)
-    looks = _looks(_NEXT_LINE.split(text[after : after + 160].lstrip("_*"))[0]) if sighting.after else []
+    looks = _descriptions_after(_NEXT_LINE.split(text[after : after + 160].lstrip("_*"))[0]) if sighting.after else []
     if not known:
-        _seen_before(roster, person, text, sighting.at)
-    _kin_before(roster, person, before)
+        _merge_earlier_view(roster, person, text, sighting.at)
+    _note_kin_before(roster, person, before)
     for said in looks:
-        describe(roster, person, said)
-        if also := also_known(said):
-            roster.call(person, bare(also))
-        if person.role and (tag := tagged_name(said, full_names.all)):
-            roster.call(person, bare(tag))
+        read_description(roster, person, said)
+        if also := bracketed_alias(said):
+            roster.add_alias(person, bare(also))
+        if person.role and (tag := name_on_tag(said, full_names.all)):
+            roster.add_alias(person, bare(tag))
 
 
-def _looks(after: str) -> list[str]:
+def _descriptions_after(after: str) -> list[str]:
     """What follows a name in brackets, and then between commas: ``(25), in a red coat, sits``."""
     found, at = [], 0
     while said := _LOOK.match(after, at):
@@ -307,7 +307,7 @@ def _looks(after: str) -> list[str]:
     return found
 
 
-def _seen_before(roster: Roster, person: Person, text: str, at: int) -> None:
+def _merge_earlier_view(roster: Roster, person: Person, text: str, at: int) -> None:
     """``A man staggers out of the trees. Caleb drags the STRANGER in``: who is called *the* was there already."""
     if not person.role or not text.endswith("the ", 0, at):
         return
@@ -317,26 +317,26 @@ def _seen_before(roster: Roster, person: Person, text: str, at: int) -> None:
         if phrase.determiner in ("a", "an") and not phrase.plural and phrase.noun in _SOMEBODY
     ]
     if earlier and not any(earlier[-1].noun in other.aliases for other in roster.people):
-        roster.call(person, earlier[-1].noun)
+        roster.add_alias(person, earlier[-1].noun)
         if person.gender == "unknown":
             person.gender = lexicon.gender_of_word(earlier[-1].noun)
 
 
-def _kin_before(roster: Roster, person: Person, before: str) -> None:
+def _note_kin_before(roster: Roster, person: Person, before: str) -> None:
     """``Tobin's little sister, LARK``, ``his driver, DOT``: what somebody is to somebody else."""
-    animal = _told_before(before)
+    animal = _noun_before(before)
     if animal in lexicon.ANIMALS and person.kind == "human" and not person.role:
         person.kind, person.role = "animal", animal
-        roster.call(person, animal)
+        roster.add_alias(person, animal)
     said = re.search(r"(?:\b(?:his|her|their)|['’]s) (?:[a-z-]+ ){0,2}([a-z-]+),? $", before)
     if said and not person.role and person.kind == "human" and is_person_noun(said.group(1)):
         person.role = said.group(1)
         if person.gender == "unknown":
             person.gender = lexicon.gender_of_word(person.role)
-        roster.call(person, person.role)
+        roster.add_alias(person, person.role)
 
 
-def _told_before(before: str) -> str:
+def _noun_before(before: str) -> str:
     """The noun right before a name after a comma: ``a small dog, BIJOU,``; an empty string where it is nobody's."""
     noun = re.search(r"(?:\b(?:an?|the|his|her|their)|['’]s) (?:[a-z-]+ ){0,2}([a-z-]+), $", before, re.IGNORECASE)
     return noun.group(1).lower() if noun and is_person_noun(noun.group(1).lower()) else ""
@@ -361,17 +361,17 @@ def _apposed(roster: Roster, sighting: _Sighting, name: str, text: str) -> Perso
         and " " not in left[-2:-1]
     ):
         roster.rename(people[0], name)
-        roster.call(people[0], bare(name))
+        roster.add_alias(people[0], bare(name))
         return people[0]
     if not people or left.endswith(", ") or people[0].count > 1 or not is_person_noun(singular(name.split()[-1])):
         return None
-    roster.call(people[0], bare(name))
-    roster.call(people[0], name.split()[-1].lower())
+    roster.add_alias(people[0], bare(name))
+    roster.add_alias(people[0], name.split()[-1].lower())
     people[0].age = people[0].age or lexicon.AGE_WORDS.get(name.split()[0].lower(), "")
     return people[0]
 
 
-def _newcomer(roster: Roster, sighting: _Sighting, name: str, before: str) -> Person:
+def _add_person(roster: Roster, sighting: _Sighting, name: str, before: str) -> Person:
     """A new person, or a group for TWO GUARDS, ``two elderly WIDOWS`` and SAILORS."""
     words = name.split()
     head = singular(words[-1])
@@ -383,7 +383,7 @@ def _newcomer(roster: Roster, sighting: _Sighting, name: str, before: str) -> Pe
     person = roster.add(name, sighting.at)
     if count > 1 and person.first == sighting.at:
         person.count, person.kind = max(person.count, count), "group" if person.kind == "human" else person.kind
-        roster.call(person, bare(sighting.name))
+        roster.add_alias(person, bare(sighting.name))
     return person
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.cast.later_names import GENERIC, GENTLE, is_nameless, join
+from storyblender.agents.director.reader.cast.later_names import GENERIC, GENTLE, is_nameless, merge_people
 from storyblender.agents.director.reader.language.morphology import is_person_noun
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
@@ -37,7 +37,7 @@ _STILL_NEAR, _JUST_NAMED = 1500, 160
 
 
 @rule("people.trade")
-def call_by_trade(roster: Roster, text: str, told: str) -> None:
+def join_trades(roster: Roster, text: str, told: str) -> None:
     """Join whoever is first called *the surveyor* with the man, or the Mr. Finch, who was there already.
 
     Args:
@@ -60,20 +60,20 @@ def call_by_trade(roster: Roster, text: str, told: str) -> None:
             for other in roster.people
             if other.role in GENERIC
             and 0 < person.first - other.first < _STILL_NEAR
-            and _agree(person, other)
-            and not _told_together(other, trade, told, speaks)
+            and _genders_agree(person, other)
+            and not _are_distinct(other, trade, told, speaks)
         ]
         men = [other for other in men if is_nameless(other)] or men
         if len(men) == 1:
             one, other = (person, men[0]) if is_nameless(men[0]) else (men[0], person)
             role = men[0].role
-            join(roster, one, other)
+            merge_people(roster, one, other)
             one.role = role  # he stays the man he was before
         elif titled := _just_named(roster, person, told, speaks):
-            join(roster, titled, person)
+            merge_people(roster, titled, person)
 
 
-def _agree(person: Person, other: Person) -> bool:
+def _genders_agree(person: Person, other: Person) -> bool:
     return "unknown" in (person.gender, other.gender) or person.gender == other.gender
 
 
@@ -87,13 +87,15 @@ def _just_named(roster: Roster, nameless: Person, told: str, speaks: bool) -> Pe
         fresh = opens and other.first == newest and not is_person_noun(bare(other.name))
         near = told.rfind(other.name, max(0, nameless.first - _JUST_NAMED), nameless.first)
         between = told[near : nameless.first].strip()
-        fits = (title in GENTLE or fresh) and not other.role and other.kind == "human" and _agree(nameless, other)
+        fits = (
+            (title in GENTLE or fresh) and not other.role and other.kind == "human" and _genders_agree(nameless, other)
+        )
         if fits and near >= 0 and (speaks or "\n\n" not in between):
             return other
     return None
 
 
-def _told_together(nameless: Person, trade: str, told: str, speaks: bool) -> bool:
+def _are_distinct(nameless: Person, trade: str, told: str, speaks: bool) -> bool:
     """Whether they are two people: a paragraph (of who speaks, a sentence) has both, or one of them comes in."""
     low = told.lower()
     called = re.compile(rf"\b(?:an?|the|that|this) (?:{'|'.join(map(re.escape, nameless.aliases))})\b")

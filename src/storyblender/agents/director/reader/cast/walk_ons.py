@@ -12,7 +12,7 @@ from storyblender.agents.director.reader.cast.prose_names import names_in
 from storyblender.agents.director.reader.language.morphology import FORMS, form_kind, is_person_noun
 from storyblender.agents.director.reader.language.person_nouns import PersonNoun, find_person_nouns
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph, without_brackets, without_quotations
-from storyblender.agents.director.reader.people.look import describe
+from storyblender.agents.director.reader.people.look import read_description
 from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.rules import rule
 from storyblender.catalog.inflection import singular
@@ -93,7 +93,7 @@ def _is_known(roster: Roster, phrase: PersonNoun, text: str) -> bool:
     """Whether a phrase means a member of the cast, or no particular person."""
     if phrase.noun in _NOBODY | lexicon.ANIMALS or phrase.noun not in lexicon.COMMON_PERSON_NOUNS:
         return True
-    if _NAMED_AFTER.match(text, phrase.end) or _is_meant(roster, phrase):
+    if _NAMED_AFTER.match(text, phrase.end) or _fits_cast_member(roster, phrase):
         return True
     definite = phrase.determiner not in ("a", "an", "two", "three", "four", "five")
     if phrase.noun in _THE_KNOWN and (definite or text[: phrase.start].lower().endswith("the ")):
@@ -102,7 +102,7 @@ def _is_known(roster: Roster, phrase: PersonNoun, text: str) -> bool:
     return any(names & {person.role, *person.aliases} for person in roster.people)
 
 
-def _is_meant(roster: Roster, phrase: PersonNoun) -> bool:
+def _fits_cast_member(roster: Roster, phrase: PersonNoun) -> bool:
     """``the detective``, ``his guest``, ``her father``: another word for a member of the cast whom it fits."""
     if phrase.determiner in ("a", "an") or phrase.plural:
         return False
@@ -154,7 +154,7 @@ def _add(roster: Roster, phrase: PersonNoun, start: int) -> None:
     if number > 1 and person.kind != "animal":
         person.kind, person.count = "group", min(max(person.count, number), _MOST)
     if look:
-        describe(roster, person, look)
+        read_description(roster, person, look)
 
 
 @rule("people.plural_that_acts")

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.people.roles import Roles
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Person, StateChange
 from storyblender.agents.director.rules import rule
 from storyblender.catalog.liquids import LIQUIDS
@@ -38,89 +38,89 @@ _SOUND_OF_MOTION = {"shoot": "gunshot", "knock": "knock", "clap": "applause"}
 
 
 @rule("changes.told")
-def note_changes(stage: Stage, clause: Clause, roles: Roles) -> None:
+def note_changes(state: ReaderState, clause: Clause, roles: Roles) -> None:
     """Emit what a clause changes: doors that open, lamps and lights that go on or off, things that break."""
     if clause.negated or clause.unreal:
         return
-    _openings(stage, clause, roles)
+    _note_openings(state, clause, roles)
     for thing in roles.things:
-        _switched(stage, clause, thing)
+        _note_switched(state, clause, thing)
     for thing in roles.subject_things if not roles.subjects else ():
-        _fails(stage, clause, thing)
-        _arrives(stage, clause, thing)
-    _liquids(stage, clause, roles)
+        _note_failure(state, clause, thing)
+        _note_arrival(state, clause, thing)
+    _note_liquids(state, clause, roles)
 
 
-def _openings(stage: Stage, clause: Clause, roles: Roles) -> None:
+def _note_openings(state: ReaderState, clause: Clause, roles: Roles) -> None:
     """``opens the door``, ``The door swings open``, ``The window shatters``."""
     ajar = clause.particle if clause.particle in ("open", "shut") else ""
     phrased = _STATE_OF_VERB.get(f"{clause.verb} {clause.particle}")
-    state = _STATE_OF_PARTICLE.get(ajar) or phrased or _STATE_OF_VERB.get(clause.verb)
-    state = state or _STATE_OF_PARTICLE.get(clause.particle)
+    condition = _STATE_OF_PARTICLE.get(ajar) or phrased or _STATE_OF_VERB.get(clause.verb)
+    condition = condition or _STATE_OF_PARTICLE.get(clause.particle)
     for thing in roles.things or (roles.subject_things if not roles.subjects else ()):
-        openable = stage.inventory.head(thing) in lexicon.OPENABLE and state in ("open", "closed")
-        breakable = stage.inventory.class_of(thing) in ("prop", "set_piece") and state in _HARMED
-        if state and (openable or breakable):
-            _change(stage, thing, state, clause.at)
+        openable = state.inventory.head(thing) in lexicon.OPENABLE and condition in ("open", "closed")
+        breakable = state.inventory.class_of(thing) in ("prop", "set_piece") and condition in _HARMED
+        if condition and (openable or breakable):
+            _add_change(state, thing, condition, clause.at)
 
 
-def _switched(stage: Stage, clause: Clause, thing: str) -> None:
+def _note_switched(state: ReaderState, clause: Clause, thing: str) -> None:
     """``turns off the lamp``, ``lights a candle``."""
-    head, state = stage.inventory.head(thing), _STATE_OF_PARTICLE.get(clause.particle)
-    if clause.verb in _SWITCHING and state in ("on", "off") and head in _TAPS:
-        _change(stage, thing, "running" if state == "on" else "off", clause.at)
-    if clause.verb in _SWITCHING and state in ("on", "off") and head in _LAMPS:
-        _change(stage, thing, state, clause.at)
+    head, condition = state.inventory.head(thing), _STATE_OF_PARTICLE.get(clause.particle)
+    if clause.verb in _SWITCHING and condition in ("on", "off") and head in _TAPS:
+        _add_change(state, thing, "running" if condition == "on" else "off", clause.at)
+    if clause.verb in _SWITCHING and condition in ("on", "off") and head in _LAMPS:
+        _add_change(state, thing, condition, clause.at)
     elif clause.verb in _LIGHTING_UP and (head in _LAMPS or head == "match"):
-        _change(stage, thing, "on", clause.at)
+        _add_change(state, thing, "on", clause.at)
 
 
-def _arrives(stage: Stage, clause: Clause, thing: str) -> None:
+def _note_arrival(state: ReaderState, clause: Clause, thing: str) -> None:
     """``A car pulls up``, ``A ship appears``: it was not there before."""
     moves = clause.verb in _MOVING and clause.particle in _COMES
-    comes = stage.inventory.class_of(thing) == "prop" or stage.inventory.head(thing) in lexicon.VEHICLES
+    comes = state.inventory.class_of(thing) == "prop" or state.inventory.head(thing) in lexicon.VEHICLES
     if comes and (clause.verb in _COMING or moves):
-        _change(stage, thing, "there", clause.at)
+        _add_change(state, thing, "there", clause.at)
 
 
-def _liquids(stage: Stage, clause: Clause, roles: Roles) -> None:
+def _note_liquids(state: ReaderState, clause: Clause, roles: Roles) -> None:
     """``Water runs from the tap``, ``The milk spills over the table``: out of what holds or gives it."""
     named = next((noun.head for noun in clause.subject if noun.head in LIQUIDS), None)
     if named is None or roles.subjects:
         return
     around = [*roles.things, *(thing for place in roles.places for thing in place.things)]
-    tap = next((thing for thing in around if stage.inventory.head(thing) in _TAPS), None)
+    tap = next((thing for thing in around if state.inventory.head(thing) in _TAPS), None)
     if tap is not None and clause.verb in _POURING:
-        _change(stage, tap, "running", clause.at)
+        _add_change(state, tap, "running", clause.at)
         return
-    if clause.verb in _SPILT and stage.scene.fallen:
-        _change(stage, stage.scene.fallen, "spilled", clause.at)
+    if clause.verb in _SPILT and state.scene.fallen:
+        _add_change(state, state.scene.fallen, "spilled", clause.at)
 
 
-def _fails(stage: Stage, clause: Clause, thing: str) -> None:
+def _note_failure(state: ReaderState, clause: Clause, thing: str) -> None:
     """``The lights go out``, ``The lamp flickers``, ``The power dies``."""
-    head = stage.inventory.head(thing)
+    head = state.inventory.head(thing)
     if clause.verb not in _FAILING or head not in _LAMPS | _LIGHTING:
         return
-    state = "off" if clause.verb in ("die", "fail") else _HALF_OUT.get(clause.verb)
-    state = _STATE_OF_PARTICLE.get(clause.particle) or state
-    if state:
-        _change(stage, thing, state, clause.at)
+    condition = "off" if clause.verb in ("die", "fail") else _HALF_OUT.get(clause.verb)
+    condition = _STATE_OF_PARTICLE.get(clause.particle) or condition
+    if condition:
+        _add_change(state, thing, condition, clause.at)
 
 
-def _change(stage: Stage, thing: str, state: str, at: int) -> None:
+def _add_change(state: ReaderState, thing: str, condition: str, at: int) -> None:
     """Note a change once; the lights of the place are ``light``."""
-    subject = "light" if stage.inventory.head(thing) in _LIGHTING else thing
-    change = StateChange(subject, state, at)
-    stage.scene.fallen = thing if state == "tipped" else stage.scene.fallen
-    if change not in stage.unit.changes:
-        stage.unit.changes.append(change)
+    subject = "light" if state.inventory.head(thing) in _LIGHTING else thing
+    change = StateChange(subject, condition, at)
+    state.scene.fallen = thing if condition == "tipped" else state.scene.fallen
+    if change not in state.unit.changes:
+        state.unit.changes.append(change)
 
 
 @rule("sounds.told")
-def note_sounds(stage: Stage, clauses: Sequence[Clause]) -> None:
+def note_sounds(state: ReaderState, clauses: Sequence[Clause]) -> None:
     """Collect the sound effects of the sentence: BANG, thunder rumbles, the phone rings, somebody shoots."""
-    found = [_SOUND_OF_MOTION[deed.motion] for deed in stage.unit.deeds if deed.motion in _SOUND_OF_MOTION]
+    found = [_SOUND_OF_MOTION[deed.motion] for deed in state.unit.deeds if deed.motion in _SOUND_OF_MOTION]
     for clause in clauses:
         nouns = clause.object if clause.verb == "hear" else clause.subject if clause.verb in _SOUNDING else []
         heads = [noun.head for noun in nouns if noun.kind == "thing"]
@@ -128,15 +128,15 @@ def note_sounds(stage: Stage, clauses: Sequence[Clause]) -> None:
         if clause.verb == "slam" and any(noun.head == "door" for noun in clause.subject + clause.object):
             found.append("door_slam")
     alone = all(clause.negated for clause in clauses)
-    for word in stage.sentence.words:
+    for word in state.sentence.words:
         if word.low in _LOUD and word.verb is None and (word.text.isupper() or alone):
             found.append(lexicon.SOUNDS[word.low])
-    stage.unit.sounds += [sound for sound in dict.fromkeys(found) if sound not in stage.unit.sounds]
+    state.unit.sounds += [sound for sound in dict.fromkeys(found) if sound not in state.unit.sounds]
 
 
 @rule("bearing.face_by_verb")
-def note_faces(stage: Stage, clause: Clause, people: Sequence[Person]) -> None:
+def note_facial_deeds(state: ReaderState, clause: Clause, people: Sequence[Person]) -> None:
     """Keep what shows on a face: smiles, frowns."""
     if clause.verb in lexicon.FACE_VERBS and not clause.negated and not clause.unreal:
         for person in people:
-            stage.unit.expressions[person.id] = clause.verb
+            state.unit.expressions[person.id] = clause.verb

@@ -10,7 +10,7 @@ from storyblender.agents.director.feelings import mood_of
 from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.language.words import joined
 from storyblender.agents.director.reader.people.roles import Place, Roles
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Deed, Person
 from storyblender.agents.director.rules import rule
 
@@ -60,20 +60,20 @@ _DISTANCE = re.compile(
 
 
 @rule("deeds.verb", without=[])
-def act(stage: Stage, clause: Clause, roles: Roles, motion: str) -> list[Deed]:
+def add_deeds(state: ReaderState, clause: Clause, roles: Roles, motion: str) -> list[Deed]:
     """Make the deeds of a clause and give them to the unit.
 
     Args:
-        stage: The state before.
+        state: The state before.
         clause: Neither negated nor unreal, with somebody as subject.
         roles: Its people and things.
         motion: What the subjects do.
     """
-    if motion in ("touch", "stand") and _only_a_pose(stage, clause, roles, motion):
+    if motion in ("touch", "stand") and _only_a_pose(state, clause, roles, motion):
         return []
-    target, prop = find_target(stage, clause, roles, motion)
-    target, prop = _both_ends(stage, roles, motion, target, prop) or (target, prop)
-    distance = _distance(stage) if motion in _TRAVEL else None
+    target, prop = find_target(state, clause, roles, motion)
+    target, prop = _both_ends(state, roles, motion, target, prop) or (target, prop)
+    distance = _distance(state) if motion in _TRAVEL else None
     actors = roles.people if clause.verb in _CAUSING and roles.people else roles.subjects
     if len(actors) > 2:
         actors = [person for person in actors if person.id != target]  # everybody turns to Edna
@@ -81,13 +81,13 @@ def act(stage: Stage, clause: Clause, roles: Roles, motion: str) -> list[Deed]:
         Deed(person.id, motion, target if target != person.id else None, prop, clause.at, clause.verb, distance)
         for person in actors
     ]
-    deeds = _mutual(stage, roles, deeds, motion)
-    mood = mood_of(joined(stage.sentence.words))
+    deeds = _with_mutual_targets(state, roles, deeds, motion)
+    mood = mood_of(joined(state.sentence.words))
     for deed in deeds:
         deed.mood = mood
     deeds += _companions(roles, clause, motion)
-    stage.unit.deeds += [deed for deed in deeds if not _repeats(stage, deed)]
-    _pair_up(stage, roles, motion)
+    state.unit.deeds += [deed for deed in deeds if not _repeats(state, deed)]
+    _note_pairs(state, roles, motion)
     return deeds
 
 
@@ -110,14 +110,14 @@ def _is_feet(place: Place) -> bool:
     return any(noun.head in ("foot", "feet") for noun in place.nouns)
 
 
-def _repeats(stage: Stage, deed: Deed) -> bool:
-    return any((d.actor, d.motion, d.at) == (deed.actor, deed.motion, deed.at) for d in stage.unit.deeds)
+def _repeats(state: ReaderState, deed: Deed) -> bool:
+    return any((d.actor, d.motion, d.at) == (deed.actor, deed.motion, deed.at) for d in state.unit.deeds)
 
 
-def _only_a_pose(stage: Stage, clause: Clause, roles: Roles, motion: str) -> bool:
+def _only_a_pose(state: ReaderState, clause: Clause, roles: Roles, motion: str) -> bool:
     """Touching oneself; ``reads it, standing``."""
     own = bool(clause.object) and bool(roles.subjects) and clause.object[0].owner == roles.subjects[0].id
-    own = own and stage.inventory.class_of(next(iter(roles.things), None)) != "worn"
+    own = own and state.inventory.class_of(next(iter(roles.things), None)) != "worn"
     own = own and not any(
         place.people or (place.things and place.preposition in _UPON) or any(n.owner for n in place.nouns)
         for place in roles.places
@@ -126,56 +126,58 @@ def _only_a_pose(stage: Stage, clause: Clause, roles: Roles, motion: str) -> boo
 
 
 @rule("deeds.target", without=(None, None))
-def find_target(stage: Stage, clause: Clause, roles: Roles, motion: str) -> tuple[str | None, str | None]:
+def find_target(state: ReaderState, clause: Clause, roles: Roles, motion: str) -> tuple[str | None, str | None]:
     """Whom or what a motion is for, and the thing used: ``gives Ben the folder`` -> Ben, folder."""
-    thing = next((thing for thing in roles.things if stage.inventory.head(thing) not in _QUALITIES), None)
+    thing = next((thing for thing in roles.things if state.inventory.head(thing) not in _QUALITIES), None)
     if motion == "give":
-        return _receiver(stage, roles), thing or (roles.recipient_things[0] if roles.recipient_things else None)
+        return _receiver(state, roles), thing or (roles.recipient_things[0] if roles.recipient_things else None)
     aimed_at = roles.recipients + roles.people_after("to", "at", "after")
     if motion == "throw" and thing and aimed_at:
         return aimed_at[0].id, thing
     if clause.verb == "give" and roles.recipients + roles.recipient_things:
         return next((person.id for person in roles.recipients), None) or roles.recipient_things[0], None
-    owner = _owner_of_part(stage, clause, roles)
+    owner = _owner_of_part(state, clause, roles)
     if owner:
         return owner, None
     people = roles.people + roles.recipients
     target = people[0].id if people else thing
     prop = thing
     if motion in ("eat", "drink", "read") and not thing:
-        prop = target = _in_hand(stage, roles.subjects[0])
+        prop = target = _last_held(state, roles.subjects[0])
     whole = [part for place in roles.places if place.preposition == "of" for part in place.things]
-    if whole and (stage.inventory.head(thing) in _PORTIONS or (motion == "drop" and not thing)):
+    if whole and (state.inventory.head(thing) in _PORTIONS or (motion == "drop" and not thing)):
         prop = target = whole[0]
-    if stage.inventory.class_of(target) == "body" and not people:
+    if state.inventory.class_of(target) == "body" and not people:
         target = prop = None
     if not target or (motion in _GOING and not (people and motion in _FOLLOWING)):
-        target = _destination(stage, roles, motion, target)
-    if motion == "sit" and stage.inventory.head(target) not in _SEATS:
-        target = _seat_walked_to(stage, roles.subjects[0]) or target
+        target = _destination(state, roles, motion, target)
+    if motion == "sit" and state.inventory.head(target) not in _SEATS:
+        target = _seat_walked_to(state, roles.subjects[0]) or target
     if motion == "take" and not target:
         prop = target = next((t for place in roles.places if place.preposition == "with" for t in place.things), None)
     if motion == "touch":
         owned = next((noun.owner for place in roles.places for noun in place.nouns if noun.owner), None)
-        target = owned if stage.inventory.class_of(target) == "body" else target
+        target = owned if state.inventory.class_of(target) == "body" else target
         prop = None
     return target, prop
 
 
 @rule("deeds.other_end")
-def _both_ends(stage: Stage, roles: Roles, motion: str, target: str | None, prop: str | None) -> tuple[str, str] | None:
+def _both_ends(
+    state: ReaderState, roles: Roles, motion: str, target: str | None, prop: str | None
+) -> tuple[str, str] | None:
     """Return target and prop: where a thing is put, where it is taken from, and the tool of a work.
 
     ``sets the pistol in the drawer``: the drawer is the target, the pistol in the hand; ``wipes the bulb with a
     duster``: the bulb, and the duster. None where no other end is told.
     """
-    thing = prop or (target if target and not stage.person(target) else None)
+    thing = prop or (target if target and not state.person(target) else None)
     if thing is None or (target and target != thing):
         return None
     ends = _ENDS.get(motion, frozenset())
     for place in roles.places:
         others = [other for other in (*(p.id for p in place.people), *place.things) if other != thing]
-        solid = [each for each in others if stage.inventory.class_of(each) in _ENDING or stage.person(each)]
+        solid = [each for each in others if state.inventory.class_of(each) in _ENDING or state.person(each)]
         own = any(noun.owner in {person.id for person in roles.subjects} for noun in place.nouns)
         if place.preposition in ends and solid and not own:
             return solid[0], thing
@@ -184,31 +186,31 @@ def _both_ends(stage: Stage, roles: Roles, motion: str, target: str | None, prop
     return None
 
 
-def _owner_of_part(stage: Stage, clause: Clause, roles: Roles) -> str | None:
+def _owner_of_part(state: ReaderState, clause: Clause, roles: Roles) -> str | None:
     """Whose body something is done to: ``grabs her arm``, ``strokes the back of his hand``."""
-    if roles.people or not roles.things or stage.inventory.class_of(roles.things[0]) not in ("body", "abstract"):
+    if roles.people or not roles.things or state.inventory.class_of(roles.things[0]) not in ("body", "abstract"):
         return None
     nouns = clause.object + [noun for place in roles.places if place.preposition == "of" for noun in place.nouns]
     owners = [noun.owner for noun in nouns if noun.owner and noun.owner not in [p.id for p in roles.subjects]]
     return owners[0] if owners else None
 
 
-def _receiver(stage: Stage, roles: Roles) -> str | None:
+def _receiver(state: ReaderState, roles: Roles) -> str | None:
     """Who is given something: named, or the only other person there."""
     receivers = roles.recipients + roles.people_after("to")
     if receivers:
         return receivers[0].id
-    others = [p for p in stage.on_stage() if p not in roles.subjects and p.kind == "human"]
+    others = [p for p in state.on_stage() if p not in roles.subjects and p.kind == "human"]
     return others[0].id if len(others) == 1 else None
 
 
-def _in_hand(stage: Stage, person: Person) -> str | None:
+def _last_held(state: ReaderState, person: Person) -> str | None:
     """The prop somebody holds, for ``He drinks.``"""
-    held = stage.scene.held.get(person.id, ())
-    return next((thing for thing in reversed(held) if stage.inventory.class_of(thing) == "prop"), None)
+    held = state.scene.held.get(person.id, ())
+    return next((thing for thing in reversed(held) if state.inventory.class_of(thing) == "prop"), None)
 
 
-def _destination(stage: Stage, roles: Roles, motion: str, target: str | None) -> str | None:
+def _destination(state: ReaderState, roles: Roles, motion: str, target: str | None) -> str | None:
     """The person or thing after a preposition of direction."""
     for place in sorted(roles.places, key=lambda place: place.preposition != "at"):
         if place.preposition == "of" or (motion == "look" and place.preposition in ("in", "from")):
@@ -225,57 +227,57 @@ def _destination(stage: Stage, roles: Roles, motion: str, target: str | None) ->
         if place.preposition == "from" and motion not in ("take", "drink", "eat"):
             continue
         if directed or through:
-            found = _at_place(stage, place, motion)
+            found = _place_target(state, place, motion)
             if found and not (motion == "throw" and target):
                 return found
     return target
 
 
-def _at_place(stage: Stage, place: Place, motion: str) -> str | None:
+def _place_target(state: ReaderState, place: Place, motion: str) -> str | None:
     owner = next((n.owner for n in place.nouns if n.kind == "thing" and n.head in lexicon.BODY and n.owner), None)
     if owner:
         return owner
     if place.people:
         return place.people[0].id
-    solid = sorted(place.things, key=lambda thing: stage.inventory.class_of(thing) == "scenery")
+    solid = sorted(place.things, key=lambda thing: state.inventory.class_of(thing) == "scenery")
     for thing in solid:
-        noun_class = stage.inventory.class_of(thing)
-        weather = stage.inventory.head(thing) in lexicon.WEATHER_NOUNS
+        noun_class = state.inventory.class_of(thing)
+        weather = state.inventory.head(thing) in lexicon.WEATHER_NOUNS
         if noun_class != "abstract" and not weather and (noun_class != "scenery" or motion in _TO_PLACES):
             return thing
     return None
 
 
-def _seat_walked_to(stage: Stage, person: Person) -> str | None:
+def _seat_walked_to(state: ReaderState, person: Person) -> str | None:
     """``Walks over to the booth and sits down``: the booth."""
-    units = stage.reading.units[-2:]
+    units = state.reading.units[-2:]
     walked = [d for unit in units for d in unit.deeds if d.actor == person.id and d.motion in ("walk", "run", "pull")]
-    return next((d.target for d in reversed(walked) if stage.inventory.head(d.target) in lexicon.SEATS), None)
+    return next((d.target for d in reversed(walked) if state.inventory.head(d.target) in lexicon.SEATS), None)
 
 
-def _mutual(stage: Stage, roles: Roles, deeds: list[Deed], motion: str) -> list[Deed]:
+def _with_mutual_targets(state: ReaderState, roles: Roles, deeds: list[Deed], motion: str) -> list[Deed]:
     """``They hug``, ``They look at each other``: each is the other's target."""
     if len(deeds) != 2:
         return deeds
     together = motion in _MUTUAL and not roles.people + roles.recipients
-    if together or _EACH_OTHER.search(joined(stage.sentence.words)):
+    if together or _EACH_OTHER.search(joined(state.sentence.words)):
         first, second = deeds
         first.target, second.target = second.actor, first.actor
     return deeds
 
 
-def _pair_up(stage: Stage, roles: Roles, motion: str) -> None:
+def _note_pairs(state: ReaderState, roles: Roles, motion: str) -> None:
     """Somebody who walks to somebody or hugs them makes a pair with them: ``they`` may follow."""
     others = roles.people + roles.recipients + roles.people_after("to", "toward")
     pair = {person.id: person for person in roles.subjects + others}
     if len(roles.subjects) == 1 and motion in _PAIRING and len(pair) == 2:
-        discourse = stage.discourse
+        discourse = state.discourse
         discourse.groups.append((discourse.sentence, list(pair.values()), discourse.clock))
 
 
-def _distance(stage: Stage) -> float | None:
+def _distance(state: ReaderState) -> float | None:
     """Metres, where the sentence says how far: ``ten metres``, ``three steps``."""
-    found = _DISTANCE.search(joined(stage.sentence.words))
+    found = _DISTANCE.search(joined(state.sentence.words))
     if found is None:
         return None
     count = found.group(1)

@@ -10,9 +10,9 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.page.sentences import Sentence
-from storyblender.agents.director.reader.people.person_reference import fits, resolve_mention
+from storyblender.agents.director.reader.people.person_reference import gender_fits, resolve_mention
 from storyblender.agents.director.reader.people.roles import Roles
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Gender
@@ -35,73 +35,73 @@ _PICTURE_OF = re.compile(
 
 
 @rule("people.subject_is_there", without=True)
-def subjects_enter(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> bool:
+def enter_subjects(state: ReaderState, clause: Clause, subjects: Sequence[Person]) -> bool:
     """Bring the subjects of a clause on stage; returns False where they are only heard."""
     seen = True
     for person in subjects:
-        again = person.id in stage.sentence.named
-        stage.mention(person, 1.0 if len(subjects) == 1 and not again else 0.3)
-        stage.sentence.named.add(person.id)
-        stage.discourse.last_sentence[person.id] = stage.discourse.sentence
+        again = person.id in state.sentence.named
+        state.mention(person, 1.0 if len(subjects) == 1 and not again else 0.3)
+        state.sentence.named.add(person.id)
+        state.discourse.last_sentence[person.id] = state.discourse.sentence
         calls = clause.verb in _CALLING and clause.particle != "out" and any(p == "from" for p, _ in clause.places)
-        if calls and person.id not in stage.scene.on:
-            stage.scene.off_screen.add(person.id)
+        if calls and person.id not in state.scene.on:
+            state.scene.off_screen.add(person.id)
             seen = False
         if clause.verb in _ARRIVING:
-            stage.scene.pictured.discard(person.id)
-        if seen and not clause.unreal and not stage.sentence.pictured:
-            stage.enter(person)
-            stage.involve(person)
+            state.scene.pictured.discard(person.id)
+        if seen and not clause.unreal and not state.sentence.pictured:
+            state.enter(person)
+            state.add_to_unit(person)
     return seen
 
 
 @rule("people.object_is_there")
-def objects_enter(stage: Stage, clause: Clause, roles: Roles, motion: str | None) -> None:
+def enter_objects(state: ReaderState, clause: Clause, roles: Roles, motion: str | None) -> None:
     """People who are touched, spoken to or stood beside are on stage too."""
-    physical = bool(roles.subjects) and not stage.sentence.pictured
+    physical = bool(roles.subjects) and not state.sentence.pictured
     for person in roles.people + roles.recipients:
-        stage.mention(person, 0.6)
-        stage.sentence.named.add(person.id)
-        stage.discourse.last_sentence[person.id] = stage.discourse.sentence
+        state.mention(person, 0.6)
+        state.sentence.named.add(person.id)
+        state.discourse.last_sentence[person.id] = state.discourse.sentence
         if physical and motion and motion not in ("think", "listen", "phone"):
-            stage.enter(person)
-            stage.involve(person)
+            state.enter(person)
+            state.add_to_unit(person)
     for place in roles.places:
-        told = [is_elsewhere(stage, noun.index) for noun in place.nouns if noun.kind == "person"]
+        told = [is_elsewhere(state, noun.index) for noun in place.nouns if noun.kind == "person"]
         for person in place.people:
-            stage.mention(person, 0.5)
-            stage.sentence.named.add(person.id)
-            stage.discourse.last_sentence[person.id] = stage.discourse.sentence
+            state.mention(person, 0.5)
+            state.sentence.named.add(person.id)
+            state.discourse.last_sentence[person.id] = state.discourse.sentence
             if physical and place.preposition in _NEAR and clause.verb not in _MINDING and not all(told or [False]):
-                stage.enter(person)
-                stage.involve(person)
+                state.enter(person)
+                state.add_to_unit(person)
 
 
-def is_elsewhere(stage: Stage, index: int) -> bool:
+def is_elsewhere(state: ReaderState, index: int) -> bool:
     """``a letter from Otto``, ``no sign of him``, ``thinks of Mia``: somebody named who is not there."""
-    before = " ".join(word.low for word in stage.sentence.words[max(0, index - 4) : index])
+    before = " ".join(word.low for word in state.sentence.words[max(0, index - 4) : index])
     return _PICTURE_OF.search(before) is not None
 
 
 @rule("people.named_is_there")
-def named_enter(stage: Stage, words: list[Word], clauses: list[Clause]) -> None:
+def enter_named(state: ReaderState, words: list[Word], clauses: list[Clause]) -> None:
     """Everybody named in action is on stage, unless the words around say otherwise."""
     for index, word in enumerate(words):
         if word.mention is None or not word.named:
             continue
         fresh = not word.mention.people
-        people = resolve_mention(stage, word.mention)
+        people = resolve_mention(state, word.mention)
         clause = next((c for c in clauses if any(n.index == index for n in c.subject + c.object)), None)
         possessive = index + 1 < len(words) and words[index + 1].low == "'s"
-        elsewhere = possessive or stage.sentence.pictured or is_elsewhere(stage, index)
+        elsewhere = possessive or state.sentence.pictured or is_elsewhere(state, index)
         elsewhere = elsewhere or (clause is not None and (clause.unreal or clause.verb in _MINDING))
         for person in people:
             if fresh:
-                stage.discourse.raise_(person, 0.3)
-            stage.scene.named.add(person.id)
-            if not elsewhere and person.id not in stage.scene.off_screen:
-                stage.enter(person)
-                stage.involve(person)
+                state.discourse.raise_salience(person, 0.3)
+            state.scene.named.add(person.id)
+            if not elsewhere and person.id not in state.scene.off_screen:
+                state.enter(person)
+                state.add_to_unit(person)
 
 
 _SUBJECTS: dict[str, Gender] = {"he": "male", "she": "female", "they": "unknown", "both": "unknown"}
@@ -111,68 +111,68 @@ _ANYBODY = frozenset({"friend", "other", "lover", "figure", "people", "them"}) |
 
 
 @rule("people.brought_along")
-def bring_along(stage: Stage, sentence: Sentence) -> None:
+def carry_over_people(state: ReaderState, sentence: Sentence) -> None:
     """Put people of the scene before on stage, if a sentence means them before anybody is there.
 
     Args:
-        stage: Its scene knows who was there before.
+        state: Its scene knows who was there before.
         sentence: A sentence of action of a script with scene headings.
     """
-    before = stage.roster.in_order(filter(None, map(stage.roster.person, stage.scene.before)))
-    if stage.scene.on or not before:
+    before = state.roster.in_order(filter(None, map(state.roster.person, state.scene.before)))
+    if state.scene.on or not before:
         return
     for word in sentence.words:
         mention = word.mention
         if mention is not None and mention.kind == "group" and mention.determiner in _OF_THEM:
-            _bring(stage, _so_many(before, mention.head, mention.number))
+            _put_on_stage(state, _group_of_number(before, mention.head, mention.number))
         elif mention is not None:
-            stage.scene.before = stage.scene.before if mention.kind == "group" else []
+            state.scene.before = state.scene.before if mention.kind == "group" else []
             before = [person for person in before if person not in mention.candidates]
-        elif word.low in _SUBJECTS and stage.scene.before:
-            _bring(stage, _meant(stage, before, word.low))
+        elif word.low in _SUBJECTS and state.scene.before:
+            _put_on_stage(state, _people_for_pronoun(state, before, word.low))
 
 
-def _so_many(before: Sequence[Person], head: str, number: int) -> list[Person]:
+def _group_of_number(before: Sequence[Person], head: str, number: int) -> list[Person]:
     """The two women, the three men: all of those people, if there were as many."""
     gender = lexicon.gender_of_word(head)
     if head not in _ANYBODY and (gender == "unknown" or head in lexicon.KIN):
         return []
-    fitting = [person for person in before if person.kind == "human" and fits(person, gender)]
+    fitting = [person for person in before if person.kind == "human" and gender_fits(person, gender)]
     return fitting if len(fitting) == number else []
 
 
-def _meant(stage: Stage, before: Sequence[Person], pronoun: str) -> list[Person]:
+def _people_for_pronoun(state: ReaderState, before: Sequence[Person], pronoun: str) -> list[Person]:
     """They: everybody; he or she: the one of whom the story has told most."""
     people = [person for person in before if person.kind != "animal"]
     if _SUBJECTS[pronoun] == "unknown":
         return people if len(people) > 1 or any(person.count > 1 for person in people) else []
     fitting = [person for person in people if person.gender == _SUBJECTS[pronoun]]
-    told = Counter(id for unit in stage.reading.units for id in unit.people)
+    told = Counter(id for unit in state.reading.units for id in unit.people)
     return [max(fitting, key=lambda person: told[person.id])] if fitting else []
 
 
-def _bring(stage: Stage, people: Sequence[Person]) -> None:
+def _put_on_stage(state: ReaderState, people: Sequence[Person]) -> None:
     """Put them on stage; from then on the scene speaks for itself."""
-    stage.scene.on += [person.id for person in people if person.id not in stage.scene.on]
-    stage.scene.before = [] if people else stage.scene.before
+    state.scene.on += [person.id for person in people if person.id not in state.scene.on]
+    state.scene.before = [] if people else state.scene.before
 
 
 @rule("people.still_there")
-def come_back(stage: Stage) -> None:
+def restore_people(state: ReaderState) -> None:
     """Put people back on stage, as they were, when the story returns to the place where it left them.
 
     The hour is the same, and nobody has seen them anywhere else since.
 
     Args:
-        stage: Its scene has just begun; the unit that begins it is not there yet.
+        state: Its scene has just begun; the unit that begins it is not there yet.
     """
-    scenes, units = stage.reading.scenes, stage.reading.units
-    here = scenes[stage.scene.index]
+    scenes, units = state.reading.scenes, state.reading.units
+    here = scenes[state.scene.index]
     places = {here.id, here.reference} - {None}
     earlier = next(
         (
             index
-            for index in range(stage.scene.index - 1, -1, -1)
+            for index in range(state.scene.index - 1, -1, -1)
             if {scenes[index].id, scenes[index].reference} & places and scenes[index].time == here.time
         ),
         None,
@@ -184,6 +184,6 @@ def come_back(stage: Stage) -> None:
         return
     seen = {person for unit in units[last + 1 :] for person in (*unit.on_stage, *unit.people)}
     left = units[last]
-    stage.scene.on = [person for person in left.on_stage if person not in seen | {*left.leaving}]
-    stage.scene.posture = {person: left.posture[person] for person in stage.scene.on if person in left.posture}
-    stage.scene.held = {person: list(left.held[person]) for person in stage.scene.on if person in left.held}
+    state.scene.on = [person for person in left.on_stage if person not in seen | {*left.leaving}]
+    state.scene.posture = {person: left.posture[person] for person in state.scene.on if person in left.posture}
+    state.scene.held = {person: list(left.held[person]) for person in state.scene.on if person in left.held}

@@ -10,7 +10,7 @@ from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.language.phrases import NounPhrase
 from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.people.roles import Place, Roles
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 
@@ -90,23 +90,23 @@ _CLOSED = frozenset({"close", "shut", "slam", "swing", "bang", "click", "bolt", 
 
 
 @rule("people.leaves")
-def leave(stage: Stage, clause: Clause, roles: Roles, motion: str) -> None:
+def note_exits(state: ReaderState, clause: Clause, roles: Roles, motion: str) -> None:
     """Note who goes by a deed of theirs, and whom they take along."""
-    if _goes(stage, clause, roles, motion):
-        _go(stage, roles.subjects)
+    if _is_exit(state, clause, roles, motion):
+        _mark_leaving(state, roles.subjects)
 
 
 @rule("people.taken_away")
-def taken_away(stage: Stage, clause: Clause, roles: Roles) -> None:
+def note_taken_away(state: ReaderState, clause: Clause, roles: Roles) -> None:
     """``throws Ben out``, ``leads her from the room``, ``Ben is dragged off``: who goes because of somebody else."""
     if clause.negated or clause.unreal or clause.verb not in _TAKING_ALONG | _SENDING:
         return
     moved = roles.subjects if clause.passive else roles.people
-    if not moved or not (clause.verb in _OUTRIGHT or _leads_out(stage, clause, roles)):
+    if not moved or not (clause.verb in _OUTRIGHT or _leads_out(state, clause, roles)):
         return
-    _go(stage, moved)
+    _mark_leaving(state, moved)
     if clause.verb in _TAKING_ALONG and not clause.passive:
-        _go(stage, roles.subjects)
+        _mark_leaving(state, roles.subjects)
 
 
 def is_through_a_door(clause: Clause) -> bool:
@@ -118,29 +118,29 @@ def is_through_a_door(clause: Clause) -> bool:
 
 
 @rule("people.found_gone")
-def found_gone(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> None:
+def note_gone(state: ReaderState, clause: Clause, subjects: Sequence[Person]) -> None:
     """``Ben is gone``, ``But she has already vanished.``"""
-    after = [word.low for word in stage.sentence.words[clause.index + 1 : clause.index + 4]]
+    after = [word.low for word in state.sentence.words[clause.index + 1 : clause.index + 4]]
     told = [low for low in after if low not in lexicon.ADVERBS and not low.endswith("ly")]
     if clause.verb in ("be", "have") and told and told[0] in _GONE and not clause.negated:
-        _go(stage, subjects)
-        clear_exits(stage)
+        _mark_leaving(state, subjects)
+        clear_exits(state)
 
 
 @rule("people.all_leave")
-def all_leave(stage: Stage, clause: Clause) -> None:
+def note_everyone_leaves(state: ReaderState, clause: Clause) -> None:
     """``Everybody leaves but Nora.``: those who are not named again."""
     heads = {noun.head for noun in clause.subject}
     goes = _LEAVING.match(clause.verb) or f"{clause.verb} {clause.particle}" in ("go out", "file out", "walk out")
     if heads & _ALL and goes and not (clause.negated or clause.unreal):
-        kept = {person.id for word in stage.sentence.words if word.mention for person in word.mention.candidates}
-        _go(stage, [person for person in stage.on_stage() if person.id not in kept])
+        kept = {person.id for word in state.sentence.words if word.mention for person in word.mention.candidates}
+        _mark_leaving(state, [person for person in state.on_stage() if person.id not in kept])
 
 
 @rule("people.left_alone")
-def left_alone(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> None:
+def note_left_alone(state: ReaderState, clause: Clause, subjects: Sequence[Person]) -> None:
     """``Rick stands alone in the fog.``: all others have gone. ``alone at a table`` says nothing about them."""
-    words = stage.sentence.words
+    words = state.sentence.words
     alone = any(word.low == "alone" and word.verb is None for word in words)
     spot = any(phrase.head not in _WEATHER for _, phrases in clause.places for phrase in phrases)
     told = alone and clause.verb in _STAYING and not spot and not _takes_an_object(words)
@@ -148,8 +148,8 @@ def left_alone(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> None
         clause.verb != "leave" or clause.passive
     )
     if (told or forsaken) and subjects and not (clause.negated or clause.unreal):
-        _go(stage, [person for person in stage.on_stage() if person not in subjects])
-        clear_exits(stage)
+        _mark_leaving(state, [person for person in state.on_stage() if person not in subjects])
+        clear_exits(state)
 
 
 def _takes_an_object(words: Sequence[Word]) -> bool:
@@ -159,94 +159,94 @@ def _takes_an_object(words: Sequence[Word]) -> bool:
 
 
 @rule("people.seen_off")
-def seen_off(stage: Stage, clause: Clause, roles: Roles) -> None:
+def note_seen_off(state: ReaderState, clause: Clause, roles: Roles) -> None:
     """``The door closed behind their guest``, ``shuts the door behind him``, ``watched him down the road``: gone."""
     things = roles.things if roles.subjects else roles.subject_things
-    doors = [thing for thing in things if stage.inventory.head(thing) in ("door", "gate")]
+    doors = [thing for thing in things if state.inventory.head(thing) in ("door", "gate")]
     gone = roles.people_after("behind", "after") if clause.verb in _CLOSED and doors else []
-    came = {deed.actor for unit in stage.reading.units[-2:] for deed in unit.deeds if deed.motion in _GOING}
-    arrived = {person for unit in stage.reading.units[-2:] for person in unit.entering if person in came}
+    came = {deed.actor for unit in state.reading.units[-2:] for deed in unit.deeds if deed.motion in _GOING}
+    arrived = {person for unit in state.reading.units[-2:] for person in unit.entering if person in came}
     gone = [person for person in gone if person.id not in arrived]
     if clause.verb in ("watch", "see") and roles.prepositions & {"down", "out of", "along"}:
         gone = roles.people
-    _go(stage, [person for person in gone if person not in roles.subjects])
+    _mark_leaving(state, [person for person in gone if person not in roles.subjects])
 
 
-def clear_exits(stage: Stage) -> None:
+def clear_exits(state: ReaderState) -> None:
     """Take those who left off the stage, before the next unit."""
-    for person in stage.scene.leaving:
-        if person in stage.scene.on:
-            stage.scene.on.remove(person)
-        stage.scene.held.pop(person, None)
-    stage.scene.gone = stage.scene.leaving
-    stage.scene.leaving = []
+    for person in state.scene.leaving:
+        if person in state.scene.on:
+            state.scene.on.remove(person)
+        state.scene.held.pop(person, None)
+    state.scene.gone = state.scene.leaving
+    state.scene.leaving = []
 
 
-def _go(stage: Stage, people: Sequence[Person]) -> None:
-    stage.scene.leaving += [person.id for person in people if person.id not in stage.scene.leaving]
+def _mark_leaving(state: ReaderState, people: Sequence[Person]) -> None:
+    state.scene.leaving += [person.id for person in people if person.id not in state.scene.leaving]
 
 
-def _goes(stage: Stage, clause: Clause, roles: Roles, motion: str) -> bool:
+def _is_exit(state: ReaderState, clause: Clause, roles: Roles, motion: str) -> bool:
     phrase = f"{clause.verb} {clause.particle}".strip()
-    next_word = [word.low for word in stage.sentence.words[clause.index + 1 : clause.index + 2]]
+    next_word = [word.low for word in state.sentence.words[clause.index + 1 : clause.index + 2]]
     goes_on = clause.verb == "go" and next_word == ["on"]
     if phrase in _STAYS or goes_on or (clause.verb in _ARISING and "for" in roles.prepositions):
         return False
     alone = not (roles.places or roles.people or roles.things)
     bare = alone and not clause.particle
     if clause.verb in _FOLLOWING and not roles.prepositions - {"by"} and (bare or roles.people):
-        after = {person.id for person in roles.people} or set(stage.scene.gone + stage.scene.leaving)
-        if after & {*stage.scene.gone, *stage.scene.leaving}:
+        after = {person.id for person in roles.people} or set(state.scene.gone + state.scene.leaving)
+        if after & {*state.scene.gone, *state.scene.leaving}:
             return True
     if (clause.verb in ("go", "bolt") and bare) or (phrase == "take off" and alone):
         return True
-    if clause.verb == "leave" and _leaves_something(stage, roles):
+    if clause.verb == "leave" and _leaves_something(state, roles):
         return False
-    indoors = stage.place.scene_type == "indoor"
-    if not indoors and "into" in roles.prepositions and not _leads_out(stage, clause, roles):
+    indoors = state.place.scene_type == "indoor"
+    if not indoors and "into" in roles.prepositions and not _leads_out(state, clause, roles):
         return False
     if _LEAVING.match(phrase) or _LEAVING.match(clause.verb):
         return True
     if is_through_a_door(clause) or any(noun.head == "exit" for noun in clause.object):
         return True
     goes = motion in _GOING or clause.verb in _HAULING
-    return goes and clause.verb not in _COMING_OUT and _leads_out(stage, clause, roles)
+    return goes and clause.verb not in _COMING_OUT and _leads_out(state, clause, roles)
 
 
-def _leaves_something(stage: Stage, roles: Roles) -> bool:
+def _leaves_something(state: ReaderState, roles: Roles) -> bool:
     """``leaves the keys on the table``, ``leaves the window``: no exit."""
-    kinds = {stage.inventory.class_of(thing) for thing in roles.things}
+    kinds = {state.inventory.class_of(thing) for thing in roles.things}
     return bool(kinds & {"prop", "body", "worn", "set_piece"})
 
 
-def _leads_out(stage: Stage, clause: Clause, roles: Roles) -> bool:
+def _leads_out(state: ReaderState, clause: Clause, roles: Roles) -> bool:
     """Whether the words after a verb of going lead out of the scene."""
-    indoors = stage.place.scene_type == "indoor"
+    indoors = state.place.scene_type == "indoor"
     if clause.particle in _AWAY and (clause.particle != "off" or clause.verb not in _GETTING_OFF):
         return clause.particle != "out" or indoors or clause.verb not in _GETTING_OFF
-    rest = [word.low for word in stage.sentence.words[clause.index + 1 : clause.index + 5]]
+    rest = [word.low for word in state.sentence.words[clause.index + 1 : clause.index + 5]]
     if indoors and _ASCENDING & set(rest) and clause.verb not in ("come", "look", "return"):
         return True
     if not indoors and clause.particle == "inside":
         return True
-    return any(_place_leads_out(stage, clause, place, indoors) for place in roles.places)
+    return any(_place_leads_out(state, clause, place, indoors) for place in roles.places)
 
 
-def _place_leads_out(stage: Stage, clause: Clause, place: Place, indoors: bool) -> bool:
+def _place_leads_out(state: ReaderState, clause: Clause, place: Place, indoors: bool) -> bool:
     heads = {noun.head for noun in place.nouns if noun.kind == "thing"}
     if place.preposition == "out of" and heads & _BEYOND:
         return True
     if not indoors:
         return place.preposition in ("into", "inside") and bool(heads & _WIDE)
-    here = set(stage.place.place.lower().split())
+    here = set(state.place.place.lower().split())
     if place.preposition in ("out of", "from", "out"):
         return bool(heads & (_OPENINGS | {"room"} | here)) or bool(heads & lexicon.INDOOR)
     if place.preposition == "into" and heads & _PASSAGES - here:
         return True
-    return any(_is_another_room(stage, place, noun, here) for noun in place.nouns)
+    return any(_is_another_room(state, place, noun, here) for noun in place.nouns)
 
 
-def _is_another_room(stage: Stage, place: Place, noun: NounPhrase, here: set[str]) -> bool:
+def _is_another_room(state: ReaderState, place: Place, noun: NounPhrase, here: set[str]) -> bool:
     """``runs for his room``, ``goes into Ana's bedroom``, ``returns to the cellar``: none of this scene."""
     if (
         noun.kind != "thing"
@@ -256,6 +256,6 @@ def _is_another_room(stage: Stage, place: Place, noun: NounPhrase, here: set[str
         return False
     if noun.head != "room" and noun.head in here:
         return False
-    words = stage.sentence.words
+    words = state.sentence.words
     other = noun.possessor is not None or {w.low for w in words[max(0, noun.index - 2) : noun.index]} & _OTHER
     return bool(other) or (bool(here & _ROOMS) and noun.head in _ROOMS and noun.head != "room")

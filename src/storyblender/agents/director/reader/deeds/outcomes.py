@@ -10,7 +10,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.language.words import joined
 from storyblender.agents.director.reader.people.roles import Roles
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Deed, Person
 from storyblender.agents.director.rules import rule
 from storyblender.catalog.inflection import singular
@@ -68,23 +68,23 @@ _HAVING = re.compile(r"\b(?:has|had|have)(?: [a-z]+){0,3} $")
 
 
 @rule("postures.after_deed")
-def settle(stage: Stage, deeds: Sequence[Deed], clause: Clause, roles: Roles) -> None:
+def apply_outcomes(state: ReaderState, deeds: Sequence[Deed], clause: Clause, roles: Roles) -> None:
     """Carry the outcome of deeds into the scene: postures, things in hand, vehicles."""
     for deed in deeds:
         posture = _POSTURE_OF_MOTION.get(deed.motion)
-        if posture and _lasts(stage, deed, roles):
-            stage.scene.posture[deed.actor] = (posture, _support(stage, deed, roles))
+        if posture and _posture_lasts(state, deed, roles):
+            state.scene.posture[deed.actor] = (posture, _support(state, deed, roles))
         elif deed.motion in _UPRIGHT:
-            stage.scene.posture[deed.actor] = ("stand", None)
-        _board(stage, deed, clause, roles)
-        _handle(stage, deed)
-    _bring(stage, deeds, clause, roles)
+            state.scene.posture[deed.actor] = ("stand", None)
+        _enter_vehicle(state, deed, clause, roles)
+        _update_held(state, deed)
+    _hold_brought_things(state, deeds, clause, roles)
 
 
-def _bring(stage: Stage, deeds: Sequence[Deed], clause: Clause, roles: Roles) -> None:
+def _hold_brought_things(state: ReaderState, deeds: Sequence[Deed], clause: Clause, roles: Roles) -> None:
     """``stands in the doorway with an umbrella``, ``hits him with the torch``: it is in the hand."""
     told = {deed.motion for deed in deeds}
-    in_hand = any(stage.inventory.class_of(thing) == "prop" for thing in roles.things)
+    in_hand = any(state.inventory.class_of(thing) == "prop" for thing in roles.things)
     if clause.passive or clause.verb in _FILLED or told & _NOT_WITH or in_hand or not deeds:
         return
     for place, after in zip_longest(roles.places, roles.places[1:]):
@@ -92,122 +92,122 @@ def _bring(stage: Stage, deeds: Sequence[Deed], clause: Clause, roles: Roles) ->
         elsewhere = after is not None and after.preposition in _WHERE and not heads & _HANDS
         if place.preposition == "with" and not place.people and not elsewhere:
             for thing in place.things:
-                if stage.inventory.class_of(thing) == "prop" or stage.inventory.head(thing) in _LONG:
-                    hold(stage, deeds[0].actor, thing)
+                if state.inventory.class_of(thing) == "prop" or state.inventory.head(thing) in _LONG:
+                    hold(state, deeds[0].actor, thing)
                     worn = after is not None and bool(heads & _WORN_ON)
                     hangs = worn and after is not None and after.preposition == "over"  # a satchel over her shoulder
                     if (told & _TRAVEL and not hangs) or (told & _POSES and not worn):
-                        _bear(stage, deeds[0].actor, thing, clause.at)
+                        _carry_or_hold(state, deeds[0].actor, thing, clause.at)
 
 
-def _bear(stage: Stage, person: str, thing: str, at: int, between_teeth: bool = False) -> None:
+def _carry_or_hold(state: ReaderState, person: str, thing: str, at: int, between_teeth: bool = False) -> None:
     """What somebody has in hand is carried by who goes, held by who stays."""
-    own = [deed for deed in stage.unit.deeds if deed.actor == person]
+    own = [deed for deed in state.unit.deeds if deed.actor == person]
     if not any(deed.motion in ("hold", "carry") and deed.prop == thing for deed in own):
         motion = "carry" if not between_teeth and any(deed.motion in _TRAVEL for deed in own) else "hold"
-        stage.unit.deeds.append(Deed(person, motion, thing, thing, at, "hold"))
+        state.unit.deeds.append(Deed(person, motion, thing, thing, at, "hold"))
 
 
-def _lasts(stage: Stage, deed: Deed, roles: Roles) -> bool:
+def _posture_lasts(state: ReaderState, deed: Deed, roles: Roles) -> bool:
     """Not so where a person leans forward for a moment, or opens the eyes sitting."""
     if deed.motion == "wake":
-        return stage.scene.posture.get(deed.actor, ("", None))[0] == "asleep"
-    return deed.motion != "lean" or _support(stage, deed, roles) is not None or bool(roles.prepositions & _LEANT_ON)
+        return state.scene.posture.get(deed.actor, ("", None))[0] == "asleep"
+    return deed.motion != "lean" or _support(state, deed, roles) is not None or bool(roles.prepositions & _LEANT_ON)
 
 
 @rule("deeds.slips_away")
-def slip_away(stage: Stage, clause: Clause, roles: Roles) -> None:
+def drop_slipped_things(state: ReaderState, clause: Clause, roles: Roles) -> None:
     """``The tray slips out of his hands``: he drops it."""
     if roles.subjects or not roles.subject_things or clause.verb not in _SLIPPING:
         return
     grips = [n for p in roles.places if p.preposition in _OUT_OF for n in p.nouns if n.head in _GRASP and n.owner]
     for noun in grips[:1]:
-        _release(stage, roles.subject_things[0])
+        _release(state, roles.subject_things[0])
         thing = roles.subject_things[0]
-        stage.inventory.seen(thing, "handled")
-        stage.unit.deeds.append(Deed(noun.owner or "", "drop", thing, thing, clause.at, "drop"))
+        state.inventory.note(thing, "handled")
+        state.unit.deeds.append(Deed(noun.owner or "", "drop", thing, thing, clause.at, "drop"))
 
 
-def _support(stage: Stage, deed: Deed, roles: Roles) -> str | None:
+def _support(state: ReaderState, deed: Deed, roles: Roles) -> str | None:
     """What somebody sits, lies or leans on."""
     if deed.motion not in _SUPPORTED:
         return None
     for place in roles.places:
         kind = lexicon.relation_of(place.preposition)
         for thing in place.things:
-            if kind in ("on", "in", "against") and stage.inventory.class_of(thing) in ("set_piece", "prop"):
+            if kind in ("on", "in", "against") and state.inventory.class_of(thing) in ("set_piece", "prop"):
                 return thing
     near = any(deed.target in place.things and place.preposition in _NEAR for place in roles.places)
-    if stage.inventory.head(deed.target) in lexicon.SEATS and not near:
+    if state.inventory.head(deed.target) in lexicon.SEATS and not near:
         return deed.target
-    known = stage.scene.posture.get(deed.actor)
+    known = state.scene.posture.get(deed.actor)
     return known[1] if known and known[0] in ("sit", "lie", "asleep") and deed.motion in ("sit", "sleep") else None
 
 
-def _board(stage: Stage, deed: Deed, clause: Clause, roles: Roles) -> None:
+def _enter_vehicle(state: ReaderState, deed: Deed, clause: Clause, roles: Roles) -> None:
     """Getting into a vehicle is sitting in it; getting out is standing again."""
     if clause.verb not in ("get", "climb", "step", "slide", "jump") or deed.motion not in ("walk", "climb", "jump"):
         return
     prepositions = roles.prepositions | {clause.particle}
-    if stage.inventory.head(deed.target) in lexicon.VEHICLES and prepositions & {"in", "into", "inside"}:
-        stage.scene.posture[deed.actor] = ("sit", deed.target)
+    if state.inventory.head(deed.target) in lexicon.VEHICLES and prepositions & {"in", "into", "inside"}:
+        state.scene.posture[deed.actor] = ("sit", deed.target)
     elif prepositions & {"out", "out of"}:
-        stage.scene.posture[deed.actor] = ("stand", None)
+        state.scene.posture[deed.actor] = ("stand", None)
 
 
-def _handle(stage: Stage, deed: Deed) -> None:
-    thing, held = deed.prop, stage.scene.held
-    if not thing or stage.inventory.class_of(thing) in _NOT_HELD:
+def _update_held(state: ReaderState, deed: Deed) -> None:
+    thing, held = deed.prop, state.scene.held
+    if not thing or state.inventory.class_of(thing) in _NOT_HELD:
         return
     if deed.motion in _TAKING:
-        hold(stage, deed.actor, thing)
+        hold(state, deed.actor, thing)
     elif deed.motion in _LOSING and thing in held.get(deed.actor, ()):
         held[deed.actor].remove(thing)
     elif deed.motion == "give":
-        _release(stage, thing)
-        if deed.target and stage.person(deed.target):
-            hold(stage, deed.target, thing)
+        _release(state, thing)
+        if deed.target and state.person(deed.target):
+            hold(state, deed.target, thing)
 
 
-def hold(stage: Stage, person: str, thing: str) -> None:
+def hold(state: ReaderState, person: str, thing: str) -> None:
     """Put a thing into somebody's hand, out of everybody else's."""
-    if thing not in stage.scene.held.get(person, ()):
-        _release(stage, thing)
-        stage.scene.held.setdefault(person, []).append(thing)
+    if thing not in state.scene.held.get(person, ()):
+        _release(state, thing)
+        state.scene.held.setdefault(person, []).append(thing)
 
 
-def _release(stage: Stage, thing: str) -> None:
-    for things in stage.scene.held.values():
+def _release(state: ReaderState, thing: str) -> None:
+    for things in state.scene.held.values():
         if thing in things:
             things.remove(thing)
 
 
-def _gripped(stage: Stage, people: Sequence[Person]) -> None:
+def _hold_gripped_things(state: ReaderState, people: Sequence[Person]) -> None:
     """``sits there, both hands around a tin mug``: it is in hand, though nothing is done with it."""
-    words = stage.sentence.words
-    for index, thing in stage.sentence.things:
+    words = state.sentence.words
+    for index, thing in state.sentence.things:
         before = [word.low for word in words[max(0, index - _REACH) : index]]
         at = next(
             (i for i in range(1, len(before)) if before[i] in _AROUND and before[i - 1] in ("hands", "fingers")), 0
         )
-        if at and people and "," not in before[at:] and stage.inventory.class_of(thing) == "prop":
-            stage.inventory.seen(thing, "handled")
-            hold(stage, people[0].id, thing)
+        if at and people and "," not in before[at:] and state.inventory.class_of(thing) == "prop":
+            state.inventory.note(thing, "handled")
+            hold(state, people[0].id, thing)
 
 
 @rule("things.in_hand")
-def drawn_weapons(stage: Stage, people: Sequence[Person]) -> None:
+def hold_drawn_things(state: ReaderState, people: Sequence[Person]) -> None:
     """``Gun drawn``, ``notebook in hand``: the subject holds it."""
-    _gripped(stage, people)
-    text = joined(stage.sentence.words)
+    _hold_gripped_things(state, people)
+    text = joined(state.sentence.words)
     for match in _READY.finditer(text):
         noun = singular(match.group(1))
         if noun not in lexicon.PROPS or not people:
             continue
-        at = next((word.start for word in stage.sentence.words if word.low == match.group(1)), stage.unit.start)
-        thing = stage.inventory.id_of(noun, at)
-        stage.inventory.seen(thing, "handled")
-        hold(stage, people[0].id, thing)
+        at = next((word.start for word in state.sentence.words if word.low == match.group(1)), state.unit.start)
+        thing = state.inventory.id_of(noun, at)
+        state.inventory.note(thing, "handled")
+        hold(state, people[0].id, thing)
         has = _HAVING.search(text[: match.start()]) is not None
         if " " in match.group(2) and "ready" not in match.group(2) and not has:
-            _bear(stage, people[0].id, thing, at, between_teeth="teeth" in match.group(2))
+            _carry_or_hold(state, people[0].id, thing, at, between_teeth="teeth" in match.group(2))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.people.roles import Roles
-from storyblender.agents.director.reader.state import Stage, UnreadAct
+from storyblender.agents.director.reader.state import ReaderState, UnreadAct
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 
@@ -43,7 +43,7 @@ _WORDS = 9
 
 
 @rule("deeds.nearest_motion")
-def nearest(clause: Clause, roles: Roles) -> str | None:
+def nearest_motion(clause: Clause, roles: Roles) -> str | None:
     """Return the motion that looks most like a verb without its own, or None if no motion is near.
 
     Args:
@@ -58,39 +58,39 @@ def nearest(clause: Clause, roles: Roles) -> str | None:
     return pair or lexicon.NEAR_MOTIONS.get(clause.verb)
 
 
-def note_unread(stage: Stage, clause: Clause, roles: Roles, shown: str | None) -> None:
+def note_unread(state: ReaderState, clause: Clause, roles: Roles, shown: str | None) -> None:
     """Flag an act that has no motion of its own, unless it cannot be seen.
 
     Args:
-        stage: Its unit takes the flag.
+        state: Its unit takes the flag.
         clause: A clause that is neither negated nor hypothetical, with a person as subject.
         roles: The people and things of the clause.
         shown: The motion played instead, if one is near.
     """
     spoken = clause.verb in lexicon.SPEECH_VERBS or lexicon.MOTION_OF_VERB.get(clause.verb) in _VOICES
     unseen = clause.verb in _INWARD or clause.passive or clause.earlier or spoken
-    if not roles.subjects or unseen or stage.sentence.pictured:
+    if not roles.subjects or unseen or state.sentence.pictured:
         return
-    end = min(clause.index + _WORDS, len(stage.sentence.words))
-    following = stage.sentence.words[clause.index : end]
+    end = min(clause.index + _WORDS, len(state.sentence.words))
+    following = state.sentence.words[clause.index : end]
     stop_at = next((at for at, word in enumerate(following) if at and word.text in ",;:"), len(following))
     written = [word for word in following[:stop_at] if not word.inserted]
     if not written:
         return
     start, stop = written[0].start, max(word.end for word in written)
-    words = " ".join(stage.reading.screenplay.text[start:stop].split()).rstrip(" .,;")
+    words = " ".join(state.reading.screenplay.text[start:stop].split()).rstrip(" .,;")
     who = _names(roles.subjects)
     reason = f"there is no motion for what {who} does: “{words}”"
     reason += f"; shown as “{shown.replace('_', ' ')}”" if shown else "; nobody moves for it"
-    stage.unread.append(UnreadAct(roles.subjects[0].id, shown or "", reason, start, stop))
+    state.unread.append(UnreadAct(roles.subjects[0].id, shown or "", reason, start, stop))
 
 
-def flag_unread(stage: Stage) -> None:
+def flag_unread(state: ReaderState) -> None:
     """Write the unread-act flags of the last sentence, for people with no other deed in it or with a nearest motion."""
-    for act in stage.unread:
-        if act.shown or not any(deed.actor == act.person for deed in stage.unit.deeds):
-            stage.flag("act", act.shown or "none", act.reason, act.start, act.end)
-    stage.unread.clear()
+    for act in state.unread:
+        if act.shown or not any(deed.actor == act.person for deed in state.unit.deeds):
+            state.flag("act", act.shown or "none", act.reason, act.start, act.end)
+    state.unread.clear()
 
 
 def _names(people: list[Person]) -> str:

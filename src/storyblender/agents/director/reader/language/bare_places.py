@@ -15,7 +15,7 @@ _ALWAYS_PLACES = frozenset({"underneath", "beneath", "below", "above"})
 _STOPS = (".", ",", ";", ":", "and")
 
 
-def say_bare_places(phrases: list[Phrase]) -> list[Phrase]:
+def insert_place_nouns(phrases: list[Phrase]) -> list[Phrase]:
     """Put in the noun that a word of place leaves out.
 
     Args:
@@ -33,15 +33,15 @@ def say_bare_places(phrases: list[Phrase]) -> list[Phrase]:
                 continue
         if phrase.kind == "noun" and said and _is_top(said[-1], phrase, phrases[index + 1 : index + 2]):
             said[-1] = Phrase("preposition", said[-1].first, phrase.last, "on top of")
-            said.append(_there(said[-1]))
+            said.append(_with_there(said[-1]))
             continue
         said.append(phrase)
         if phrase.kind == "preposition" and phrase.text in _BARE and _is_bare(phrases, index):
-            said.append(_there(phrase))
+            said.append(_with_there(phrase))
     return said
 
 
-def _there(place: Phrase) -> Phrase:
+def _with_there(place: Phrase) -> Phrase:
     return Phrase("noun", place.last, place.last, noun=NounPhrase("pronoun", place.last, THERE))
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clause import Clause, ClauseBuilder
 from storyblender.agents.director.reader.language.clause_order import (
-    has_own_place,
     is_absolute,
+    is_verbless_placement,
     list_ends,
     verb_follows,
 )
@@ -54,7 +54,11 @@ def take_noun(builder: ClauseBuilder, index: int, noun: NounPhrase) -> None:
     if clause is None:
         return
     opens = index - 2 if index > 2 and left and left.text == "and" and builder.phrases[index - 2].noun else index
-    if noun.kind == "person" and builder.phrases[opens - 1].text == "," and has_own_place(builder.phrases, index):
+    if (
+        noun.kind == "person"
+        and builder.phrases[opens - 1].text == ","
+        and is_verbless_placement(builder.phrases, index)
+    ):
         builder.aside = True
         return
     told = [preposition for preposition, _ in clause.places if preposition != "of"]

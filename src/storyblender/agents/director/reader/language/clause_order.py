@@ -9,7 +9,7 @@ _NEW = frozenset({"a", "an", "another", "two", "three", "four", "five", "six", "
 _ENDS = (".", ",", ";", "and", "of", "with")
 
 
-def inverts(phrases: list[Phrase]) -> bool:
+def is_inverted(phrases: list[Phrase]) -> bool:
     """``Above the bed hangs a crucifix``: a place, a verb, and only then its subject.
 
     Args:
@@ -19,7 +19,7 @@ def inverts(phrases: list[Phrase]) -> bool:
     return verb is not None and verb.lemma in lexicon.INVERTING | {"be"} and phrases[3].kind == "noun"
 
 
-def has_own_place(phrases: list[Phrase], index: int) -> bool:
+def is_verbless_placement(phrases: list[Phrase], index: int) -> bool:
     """``Kate stands behind the counter, Joe in front of it.``: the last words are about Joe.
 
     Args:

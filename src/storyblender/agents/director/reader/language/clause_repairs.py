@@ -21,7 +21,7 @@ _FINDING = frozenset({"catch", "find", "spot", "notice"})
 _SLIPPING = frozenset({"fall", "drop", "slip", "go"})
 
 
-def repair(clauses: list[Clause], words: list[Word]) -> None:
+def repair_clauses(clauses: list[Clause], words: list[Word]) -> None:
     """Give clauses the subjects told later, and join verbs that tell one deed.
 
     Args:
@@ -33,7 +33,7 @@ def repair(clauses: list[Clause], words: list[Word]) -> None:
     following = [*clauses[1:], None]
     joined = [clause for at, clause in enumerate(clauses) if not _joins(clause, following[at], words)]
     for clause in [clause for clause in joined if clause.verb == "let"]:
-        _let(joined, clause)
+        _resolve_let(joined, clause)
     clauses[:] = joined
 
 
@@ -58,7 +58,7 @@ def _joins(clause: Clause, following: Clause | None, words: list[Word]) -> bool:
     return touches and (clause.verb in _ENDING or (clause.verb in _BESIDE and not following.absolute))
 
 
-def _let(clauses: list[Clause], clause: Clause) -> None:
+def _resolve_let(clauses: list[Clause], clause: Clause) -> None:
     """``lets the crowbar fall`` is dropping it, ``lets him go`` nothing anybody sees."""
     at = clauses.index(clause)
     following = clauses[at + 1] if at + 1 < len(clauses) else None

@@ -8,8 +8,8 @@ from __future__ import annotations
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clause import Clause, ClauseBuilder
 from storyblender.agents.director.reader.language.clause_nouns import is_other_side, take_noun
-from storyblender.agents.director.reader.language.clause_order import inverts, is_absolute, is_fronted, verb_follows
-from storyblender.agents.director.reader.language.clause_repairs import repair
+from storyblender.agents.director.reader.language.clause_order import is_absolute, is_fronted, is_inverted, verb_follows
+from storyblender.agents.director.reader.language.clause_repairs import repair_clauses
 from storyblender.agents.director.reader.language.clause_verbs import take_verb
 from storyblender.agents.director.reader.language.phrases import NounPhrase, Phrase
 from storyblender.agents.director.reader.language.words import Word
@@ -60,11 +60,11 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
             _compare(builder, index)
     _finish(builder)
     for clause in builder.clauses:
-        _measure(clause, words)
+        _set_extent(clause, words)
     return builder.clauses
 
 
-def _measure(clause: Clause, words: list[Word]) -> None:
+def _set_extent(clause: Clause, words: list[Word]) -> None:
     """Note the characters from the first to the last word of a clause."""
     nouns = [*clause.subject, *clause.object, *clause.recipient, *clause.complement]
     nouns += [noun for _, place in clause.places for noun in place]
@@ -100,7 +100,7 @@ def _finish(builder: ClauseBuilder) -> None:
         builder.clauses[0].opening = len(builder.leading)
     if builder.clauses and builder.words[0].low in _WONDERING:
         builder.clauses[0].unreal = True
-    repair(builder.clauses, builder.words)
+    repair_clauses(builder.clauses, builder.words)
     for clause in builder.clauses:
         if any(noun.determiner == "no" or noun.head == "nothing" for noun in clause.object[:1]):
             clause.negated = True  # offers no opinion
@@ -129,7 +129,12 @@ def _verb_touches(builder: ClauseBuilder, index: int) -> bool:
 def _take_preposition(builder: ClauseBuilder, index: int, phrase: Phrase) -> None:
     """A particle of the verb (``picks up``) or a preposition with a noun to come."""
     clause = builder.current
-    if index == 0 and phrase.text in _ADVERBIAL and verb_follows(builder.phrases, 1) and not inverts(builder.phrases):
+    if (
+        index == 0
+        and phrase.text in _ADVERBIAL
+        and verb_follows(builder.phrases, 1)
+        and not is_inverted(builder.phrases)
+    ):
         return
     following = builder.phrases[index + 1] if index + 1 < len(builder.phrases) else None
     if clause and phrase.text in lexicon.PARTICLES and not clause.particle and not builder.closed:

@@ -6,7 +6,7 @@ import re
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import RARE_FORMS, VerbForm, form_kind, guess_lemma
-from storyblender.agents.director.reader.language.words import Row, Word
+from storyblender.agents.director.reader.language.words import TaggedRow, Word
 from storyblender.catalog.inflection import singular
 
 OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
@@ -59,7 +59,7 @@ SELDOM_VERBS = frozenset(
 _ANY_NOUNS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.BODY | lexicon.WORN | lexicon.ABSTRACT | lexicon.SCENERY
 
 
-def rare_verb(word: Word, following: Word | None, row: Row) -> VerbForm | None:
+def rare_verb(word: Word, following: Word | None, row: TaggedRow) -> VerbForm | None:
     """Return the form of a listed verb, or of an unknown word in -s or -ed after a person: ``the train barrels``."""
     left = row.neighbour()
     right = following.low if following else "."
@@ -74,7 +74,7 @@ def rare_verb(word: Word, following: Word | None, row: Row) -> VerbForm | None:
     if form and form.kind == "3sg" and left.mention and left.named and form_kind(right) not in ("past", "aux"):
         return form
     past = form is not None and form.kind == "past"
-    if not (after_person or listed or after_noun) or not (goes_on(right) or (past and listed)):
+    if not (after_person or listed or after_noun) or not (may_follow_verb(right) or (past and listed)):
         return None
     if form is None:
         form = _guessed(word) if after_person or (listed and any(w.mention for w in row.words)) else None
@@ -92,7 +92,7 @@ def _guessed(word: Word) -> VerbForm | None:
     return VerbForm(word.low[:-2], "past") if word.low.endswith("ed") else None
 
 
-def goes_on(right: str) -> bool:
+def may_follow_verb(right: str) -> bool:
     """Whether a word may follow a verb: what opens its object, a direction, an adverb."""
     return right in AFTER_VERB or right in OBJECTS | DIRECTIONS | {"not", "to"} or right.endswith("ly")
 

@@ -1,7 +1,7 @@
 """Make a screenplay sentence regular, so that its clauses can be read from left to right (notes, 1b).
 
 Verbs are told from nouns (``Kira sprints down``, ``They dance``) and tagged; what screenplays leave out is put in:
-the subject of ``Grabs a shovel.``, the ``was`` of ``MAN #2 on the bed``; appositions are taken out.
+the subject of ``Grabs a shovel.``, the ``inserted_was`` of ``MAN #2 on the bed``; appositions are taken out.
 """
 
 from __future__ import annotations
@@ -10,12 +10,12 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import VerbForm, form_kind
 from storyblender.agents.director.reader.language.tagging import (
     OPENERS,
-    as_participles,
     is_contracted,
     may_be_verb,
+    retag_participles,
     tag_verb,
 )
-from storyblender.agents.director.reader.language.words import Mention, Row, Word, was
+from storyblender.agents.director.reader.language.words import Mention, TaggedRow, Word, inserted_was
 from storyblender.agents.director.reader.language.written_verbs import is_outcome, written_verb
 from storyblender.catalog.inflection import singular
 
@@ -58,7 +58,7 @@ def regularise(words: list[Word]) -> list[Word]:
         The words in the order they are to be read; only inserted words are new.
     """
     words = _named_kin(_without_all(_on_their_knees(_without_pairs(words))))
-    row = Row()
+    row = TaggedRow()
     at = 0
     while at < len(words):
         word = words[at]
@@ -89,7 +89,7 @@ def regularise(words: list[Word]) -> list[Word]:
         elif word.verb is None and word.mention is None and not word.inserted:
             word.verb = written_verb(regular, index)
     if row.last_kind == "3sg":
-        as_participles(regular)
+        retag_participles(regular)
     return regular
 
 
@@ -209,7 +209,7 @@ def _with_something(apposition: list[Word]) -> list[Word]:
 
 
 def _complete_fragment(words: list[Word]) -> list[Word]:
-    """Put ``was`` into a sentence without a verb: ``MAN #2 on the bed``, ``Behind her, JO``."""
+    """Put ``inserted_was`` into a sentence without a verb: ``MAN #2 on the bed``, ``Behind her, JO``."""
     if not words:
         return words
     compound = any(_starts_with(words, each) for each in lexicon.COMPOUND_PREPOSITIONS.get(words[0].low, ()))
@@ -223,7 +223,7 @@ def _complete_fragment(words: list[Word]) -> list[Word]:
     if words[at - 1].text == "," and words[0].mention:
         comma = next(index for index, word in enumerate(words) if word.text == ",")
         words, at = words[:comma] + words[at:], comma
-    return [*words[:at], was(words[at].start), *words[at:]]
+    return [*words[:at], inserted_was(words[at].start), *words[at:]]
 
 
 def _starts_with(words: list[Word], phrase: tuple[str, ...]) -> bool:
@@ -262,4 +262,4 @@ def _turn_around(words: list[Word]) -> list[Word]:
     cut = next((index for index, word in enumerate(rest) if word.text == ","), first)
     if _is_list(rest[:first]):
         cut = first
-    return [*rest[:cut], was(words[0].start), *place, *rest[cut:]]
+    return [*rest[:cut], inserted_was(words[0].start), *place, *rest[cut:]]

@@ -15,11 +15,11 @@ from storyblender.agents.director.reader.language.rare_verbs import (
     OBJECTS,
     OPENERS,
     SELDOM_VERBS,
-    goes_on,
     is_listed_part,
+    may_follow_verb,
     rare_verb,
 )
-from storyblender.agents.director.reader.language.words import Row, Word, is_adverb
+from storyblender.agents.director.reader.language.words import TaggedRow, Word, is_adverb
 from storyblender.catalog.inflection import singular
 
 _LINKS = lexicon.CONJUNCTIONS | {",", ";", "-", "--", "—", "–"}
@@ -52,7 +52,7 @@ _INVERTING = lexicon.INVERTING
 """Verbs whose subject may follow: ``In the booth sit two thugs``."""
 
 
-def tag_verb(words: list[Word], at: int, row: Row) -> None:
+def tag_verb(words: list[Word], at: int, row: TaggedRow) -> None:
     """Decide whether the word at ``at`` is a verb of this sentence; tag it, put in its subject."""
     word = words[at]
     following = words[at + 1] if at + 1 < len(words) else None
@@ -114,7 +114,7 @@ def names_a_kind(word: Word, following: Word | None) -> bool:
     return f"{word.low}_{noun}" in _COMPOUNDS or f"{word.low}-{noun}" in lexicon.COMPOUNDS
 
 
-def _ends_a_kind(word: Word, row: Row) -> bool:
+def _ends_a_kind(word: Word, row: TaggedRow) -> bool:
     """``a crate of juggling clubs``, ``hiking boots``, ``both hands``: no clubbing, no booting."""
     before = row.words[-1] if row.words else None
     if before is not None and before.low == "both" and FORMS.get(word.low, ("", ""))[1] == "3sg":
@@ -133,11 +133,15 @@ def may_be_verb(word: Word, following: Word | None) -> bool:
     return word.low in RARE_FORMS and RARE_FORMS[word.low].kind in ("3sg", "past") and right in AFTER_VERB
 
 
-def _is_bare_infinitive(word: Word, following: Word | None, row: Row) -> bool:
+def _is_bare_infinitive(word: Word, following: Word | None, row: TaggedRow) -> bool:
     """``watches her go to the window, part the blinds``: a base form after a perceived object, or one more of them."""
     right = following.low if following else "."
     left = row.neighbour()
-    if left is None or not goes_on(right) or (singular(word.low) in _NOUNS and right not in OBJECTS | DIRECTIONS):
+    if (
+        left is None
+        or not may_follow_verb(right)
+        or (singular(word.low) in _NOUNS and right not in OBJECTS | DIRECTIONS)
+    ):
         return False
     if row.last_kind == "inf" and left.low in ("and", ","):
         return True
@@ -179,7 +183,7 @@ def _is_rather_a_noun(word: Word, right: str) -> bool:
     )
 
 
-def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | None, row: Row) -> bool:
+def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | None, row: TaggedRow) -> bool:
     """Whether a word that can be a verb in the present is one here, from what stands to its left and right."""
     if left is None or left.inserted:
         return False
@@ -197,7 +201,7 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
     if left.mention and left.low not in PLURAL_PRONOUNS:
         return (form_kind(right) != "past" or form.lemma in _INVERTING) if third else _is_plural(left, row)
     if left.low in ("who", "which", "that") and not third:
-        return goes_on(right) and left.low != "that"
+        return may_follow_verb(right) and left.low != "that"
     if left.low in SINGULAR_PRONOUNS or (left.low == "other" and third):
         return third
     if left.low in PLURAL_PRONOUNS:
@@ -211,36 +215,36 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
         if third and told_in_past and singular(word.low) in _NOUNS:
             return False
         listed = third and left.low in (",", "and") and _reads_as_noun(word, right, row)
-        return _continues(form, left, right, row) and not listed
+        return _continues_verb(form, left, right, row) and not listed
     if not third and form.lemma in lexicon.MOTION_OF_VERB and _several_described(row):
         return singular(word.low) not in _NOUNS
     new = not row.verb_seen or _new_clause(row) or (form.lemma in _POSED | {"lean"} and _after_comma(row))
     return left.text.isalpha() and new and _after_noun(word, form, left, right)
 
 
-def _is_relative(left: Word, right: str, row: Row) -> bool:
+def _is_relative(left: Word, right: str, row: TaggedRow) -> bool:
     """``the letter that lies on the mat``, but not ``sees that hats``."""
     before = row.words[-2] if len(row.words) > 1 else None
-    if left.low != "that" or before is None or not goes_on(right):
+    if left.low != "that" or before is None or not may_follow_verb(right):
         return False
     small = before.low in BEFORE_NOUN | _LINKS or is_adverb(before)
     return before.solid and before.verb is None and not small
 
 
-def _is_behind_her(form: VerbForm, left: Word, row: Row) -> bool:
+def _is_behind_her(form: VerbForm, left: Word, row: TaggedRow) -> bool:
     """``behind her stands a waiter``: no stands of hers."""
     before = row.words[-2].low if len(row.words) > 1 else ""
     return left.low == "her" and form.lemma in _INVERTING and before in lexicon.PREPOSITIONS
 
 
-def _several_described(row: Row) -> bool:
+def _several_described(row: TaggedRow) -> bool:
     """``SOLDIERS in white smocks``: several people first, then what they have on, and no verb yet."""
     first, *rest = row.words
     several = first.mention is not None and any(person.count > 1 for person in first.mention.candidates)
     return several and not row.verb_seen and bool(rest) and rest[0].low in ("in", "with", "of", "from")
 
 
-def _is_inverted(form: VerbForm, following: Word | None, row: Row) -> bool:
+def _is_inverted(form: VerbForm, following: Word | None, row: TaggedRow) -> bool:
     """``In the far booth, hats low, sit two THUGS``: a place first, then a verb of being somewhere, then who."""
     if following is None or form.lemma not in _INVERTING:
         return False
@@ -252,7 +256,7 @@ def _is_inverted(form: VerbForm, following: Word | None, row: Row) -> bool:
     return leads and (following.mention is not None or following.low in OPENERS | frozenset(lexicon.NUMBERS))
 
 
-def _new_clause(row: Row) -> bool:
+def _new_clause(row: TaggedRow) -> bool:
     """Whether the noun before opens a clause of its own: ``Iris slips and the bucket tips over``."""
     measured = any(word.low == "of" for word in row.words[-5:])
     for index in range(len(row.words) - 2, max(len(row.words) - (8 if measured else 5), -1), -1):
@@ -264,14 +268,14 @@ def _new_clause(row: Row) -> bool:
     return False
 
 
-def _after_comma(row: Row) -> bool:
+def _after_comma(row: TaggedRow) -> bool:
     """``The boots stand on the mat, the umbrella leans in the corner``."""
     start = max((at for at, word in enumerate(row.words) if word.text == ","), default=len(row.words))
     inside = row.words[start + 1 :]
     return bool(inside) and inside[0].low in OPENERS and not any(w.low in lexicon.PREPOSITIONS for w in inside)
 
 
-def _reads_as_noun(word: Word, right: str, row: Row) -> bool:
+def _reads_as_noun(word: Word, right: str, row: TaggedRow) -> bool:
     """Whether a word in a list is rather a noun: ``boots on, drills, hands`` but ``drills a hole``, ``slips in``."""
     if not {word.low, singular(word.low)} & _NOUNS or (word.low == "steps" and right != "."):
         return False
@@ -291,12 +295,12 @@ def _is_bare_plural(before: list[Word]) -> bool:
     return len(before) < 2 or before[-2].low not in OPENERS
 
 
-def _opens_clause(row: Row) -> bool:
+def _opens_clause(row: TaggedRow) -> bool:
     """Whether only one word stands since the start of the clause: ``In`` of ``In walks BOB``."""
     return len(row.words) < 2 or row.words[-2].low in ("and", ",", "then", ".")
 
 
-def _is_plural(left: Word, row: Row) -> bool:
+def _is_plural(left: Word, row: TaggedRow) -> bool:
     """Two guards / Kira and Tomas / the officers / the CHILDREN, before a base form."""
     if left.mention and left.mention.kind == "group":
         return True
@@ -304,7 +308,7 @@ def _is_plural(left: Word, row: Row) -> bool:
     return coordinated or left.low.endswith("s") or singular(left.low) != left.low
 
 
-def _continues(form: VerbForm, left: Word, right: str, row: Row) -> bool:
+def _continues_verb(form: VerbForm, left: Word, right: str, row: TaggedRow) -> bool:
     """A verb after a comma or conjunction goes on with the verb form before it."""
     if form.kind == "base":
         several = any(w.mention and w.mention.kind == "group" for w in row.words)
@@ -332,7 +336,7 @@ def _after_noun(word: Word, form: VerbForm, left: Word, right: str) -> bool:
     return plural and right in AFTER_VERB - {",", "slowly"}
 
 
-def _tag_participle(words: list[Word], at: int, row: Row) -> None:
+def _tag_participle(words: list[Word], at: int, row: TaggedRow) -> None:
     """``Watching.`` -> He was watching; ``Jo holding a doll`` -> Jo was holding a doll."""
     start = words[at].start
     if not row.words:
@@ -344,7 +348,7 @@ def _tag_participle(words: list[Word], at: int, row: Row) -> None:
         row.insert_was(start)
 
 
-def as_participles(words: list[Word]) -> None:
+def retag_participles(words: list[Word]) -> None:
     """``handcuffed``, ``wrapped in feathers`` in the present tense: done to somebody, unless ``he`` did it."""
     for index, word in enumerate(words):
         form = FORMS.get(word.low)

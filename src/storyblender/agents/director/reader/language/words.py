@@ -42,7 +42,7 @@ class Mention:
 @dataclass
 class Word:
     """One word of a sentence; a name of several words is one Word. Inserted words (elided subject, missing
-    ``was``) have no characters."""
+    ``inserted_was``) have no characters."""
 
     text: str
     start: int
@@ -110,7 +110,7 @@ _PASSED_OVER = lexicon.ADVERBS - {"there", "here"}
 
 
 @dataclass
-class Row:
+class TaggedRow:
     """The words so far."""
 
     words: list[Word] = field(default_factory=list)
@@ -126,7 +126,7 @@ class Row:
 
     def insert_was(self, at: int) -> None:
         """Put in the missing verb."""
-        self.words.append(was(at))
+        self.words.append(inserted_was(at))
         self.verb_seen = True
 
     def neighbour(self) -> Word | None:
@@ -134,8 +134,8 @@ class Row:
         return next((word for word in reversed(self.words) if not is_adverb(word)), None)
 
 
-def was(at: int) -> Word:
-    """An inserted ``was``."""
+def inserted_was(at: int) -> Word:
+    """An inserted ``inserted_was``."""
     return Word("", at, at, verb=VerbForm("be", "aux"), inserted=True)
 
 

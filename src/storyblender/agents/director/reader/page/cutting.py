@@ -8,18 +8,18 @@ from dataclasses import replace
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph, without_quotations
 from storyblender.agents.director.reader.page.asides import is_aside
-from storyblender.agents.director.reader.page.hours import hour_after
+from storyblender.agents.director.reader.page.hours import default_time
 from storyblender.agents.director.reader.page.intercut import Intercut, intercut_places
-from storyblender.agents.director.reader.page.named_places import ToldPlace, place_set_down, slug_of
+from storyblender.agents.director.reader.page.named_places import NamedPlace, place_in_capitals, place_without_verb
 from storyblender.agents.director.reader.page.prose_places import WHOLE
 from storyblender.agents.director.reader.page.prose_scenes import read_scene_change
 from storyblender.agents.director.reader.page.prose_sentences import prose_sentences
 from storyblender.agents.director.reader.page.scenes import first_scene, read_heading, same_place, settle_sides
-from storyblender.agents.director.reader.page.sentences import Sentence, Speech, action_sentences, speech_sentences
+from storyblender.agents.director.reader.page.sentences import Sentence, SpokenText, action_sentences, speech_sentences
 from storyblender.agents.director.reader.people.narrator import mark_narrator
 from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.reading import SceneReading
-from storyblender.agents.director.rules import by_rule
+from storyblender.agents.director.rules import as_rule
 
 _LOOKED_AT = 3
 """Paragraphs searched for a place under a heading that names none."""
@@ -60,13 +60,13 @@ class _Cutter:
     def cut(self) -> list[Sentence]:
         for index, paragraph in enumerate(self.script.paragraphs):
             headed = paragraph.kind == "heading"
-            with by_rule("place.heading" if headed else "place.told", paragraph.start, paragraph.end):
+            with as_rule("place.heading" if headed else "place.told", paragraph.start, paragraph.end):
                 if headed:
                     self._heading(index, paragraph)
                 elif paragraph.kind == "cue":
                     self.cue = paragraph
                 elif paragraph.kind != "cast":
-                    self._told(index, paragraph)
+                    self._action(index, paragraph)
         settle_sides(self.script.text, self.scenes, chat=self.page == "chat")
         return self.sentences
 
@@ -84,13 +84,13 @@ class _Cutter:
     def _placed_by_text(self, index: int, scene: SceneReading) -> SceneReading:
         """``Scene 4``: take the place from the text below it, else stay at the last place."""
         below = self.script.paragraphs[index + 1 : index + 1 + _LOOKED_AT]
-        side: ToldPlace | None = None
+        side: NamedPlace | None = None
         for paragraph in below:
             if paragraph.kind == "heading":
                 break
             if paragraph.kind != "action":
                 continue
-            told = place_set_down(without_quotations(paragraph.raw), pictured=True)
+            told = place_without_verb(without_quotations(paragraph.raw), pictured=True)
             if told and (told.place or told.scene_type) and (found := self._scene_at(told, paragraph, scene.number)):
                 return replace(found, heading=scene.heading, start=scene.start, end=scene.end)
             side = side or told
@@ -114,9 +114,11 @@ class _Cutter:
             time=(side.time if side else None) or scene.time,
         )
 
-    def _open(self, index: int, paragraph: Paragraph) -> None:
+    def _open_without_heading(self, index: int, paragraph: Paragraph) -> None:
         """Read text before the first heading: it belongs to the first heading's scene, else it names the place."""
-        told = place_set_down(paragraph.raw, pictured=self.page in _PICTURED) if paragraph.kind == "action" else None
+        told = (
+            place_without_verb(paragraph.raw, pictured=self.page in _PICTURED) if paragraph.kind == "action" else None
+        )
         ahead = next(
             (i for i in range(index, len(self.script.paragraphs)) if self.script.paragraphs[i].kind == "heading"), None
         )
@@ -124,15 +126,15 @@ class _Cutter:
             self._heading(ahead, self.script.paragraphs[ahead])
             self.read_ahead, self.scenes[-1].start, self.fresh = ahead, paragraph.start, False
             return
-        change = self._searched(index) if self.script.prose or not (told and told.place) else None
+        change = self._scene_from_first_paragraphs(index) if self.script.prose or not (told and told.place) else None
         if told and told.place and not (change and change.place):
-            self.scenes.append(self._new(told, paragraph, ""))
+            self.scenes.append(self._new_scene(told, paragraph, ""))
             return
         self.scenes.append(change or first_scene(paragraph))
         if told and told.time and not (change and change.time_written):
             self.scenes[-1].time = told.time
 
-    def _searched(self, index: int) -> SceneReading | None:
+    def _scene_from_first_paragraphs(self, index: int) -> SceneReading | None:
         """Return the scene of the place that the first paragraphs name, as in a story."""
         title = self.script.screenplay.title
         first = self.script.paragraphs[index]
@@ -142,11 +144,11 @@ class _Cutter:
                 return replace(change, start=first.start)
         return None
 
-    def _scene_at(self, told: ToldPlace, paragraph: Paragraph, number: str) -> SceneReading | None:
+    def _scene_at(self, told: NamedPlace, paragraph: Paragraph, number: str) -> SceneReading | None:
         """Return the scene that a named place opens; None if it is the current scene's place."""
         last = self.scenes[-1] if self.scenes else None
         if last is None:
-            return self._new(told, paragraph, number)
+            return self._new_scene(told, paragraph, number)
         if (
             last.scene_type == "outdoor"
             and told.place.rpartition("'s ")[2] in WHOLE
@@ -154,16 +156,16 @@ class _Cutter:
         ):
             told = told._replace(scene_type="outdoor")  # a building that a street leads to is seen from outside
         if not told.place and told.scene_type:
-            told = ToldPlace(self._other_side(told), told.scene_type, told.time)
+            told = NamedPlace(self._other_side(told), told.scene_type, told.time)
         elif not told.place:
             if told.time in (None, last.time):
                 return None
-            told = ToldPlace(last.place, last.scene_type, told.time)
+            told = NamedPlace(last.place, last.scene_type, told.time)
         if (told.place, told.scene_type) == (last.place, last.scene_type) and told.time in (None, last.time):
             return None
-        return self._new(told, paragraph, number)
+        return self._new_scene(told, paragraph, number)
 
-    def _other_side(self, told: ToldPlace) -> str:
+    def _other_side(self, told: NamedPlace) -> str:
         """``Inside.``: return the building that the last scene named."""
         last = self.scenes[-1]
         if told.scene_type == "outdoor" or last.scene_type == "indoor":
@@ -171,7 +173,7 @@ class _Cutter:
         words = re.findall(r"[a-z]+", self.script.text[last.start : last.end].lower())
         return next((word for word in words if word in WHOLE), last.place)
 
-    def _new(self, told: ToldPlace, paragraph: Paragraph, number: str) -> SceneReading:
+    def _new_scene(self, told: NamedPlace, paragraph: Paragraph, number: str) -> SceneReading:
         scene_type = told.scene_type or "outdoor"
         last = self.scenes[-1] if self.scenes else None
         return SceneReading(
@@ -180,7 +182,7 @@ class _Cutter:
             place=told.place,
             place_kind=lexicon.place_kind(told.place),
             scene_type=scene_type,
-            time=told.time or hour_after(self.scenes, told.place),
+            time=told.time or default_time(self.scenes, told.place),
             time_written=told.time or "",
             weather=last.weather if last and told.place and scene_type == "outdoor" == last.scene_type else "clear",
             reference=same_place(told.place, scene_type, self.scenes),
@@ -189,7 +191,7 @@ class _Cutter:
             end=paragraph.end,
         )
 
-    def _home_of(self, paragraph: Paragraph, number: str) -> SceneReading | None:
+    def _scene_of_people(self, paragraph: Paragraph, number: str) -> SceneReading | None:
         """Return the scene a picture returns to: the last one of all its people, if that is another place."""
         named = self._people_in(paragraph)
         homes = {self.homes[person] for person in named if person in self.homes}
@@ -199,7 +201,7 @@ class _Cutter:
         home = self.scenes[homes.pop()]
         if home.place == last.place:
             return None
-        return self._new(ToldPlace(home.place, home.scene_type, None), paragraph, number)
+        return self._new_scene(NamedPlace(home.place, home.scene_type, None), paragraph, number)
 
     def _people_in(self, paragraph: Paragraph) -> list[str]:
         """Return the ids of the people whose names occur in a paragraph of action."""
@@ -207,35 +209,35 @@ class _Cutter:
         mentions = [word.mention for sentence in told for word in sentence.words if word.mention]
         return [mention.candidates[0].id for mention in mentions if len(mention.candidates) == 1]
 
-    def _changed(self, paragraph: Paragraph) -> SceneReading | None:
+    def _scene_change(self, paragraph: Paragraph) -> SceneReading | None:
         """Return the scene that a paragraph opens without a heading, if it does."""
         number = self.scenes[-1].number
         if self.fresh:
             return None
         if self.script.prose:
             change = read_scene_change(paragraph, self.scenes, self.script.screenplay.title)
-            told = None if change else place_set_down(without_quotations(paragraph.raw))
+            told = None if change else place_without_verb(without_quotations(paragraph.raw))
             return (
                 replace(change, number=number) if change else self._scene_at(told, paragraph, number) if told else None
             )
-        slug = slug_of(paragraph.text, self.scenes)
+        slug = place_in_capitals(paragraph.text, self.scenes)
         if slug:
             return self._scene_at(slug, paragraph, number)
         begins = paragraph.picture is not None and paragraph.picture != self.picture
         if begins or (self.page in _PICTURED and paragraph.picture is None):
-            told = place_set_down(paragraph.raw, pictured=True)
-            return self._scene_at(told, paragraph, number) if told else self._home_of(paragraph, number)
+            told = place_without_verb(paragraph.raw, pictured=True)
+            return self._scene_at(told, paragraph, number) if told else self._scene_of_people(paragraph, number)
         if not self.headed and self.page not in ("play", "chat"):
             change = read_scene_change(paragraph, self.scenes)
             return replace(change, number=number) if change else None
         return None
 
     # -- sentences -------------------------------------------------------------------------------------------------
-    def _told(self, index: int, paragraph: Paragraph) -> None:
+    def _action(self, index: int, paragraph: Paragraph) -> None:
         if not self.scenes:
-            self._open(index, paragraph)
+            self._open_without_heading(index, paragraph)
         elif paragraph.kind == "action":
-            change = self._changed(paragraph)
+            change = self._scene_change(paragraph)
             if change:
                 self.scenes.append(change)
         self.fresh, self.picture = False, paragraph.picture
@@ -278,5 +280,5 @@ class _Cutter:
         for sentence in told:
             mark_narrator(sentence.words, sender)
             words = self.script.text[sentence.start : sentence.end]
-            sentence.speech = Speech(" ".join(words.split()), self.cue.name, self.cue.extension)
+            sentence.speech = SpokenText(" ".join(words.split()), self.cue.name, self.cue.extension)
         return told

@@ -40,7 +40,7 @@ _GOES_ON = re.compile(
 _BRACKET = re.compile(r"\s*\([^)]*\)\s*$")
 
 
-def passes_time(text: str) -> bool:
+def is_time_passage(text: str) -> bool:
     """Return whether a part of a heading gives a time but no time of day: ``CONTINUOUS``, ``WINTER``, ``1811``."""
     bare = _BRACKET.sub("", text).strip(" .,")
     return bool(bare) and _GOES_ON.fullmatch(bare) is not None
@@ -49,12 +49,12 @@ def passes_time(text: str) -> bool:
 def heading_time(text: str) -> TimeOfDay | None:
     """Return the time of day that a part of a heading gives, in any of five languages, or None."""
     if clock := _CLOCK.search(text):
-        return _at(int(clock[1]) % 12 + 12 * (clock[2].upper() == "P"))
+        return _time_of_hour(int(clock[1]) % 12 + 12 * (clock[2].upper() == "P"))
     if (clock := _CLOCK_24.search(text)) and (hour := int(clock[1] or clock[3])) < 24:
-        return _at(hour)
+        return _time_of_hour(hour)
     words = re.findall(r"[^\W\d_]+", text.lower())
     foreign: list[TimeOfDay] = [lexicon.FOREIGN_TIMES[word] for word in words if word in lexicon.FOREIGN_TIMES]
-    return time_of(text) or (foreign[0] if foreign else None)
+    return time_in_text(text) or (foreign[0] if foreign else None)
 
 
 def is_time(text: str) -> bool:
@@ -68,7 +68,7 @@ def is_time(text: str) -> bool:
 _PASSED: dict[TimeOfDay, TimeOfDay] = {"dawn": "morning", "sunset": "evening", "dusk": "evening"}
 
 
-def time_of(text: str) -> TimeOfDay | None:
+def time_in_text(text: str) -> TimeOfDay | None:
     """Return the first time of day in an English text."""
     low = " ".join(re.findall(r"[a-z]+", text.lower()))
     for phrase, time in lexicon.TIME_PHRASES.items():
@@ -78,7 +78,7 @@ def time_of(text: str) -> TimeOfDay | None:
     return named[0] if named else None
 
 
-def hour_after(scenes: Sequence[SceneReading], place: str) -> TimeOfDay:
+def default_time(scenes: Sequence[SceneReading], place: str) -> TimeOfDay:
     """Return the hour of a scene that tells none: the one before, but dawn and dusk are over at the next place.
 
     Args:
@@ -98,7 +98,7 @@ def weather_of(text: str) -> Weather:
     return named[0] if named else "clear"
 
 
-def _at(hour: int) -> TimeOfDay:
+def _time_of_hour(hour: int) -> TimeOfDay:
     return next(time for until, time in _HOURS if hour < until)
 
 
@@ -125,12 +125,12 @@ def story_time(told: list[str], title: str) -> TimeOfDay | None:
         title: Of the story.
     """
     whole = " ".join(told)
-    return _now(told[0]) or _now(whole) or time_of(title)
+    return _opening_time(told[0]) or _opening_time(whole) or time_in_text(title)
 
 
-def _now(text: str) -> TimeOfDay | None:
+def _opening_time(text: str) -> TimeOfDay | None:
     for match in re.finditer(r"[a-z]+", text):
-        named = time_of(match.group(0))
+        named = time_in_text(match.group(0))
         if named and not _GONE.search(text[: match.start()]):
             return named
     if _DARK.search(text) or (_LATE.search(text) and "morning" not in text and not _SUN.search(text)):

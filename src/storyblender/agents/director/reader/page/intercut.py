@@ -8,7 +8,11 @@ from dataclasses import replace
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.manuscript import Paragraph
-from storyblender.agents.director.reader.page.named_places import place_before, place_set_down, type_of_place
+from storyblender.agents.director.reader.page.named_places import (
+    last_scene_with_words,
+    place_without_verb,
+    type_of_place,
+)
 from storyblender.agents.director.reader.page.sentences import Sentence
 from storyblender.agents.director.reading import SceneReading
 from storyblender.agents.director.rules import rule
@@ -41,10 +45,10 @@ def intercut_places(text: str, scenes: Sequence[SceneReading]) -> list[SceneRead
 
 
 def _place(name: str, scenes: Sequence[SceneReading]) -> SceneReading | None:
-    been = place_before(name, scenes)
+    been = last_scene_with_words(name, scenes)
     if been:
         return replace(been, place=been.place)
-    told = place_set_down(name.lower())
+    told = place_without_verb(name.lower())
     place = told.place if told and told.place else name.lower()
     if not place or (told is None and len(name.split()) > 3):
         return None
@@ -77,7 +81,7 @@ class Intercut:
         for sentence in before[-200:]:
             home = here.get(scenes[sentence.scene].place)
             if home is not None:
-                self._settle(sentence, home)
+                self._assign_people(sentence, home)
 
     def place(self, told: list[Sentence], scenes: list[SceneReading], cue: Paragraph | None) -> None:
         """Give each sentence the scene of its place; a change of place opens a new scene.
@@ -89,11 +93,11 @@ class Intercut:
         """
         for sentence in told:
             named = self._named(sentence)
-            home = named if named is not None else self._home(sentence, cue)
+            home = named if named is not None else self._place_of_person(sentence, cue)
             if home is not None:
                 self.at = home
             if named is not None or home is not None:
-                self._settle(sentence, self.at)
+                self._assign_people(sentence, self.at)
             wanted = self.places[self.at]
             if scenes[-1].place != wanted.place:
                 first = next((scene for scene in scenes if scene.place == wanted.place), None)
@@ -132,21 +136,21 @@ class Intercut:
             None,
         )
 
-    def _home(self, sentence: Sentence, cue: Paragraph | None) -> int | None:
+    def _place_of_person(self, sentence: Sentence, cue: Paragraph | None) -> int | None:
         """Return the index of the place of the person who speaks or acts; a new person is at the empty place."""
         if sentence.speech:
             seen = cue is not None and not _OFF.search(cue.extension)
-            return self.homes.get(cue.name.lower(), self._unseen()) if cue and seen else None
+            return self.homes.get(cue.name.lower(), self._empty_place()) if cue and seen else None
         people = _people(sentence)
         known = (self.homes[name] for names in people for name in names if name in self.homes)
-        return next(known, self._unseen() if people else None)
+        return next(known, self._empty_place() if people else None)
 
-    def _unseen(self) -> int | None:
+    def _empty_place(self) -> int | None:
         """Return the index of the one place where nobody has been seen."""
         empty = {*range(len(self.places))} - {*self.homes.values()}
         return empty.pop() if len(empty) == 1 else None
 
-    def _settle(self, sentence: Sentence, home: int) -> None:
+    def _assign_people(self, sentence: Sentence, home: int) -> None:
         if sentence.speech:
             if sentence.speech.name and not _OFF.search(sentence.speech.extension):
                 self.homes.setdefault(sentence.speech.name.lower(), home)

@@ -11,7 +11,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.camera_phrases import without_direction
 from storyblender.agents.director.reader.language.morphology import FORMS
 from storyblender.agents.director.reader.page.hours import heading_time, is_time
-from storyblender.agents.director.reader.page.prose_places import leading_place, scene_type_of
+from storyblender.agents.director.reader.page.prose_places import place_head, scene_type_of
 from storyblender.agents.director.reading import SceneReading
 from storyblender.agents.director.rules import rule
 from storyblender.catalog.inflection import noun_key
@@ -41,7 +41,7 @@ _NO_PLACES = lexicon.words("seldom_place")
 """Place words with other common meanings: without a determiner or preposition they name no place."""
 
 
-class ToldPlace(NamedTuple):
+class NamedPlace(NamedTuple):
     """A place named by the text."""
 
     place: str
@@ -50,7 +50,7 @@ class ToldPlace(NamedTuple):
     time: TimeOfDay | None
 
 
-def place_set_down(text: str, *, pictured: bool = False) -> ToldPlace | None:
+def place_without_verb(text: str, *, pictured: bool = False) -> NamedPlace | None:
     """Return the place that the first sentences of a paragraph name without a verb, or None.
 
     Args:
@@ -58,7 +58,7 @@ def place_set_down(text: str, *, pictured: bool = False) -> ToldPlace | None:
         pictured: The text describes one picture: ``Otto on the pier`` names the pier as well.
     """
     time: TimeOfDay | None = None
-    found: ToldPlace | None = None
+    found: NamedPlace | None = None
     for number, sentence in enumerate(_SENTENCE.split(text.strip())[:_FURTHEST]):
         directed = without_direction(sentence)
         words = directed.strip(" .:!?—–-…\"'()[]")
@@ -75,23 +75,23 @@ def place_set_down(text: str, *, pictured: bool = False) -> ToldPlace | None:
             break
     if found:
         return found._replace(time=found.time or time)
-    return ToldPlace("", None, time) if time else None
+    return NamedPlace("", None, time) if time else None
 
 
-def _in_picture(words: str, *, directed: bool) -> ToldPlace | None:
+def _in_picture(words: str, *, directed: bool) -> NamedPlace | None:
     """``Otto on the pier``, ``Wide. The whole street dark but for one house``: the place of a described picture."""
     low = words.lower().replace("’", "'")
     places = [_kind_at_end(match[1].split()) for match in _SOMEWHERE.finditer(low)]
     place = next((place for place in places if place and place not in _NO_PLACES), "")
     if not place and directed and not _has_verb(low):
         lead = _LEAD.match(low)
-        place = leading_place((low[lead.end() :] if lead else low).split()[:4])
-    return ToldPlace(place, type_of_place(place), None) if place else None
+        place = place_head((low[lead.end() :] if lead else low).split()[:4])
+    return NamedPlace(place, type_of_place(place), None) if place else None
 
 
-def _in_fragment(words: str) -> ToldPlace | None:
+def _in_fragment(words: str) -> NamedPlace | None:
     if is_heading(words):
-        return _headed(words)
+        return _place_from_heading(words)
     low = words.lower().replace("’", "'")
     side = _SIDE.match(low)
     kind: SceneType | None = None
@@ -105,20 +105,20 @@ def _in_fragment(words: str) -> ToldPlace | None:
     for index, segment in enumerate(segments):
         if index and not verbless:
             break
-        place = _named(segment, alone=index == 0)
+        place = _place_in_phrase(segment, alone=index == 0)
         if place:
-            return ToldPlace(place, kind or type_of_place(place), hour)
-    return ToldPlace("", kind, hour) if side else None
+            return NamedPlace(place, kind or type_of_place(place), hour)
+    return NamedPlace("", kind, hour) if side else None
 
 
-def _headed(words: str) -> ToldPlace:
+def _place_from_heading(words: str) -> NamedPlace:
     parts = heading_words(words)
     time = heading_time(words)
     place = re.split(r"\s+[-–—]+\s+|,\s*", parts.place.lower())[0].strip(" .")
-    return ToldPlace(place, "outdoor" if parts.side == "outside" else "indoor", time)
+    return NamedPlace(place, "outdoor" if parts.side == "outside" else "indoor", time)
 
 
-def _named(segment: str, *, alone: bool) -> str:
+def _place_in_phrase(segment: str, *, alone: bool) -> str:
     """Return the place a phrase names: ``inside the old lamp room`` -> lamp room; empty if it names none."""
     lead = _LEAD.match(segment)
     rest = segment[lead.end() :] if lead else segment
@@ -134,7 +134,7 @@ def _named(segment: str, *, alone: bool) -> str:
             before, after = words[:stop], words[stop + 1 :]
             place = _kind_at_end(before)
             if word == "of" and not place:
-                return _named(" ".join(after), alone=False)
+                return _place_in_phrase(" ".join(after), alone=False)
             return owned + place if place else ""
     place = _kind_at_end(words)
     if not place or (place in _NO_PLACES and not (led or owned)):
@@ -152,7 +152,7 @@ def _kind_at_end(words: list[str]) -> str:
     last = words[-1]
     single = last if last in lexicon.PLACES else noun_key(last)
     if last in lexicon.PLACES or single in lexicon.PLACES or last in place_words() or single in place_words():
-        return leading_place(words) or last
+        return place_head(words) or last
     return ""
 
 
@@ -216,7 +216,7 @@ _SMALL = frozenset({"the", "a", "of", "in", "at"})
 
 
 @rule("place.slug")
-def slug_of(text: str, scenes: Sequence[SceneReading]) -> ToldPlace | None:
+def place_in_capitals(text: str, scenes: Sequence[SceneReading]) -> NamedPlace | None:
     """Return the place that a paragraph begins with in capitals, or None.
 
     It must be known as a place, or be part of the name of an earlier scene's place.
@@ -231,19 +231,19 @@ def slug_of(text: str, scenes: Sequence[SceneReading]) -> ToldPlace | None:
     place = match["place"].lower().replace("’", "'")
     time = heading_time(match["time"] or "")
     beside = (match["time"] or "").strip(" -–—,").lower()
-    told = place_set_down(beside) if beside and time is None else None
+    told = place_without_verb(beside) if beside and time is None else None
     if told and told.place:
         return told._replace(scene_type=type_of_place(told.place, scenes[-1].scene_type if scenes else "outdoor"))
-    been = place_before(place, scenes)
+    been = last_scene_with_words(place, scenes)
     if been:
-        return ToldPlace(been.place, been.scene_type, time)
+        return NamedPlace(been.place, been.scene_type, time)
     if not _HEAD.match(text) and not (match["time"] or match["mark"] == ":"):
         return None
-    told = place_set_down(match[0].strip(" :.\n").lower())
-    return ToldPlace(told.place, type_of_place(told.place), time) if told and told.place else None
+    told = place_without_verb(match[0].strip(" :.\n").lower())
+    return NamedPlace(told.place, type_of_place(told.place), time) if told and told.place else None
 
 
-def place_before(words: str, scenes: Sequence[SceneReading]) -> SceneReading | None:
+def last_scene_with_words(words: str, scenes: Sequence[SceneReading]) -> SceneReading | None:
     """Return the last scene whose place contains all these words."""
     wanted = frozenset(re.findall(r"[^\W_]+", words.lower())) - _SMALL
     if not wanted:

@@ -76,7 +76,7 @@ WHOLE = {
 """They hold the rooms that the story is in: ``the house was silent`` is not another place."""
 
 
-def place_of(opening: str, raw: str = "", home: str = "") -> str:
+def sentence_place(opening: str, raw: str = "", home: str = "") -> str:
     """The place a sentence happens in; a known kind of place wins over others, else the first named.
 
     Args:
@@ -90,7 +90,7 @@ def place_of(opening: str, raw: str = "", home: str = "") -> str:
     if numbered:
         return numbered.group(1)
     places = [
-        _part(opening[max(0, match.start() - _NEAR) : match.start()]) or leading_place(match.group(1).split())
+        _part(opening[max(0, match.start() - _NEAR) : match.start()]) or place_head(match.group(1).split())
         for match in _PLACE_PHRASE.finditer(opening)
     ]
     named = [place for place in places if place and place != "room"]
@@ -99,30 +99,30 @@ def place_of(opening: str, raw: str = "", home: str = "") -> str:
     return (known or named or [""])[0]
 
 
-def any_place(text: str) -> str:
+def first_place(text: str) -> str:
     """Return the first place that a text names, also in a subordinate clause: ``who swept the station``."""
-    places = [leading_place(match.group(1).split()) for match in _NOUN_PHRASE.finditer(text)]
+    places = [place_head(match.group(1).split()) for match in _NOUN_PHRASE.finditer(text)]
     return next((place for place in places if place), "")
 
 
-def place_begun_with(opening: str) -> str:
+def opening_place(opening: str) -> str:
     """A room or a shop that is the subject of the first sentence of a story, in small letters."""
     subject = _OPENING.match(opening)
-    place = leading_place(subject.group(1).split()) if subject else ""
+    place = place_head(subject.group(1).split()) if subject else ""
     following = opening[opening.find(place) + len(place) :].split() if place else []
     acts = bool(following) and form_kind(following[0]) in ("past", "3sg", "aux")
     return place if acts and scene_type_of(place) == "indoor" else ""
 
 
-def place_gone_to(told: list[str]) -> str:
+def destination(told: list[str]) -> str:
     """Where somebody goes in the first sentence, if the paragraph goes on there; a person alone just leaves."""
     match = _GOING.search(told[0])
     if match is None or len(told) < 2 or _THERE_AND_BACK.search(told[0]):
         return ""
-    return leading_place(match.group(1).split()) or place_of(told[0][match.start() :])
+    return place_head(match.group(1).split()) or sentence_place(told[0][match.start() :])
 
 
-def place_told_of(opening: str, current: str) -> str:
+def subject_place(opening: str, current: str) -> str:
     """A room that a paragraph begins with, or where its first sentence finds somebody.
 
     Args:
@@ -130,14 +130,14 @@ def place_told_of(opening: str, current: str) -> str:
         current: The place so far.
     """
     being = _BEING.match(opening)
-    place = leading_place(being.group(1).split()) if being else ""
+    place = place_head(being.group(1).split()) if being else ""
     if place and "indoor" in (scene_type_of(place), scene_type_of(current)) and place not in WHOLE | {"room"}:
         return place
     numbered = _NUMBERED.match(opening)
     if numbered and _TELLING.match(opening[numbered.end() :]):
         return numbered.group(1)
     subject = _SUBJECT.match(opening)
-    place = leading_place(subject.group(1).split()) if subject else ""
+    place = place_head(subject.group(1).split()) if subject else ""
     known = place not in WHOLE | {"room", ""} and place.rsplit(" ", 1)[-1] not in WHOLE
     at = opening.find(place) + len(place)
     return place if known and scene_type_of(place) == "indoor" and _TELLING.match(opening[at:]) else ""
@@ -149,7 +149,7 @@ def scene_type_of(place: str) -> SceneType:
     return "indoor" if head in lexicon.INDOOR and head not in lexicon.OUTDOOR else "outdoor"
 
 
-def leading_place(words: list[str]) -> str:
+def place_head(words: list[str]) -> str:
     """``small cottage at the edge`` -> cottage; ``castle gate`` stays two words."""
     for index, word in enumerate(words):
         if word in _SMALL:
@@ -170,7 +170,7 @@ def room_within(place: str, told: list[str]) -> str:
     """The room of a building that the first paragraph comes into, else the place itself."""
     for sentence in told if place in WHOLE else ():
         for match in re.finditer(rf"\b(?:into|in)\s+{_DETERMINED}{_WORDS}", sentence):
-            room = leading_place(match.group(1).split())
+            room = place_head(match.group(1).split())
             if room not in WHOLE | {"", "room"} and scene_type_of(room) == "indoor":
                 return room
     return place

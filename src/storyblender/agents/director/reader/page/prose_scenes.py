@@ -6,16 +6,16 @@ import re
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.manuscript import Paragraph, without_quotations
-from storyblender.agents.director.reader.page.hours import hour_after, story_time, time_of, weather_of
+from storyblender.agents.director.reader.page.hours import default_time, story_time, time_in_text, weather_of
 from storyblender.agents.director.reader.page.prose_places import (
     WHOLE,
-    any_place,
-    place_begun_with,
-    place_gone_to,
-    place_of,
-    place_told_of,
+    destination,
+    first_place,
+    opening_place,
     room_within,
     scene_type_of,
+    sentence_place,
+    subject_place,
 )
 from storyblender.agents.director.reader.page.scenes import same_place
 from storyblender.agents.director.reading import SceneReading
@@ -79,18 +79,18 @@ def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading], title: s
     raw = _SENTENCE_END.split(without_quotations(paragraph.raw))
     told = [sentence.lower() for sentence in raw]
     if scenes:
-        moved = _moved(told, raw, scenes)
+        moved = _new_place_and_time(told, raw, scenes)
         if moved is None:
             return None
         place, time = moved
     else:
         whole = " ".join(told)
         place = (
-            place_of(told[0])
-            or place_begun_with(told[0])
-            or place_of(whole)
-            or any_place(whole)
-            or place_of(whole, " ".join(raw))
+            sentence_place(told[0])
+            or opening_place(told[0])
+            or sentence_place(whole)
+            or first_place(whole)
+            or sentence_place(whole, " ".join(raw))
         )
         place = room_within(place, told)
         time = story_time(told, title)
@@ -101,7 +101,7 @@ def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading], title: s
         place=place,
         place_kind=lexicon.place_kind(place),
         scene_type=scene_type,
-        time=time or hour_after(scenes, place),
+        time=time or default_time(scenes, place),
         time_written=time or "",
         weather=weather_of(told[0]),
         reference=same_place(place, scene_type, scenes),
@@ -110,32 +110,34 @@ def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading], title: s
     )
 
 
-def _moved(told: list[str], raw: list[str], scenes: list[SceneReading]) -> tuple[str, TimeOfDay | None] | None:
+def _new_place_and_time(
+    told: list[str], raw: list[str], scenes: list[SceneReading]
+) -> tuple[str, TimeOfDay | None] | None:
     """Where and when a paragraph takes the story, or None where it stays."""
     last = scenes[-1]
     opening = told[0]
     second = told[1] if len(told) > 1 else ""
-    later = _later(opening)
+    later = _is_time_jump(opening)
     arrival = _ARRIVAL.search(opening)
     place = ""
     if later or arrival or _PLACE_FIRST.match(opening):
         start = 0 if later or arrival is None else arrival.start()
-        place = place_of(opening[start:], raw[0][start:], home=scenes[0].place)
-        place = place or (place_of(second, raw[1], home=scenes[0].place) if later and second else "")
-    place = place or place_gone_to(told) or (place_told_of(opening, last.place) if not _just_came_in(last) else "")
-    if not place and _later(second):
-        place = place_of(second, raw[1]) or any_place(opening)
+        place = sentence_place(opening[start:], raw[0][start:], home=scenes[0].place)
+        place = place or (sentence_place(second, raw[1], home=scenes[0].place) if later and second else "")
+    place = place or destination(told) or (subject_place(opening, last.place) if not _just_came_in(last) else "")
+    if not place and _is_time_jump(second):
+        place = sentence_place(second, raw[1]) or first_place(opening)
     elif not place and _PLACE_FIRST.match(second) and not _YONDER.match(second):
-        place = place_of(second)
+        place = sentence_place(second)
         place = place if place in lexicon.PLACE_KINDS or (_TRAVELLING.search(opening) and place) else ""
     if not place and _UNLOCKED.search(opening) and second.startswith("the room "):
         place = "room"
     next_day = _NEXT_DAY.match(opening) is not None
-    hour = time_of(opening) if later else None
+    hour = time_in_text(opening) if later else None
     elapsed = hour is not None and hour != last.time and _OTHER_TIME.match(opening) is not None
     if not (next_day or elapsed) and place in ("", last.place):
         return None
-    return place or last.place, time_of(opening)
+    return place or last.place, time_in_text(opening)
 
 
 def _just_came_in(last: SceneReading) -> bool:
@@ -143,5 +145,5 @@ def _just_came_in(last: SceneReading) -> bool:
     return last.place in WHOLE and last.end - last.start < _A_PARAGRAPH
 
 
-def _later(sentence: str) -> bool:
+def _is_time_jump(sentence: str) -> bool:
     return any(pattern.match(sentence) for pattern in (_TIME_JUMP, _NEXT_DAY, _CLOCK, _AWHILE))

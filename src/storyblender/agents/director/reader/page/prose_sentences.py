@@ -9,7 +9,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import FORMS
 from storyblender.agents.director.reader.language.words import Mention, Word, tokenize
 from storyblender.agents.director.reader.manuscript import QUOTATION, QUOTATION_MARKS, Paragraph
-from storyblender.agents.director.reader.page.sentences import Sentence, Speech, of_readable_length
+from storyblender.agents.director.reader.page.sentences import Sentence, SpokenText, of_readable_length
 from storyblender.agents.director.reader.people.mentions import mark_mentions
 from storyblender.agents.director.reader.people.narrator import mark_narrator
 from storyblender.agents.director.reader.people.roster import Roster
@@ -36,7 +36,7 @@ def prose_sentences(paragraph: Paragraph, scene: int, roster: Roster) -> list[Se
         sentence = Sentence(paragraph, scene, start, end, told)
         if quotations:
             text = " ".join(word.quotation.strip(QUOTATION_MARKS) for word in quotations)
-            sentence.words, sentence.speech = _said(told, " ".join(text.split()))
+            sentence.words, sentence.speech = _split_attribution(told, " ".join(text.split()))
         sentences.append(sentence)
     _who_follows(sentences)
     return sentences
@@ -99,14 +99,14 @@ def _split(words: list[Word]) -> list[list[Word]]:
         sentences[-1].append(word)
         following = words[index + 1 : index + 3]
         if (word.text in (".", "!", "?") and words[index - 1].low not in ("mr", "mrs", "dr", "ms")) or (
-            word.closes and _starts_anew(following)
+            word.closes and _starts_sentence(following)
         ):
             sentences.append([])
     told = [part for sentence in sentences for part in of_readable_length(sentence)]
     return [part for part in told if any(word.quotation or word.text[0].isalnum() for word in part)] or told
 
 
-def _starts_anew(following: list[Word]) -> bool:
+def _starts_sentence(following: list[Word]) -> bool:
     """Whether what follows a closed quotation is a new sentence and not its ``said the fox``."""
     if not following or following[0].quotation:
         return True
@@ -122,21 +122,21 @@ def _is_speech_verb(word: Word) -> bool:
     return verb in lexicon.SPEECH_VERBS or lexicon.MOTION_OF_VERB.get(verb) in ("talk", "whisper", "shout")
 
 
-def _said(words: list[Word], text: str) -> tuple[list[Word], Speech]:
+def _split_attribution(words: list[Word], text: str) -> tuple[list[Word], SpokenText]:
     """Find the verb of saying and its subject; returns the words in plain order and the speech."""
     if _ANSWER.match(" ".join(word.low for word in words)):
-        return words, Speech(text, verb="answer")
+        return words, SpokenText(text, verb="answer")
     at = next((index for index, word in enumerate(words) if _is_speech_verb(word)), None)
     if at is None:
-        return words, Speech(text)
+        return words, SpokenText(text)
     verb = FORMS[words[at].low].lemma
     end = _subject_end(words, at + 1)
     inverted = (at == 0 or words[at - 1].text in ",—-") and end > at + 1
     if not inverted:
-        return words, Speech(text, verb=verb, subject=words[:at])
+        return words, SpokenText(text, verb=verb, subject=words[:at])
     subject = words[at + 1 : end]
     before = [word for word in words[:at] if word.text != ","]
-    return [*before, *subject, words[at], *words[end:]], Speech(text, verb=verb, subject=subject)
+    return [*before, *subject, words[at], *words[end:]], SpokenText(text, verb=verb, subject=subject)
 
 
 def _subject_end(words: list[Word], start: int) -> int:

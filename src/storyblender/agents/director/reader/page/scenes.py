@@ -10,7 +10,13 @@ from typing import NamedTuple
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.manuscript import Paragraph
-from storyblender.agents.director.reader.page.hours import heading_time, hour_after, is_time, passes_time, weather_of
+from storyblender.agents.director.reader.page.hours import (
+    default_time,
+    heading_time,
+    is_time,
+    is_time_passage,
+    weather_of,
+)
 from storyblender.agents.director.reading import SceneReading
 from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import SceneType, TimeOfDay
@@ -84,7 +90,7 @@ def _place_and_time(rest: str, scenes: list[SceneReading]) -> _Place:
     parts = [part for whole in _DASH.split(rest) if whole for part in _STOP.split(whole) if part.strip()]
     if len(parts) == 1 and "," in rest:
         place, last = rest.rsplit(",", 1)
-        parts = [place, last.strip()] if is_time(last) or passes_time(last) else parts
+        parts = [place, last.strip()] if is_time(last) or is_time_passage(last) else parts
     if len(parts) == 1 and (bracket := re.search(r"\(([^)]+)\)\s*$", rest)) and is_time(bracket[1]):
         parts = [rest[: bracket.start()].strip(), bracket[1]]
     time: TimeOfDay | None = None
@@ -93,25 +99,25 @@ def _place_and_time(rest: str, scenes: list[SceneReading]) -> _Place:
     while kept > 1:
         last = parts[kept - 1].strip(" .").upper()
         told = heading_time(last)
-        if not told and not passes_time(last) and (kept < 3 or weather_of(last) == "clear"):
+        if not told and not is_time_passage(last) and (kept < 3 or weather_of(last) == "clear"):
             break
         written.insert(0, last)
         kept -= 1
         time = time or told
         if told and not is_time(last):
             break
-        if told and kept > 1 and not passes_time(parts[kept - 1]):
+        if told and kept > 1 and not is_time_passage(parts[kept - 1]):
             break
     parts = parts[:kept]
     if len(parts) == 1 and not written:
-        parts, time, written = _hour_without_mark(parts[0])
+        parts, time, written = _trailing_time(parts[0])
     whole = _BRACKETS.sub(" ", " ".join(parts)).strip(" .,")
     first = _BRACKETS.sub(" ", parts[0]).strip(" .,") if parts else ""
-    goes_on = scenes[-1].time if written and scenes else hour_after(scenes, _BACK.sub("", whole.lower()))
+    goes_on = scenes[-1].time if written and scenes else default_time(scenes, _BACK.sub("", whole.lower()))
     return _Place(whole, first, time or goes_on, " ".join(written))
 
 
-def _hour_without_mark(place: str) -> tuple[list[str], TimeOfDay | None, list[str]]:
+def _trailing_time(place: str) -> tuple[list[str], TimeOfDay | None, list[str]]:
     """``KITCHEN NIGHT``: split a heading without dashes; it may be a time of day alone."""
     words = place.split()
     if is_time(place) and len(words) < 4:
@@ -183,12 +189,12 @@ def settle_sides(text: str, scenes: Sequence[SceneReading], *, chat: bool = Fals
             scene.scene_type = "indoor" if len(inside) > len(outside) else scene.scene_type
         inherited = index > 0 and not scene.heading and scene.place == scenes[index - 1].place
         if inherited and scene.scene_type == "indoor" and len(outside) >= _ENOUGH > len(inside):
-            _go_out(scene, words)
+            _set_exterior(scene, words)
         if scene.place in _WATERS and len({*words} & _AFLOAT) >= _ENOUGH:
             scene.place, scene.place_kind = f"boat on the {scene.place}", "ship_deck"
 
 
-def _go_out(scene: SceneReading, words: Sequence[str]) -> None:
+def _set_exterior(scene: SceneReading, words: Sequence[str]) -> None:
     """Move a scene outside the door of the place that it inherits."""
     places = lexicon.OUTDOOR - lexicon.INDOOR
     named = next((word for word in words if word in places and word in lexicon.PLACE_KINDS), "yard")

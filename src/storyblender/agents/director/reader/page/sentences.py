@@ -26,7 +26,7 @@ _ABBREVIATIONS = frozenset({"mr", "mrs", "ms", "dr", "prof", "st", "sgt", "lt", 
 
 
 @dataclass
-class Speech:
+class SpokenText:
     """Something said."""
 
     text: str
@@ -55,7 +55,7 @@ class Sentence:
     start: int
     end: int
     words: list[Word] = field(default_factory=list)
-    speech: Speech | None = None
+    speech: SpokenText | None = None
     camera: CameraNote | None = None
     beside: Literal["title", "sound", "aside"] | None = None
     """Set for on-screen text, sounds and asides, which change no positions."""
@@ -72,11 +72,11 @@ def action_sentences(paragraph: Paragraph, scene: int, roster: Roster) -> list[S
         for run, pictured in _at_colon(whole):
             sentences.append(Sentence(paragraph, scene, run[0].start, run[-1].end, run, pictured=pictured))
     for at, camera in paragraph.cameras:
-        _attach(sentences, camera, at, paragraph, scene)
+        _attach_camera(sentences, camera, at, paragraph, scene)
     return sentences
 
 
-def _attach(sentences: list[Sentence], camera: CameraNote, at: int, paragraph: Paragraph, scene: int) -> None:
+def _attach_camera(sentences: list[Sentence], camera: CameraNote, at: int, paragraph: Paragraph, scene: int) -> None:
     """Give a camera direction to the first sentence that ends after it, else to the last, else to a new empty one."""
     free = [sentence for sentence in sentences if sentence.camera is None]
     following = next((sentence for sentence in free if sentence.end >= at), free[-1] if free else None)
@@ -141,7 +141,7 @@ def speech_sentences(manuscript: Manuscript, index: int, scene: int, cue: Paragr
     """The speech of a dialogue paragraph, with the parenthetical right before it."""
     paragraph = manuscript.paragraphs[index]
     before = manuscript.paragraphs[index - 1] if index else paragraph
-    speech = Speech(
+    speech = SpokenText(
         " ".join(paragraph.text.split()),
         cue.name if cue else "",
         cue.extension if cue else "",

@@ -10,8 +10,8 @@ from itertools import takewhile
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.words import Word, tokenize
 from storyblender.agents.director.reader.people.coreference import resolve_pronoun
-from storyblender.agents.director.reader.people.person_reference import fits, resolve_mention
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.people.person_reference import gender_fits, resolve_mention
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Gender
@@ -21,33 +21,33 @@ _GENDERED: dict[str, Gender] = {"male": "male", "female": "female"}
 
 
 @rule("people.pronouns_of_introduction")
-def note_introductions(stage: Stage, written: Sequence[Word], end: int) -> None:
+def resolve_introduction_pronouns(state: ReaderState, written: Sequence[Word], end: int) -> None:
     """Keep what the pronouns of a sentence mean that no clause has: they tell of whoever stands before them.
 
     Args:
-        stage: The state after the clauses of the sentence.
+        state: The state after the clauses of the sentence.
         written: The words of the sentence as they are written, what is in brackets left out.
         end: Where it ends in the script.
     """
     start = written[0].start
-    text = stage.reading.screenplay.text[start:end]
-    known = {at for at, _, _ in takewhile(lambda pronoun: pronoun[0] >= start, reversed(stage.reading.pronouns))}
+    text = state.reading.screenplay.text[start:end]
+    known = {at for at, _, _ in takewhile(lambda pronoun: pronoun[0] >= start, reversed(state.reading.pronouns))}
     words = [word for word in written if word.mention is None and word.start not in known]
     for bracket in _BRACKETS.finditer(text):
         words += tokenize(bracket.group(1), start + bracket.start(1))
     for word in sorted(words, key=lambda word: word.start):
         gender = _GENDERED.get(lexicon.PRONOUNS.get(word.low, ""))
-        people = _told_of(stage, written, word, gender) if gender else []
+        people = _person_before(state, written, word, gender) if gender else []
         if people:
-            stage.record(word.start, word.text, [person.id for person in people])
+            state.record_pronoun(word.start, word.text, [person.id for person in people])
 
 
-def _told_of(stage: Stage, written: Sequence[Word], word: Word, gender: Gender) -> list[Person]:
+def _person_before(state: ReaderState, written: Sequence[Word], word: Word, gender: Gender) -> list[Person]:
     """Who was named last before a pronoun, if it can be they; else whoever it means in a clause."""
     named = [each.mention for each in written if each.mention and each.start < word.start]
-    people = resolve_mention(stage, named[-1]) if named else []
-    if len(people) == 1 and fits(people[0], gender):
+    people = resolve_mention(state, named[-1]) if named else []
+    if len(people) == 1 and gender_fits(people[0], gender):
         if people[0].gender == "unknown":
             people[0].gender = gender
         return people
-    return resolve_pronoun(stage, word.low, "possessor", (), stage.discourse.subjects, people)
+    return resolve_pronoun(state, word.low, "possessor", (), state.discourse.subjects, people)

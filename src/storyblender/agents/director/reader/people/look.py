@@ -25,7 +25,7 @@ _LIKELY: dict[str, Gender] = {
 
 
 @rule("looks.described")
-def describe(roster: Roster, person: Person, phrase: str) -> None:
+def read_description(roster: Roster, person: Person, phrase: str) -> None:
     """Read a description into a person: ``35, lean, short black hair, grey trench coat``.
 
     Args:
@@ -38,16 +38,16 @@ def describe(roster: Roster, person: Person, phrase: str) -> None:
         words = part.lower().split()
         if not words:
             continue
-        if age := age_of(part):
+        if age := age_phrase(part):
             person.age = age
-            _has_a_surname(person)
+            _keep_surname(person)
             continue
         if words[-1] in lexicon.SPELLED_AGES and len(words) < 3:
             person.age = person.age or lexicon.SPELLED_AGES[words[-1]]
             continue
-        _sort(person, part, words)
-        head = _head(words)
-        _name_role(roster, person, part, head)
+        _file_part(person, part, words)
+        head = _head_noun(words)
+        _set_role(roster, person, part, head)
         for word in words:
             if word in _GENDER_WORDS:
                 person.gender = _GENDER_WORDS[word]
@@ -65,7 +65,7 @@ def describe(roster: Roster, person: Person, phrase: str) -> None:
                 person.kind, person.role = "human", word  # MULE, a robot
             if word in lexicon.ANIMALS and word == head and not likened and _is_alive(part):
                 person.kind, person.role = "animal", word
-                roster.call(person, word)
+                roster.add_alias(person, word)
 
 
 def _is_alive(part: str) -> bool:
@@ -77,29 +77,29 @@ def _is_alive(part: str) -> bool:
     return lexicon.noun_class(" ".join(words[:end])) != "prop"
 
 
-def _has_a_surname(person: Person) -> None:
+def _keep_surname(person: Person) -> None:
     """``DESMOND FOX (61)``: whose age is told after a first name is no fox."""
     first, *others = person.name.lower().split()
     if person.kind == "animal" and others and first in lexicon.FIRST_NAMES:
         person.kind, person.role, person.gender = "human", "", lexicon.gender_of_word(first)
 
 
-def _head(words: list[str]) -> str:
+def _head_noun(words: list[str]) -> str:
     """The noun a part of a description is about: ``maintenance robot`` of ``a maintenance robot in a cap``."""
     end = next((i for i, word in enumerate(words) if i and word in lexicon.PREPOSITIONS | {"who"}), len(words))
     return words[end - 1]
 
 
-def _name_role(roster: Roster, person: Person, part: str, head: str) -> None:
+def _set_role(roster: Roster, person: Person, part: str, head: str) -> None:
     """``DADI, her grandmother``, ``PIKE, the district attorney``: what somebody is, who has no other role."""
     told = re.match(r"(?:the|a|an|her|his|their|[\w.]+['’]s) ", part, re.IGNORECASE)
     vague = head in _GENDER_WORDS or head in lexicon.YOUNG_NOUNS | lexicon.ANIMALS | lexicon.CROWDS
     if told and is_person_noun(head) and not vague and person.kind == "human" and head not in person.aliases:
         person.role = person.role or head
-        roster.call(person, head)
+        roster.add_alias(person, head)
 
 
-def _sort(person: Person, part: str, words: list[str]) -> None:
+def _file_part(person: Person, part: str, words: list[str]) -> None:
     """Put one part of a description where it belongs."""
     if any(word in lexicon.HAIR or "hair" in word for word in words):
         person.hair = (*person.hair, part)
@@ -113,7 +113,7 @@ def _sort(person: Person, part: str, words: list[str]) -> None:
         person.face = (*person.face, part)
 
 
-def years(person: Person) -> int:
+def approximate_age(person: Person) -> int:
     """Age in years for comparing; 30 where nothing is said."""
     number = re.search(r"\d+", person.age)
     return int(number.group(0)) if number else {"infant": 1, "child": 8, "teen": 15}.get(person.age, 30)
@@ -138,7 +138,7 @@ _STAGES = {
 _OLDEST = 120
 
 
-def age_of(phrase: str) -> str:
+def age_phrase(phrase: str) -> str:
     """Return the age in a part of a description, in the form casting reads, or an empty string.
 
     Args:

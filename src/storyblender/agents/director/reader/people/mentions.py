@@ -5,7 +5,7 @@ from __future__ import annotations
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import FORMS, form_kind, is_person_noun
 from storyblender.agents.director.reader.language.words import EVERYBODY, Mention, Word
-from storyblender.agents.director.reader.people.look import years
+from storyblender.agents.director.reader.people.look import approximate_age
 from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.reading import Person
 from storyblender.catalog.inflection import singular
@@ -103,7 +103,7 @@ def _longest_name(words: list[Word], at: int, roster: Roster) -> tuple[int, list
             at
             and words[at - 1].low in lexicon.AGED
             and key == (role,)
-            and not any(years(person) > _OLD for person in people)
+            and not any(approximate_age(person) > _OLD for person in people)
         ):
             continue
         if named or (role and (singular(key[-1]) == role or key[-1].strip("#").isdigit())):
@@ -202,7 +202,7 @@ def _noun_phrase(words: list[Word], at: int, roster: Roster) -> Mention | None:
         return None
     several = noun != word.low or number > 1
     introduced = determiner in ("a", "an")
-    candidates = roster.meant_by(noun, start if introduced else None)
+    candidates = roster.with_noun(noun, start if introduced else None)
     return Mention(
         "group" if several else "generic",
         candidates,

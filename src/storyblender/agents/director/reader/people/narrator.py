@@ -11,7 +11,7 @@ from storyblender.agents.director.reader.language.morphology import FORMS
 from storyblender.agents.director.reader.language.words import Mention, Word
 from storyblender.agents.director.reader.manuscript import QUOTATION, Manuscript, without_asides, without_quotations
 from storyblender.agents.director.reader.people.roster import Roster, bare
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Gender
@@ -45,21 +45,21 @@ def find_narrator(script: Manuscript, roster: Roster) -> None:
     told = [(paragraph.start, without_quotations(paragraph.raw)) for paragraph in script.paragraphs]
     uses = [start + match.start() for start, text in told for match in _I.finditer(text)]
     owned = sum(len(_MINE.findall(text)) for _, text in told)
-    if not uses or len(uses) + owned < _OFTEN or not any(_takes_part(text) for _, text in told):
+    if not uses or len(uses) + owned < _OFTEN or not any(_acts_in_story(text) for _, text in told):
         return
     roster.narrator = roster.add("Narrator", uses[0])
-    roster.call(roster.narrator, "i")
+    roster.add_alias(roster.narrator, "i")
     for paragraph in script.paragraphs:
         for quotation in QUOTATION.finditer(paragraph.raw):
             introduced = _INTRODUCED.search(quotation.group(0))
             if introduced and not roster.find(introduced.group(1)):
-                roster.call(roster.narrator, bare(introduced.group(1)))
-                roster.call(roster.narrator, bare(introduced.group(1)).split()[-1])
+                roster.add_alias(roster.narrator, bare(introduced.group(1)))
+                roster.add_alias(roster.narrator, bare(introduced.group(1)).split()[-1])
     spouse = next((match for _, text in told if (match := _MY_SPOUSE.search(text))), None)
     roster.narrator.gender = _SPOUSES[spouse.group(1)] if spouse else "unknown"
 
 
-def _takes_part(told: str) -> bool:
+def _acts_in_story(told: str) -> bool:
     """Whether ``I`` acts in the story, or only writes it: ``I should like to record``."""
     text = without_asides(told)
     for match in _I_DO.finditer(text):
@@ -81,19 +81,19 @@ def mark_narrator(words: Sequence[Word], narrator: Person | None) -> None:
             word.mention = Mention("group", [], word.low, number=2, start=word.start)
 
 
-def own_people(stage: Stage, word: str) -> list[Person]:
+def narrator_group(state: ReaderState, word: str) -> list[Person]:
     """Who ``my`` or ``our``, ``we`` or ``us`` means."""
-    narrator = stage.roster.narrator
+    narrator = state.roster.narrator
     if narrator is None:
         return []
-    return [narrator] if word == "my" else _together(stage, narrator)
+    return [narrator] if word == "my" else _narrator_with_others(state, narrator)
 
 
-def _together(stage: Stage, narrator: Person) -> list[Person]:
+def _narrator_with_others(state: ReaderState, narrator: Person) -> list[Person]:
     """The narrator with those who last did something with him, else with whoever was spoken of last."""
-    for _, group, _ in reversed(stage.discourse.groups):
-        if narrator in group and all(person.id in stage.scene.on for person in group):
+    for _, group, _ in reversed(state.discourse.groups):
+        if narrator in group and all(person.id in state.scene.on for person in group):
             return group
-    others = [person for person in stage.on_stage() if person is not narrator and person.kind == "human"]
-    others.sort(key=lambda person: -stage.discourse.last_named.get(person.id, 0))
+    others = [person for person in state.on_stage() if person is not narrator and person.kind == "human"]
+    others.sort(key=lambda person: -state.discourse.last_named.get(person.id, 0))
     return [narrator, *others[:1]]

@@ -6,9 +6,9 @@ import re
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.words import EVERYBODY, Mention
-from storyblender.agents.director.reader.people.look import years
-from storyblender.agents.director.reader.people.narrator import TOGETHER, own_people
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.people.look import approximate_age
+from storyblender.agents.director.reader.people.narrator import TOGETHER, narrator_group
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Person
 from storyblender.memory.vocabulary import Gender
 
@@ -21,25 +21,25 @@ _SMALL = frozenset({"small", "little", "tiny", "petite", "short", "slight", "thi
 _LARGE = frozenset({"big", "large", "huge", "tall", "heavy", "fat", "stout", "burly", "broad", "massive", "towering"})
 
 
-def fits(person: Person, gender: Gender) -> bool:
+def gender_fits(person: Person, gender: Gender) -> bool:
     """Whether nothing speaks against a person having a gender."""
     return "unknown" in (person.gender, gender) or person.gender == gender
 
 
-def is_neuter(person: Person) -> bool:
+def may_be_it(person: Person) -> bool:
     """Whether somebody may be called ``it``: animals, robots."""
     return person.kind == "animal" or person.role in lexicon.NEUTER_ROLES
 
 
-def resolve_mention(stage: Stage, mention: Mention) -> list[Person]:
+def resolve_mention(state: ReaderState, mention: Mention) -> list[Person]:
     """Decide who a mention means, once."""
     if not mention.people:
         if mention.kind == "group":
-            mention.people = _group(stage, mention)
+            mention.people = _group(state, mention)
         elif mention.kind == "generic":
-            mention.people = _generic(stage, mention)
+            mention.people = _by_gender_and_age(state, mention)
         else:
-            mention.people = [max(_without_title(mention.candidates), key=stage.presence)]
+            mention.people = [max(_without_title(mention.candidates), key=state.prominence)]
     return mention.people
 
 
@@ -49,7 +49,7 @@ def _without_title(people: list[Person]) -> list[Person]:
     return plain if len(people) > 1 and plain else people
 
 
-def _generic(stage: Stage, mention: Mention) -> list[Person]:
+def _by_gender_and_age(state: ReaderState, mention: Mention) -> list[Person]:
     """The old woman, the girl: of those on stage, by gender and age."""
     candidates = mention.candidates
     if candidates and mention.determiner in ("a", "an"):
@@ -57,162 +57,170 @@ def _generic(stage: Stage, mention: Mention) -> list[Person]:
         if exact or mention.head in _GENDERED:
             return (exact or candidates)[:1]
     if mention.head in _GENDERED and lexicon.AGED & set(mention.adjectives):
-        return _the_old_one(stage, mention)
-    here = _not_themselves(stage, mention, [person for person in candidates if person.id in stage.scene.on])
+        return _oldest(state, mention)
+    here = _without_owner(state, mention, [person for person in candidates if person.id in state.scene.on])
     if not here and is_epithet(mention.head) and mention.determiner not in ("a", "an"):
-        return meant_by_epithet(stage, mention) or candidates[:1]
+        return people_for_epithet(state, mention) or candidates[:1]
     if here or (candidates and mention.head not in _GENDERED):
-        return [max(here or candidates, key=stage.presence)]
+        return [max(here or candidates, key=state.prominence)]
     if mention.head == "couple":
-        return [person for person in stage.spoken_of() if {"husband", "wife"} & set(person.aliases)]
+        return [person for person in state.referable_people() if {"husband", "wife"} & set(person.aliases)]
     if mention.determiner in lexicon.POSSESSIVES:
-        return _kin(stage, mention)
+        return _kin(state, mention)
     if mention.determiner not in ("the", "that", "this"):
         return []
     if mention.head in ("animal", "beast", "creature"):
-        return sorted((p for p in stage.spoken_of() if is_neuter(p)), key=stage.presence)[-1:]
+        return sorted((p for p in state.referable_people() if may_be_it(p)), key=state.prominence)[-1:]
     if mention.head in lexicon.ANIMALS:
         return []
     gender = lexicon.gender_of_word(mention.head)
     young = mention.head in lexicon.YOUNG_NOUNS
     pool = [
         person
-        for person in stage.spoken_of()
-        if fits(person, gender)
+        for person in state.referable_people()
+        if gender_fits(person, gender)
         and person.kind == "human"
         and (not person.role or young or mention.head in _GENDERED | lexicon.KIN)
     ]
     if not pool:
-        pool = [person for person in stage.spoken_of() if fits(person, gender) and person.kind == "human"]
+        pool = [person for person in state.referable_people() if gender_fits(person, gender) and person.kind == "human"]
     small, large = set(mention.adjectives) & _SMALL, set(mention.adjectives) & _LARGE
     if small or large:
-        pool.sort(key=lambda person: (_is_sized(person, _LARGE if small else _SMALL), -stage.presence(person)[1]))
+        pool.sort(
+            key=lambda person: (_was_introduced_with(person, _LARGE if small else _SMALL), -state.prominence(person)[1])
+        )
     elif young:
-        pool = [person for person in pool if years(person) < 31 and not _ELDERS & set(person.aliases)]
+        pool = [person for person in pool if approximate_age(person) < 31 and not _ELDERS & set(person.aliases)]
         pool = [person for person in pool if person.gender == gender] or pool
-        pool.sort(key=lambda p: (years(p) > _YOUTH, not p.age, -stage.discourse.salience.get(p.id, 0.0)))
+        pool.sort(key=lambda p: (approximate_age(p) > _YOUTH, not p.age, -state.discourse.salience.get(p.id, 0.0)))
     else:
         nameless = mention.head in lexicon.KIN
-        pool.sort(key=lambda p: (nameless and p.role not in _GENDERED, -stage.discourse.salience.get(p.id, 0.0)))
+        pool.sort(key=lambda p: (nameless and p.role not in _GENDERED, -state.discourse.salience.get(p.id, 0.0)))
     return pool[:1]
 
 
-def _not_themselves(stage: Stage, mention: Mention, people: list[Person]) -> list[Person]:
+def _without_owner(state: ReaderState, mention: Mention, people: list[Person]) -> list[Person]:
     """``her sister`` is not she, though she is a sister too."""
     if mention.determiner not in lexicon.POSSESSIVES or mention.head not in _SIBLINGS:
         return people
-    acting = stage.sentence.subjects or stage.discourse.subjects
+    acting = state.sentence.subjects or state.discourse.subjects
     return [person for person in people if person not in acting] or people
 
 
-def _the_old_one(stage: Stage, mention: Mention) -> list[Person]:
+def _oldest(state: ReaderState, mention: Mention) -> list[Person]:
     """``the old man``: whoever was called so, else the oldest of that gender, a father before his son."""
     gender, name = lexicon.gender_of_word(mention.head), f"old {mention.head}"
-    pool = [person for person in stage.spoken_of() if fits(person, gender) and person.kind == "human"]
-    pool = pool or nearest_named(stage, mention.start, gender)
-    called = stage.discourse.epithets.get(name)
+    pool = [person for person in state.referable_people() if gender_fits(person, gender) and person.kind == "human"]
+    pool = pool or nearest_mentioned(state, mention.start, gender)
+    called = state.discourse.epithets.get(name)
     if called in pool:
         return [called]
-    pool.sort(key=lambda p: (-years(p), mention.head not in (p.role, *p.aliases), not _ELDERS & set(p.aliases)))
+    pool.sort(
+        key=lambda p: (-approximate_age(p), mention.head not in (p.role, *p.aliases), not _ELDERS & set(p.aliases))
+    )
     if pool:
-        stage.discourse.epithets[name] = pool[0]
+        state.discourse.epithets[name] = pool[0]
     return pool[:1]
 
 
-def _is_sized(person: Person, sizes: frozenset[str]) -> bool:
+def _was_introduced_with(person: Person, sizes: frozenset[str]) -> bool:
     """Whether somebody was introduced with one of these words."""
     return any(word in sizes for build in person.build for word in build.lower().split())
 
 
-def _kin(stage: Stage, mention: Mention) -> list[Person]:
+def _kin(state: ReaderState, mention: Mention) -> list[Person]:
     """``her uncle`` where she was introduced as somebody's niece: somebody else of that gender on stage."""
     converse = lexicon.CONVERSE_KIN.get(mention.head, ())
-    if not any(person.role in converse for person in stage.roster.people):
-        return _relative(stage, mention) if converse else []
+    if not any(person.role in converse for person in state.roster.people):
+        return _relative(state, mention) if converse else []
     gender = lexicon.gender_of_word(mention.head)
     pool = [
         person
-        for person in stage.spoken_of()
+        for person in state.referable_people()
         if person.kind == "human" and person.gender == gender and person.role not in converse and not person.age
     ]
-    return [max(pool, key=stage.presence)] if pool else []
+    return [max(pool, key=state.prominence)] if pool else []
 
 
-def _relative(stage: Stage, mention: Mention) -> list[Person]:
+def _relative(state: ReaderState, mention: Mention) -> list[Person]:
     """``Her father`` where nobody said whose: the oldest man there, for a daughter the youngest woman."""
     gender = lexicon.gender_of_word(mention.head)
-    pool = [p for p in stage.spoken_of() if p.kind == "human" and p.count == 1 and p.gender == gender]
+    pool = [p for p in state.referable_people() if p.kind == "human" and p.count == 1 and p.gender == gender]
     young = mention.head in lexicon.YOUNGER_KIN
     if young:
         pool = [person for person in pool if not _ELDERS & set(person.aliases)] or pool
-    pool.sort(key=lambda person: (years(person) * (1 if young else -1), -stage.presence(person)[1]))
+    pool.sort(key=lambda person: (approximate_age(person) * (1 if young else -1), -state.prominence(person)[1]))
     return pool[:1]
 
 
-def _group(stage: Stage, mention: Mention) -> list[Person]:
+def _group(state: ReaderState, mention: Mention) -> list[Person]:
     """The guards, two men: numbered members of the cast, those on stage who fit, the last group."""
     if mention.head == "listener":
-        return listeners(stage)
+        return listeners(state)
     if mention.head == "them":
-        return _latest(stage, mention.number)
+        return _last_mentioned(state, mention.number)
     if mention.head in TOGETHER:
-        return own_people(stage, mention.head)
+        return narrator_group(state, mention.head)
     exact = [person for person in mention.candidates if person.first == mention.start and person.kind == "group"]
     if exact:
         return exact
-    numbered = [p for p in stage.roster.people if p.role == mention.head and re.search(r"\d$", p.id)]
-    absent = not any(person.id in stage.scene.on for person in numbered)
+    numbered = [p for p in state.roster.people if p.role == mention.head and re.search(r"\d$", p.id)]
+    absent = not any(person.id in state.scene.on for person in numbered)
     if mention.number > 1 and len(numbered) == mention.number and not (mention.determiner == "the" and absent):
         return numbered
     gender = lexicon.gender_of_word(mention.head)
     pool = [
         person
-        for person in stage.spoken_of()
+        for person in state.referable_people()
         if person.role == mention.head
-        or (mention.head in _GENDERED and gender != "unknown" and fits(person, gender) and person.kind == "human")
+        or (
+            mention.head in _GENDERED and gender != "unknown" and gender_fits(person, gender) and person.kind == "human"
+        )
     ]
     pool = [person for person in pool if person.gender == gender or person.role == mention.head] or pool
     if mention.determiner in lexicon.POSSESSIVES and mention.head == "man":
-        pool = [person for person in stage.spoken_of() if person.count > 1]
-    pool = pool or [person for person in stage.roster.people if person.role == mention.head]
+        pool = [person for person in state.referable_people() if person.count > 1]
+    pool = pool or [person for person in state.roster.people if person.role == mention.head]
     if not pool and (mention.head in _PAIRS or mention.number == 2):
-        pool = _pair(stage, mention, gender)
+        pool = _pair(state, mention, gender)
     if len(pool) > mention.number > 1:
         exact = [person for person in pool if person.role == mention.head]
-        ranked = sorted(pool, key=lambda person: -stage.discourse.salience.get(person.id, 0.0))
+        ranked = sorted(pool, key=lambda person: -state.discourse.salience.get(person.id, 0.0))
         pool = exact if len(exact) >= mention.number else ranked[: mention.number]
     return pool
 
 
-def _pair(stage: Stage, mention: Mention, gender: Gender) -> list[Person]:
+def _pair(state: ReaderState, mention: Mention, gender: Gender) -> list[Person]:
     """The two, the children: the last group, or those on stage who were spoken of last."""
     young = mention.head in lexicon.YOUNG_NOUNS
     if not young:
-        for _, group, _ in reversed(stage.discourse.groups):
-            if all(fits(person, gender) for person in group):
+        for _, group, _ in reversed(state.discourse.groups):
+            if all(gender_fits(person, gender) for person in group):
                 return group
     here = [
         person
-        for person in stage.spoken_of()
-        if fits(person, gender)
+        for person in state.referable_people()
+        if gender_fits(person, gender)
         and person.kind == "human"
-        and not (young and (re.search(r"[2-9]0s|old", person.age) or years(person) > 30 or _titled(person)))
+        and not (
+            young and (re.search(r"[2-9]0s|old", person.age) or approximate_age(person) > 30 or _has_title(person))
+        )
     ]
-    here.sort(key=lambda person: -stage.discourse.last_named.get(person.id, 0))
+    here.sort(key=lambda person: -state.discourse.last_named.get(person.id, 0))
     return here[: max(mention.number, 2)]
 
 
-def _latest(stage: Stage, number: int) -> list[Person]:
+def _last_mentioned(state: ReaderState, number: int) -> list[Person]:
     """So many people on stage, those spoken of last."""
-    here = [person for person in stage.spoken_of() if person.kind == "human" and person.count == 1]
+    here = [person for person in state.referable_people() if person.kind == "human" and person.count == 1]
     number = len(here) if number == EVERYBODY else number
-    others = [person for person in here if person not in stage.sentence.subjects]
+    others = [person for person in here if person not in state.sentence.subjects]
     here = others if len(others) >= number > 2 else here
-    here.sort(key=lambda person: -stage.discourse.last_named.get(person.id, 0))
+    here.sort(key=lambda person: -state.discourse.last_named.get(person.id, 0))
     return here[:number] if len(here) >= number else []
 
 
-def _titled(person: Person) -> bool:
+def _has_title(person: Person) -> bool:
     """Whether somebody is called Mr. or Mrs.: no child."""
     return person.name.lower().split()[0].strip(".") in lexicon.TITLES
 
@@ -222,20 +230,20 @@ def is_epithet(noun: str) -> bool:
     return noun in lexicon.ARRIVALS | lexicon.HOSTS | lexicon.COMPANY | lexicon.CALLINGS
 
 
-def meant_by_epithet(stage: Stage, mention: Mention) -> list[Person]:
+def people_for_epithet(state: ReaderState, mention: Mention) -> list[Person]:
     """Decide who of those on stage an epithet means.
 
     The visitor came last, the host was there first, the companion is not whoever acted last, the latter was named
     last. Who was called so before and is still there is called so again.
     """
-    told = {person.id: person for person in stage.spoken_of()}
-    here = [told[id] for id in stage.scene.on if id in told and told[id].kind == "human" and told[id].count == 1]
+    told = {person.id: person for person in state.referable_people()}
+    here = [told[id] for id in state.scene.on if id in told and told[id].kind == "human" and told[id].count == 1]
     gender = lexicon.gender_of_word(mention.head)
     here = [person for person in here if gender in (person.gender, "unknown") or person.gender == "unknown"]
-    called = stage.discourse.epithets.get(mention.head)
+    called = state.discourse.epithets.get(mention.head)
     if called in here and "new" not in mention.adjectives:
         return [called]
-    by_recency = sorted(here, key=lambda person: -stage.discourse.last_named.get(person.id, 0))
+    by_recency = sorted(here, key=lambda person: -state.discourse.last_named.get(person.id, 0))
     if mention.head in lexicon.ARRIVALS:
         found = here[::-1]
     elif mention.head in lexicon.HOSTS:
@@ -243,32 +251,32 @@ def meant_by_epithet(stage: Stage, mention: Mention) -> list[Person]:
     elif mention.head in ("latter", "former"):
         return by_recency[:1] if mention.head == "latter" else by_recency[1:2]
     elif mention.head in lexicon.COMPANY:
-        others = [person for person in by_recency if person not in stage.discourse.subjects]
-        newest = [stage.discourse.epithets.get(noun) for noun in sorted(lexicon.ARRIVALS)]
+        others = [person for person in by_recency if person not in state.discourse.subjects]
+        newest = [state.discourse.epithets.get(noun) for noun in sorted(lexicon.ARRIVALS)]
         old_friends = [person for person in others if person not in newest]
         return (others if mention.head == "other" else old_friends or others)[:1]
     else:
-        found = by_recency or nearest_named(stage, mention.start, gender)
+        found = by_recency or nearest_mentioned(state, mention.start, gender)
     if found:
-        stage.discourse.epithets[mention.head] = found[0]
+        state.discourse.epithets[mention.head] = found[0]
     return found[:1]
 
 
-def listeners(stage: Stage) -> list[Person]:
+def listeners(state: ReaderState) -> list[Person]:
     """``His three listeners``: everybody there but who spoke last."""
-    return [person for person in stage.on_stage() if person not in stage.discourse.subjects]
+    return [person for person in state.on_stage() if person not in state.discourse.subjects]
 
 
-def nearest_named(stage: Stage, at: int, gender: Gender) -> list[Person]:
+def nearest_mentioned(state: ReaderState, at: int, gender: Gender) -> list[Person]:
     """A story may begin with ``the old lady`` and name her later: the cast by how near their first mention is.
 
     Args:
-        stage: The state before the mention.
+        state: The state before the mention.
         at: Offset of the mention.
         gender: What the noun tells; unknown fits everybody.
     """
-    if stage.reading.screenplay.format != "prose":
+    if state.reading.screenplay.format != "prose":
         return []
-    cast = [person for person in stage.roster.people if person.kind == "human" and person.count == 1]
+    cast = [person for person in state.roster.people if person.kind == "human" and person.count == 1]
     cast = [person for person in cast if gender == "unknown" or person.gender == gender]
-    return sorted(cast, key=lambda person: (person.id not in stage.scene.named, abs(person.first - at)))
+    return sorted(cast, key=lambda person: (person.id not in state.scene.named, abs(person.first - at)))

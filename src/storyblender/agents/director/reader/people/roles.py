@@ -9,15 +9,15 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.language.phrases import NounPhrase
 from storyblender.agents.director.reader.people.coreference import (
+    GrammaticalRole,
     Referents,
-    Role,
-    remember,
+    record_reference,
     resolve,
     resolve_owner,
     resolve_pronoun,
 )
-from storyblender.agents.director.reader.people.thing_reference import weigh_clause
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.people.thing_reference import raise_clause_things
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Person
 
 _FALLING = frozenset(
@@ -69,16 +69,16 @@ class Roles:
         return [person for place in self.places if place.preposition in prepositions for person in place.people]
 
 
-def resolve_subject(stage: Stage, clause: Clause, previous: Sequence[Person]) -> Roles:
+def resolve_subject(state: ReaderState, clause: Clause, previous: Sequence[Person]) -> Roles:
     """Resolve the subject of a clause.
 
     Args:
-        stage: The state before the clause.
+        state: The state before the clause.
         clause: The clause; a subject that follows its verb is moved before it.
         previous: Subject of the clause or sentence before.
     """
     roles = Roles()
-    stage.sentence.object_thing = stage.sentence.subject_thing = None
+    state.sentence.object_thing = state.sentence.subject_thing = None
     follows = not clause.subject or all(noun.kind == "pronoun" and noun.head == "" for noun in clause.subject)
     after = clause.recipient or clause.object or clause.complement
     if not clause.subject and after and clause.verb in _INVERTED and any(n.kind != "pronoun" for n in after):
@@ -86,96 +86,96 @@ def resolve_subject(stage: Stage, clause: Clause, previous: Sequence[Person]) ->
         clause.elided = False
         previous = ()
     for noun in clause.subject:
-        resolve_owner(stage, noun, "possessor", stage.sentence.subjects, stage.sentence.subjects or previous)
-        _victim_falls(stage, clause, noun)
-        found = _they_without_him(stage, clause, noun) or resolve(stage, noun, "subject", (), previous)
+        resolve_owner(state, noun, "possessor", state.sentence.subjects, state.sentence.subjects or previous)
+        _victim_falls(state, clause, noun)
+        found = _they_without_him(state, clause, noun) or resolve(state, noun, "subject", (), previous)
         roles.subjects += [person for person in found.people if person not in roles.subjects]
         roles.subject_things += [found.thing] if found.thing else []
-    stage.sentence.subject_thing = next(iter(roles.subject_things), None)
-    if follows and clause.elided and stage.discourse.moving and clause.verb in _ROLLING and not clause.object:
-        roles.subject_things = [stage.discourse.moving]
+    state.sentence.subject_thing = next(iter(roles.subject_things), None)
+    if follows and clause.elided and state.discourse.moving and clause.verb in _ROLLING and not clause.object:
+        roles.subject_things = [state.discourse.moving]
     if follows and clause.elided and not roles.subject_things and not clause.passive:
         roles.subjects = roles.subjects or list(previous)
     return roles
 
 
-def _they_without_him(stage: Stage, clause: Clause, noun: NounPhrase) -> Referents | None:
+def _they_without_him(state: ReaderState, clause: Clause, noun: NounPhrase) -> Referents | None:
     """``They pull him in`` after a sentence about one person: that is him, and they are the others."""
-    alone = stage.discourse.subjects
+    alone = state.discourse.subjects
     others = [*clause.object, *clause.recipient, *(place for _, nouns in clause.places for place in nouns)]
     singular = any(o.kind == "pronoun" and o.head in ("him", "her") for o in others)
     if noun.kind != "pronoun" or noun.head != "they" or not singular or len(alone) != 1:
         return None
-    people = resolve_pronoun(stage, "they", "subject", (), (), alone)
-    return remember(stage, noun.index, Referents(people)) if people else None
+    people = resolve_pronoun(state, "they", "subject", (), (), alone)
+    return record_reference(state, noun.index, Referents(people)) if people else None
 
 
-def _victim_falls(stage: Stage, clause: Clause, noun: NounPhrase) -> None:
+def _victim_falls(state: ReaderState, clause: Clause, noun: NounPhrase) -> None:
     """A hits B. He collapses: it is B."""
-    victim = stage.discourse.victim
-    recent = victim is not None and victim[1] >= stage.discourse.sentence - 2
+    victim = state.discourse.victim
+    recent = victim is not None and victim[1] >= state.discourse.sentence - 2
     if victim and recent and noun.kind == "pronoun" and noun.head in ("he", "she") and clause.verb in _FALLING:
-        remember(stage, noun.index, Referents([victim[0]]))
+        record_reference(state, noun.index, Referents([victim[0]]))
 
 
-def resolve_objects(stage: Stage, clause: Clause, roles: Roles, previous: Sequence[Person]) -> None:
+def resolve_objects(state: ReaderState, clause: Clause, roles: Roles, previous: Sequence[Person]) -> None:
     """Resolve everything after the verb into ``roles``."""
-    stage.sentence.object_thing = None
-    roles.recipients, roles.recipient_things = _resolve_all(stage, clause, clause.recipient, roles.subjects, previous)
-    roles.people, roles.things = _resolve_all(stage, clause, clause.object, roles.subjects, previous)
+    state.sentence.object_thing = None
+    roles.recipients, roles.recipient_things = _resolve_all(state, clause, clause.recipient, roles.subjects, previous)
+    roles.people, roles.things = _resolve_all(state, clause, clause.object, roles.subjects, previous)
     for preposition, nouns in clause.places:
         placed = preposition in lexicon.RELATION_OF_PREPOSITION
         had = clause.verb in _HAVING and placed and bool(clause.object)
         own = had or (preposition == "behind" and clause.verb in _SHUTTING)
         among = preposition == "between" and bool(roles.subjects)
-        role: Role = "possessor" if own else "other" if among else "object"
-        people, things = _resolve_all(stage, clause, nouns, roles.subjects, previous, placed, role)
+        role: GrammaticalRole = "possessor" if own else "other" if among else "object"
+        people, things = _resolve_all(state, clause, nouns, roles.subjects, previous, placed, role)
         roles.places.append(Place(preposition, people, things, nouns))
-    _resolve_all(stage, clause, clause.complement, roles.subjects, previous)
+    _resolve_all(state, clause, clause.complement, roles.subjects, previous)
     things_of_places = [thing for place in roles.places for thing in place.things]
-    weigh_clause(stage, roles.subject_things, roles.recipient_things + roles.things, things_of_places)
+    raise_clause_things(state, roles.subject_things, roles.recipient_things + roles.things, things_of_places)
     if roles.people and clause.verb in _STRIKING and not clause.negated:
-        stage.discourse.victim = (roles.people[0], stage.discourse.sentence)
+        state.discourse.victim = (roles.people[0], state.discourse.sentence)
 
 
 def _resolve_all(
-    stage: Stage,
+    state: ReaderState,
     clause: Clause,
     nouns: Sequence[NounPhrase],
     subjects: list[Person],
     previous: Sequence[Person],
     place: bool = False,
-    role: Role = "object",
+    role: GrammaticalRole = "object",
 ) -> tuple[list[Person], list[str]]:
     people: list[Person] = []
     things: list[str] = []
     for noun in nouns:
-        resolve_owner(stage, noun, _owner_role(stage, clause, noun, subjects), subjects, previous)
-        found = resolve(stage, noun, role, subjects, previous, place)
+        resolve_owner(state, noun, _owner_role(state, clause, noun, subjects), subjects, previous)
+        found = resolve(state, noun, role, subjects, previous, place)
         people += found.people
-        stage.scene.named |= {person.id for person in found.people}
+        state.scene.named |= {person.id for person in found.people}
         if found.thing:
             things.append(found.thing)
             if nouns is clause.object:
-                stage.sentence.object_thing = found.thing
-            if noun.plural and stage.inventory.class_of(found.thing) in ("prop", "unknown"):
-                stage.sentence.plural_thing = found.thing
+                state.sentence.object_thing = found.thing
+            if noun.plural and state.inventory.class_of(found.thing) in ("prop", "unknown"):
+                state.sentence.plural_thing = found.thing
     if nouns is clause.object and len(things) > 1 and not people:
-        stage.sentence.plural_thing = things[0]
+        state.sentence.plural_thing = things[0]
     return people, things
 
 
-def _owner_role(stage: Stage, clause: Clause, noun: NounPhrase, subjects: list[Person]) -> Role:
+def _owner_role(state: ReaderState, clause: Clause, noun: NounPhrase, subjects: list[Person]) -> GrammaticalRole:
     """Holding *her* hand is somebody else's hand; to *her* right, MEI is not Mei's right."""
     if noun.possessor is None:
         return "possessor"
-    gender = lexicon.PRONOUNS.get(stage.sentence.words[noun.possessor].low)
+    gender = lexicon.PRONOUNS.get(state.sentence.words[noun.possessor].low)
     others = [
         person
-        for person in stage.on_stage()
+        for person in state.on_stage()
         if person not in subjects
         and person.gender == gender
-        and stage.discourse.last_sentence.get(person.id, -9) >= stage.discourse.sentence - 1
+        and state.discourse.last_sentence.get(person.id, -9) >= state.discourse.sentence - 1
     ]
     contact = clause.verb in _CONTACT or (clause.verb == "shake" and noun.head == "hand")
     if contact and noun.head in lexicon.BODY and others:

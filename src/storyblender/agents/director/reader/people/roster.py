@@ -12,7 +12,7 @@ from storyblender.agents.director.naming import asset_id
 from storyblender.agents.director.reader.language.morphology import is_person_noun
 from storyblender.agents.director.reader.language.words import key_of
 from storyblender.agents.director.reading import Person
-from storyblender.agents.director.rules import decided
+from storyblender.agents.director.rules import record_fact
 from storyblender.catalog.inflection import singular
 
 _WORN = re.compile(r" (?:in|with) (?=(?P<article>(?:an?|the) )?)")
@@ -74,7 +74,7 @@ class Roster:
         """Return the people named by clothes or things: ``grey suit`` finds the MAN IN A GREY SUIT."""
         return self.in_order(self._wearing.get(words, {}).values())
 
-    def meant_by(self, noun: str, start: int | None = None) -> list[Person]:
+    def with_noun(self, noun: str, start: int | None = None) -> list[Person]:
         """Return the people with a noun as role or name, or first mentioned at an offset; call ``index`` before."""
         introduced = self._introduced.get(start, {}) if start is not None else {}
         return self.in_order((self._meant.get(noun, {}) | introduced).values())
@@ -96,7 +96,7 @@ class Roster:
         key = bare(name)
         person = Person(asset_id(key, self.ids), " ".join(name.split()), (key,), first=first)
         self.ids.add(person.id)
-        decided("person", person.id, first, first + len(person.name))
+        record_fact("person", person.id, first, first + len(person.name))
         self._places[person.id] = len(self._places)
         self.people.append(person)
         self._by_id[person.id] = person
@@ -122,7 +122,7 @@ class Roster:
         title = _title_and_surname(name)
         known = self.in_order(self._titled.get(title, ())) if title and title[0] in lexicon.TITLES else []
         if known:
-            self.call(known[0], bare(name))
+            self.add_alias(known[0], bare(name))
         return known[0] if known else None
 
     def _note_title(self, person: Person) -> None:
@@ -155,25 +155,25 @@ class Roster:
         if is_person_noun(head) and head not in lexicon.FIRST_NAMES and not surname:
             person.role, person.gender = head, lexicon.gender_of_word(head)
             person.kind = "animal" if head in lexicon.ANIMALS else "human"
-            self.call(person, core)
+            self.add_alias(person, core)
         elif title in lexicon.TITLES and len(words) > 1:
             person.gender = lexicon.TITLE_GENDER.get(title) or lexicon.gender_of_word(title)
             person.role = title if is_person_noun(title) else ""
-            self.call(person, " ".join(words[1:]))
+            self.add_alias(person, " ".join(words[1:]))
             for word in words[1:]:
-                self.call(person, word)
+                self.add_alias(person, word)
         elif len(words) > 1:
             for word in (words[0], words[-1]):
                 if word not in lexicon.VARIANT_WORDS:
-                    self.call(person, word)
+                    self.add_alias(person, word)
 
-    def call(self, person: Person, alias: str) -> None:
+    def add_alias(self, person: Person, alias: str) -> None:
         """Let a person answer to one more name."""
         if alias not in person.aliases:
             person.aliases = (*person.aliases, alias)
             self._answering.setdefault(alias, {})[person.id] = person
 
-    def call_no_longer(self, person: Person, *names: str) -> None:
+    def remove_aliases(self, person: Person, *names: str) -> None:
         """Let a person answer to some names no more."""
         person.aliases = tuple(alias for alias in person.aliases if alias not in names)
         for name in names:
@@ -215,7 +215,7 @@ class Roster:
                 if base is not person:
                     person.variant_of = base.id
                     if bare(base.name).split()[0] not in lexicon.VARIANT_WORDS:
-                        self.call_no_longer(person, *base.aliases)
+                        self.remove_aliases(person, *base.aliases)
                     if person.gender == "unknown":
                         person.gender = base.gender
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from typing import Literal
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Person
 from storyblender.catalog.inflection import PLURAL_ONLY
 
@@ -29,29 +29,31 @@ _AT = 0.3
 """What furniture gains after a preposition of place."""
 
 
-def weigh(stage: Stage, things: Iterable[str], weight: float) -> None:
+def raise_things(state: ReaderState, things: Iterable[str], weight: float) -> None:
     """Something is told of things: ``it`` may mean them from now on."""
-    weights = stage.discourse.things
+    weights = state.discourse.things
     for thing in things:
-        if thing not in stage.sentence.plurals:
+        if thing not in state.sentence.plurals:
             weights[thing] = min(weights.get(thing, 0.0) + weight, _MOST)
 
 
-def weigh_clause(stage: Stage, subjects: Sequence[str], objects: Sequence[str], places: Sequence[str]) -> None:
+def raise_clause_things(
+    state: ReaderState, subjects: Sequence[str], objects: Sequence[str], places: Sequence[str]
+) -> None:
     """A clause is told: what did something, what something was done to, where; what was told before fades."""
-    weights = stage.discourse.things
+    weights = state.discourse.things
     for thing in weights:
         weights[thing] *= _FADING
-    weigh(stage, subjects, _SUBJECT)
-    weigh(stage, objects, _HANDLED)
-    weigh(stage, places, _PLACE)
+    raise_things(state, subjects, _SUBJECT)
+    raise_things(state, objects, _HANDLED)
+    raise_things(state, places, _PLACE)
 
 
-def meant_by_it(stage: Stage, index: int, use: Use, animals: Sequence[Person] = ()) -> str | None:
+def thing_for_it(state: ReaderState, index: int, use: Use, animals: Sequence[Person] = ()) -> str | None:
     """The thing that ``it`` at a position means.
 
     Args:
-        stage: The state before the clause is told.
+        state: The state before the clause is told.
         index: Position of the pronoun in the sentence.
         use: Its part in the clause; ``place`` after a preposition of place.
         animals: Who may be called so.
@@ -59,48 +61,48 @@ def meant_by_it(stage: Stage, index: int, use: Use, animals: Sequence[Person] = 
     Returns:
         The id of a thing or of one of the animals.
     """
-    if use == "place" and (placed := _placed_here(stage, index)):
+    if use == "place" and (placed := _placed_here(state, index)):
         return placed
-    weights = dict(stage.discourse.things)
-    before = [(at, thing) for at, thing in stage.sentence.things if at < index]
+    weights = dict(state.discourse.things)
+    before = [(at, thing) for at, thing in state.sentence.things if at < index]
     for at, thing in before:
         weights[thing] = weights.get(thing, 0.0) + SEEN + 0.01 * at
-    arguments = {stage.sentence.object_thing, stage.sentence.subject_thing}
+    arguments = {state.sentence.object_thing, state.sentence.subject_thing}
     if use == "place" and len(before) > 1 and before[-1][0] == index - 2:
         arguments = {before[-1][1]}
-        apart = {word.low for word in stage.sentence.words[before[-2][0] : before[-1][0]]}
-        told = [thing for thing in (stage.sentence.object_thing, stage.sentence.subject_thing) if thing in weights]
+        apart = {word.low for word in state.sentence.words[before[-2][0] : before[-1][0]]}
+        told = [thing for thing in (state.sentence.object_thing, state.sentence.subject_thing) if thing in weights]
         whole = next((thing for thing in told if thing != before[-1][1]), before[-2][1])
         weights[whole] += _HANDLED * ("with" in apart)  # drags in a sledge with a tree on it
-    weights |= {animal.id: _ANIMAL * stage.discourse.salience.get(animal.id, 0.0) for animal in animals}
-    pool = [thing for thing in weights if thing not in arguments and _can_be_it(stage, thing)]
-    aside = use == "place" and stage.sentence.words[index - 1].low in _ASIDE
-    return max(pool, key=lambda thing: weights[thing] + _fitness(stage, thing, use, aside)) if pool else None
+    weights |= {animal.id: _ANIMAL * state.discourse.salience.get(animal.id, 0.0) for animal in animals}
+    pool = [thing for thing in weights if thing not in arguments and _can_be_it(state, thing)]
+    aside = use == "place" and state.sentence.words[index - 1].low in _ASIDE
+    return max(pool, key=lambda thing: weights[thing] + _fitness(state, thing, use, aside)) if pool else None
 
 
-def _fitness(stage: Stage, thing: str, use: Use, aside: bool) -> float:
+def _fitness(state: ReaderState, thing: str, use: Use, aside: bool) -> float:
     """How well a thing goes with what is said of it."""
-    kind, verb = stage.inventory.class_of(thing), stage.sentence.verb
+    kind, verb = state.inventory.class_of(thing), state.sentence.verb
     motion = lexicon.MOTION_OF_VERB.get(verb)
-    fitness = _KINDS.get(kind, 0.0) + _SUITS * (stage.inventory.head(thing) in lexicon.SUITING.get(verb, ()))
+    fitness = _KINDS.get(kind, 0.0) + _SUITS * (state.inventory.head(thing) in lexicon.SUITING.get(verb, ()))
     fixed = kind in ("set_piece", "scenery")
     if use == "place":
         return fitness + _AT * (kind == "set_piece" and not aside)
     if use == "object" and motion in lexicon.GRIPPING:
-        held = any(thing in things for things in stage.scene.held.values())
+        held = any(thing in things for things in state.scene.held.values())
         return fitness - _UNFIT * fixed + _IN_HAND * held * ((motion in _LOSING) - (motion == "pick_up"))
     return fitness
 
 
-def _placed_here(stage: Stage, index: int) -> str | None:
+def _placed_here(state: ReaderState, index: int) -> str | None:
     """``puts the hat on the table and lays a coin beside it``: beside the hat."""
-    last = stage.scene.relations[-1][1].asset_id if stage.scene.relations else None
-    here = {thing for _, thing in stage.sentence.things} | {it for _, it in stage.sentence.pronouns.values() if it}
-    beside = stage.sentence.words[index - 1].low in _ASIDE and last in here and last != stage.sentence.object_thing
-    return last if beside and stage.inventory.class_of(last) == "prop" else None
+    last = state.scene.relations[-1][1].asset_id if state.scene.relations else None
+    here = {thing for _, thing in state.sentence.things} | {it for _, it in state.sentence.pronouns.values() if it}
+    beside = state.sentence.words[index - 1].low in _ASIDE and last in here and last != state.sentence.object_thing
+    return last if beside and state.inventory.class_of(last) == "prop" else None
 
 
-def _can_be_it(stage: Stage, thing: str) -> bool:
-    head = stage.inventory.head(thing)
+def _can_be_it(state: ReaderState, thing: str) -> bool:
+    head = state.inventory.head(thing)
     weather = head in lexicon.WEATHER_NOUNS | lexicon.WEATHER_WORDS.keys()
-    return stage.inventory.class_of(thing) != "abstract" and not weather and head not in PLURAL_ONLY
+    return state.inventory.class_of(thing) != "abstract" and not weather and head not in PLURAL_ONLY

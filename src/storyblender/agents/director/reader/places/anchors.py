@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.people.roles import Place
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.memory.vocabulary import RelationKind
 
-Stated = tuple[str, RelationKind, str]
+StatedRelation = tuple[str, RelationKind, str]
 """Who or what, the relation, to whom or what."""
 
-THINGS = frozenset({"prop", "set_piece", "worn", "unknown"})
+THING_CLASSES = frozenset({"prop", "set_piece", "worn", "unknown"})
 FLOORING = lexicon.words("flooring")
 SURFACES = lexicon.words("surfaces") | FLOORING
 """What things lie on or in without being an asset: the floor, a corner."""
@@ -24,16 +24,16 @@ _BOXES = frozenset({"crate", "box", "trunk", "barrel", "chest", "basket", "suitc
 """Somebody sits on them, but things are put in them."""
 
 
-def exact_kind(stage: Stage, kind: RelationKind, anchor: str, verb: str) -> RelationKind:
+def exact_relation(state: ReaderState, kind: RelationKind, anchor: str, verb: str) -> RelationKind:
     """In an armchair is on it, leaning on is against, over a chair hangs on it.
 
     Args:
-        stage: The state before.
+        state: The state before.
         kind: What the preposition says.
         anchor: Where.
         verb: Of the clause; ``put`` where a thing is put there.
     """
-    head = stage.inventory.head(anchor)
+    head = state.inventory.head(anchor)
     if kind == "on" and verb in ("lean", "slouch"):
         return "against"
     if kind == "in" and head in lexicon.SEATS - {"wall"} and not (verb == "put" and head in _BOXES):
@@ -41,35 +41,35 @@ def exact_kind(stage: Stage, kind: RelationKind, anchor: str, verb: str) -> Rela
     return kind
 
 
-def is_the_place(stage: Stage, anchor: str) -> bool:
+def is_scene_place(state: ReaderState, anchor: str) -> bool:
     """Whether a noun only names the scene's own place: ``He sits in the cafe``."""
-    head = stage.inventory.head(anchor)
-    return bool(head) and head in stage.place.place.lower().split()
+    head = state.inventory.head(anchor)
+    return bool(head) and head in state.place.place.lower().split()
 
 
-def leans_on_a_stick(stage: Stage, subject: str, anchor: str) -> bool:
+def is_carried_support(state: ReaderState, subject: str, anchor: str) -> bool:
     """Somebody on a crutch, a dog on a leash: it goes with them and is no place."""
-    walks = stage.person(subject) is not None or stage.inventory.class_of(subject) == "set_piece"
-    return stage.inventory.head(anchor) in (_STICKS if walks else _LEADS)
+    walks = state.person(subject) is not None or state.inventory.class_of(subject) == "set_piece"
+    return state.inventory.head(anchor) in (_STICKS if walks else _LEADS)
 
 
-def holds_things(stage: Stage, thing: str) -> bool:
+def can_hold_things(state: ReaderState, thing: str) -> bool:
     """Whether a thing can lie on, in or beside it: an asset, or the floor."""
-    return stage.inventory.class_of(thing) in THINGS or stage.inventory.head(thing) in SURFACES
+    return state.inventory.class_of(thing) in THING_CLASSES or state.inventory.head(thing) in SURFACES
 
 
-def solid_things(stage: Stage, things: list[str]) -> list[str]:
+def furniture_and_props(state: ReaderState, things: list[str]) -> list[str]:
     """Those of some things that are furniture or props."""
-    return [thing for thing in things if stage.inventory.class_of(thing) in ("prop", "set_piece")]
+    return [thing for thing in things if state.inventory.class_of(thing) in ("prop", "set_piece")]
 
 
-def at_body(place: Place) -> tuple[str, str] | None:
+def body_part_at(place: Place) -> tuple[str, str] | None:
     """The part of somebody a place names and whose it is: ``on her lap``; ``in his coat`` is in a coat."""
     parts = BODY_OR_DRESS if place.preposition in _ONTO_SOMEBODY else lexicon.BODY
     return next(((noun.head, noun.owner) for noun in place.nouns if noun.owner and noun.head in parts), None)
 
 
-def kind_at_body(preposition: str, part: str, kind: RelationKind | None) -> RelationKind | None:
+def relation_at_body(preposition: str, part: str, kind: RelationKind | None) -> RelationKind | None:
     """``at his elbow`` is next to him, ``at his feet`` at him, ``around her neck`` and ``behind his ear`` on him.
 
     Args:
@@ -77,7 +77,7 @@ def kind_at_body(preposition: str, part: str, kind: RelationKind | None) -> Rela
         part: Its noun.
         kind: What the preposition says of a thing.
     """
-    if part in _SIDES and preposition in ("at", "by", "near", "beside"):
+    if part in _BESIDE_PARTS and preposition in ("at", "by", "near", "beside"):
         at_foot = part in _FEET and preposition == "at"
         return "behind" if part in _HEELS else "at" if at_foot else "next_to"
     if part == "back" and kind == "behind":
@@ -87,14 +87,14 @@ def kind_at_body(preposition: str, part: str, kind: RelationKind | None) -> Rela
     if preposition in ("around", "round", "about", "across", "over", "through", "to", "onto"):
         return "on"
     if kind == "in":
-        return "on" if part in _SMALL else None
-    return "on" if part in _SMALL and kind == "behind" else kind
+        return "on" if part in _WORN_PARTS else None
+    return "on" if part in _WORN_PARTS and kind == "behind" else kind
 
 
-_SIDES = frozenset({"side", "elbow", "shoulder", "foot", "knee", "hand", "arm", "heel", "back"})
+_BESIDE_PARTS = frozenset({"side", "elbow", "shoulder", "foot", "knee", "hand", "arm", "heel", "back"})
 _FEET = frozenset({"foot", "knee"})
 _HEELS = frozenset({"heel", "back"})
-_SMALL = frozenset({"ear", "hair", "lip", "tooth", "belt", "waistband", "mouth", "collar", "lap", "arm"})
+_WORN_PARTS = frozenset({"ear", "hair", "lip", "tooth", "belt", "waistband", "mouth", "collar", "lap", "arm"})
 """What is behind or in them is on somebody."""
 _ONTO_SOMEBODY = frozenset({"on", "onto", "to", "around", "round", "about", "over", "across"})
 FITTINGS = frozenset({"button", "switch", "knob", "handle", "lever", "dial"})

@@ -8,7 +8,7 @@ from dataclasses import replace
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.deeds.outcomes import hold
 from storyblender.agents.director.reader.language.phrases import NounPhrase, Phrase
-from storyblender.agents.director.reader.people.coreference import Referents, remember, resolve, resolve_owner
+from storyblender.agents.director.reader.people.coreference import Referents, record_reference, resolve, resolve_owner
 from storyblender.agents.director.reader.people.person_reference import resolve_mention
 from storyblender.agents.director.reader.places.anchors import (
     BODY_OR_DRESS,
@@ -18,12 +18,12 @@ from storyblender.agents.director.reader.places.anchors import (
     OPENINGS,
     SURFACES,
     TOUCHING,
-    exact_kind,
-    is_the_place,
-    kind_at_body,
-    leans_on_a_stick,
+    exact_relation,
+    is_carried_support,
+    is_scene_place,
+    relation_at_body,
 )
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import RelationKind
@@ -71,11 +71,13 @@ _LEADS_TO = frozenset({"at", "to", "toward", "towards", "for", "with", "of", "fr
 
 
 @rule("relations.noun_phrase")
-def relate_noun_phrases(stage: Stage, phrases: list[Phrase], subjects: list[Person], previous: list[Person]) -> None:
+def relate_noun_phrases(
+    state: ReaderState, phrases: list[Phrase], subjects: list[Person], previous: list[Person]
+) -> None:
     """State where the nouns of a sentence are that have their place right after them.
 
     Args:
-        stage: The state after the clauses.
+        state: The state after the clauses.
         phrases: Of the sentence.
         subjects: Of the sentence.
         previous: Of the sentence before.
@@ -83,29 +85,29 @@ def relate_noun_phrases(stage: Stage, phrases: list[Phrase], subjects: list[Pers
     for index, phrase in enumerate(phrases):
         at = _place_after(phrases, index)
         while phrase.noun and at:
-            _relate(stage, phrases, index, at, subjects, previous)
+            _relate(state, phrases, index, at, subjects, previous)
             onward = at + 2 if _stands_apart(phrases, index) else len(phrases)
             at = onward if onward + 1 < len(phrases) and phrases[onward].kind == "preposition" else 0
 
 
 @rule("relations.listed")
-def relate_listed(stage: Stage, phrases: list[Phrase]) -> None:
+def relate_listed(state: ReaderState, phrases: list[Phrase]) -> None:
     """``falls on a table laid for one: a plate, an egg cup``: what a colon lists is on or in the thing before it.
 
     Args:
-        stage: The state; the sentence has no verb.
+        state: The state; the sentence has no verb.
         phrases: Of the sentence.
     """
-    text = stage.reading.screenplay.text[: stage.unit.start].rstrip()
-    here = {thing for _, thing in stage.sentence.things}
-    before = next((thing for thing in stage.discourse.recent_things if thing not in here), None)
-    head = stage.inventory.head(before)
+    text = state.reading.screenplay.text[: state.unit.start].rstrip()
+    here = {thing for _, thing in state.sentence.things}
+    before = next((thing for thing in state.discourse.recent_things if thing not in here), None)
+    head = state.inventory.head(before)
     if not text.endswith(":") or before is None or not (head in CONTAINERS or head in _BOARDS):
         return
     for noun in _listed(phrases, 0):
-        thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
-        if noun.kind == "thing" and stage.inventory.class_of(thing) in ("prop", "worn"):
-            stage.relate(thing, "in" if head in CONTAINERS else "on", before)
+        thing = state.inventory.id_of(noun.key, state.sentence.words[noun.index].start)
+        if noun.kind == "thing" and state.inventory.class_of(thing) in ("prop", "worn"):
+            state.relate(thing, "in" if head in CONTAINERS else "on", before)
 
 
 def _place_after(phrases: list[Phrase], index: int) -> int:
@@ -122,10 +124,10 @@ def _stands_apart(phrases: list[Phrase], index: int) -> bool:
 
 
 def _relate(
-    stage: Stage, phrases: list[Phrase], index: int, at: int, subjects: list[Person], previous: list[Person]
+    state: ReaderState, phrases: list[Phrase], index: int, at: int, subjects: list[Person], previous: list[Person]
 ) -> None:
     noun, preposition = phrases[index].noun, phrases[at].text
-    kind, first = _kind(preposition), phrases[at + 1].noun
+    kind, first = _relation_of_noun(preposition), phrases[at + 1].noun
     if noun is None or first is None:
         return
     if first.head in ("left", "right") and first.possessor is not None and preposition in ("to", "on", "at"):
@@ -135,11 +137,11 @@ def _relate(
     at_window = kind == "at" and first.head in OPENINGS and noun.kind == "thing" and noun.head in lexicon.SET_PIECES
     if kind not in _OF_THE_NOUN and not at_side and not at_window:
         return
-    if _is_shown(phrases, index):
+    if _is_depicted(phrases, index):
         return
-    _settle_it(stage, phrases[:index], first)
+    _resolve_it(state, phrases[:index], first)
     left = phrases[index - 1] if index else None
-    nobody = noun.mention is not None and not resolve_mention(stage, noun.mention)
+    nobody = noun.mention is not None and not resolve_mention(state, noun.mention)
     if nobody:  # a bolt cutter, a cat that nobody knows
         noun = replace(noun, kind="thing", key=noun.head, mention=None)
     if noun.mention:
@@ -152,55 +154,55 @@ def _relate(
         ends = at + 2 >= len(phrases) or phrases[at + 2].text in (".", ",", ";")
         if left and (
             left.text == "with"
-            or _goes_on(phrases, index)
+            or _continues_with(phrases, index)
             or on_body
             or (apart and ends and not any(p.verb for p in phrases[at:]))
         ):
-            kind = kind_at_body(preposition, first.head, kind) if first.head in lexicon.BODY else kind
-            told = [person for mention in [*others, noun.mention] for person in resolve_mention(stage, mention)]
+            kind = relation_at_body(preposition, first.head, kind) if first.head in lexicon.BODY else kind
+            told = [person for mention in [*others, noun.mention] for person in resolve_mention(state, mention)]
             for person in told if kind else []:
-                for target in _anchors(stage, first, kind or "on", subjects, previous):
-                    stage.relate(person.id, kind or "on", target)
+                for target in _anchors(state, first, kind or "on", subjects, previous):
+                    state.relate(person.id, kind or "on", target)
     elif noun.head in _BACKS and noun.possessor is not None and kind == "against":
-        resolve_owner(stage, noun, "possessor", subjects, subjects or previous)
-        for target in _anchors(stage, first, kind, subjects, previous) if noun.owner else ():
-            stage.relate(noun.owner or "", kind, target)
+        resolve_owner(state, noun, "possessor", subjects, subjects or previous)
+        for target in _anchors(state, first, kind, subjects, previous) if noun.owner else ():
+            state.relate(noun.owner or "", kind, target)
     elif noun.kind == "thing" and _is_of_the_noun(phrases, index, preposition, kind):
-        noun = _holder(phrases, index) or noun
-        _relate_thing(stage, noun, preposition, kind, anchors, subjects, previous)
+        noun = _container_of(phrases, index) or noun
+        _relate_thing(state, noun, preposition, kind, anchors, subjects, previous)
 
 
-def _goes_on(phrases: list[Phrase], index: int) -> bool:
+def _continues_with(phrases: list[Phrase], index: int) -> bool:
     """``with Luc on her left and Elise on her right``: whether the list of those who are ``with`` goes on."""
     before = phrases[max(0, index - 5) : index]
     return len(before) > 4 and (before[0].text, before[2].kind, before[4].text) == ("with", "preposition", "and")
 
 
-def _holder(phrases: list[Phrase], index: int) -> NounPhrase | None:
+def _container_of(phrases: list[Phrase], index: int) -> NounPhrase | None:
     """``a plate of bacon in front of him``: the plate."""
     holder = phrases[index - 2].noun if index > 1 and phrases[index - 1].text == "of" else None
     return holder if holder and holder.head in CONTAINERS | {"plate", "tray", "platter"} else None
 
 
-def _is_shown(phrases: list[Phrase], index: int) -> bool:
+def _is_depicted(phrases: list[Phrase], index: int) -> bool:
     """``a portrait of a general on a horse``: nobody is there."""
     picture = phrases[index - 2].noun if index > 1 and phrases[index - 1].text == "of" else None
     return picture is not None and picture.head in _PICTURES
 
 
-def _settle_it(stage: Stage, before: list[Phrase], anchor: NounPhrase) -> None:
+def _resolve_it(state: ReaderState, before: list[Phrase], anchor: NounPhrase) -> None:
     """``A caravan stands by the fence, a trough in front of it``: it is what the sentence is about."""
-    if anchor.head != "it" or anchor.index in stage.sentence.pronouns:
+    if anchor.head != "it" or anchor.index in state.sentence.pronouns:
         return
     for index, phrase in enumerate(before):
         if phrase.noun and phrase.noun.kind == "thing" and not (index and before[index - 1].kind == "preposition"):
-            thing = stage.inventory.id_of(phrase.noun.key, stage.sentence.words[phrase.noun.index].start)
-            if stage.inventory.class_of(thing) in ("prop", "set_piece"):
-                remember(stage, anchor.index, Referents([], thing))
+            thing = state.inventory.id_of(phrase.noun.key, state.sentence.words[phrase.noun.index].start)
+            if state.inventory.class_of(thing) in ("prop", "set_piece"):
+                record_reference(state, anchor.index, Referents([], thing))
             return
 
 
-def _kind(preposition: str) -> RelationKind | None:
+def _relation_of_noun(preposition: str) -> RelationKind | None:
     return "next_to" if preposition in ("around", "round", "about") else lexicon.relation_of(preposition)
 
 
@@ -226,7 +228,7 @@ def _is_of_the_noun(phrases: list[Phrase], index: int, preposition: str, kind: R
 
 
 def _relate_thing(
-    stage: Stage,
+    state: ReaderState,
     noun: NounPhrase,
     preposition: str,
     kind: RelationKind | None,
@@ -235,46 +237,46 @@ def _relate_thing(
     previous: list[Person],
 ) -> None:
     anchor = anchors[0]
-    if not _can_lie(noun, anchor):
+    if not _can_be_placed(noun, anchor):
         return
-    thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
+    thing = state.inventory.id_of(noun.key, state.sentence.words[noun.index].start)
     if lexicon.noun_class(noun.key) == "unknown":
-        stage.inventory.seen(thing, "held", determined=True)
+        state.inventory.note(thing, "held", determined=True)
     if anchor.head in _GRIPS and preposition in ("in", "under"):
-        for holder in _anchors(stage, anchor, "in", subjects, previous):
-            hold(stage, holder, thing)
-            stage.inventory.seen(thing, "handled")
+        for holder in _anchors(state, anchor, "in", subjects, previous):
+            hold(state, holder, thing)
+            state.inventory.note(thing, "handled")
         return
     if anchor.head in BODY_OR_DRESS and anchor.possessor is not None:
         around = preposition in ("around", "round")
         worn = around and noun.head not in CLOTHS  # a whistle round her neck, but a blanket round his shoulders
-        held_over = kind == "over" and stage.sentence.verb in _HOLDING
-        told = None if worn else kind if held_over else kind_at_body(preposition, anchor.head, kind)
+        held_over = kind == "over" and state.sentence.verb in _HOLDING
+        told = None if worn else kind if held_over else relation_at_body(preposition, anchor.head, kind)
         heavy = told == "on" and lexicon.noun_class(noun.key) == "set_piece" and noun.head not in lexicon.PORTABLE
         if told is None or told == "against" or heavy:
-            stage.inventory.seen(thing, "related")
+            state.inventory.note(thing, "related")
             return
         kind = told
     kind = "on" if kind == "over" and noun.head in CLOTHS else kind
     if kind is None or (noun.head in OPENINGS and kind == "behind" and anchor.kind != "thing"):
         return
-    consumed = lexicon.MOTION_OF_VERB.get(stage.sentence.verb) in _CONSUMING
-    if consumed and thing == stage.sentence.object_thing and kind in ("on", "in"):
+    consumed = lexicon.MOTION_OF_VERB.get(state.sentence.verb) in _CONSUMING
+    if consumed and thing == state.sentence.object_thing and kind in ("on", "in"):
         return
-    targets = [target for each in anchors for target in _anchors(stage, each, kind, subjects, previous)]
+    targets = [target for each in anchors for target in _anchors(state, each, kind, subjects, previous)]
     if kind == "between":
         if len(targets) > 1:
-            stage.relate(thing, kind, targets[0], targets[1])
+            state.relate(thing, kind, targets[0], targets[1])
         return
     for target in targets:
-        around = preposition in ("around", "round", "about") and stage.person(target) and kind == "next_to"
-        if leans_on_a_stick(stage, thing, target):
-            stage.inventory.seen(thing, "related")
+        around = preposition in ("around", "round", "about") and state.person(target) and kind == "next_to"
+        if is_carried_support(state, thing, target):
+            state.inventory.note(thing, "related")
         elif not around:
-            stage.relate(thing, exact_kind(stage, kind, target, ""), target)
+            state.relate(thing, exact_relation(state, kind, target, ""), target)
 
 
-def _can_lie(noun: NounPhrase, anchor: NounPhrase) -> bool:
+def _can_be_placed(noun: NounPhrase, anchor: NounPhrase) -> bool:
     """Whether a noun names a thing that has a place of its own; a garment on somebody is worn."""
     kind = lexicon.noun_class(noun.key)
     if kind == "unknown":
@@ -284,26 +286,26 @@ def _can_lie(noun: NounPhrase, anchor: NounPhrase) -> bool:
 
 
 def _anchors(
-    stage: Stage, anchor: NounPhrase, kind: RelationKind, subjects: list[Person], previous: list[Person]
+    state: ReaderState, anchor: NounPhrase, kind: RelationKind, subjects: list[Person], previous: list[Person]
 ) -> Iterable[str]:
     beside = anchor.head in ("left", "right") and anchor.possessor is not None
     dress = anchor.head in lexicon.WORN and anchor.possessor is not None
     if anchor.kind == "thing" and (anchor.head in lexicon.BODY or dress or beside):
-        resolve_owner(stage, anchor, "possessor", subjects, previous)
+        resolve_owner(state, anchor, "possessor", subjects, previous)
         return [anchor.owner] if anchor.owner else []
-    if anchor.possessor is not None and stage.sentence.words[anchor.possessor].low == "its":
-        resolve_owner(stage, anchor, "possessor", subjects, previous)
+    if anchor.possessor is not None and state.sentence.words[anchor.possessor].low == "its":
+        resolve_owner(state, anchor, "possessor", subjects, previous)
     there = anchor.kind == "pronoun" and lexicon.PRONOUNS.get(anchor.head) == "thing"
     role = "possessor" if anchor.kind == "pronoun" and not there else "object"
-    known = stage.sentence.pronouns.get(anchor.index) if there else None
-    found = Referents(*known) if known else resolve(stage, anchor, role, subjects, subjects or previous, place=there)
+    known = state.sentence.pronouns.get(anchor.index) if there else None
+    found = Referents(*known) if known else resolve(state, anchor, role, subjects, subjects or previous, place=there)
     if found.thing and (
         (
-            stage.inventory.class_of(found.thing) not in ("prop", "set_piece")
-            and not (kind == "in" and stage.inventory.head(found.thing) in CONTAINERS)
-            and (stage.inventory.head(found.thing) not in SURFACES or kind not in ("on", "in", "under"))
+            state.inventory.class_of(found.thing) not in ("prop", "set_piece")
+            and not (kind == "in" and state.inventory.head(found.thing) in CONTAINERS)
+            and (state.inventory.head(found.thing) not in SURFACES or kind not in ("on", "in", "under"))
         )
-        or is_the_place(stage, found.thing)
+        or is_scene_place(state, found.thing)
     ):
         return []
     return [person.id for person in found.people] + ([found.thing] if found.thing else [])

@@ -5,9 +5,9 @@ from __future__ import annotations
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.bare_places import THERE
 from storyblender.agents.director.reader.language.phrases import Phrase
-from storyblender.agents.director.reader.people.coreference import Referents, remember
+from storyblender.agents.director.reader.people.coreference import Referents, record_reference
 from storyblender.agents.director.reader.places.anchors import CONTAINERS
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.rules import rule
 
 _OF_THINGS = frozenset(
@@ -22,11 +22,11 @@ _SOLID = ("prop", "set_piece", "worn")
 
 
 @rule("things.settled")
-def settle_things(stage: Stage, phrases: list[Phrase]) -> None:
+def resolve_place_pronouns(state: ReaderState, phrases: list[Phrase]) -> None:
     """Decide which things ``them`` and ``there`` mean after words of place.
 
     Args:
-        stage: The nouns of the sentence are noticed, its clauses not read yet.
+        state: The nouns of the sentence are noticed, its clauses not read yet.
         phrases: Of the sentence.
     """
     plural: str | None = None
@@ -37,37 +37,37 @@ def settle_things(stage: Stage, phrases: list[Phrase]) -> None:
         if noun is None:
             continue
         if noun.kind == "thing":
-            thing = _thing(stage, phrase)
-            solid = stage.inventory.class_of(thing) in _SOLID
+            thing = _thing(state, phrase)
+            solid = state.inventory.class_of(thing) in _SOLID
             plural = thing if solid and (noun.plural or _is_listed(phrases, index)) else plural
             told = thing if solid and (left is None or left.kind != "preposition") else told
         elif noun.head == THERE and left is not None:
-            there = _there(stage, _start_of_with(phrases, index), left.text)
-            stage.sentence.pronouns[noun.index] = ([], there)
+            there = _thing_there(state, _start_of_with(phrases, index), left.text)
+            state.sentence.pronouns[noun.index] = ([], there)
         elif noun.head == "it" and left is not None and left.kind == "preposition":
             at = _seat_brought(phrases, index) or _moved_to_landmark(phrases, index)
-            meant = _thing(stage, phrases[at]) if at else told if not people and _leads(phrases, index) else None
+            meant = _thing(state, phrases[at]) if at else told if not people and _opens_clause(phrases, index) else None
             if meant:
-                remember(stage, noun.index, Referents([], meant))
+                record_reference(state, noun.index, Referents([], meant))
         elif noun.head == "them" and left is not None and left.kind == "preposition":
-            inverted = plural is not None and _is_after(stage, plural, noun.index)
+            inverted = plural is not None and _is_named_after(state, plural, noun.index)
             moved = index > 1 and phrases[index - 2].noun
             if left.text == "between" and moved and moved.plural and moved.kind == "thing":
-                here = stage.spoken_of()  # sets two glasses between them
-                remember(stage, noun.index, Referents(here if len(here) == 2 else []))
+                here = state.referable_people()  # sets two glasses between them
+                record_reference(state, noun.index, Referents(here if len(here) == 2 else []))
                 continue
-            meant = _lately(stage) if inverted or plural is None else plural
+            meant = _recent_plural(state) if inverted or plural is None else plural
             if meant and (left.text in _OF_THINGS or (plural and people < 2)):
-                remember(stage, noun.index, Referents([], meant))
+                record_reference(state, noun.index, Referents([], meant))
         elif noun.head != "it":
             people += 1 if noun.kind == "person" and noun.mention and noun.mention.kind != "group" else 2
     if plural:
-        stage.discourse.last_plural = (plural, stage.discourse.sentence)
+        state.discourse.last_plural = (plural, state.discourse.sentence)
 
 
-def _thing(stage: Stage, phrase: Phrase) -> str | None:
+def _thing(state: ReaderState, phrase: Phrase) -> str | None:
     noun = phrase.noun
-    return stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start) if noun else None
+    return state.inventory.id_of(noun.key, state.sentence.words[noun.index].start) if noun else None
 
 
 def _start_of_with(phrases: list[Phrase], index: int) -> int:
@@ -85,15 +85,15 @@ def _is_listed(phrases: list[Phrase], index: int) -> bool:
     return before is not None and before.kind == "thing" and not placed
 
 
-def _leads(phrases: list[Phrase], index: int) -> bool:
+def _opens_clause(phrases: list[Phrase], index: int) -> bool:
     """``A caravan stands by the fence; behind it``: whether the place opens a clause of its own."""
     return index > 1 and phrases[index - 1].kind == "preposition" and phrases[index - 2].text in (";", ",", "and")
 
 
-def _is_after(stage: Stage, thing: str, index: int) -> bool:
+def _is_named_after(state: ReaderState, thing: str, index: int) -> bool:
     """Whether a thing is only named after a pronoun: ``Below them, a row of boots``."""
-    words = stage.sentence.words
-    return all(words[at].start > words[index].start for at, named in stage.sentence.things if named == thing)
+    words = state.sentence.words
+    return all(words[at].start > words[index].start for at, named in state.sentence.things if named == thing)
 
 
 def _seat_brought(phrases: list[Phrase], index: int) -> int:
@@ -119,18 +119,18 @@ def _moved_to_landmark(phrases: list[Phrase], index: int) -> int:
     return 0
 
 
-def _lately(stage: Stage) -> str | None:
+def _recent_plural(state: ReaderState) -> str | None:
     """The things in the plural that the sentence before named."""
-    plural = stage.discourse.last_plural
-    return plural[0] if plural and plural[1] == stage.discourse.sentence - 1 else None
+    plural = state.discourse.last_plural
+    return plural[0] if plural and plural[1] == state.discourse.sentence - 1 else None
 
 
-def _there(stage: Stage, index: int, preposition: str) -> str | None:
+def _thing_there(state: ReaderState, index: int, preposition: str) -> str | None:
     """The thing named last, before the word of place; inside, the last that holds things."""
-    before = [thing for at, thing in reversed(stage.sentence.things) if at < index]
-    here = {thing for _, thing in stage.sentence.things}
-    before += [thing for thing in stage.discourse.recent_things if thing not in here]
-    solid = [thing for thing in before if stage.inventory.class_of(thing) in ("prop", "set_piece")]
+    before = [thing for at, thing in reversed(state.sentence.things) if at < index]
+    here = {thing for _, thing in state.sentence.things}
+    before += [thing for thing in state.discourse.recent_things if thing not in here]
+    solid = [thing for thing in before if state.inventory.class_of(thing) in ("prop", "set_piece")]
     if preposition == "inside":
-        solid = [thing for thing in solid[:3] if stage.inventory.head(thing) in CONTAINERS]
+        solid = [thing for thing in solid[:3] if state.inventory.head(thing) in CONTAINERS]
     return next(iter(solid), None)

@@ -13,15 +13,15 @@ from storyblender.agents.director.reader.places.anchors import (
     FLOOR,
     OPENINGS,
     TOUCHING,
-    Stated,
-    at_body,
-    exact_kind,
-    holds_things,
-    kind_at_body,
-    solid_things,
+    StatedRelation,
+    body_part_at,
+    can_hold_things,
+    exact_relation,
+    furniture_and_props,
+    relation_at_body,
 )
 from storyblender.agents.director.reader.places.supports import PEGS
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import RelationKind
 
@@ -41,13 +41,13 @@ _POCKETS = frozenset({"pocket", "belt", "waistband", "sleeve", "garter", "breast
 _TO_THERE = frozenset({"up to", "to", "over to"})
 _NEAR = frozenset({"beside", "next to", "by", "near", "in front of", "against", "behind", "alongside", "under"})
 _STOVES = frozenset({"stove", "fireplace", "furnace", "incinerator", "grate", "dumpster", "well"})
-_LATELY = 4
+_RECENT_THINGS = 4
 """Things back to what something is thrown in."""
 _EMPTYING = frozenset({"empty", "drain", "wring", "squirt"})
 """``empties the mug into the sink``: the mug stays in the hand."""
 
 
-def puts_something(clause: Clause, roles: Roles, motion: str | None) -> bool:
+def moves_something(clause: Clause, roles: Roles, motion: str | None) -> bool:
     """Whether things, or people, end up somewhere else."""
     touches = clause.verb in TOUCHING and clause.particle != "down"
     if clause.passive or roles.people == roles.subjects != [] or clause.verb in _EMPTYING or touches:
@@ -60,149 +60,149 @@ def puts_something(clause: Clause, roles: Roles, motion: str | None) -> bool:
 
 
 @rule("relations.put", without=[])
-def put(stage: Stage, clause: Clause, roles: Roles) -> list[Stated]:
+def placed_relations(state: ReaderState, clause: Clause, roles: Roles) -> list[StatedRelation]:
     """Puts the tray on the table, the ring into the pocket, the bag over one shoulder.
 
     Args:
-        stage: The state before.
-        clause: It ``puts_something``.
+        state: The state before.
+        clause: It ``moves_something``.
         roles: Its people and things.
     """
-    moved = [thing for thing in roles.things if _is_solid(stage, thing)]
-    found: list[Stated] = _dropped_in(stage, clause, roles, moved)
+    moved = [thing for thing in roles.things if _can_be_placed(state, thing)]
+    found: list[StatedRelation] = _dropped_in(state, clause, roles, moved)
     moved += [person.id for person in roles.people]
     for at, place in enumerate(roles.places):
         if place.preposition == "between":
             if len(place.people) == 1 and place.nouns[0].head == "them":
                 place.people = [*place.people, *roles.subjects]
-            relate_between(stage, place, moved)
+            relate_between(state, place, moved)
             continue
-        if at and _describes_anchor(stage, roles.places[at - 1], place):
-            side, pieces = lexicon.relation_of(place.preposition), solid_things(stage, place.things)
+        if at and _describes_anchor(state, roles.places[at - 1], place):
+            side, pieces = lexicon.relation_of(place.preposition), furniture_and_props(state, place.things)
             found.extend((roles.places[at - 1].things[0], side, piece) for piece in pieces if side)
             continue
         for thing in moved:
-            kind = _kind(stage, place, thing, bool(roles.people_after("to", "toward", "towards")))
+            kind = _relation_of_placing(state, place, thing, bool(roles.people_after("to", "toward", "towards")))
             if kind:
-                anchors = _anchors(stage, roles, place, thing, kind)
-                found.extend((thing, exact_kind(stage, kind, anchor, "put"), anchor) for anchor in anchors)
-    return _furniture_beside(stage, roles, found)
+                anchors = _placing_anchors(state, roles, place, thing, kind)
+                found.extend((thing, exact_relation(state, kind, anchor, "put"), anchor) for anchor in anchors)
+    return _furniture_beside(state, roles, found)
 
 
-def _dropped_in(stage: Stage, clause: Clause, roles: Roles, moved: list[str]) -> list[Stated]:
+def _dropped_in(state: ReaderState, clause: Clause, roles: Roles, moved: list[str]) -> list[StatedRelation]:
     """``opens the stove and throws the letter in``: into what was named last that holds things."""
     if clause.particle != "in" or any(place.things or place.people for place in roles.places):
         return []
-    lately = [thing for thing in stage.discourse.recent_things[:_LATELY] if thing not in moved]
-    holder = next((thing for thing in lately if stage.inventory.head(thing) in CONTAINERS | _STOVES), None)
-    return [(thing, "in", holder) for thing in moved if holder and stage.inventory.class_of(thing) in ("prop", "worn")]
+    lately = [thing for thing in state.discourse.recent_things[:_RECENT_THINGS] if thing not in moved]
+    holder = next((thing for thing in lately if state.inventory.head(thing) in CONTAINERS | _STOVES), None)
+    return [(thing, "in", holder) for thing in moved if holder and state.inventory.class_of(thing) in ("prop", "worn")]
 
 
-def _describes_anchor(stage: Stage, before: Place, place: Place) -> bool:
+def _describes_anchor(state: ReaderState, before: Place, place: Place) -> bool:
     """``clips it to the board above the desk``: it is the board that is above it."""
     kind = lexicon.relation_of(place.preposition)
-    pegs = any(stage.inventory.head(thing) in PEGS for thing in before.things)
+    pegs = any(state.inventory.head(thing) in PEGS for thing in before.things)
     side = kind in ("over", "under", "behind", "in_front_of") or (pegs and kind in ("next_to", "on"))
-    fixed = pegs or any(stage.inventory.class_of(thing) == "set_piece" for thing in before.things)
+    fixed = pegs or any(state.inventory.class_of(thing) == "set_piece" for thing in before.things)
     return side and not place.people and fixed
 
 
-def _is_solid(stage: Stage, thing: str) -> bool:
+def _can_be_placed(state: ReaderState, thing: str) -> bool:
     """Whether it is a thing of its own, no arm."""
-    liquid = stage.inventory.head(thing) in lexicon.LIQUIDS and stage.sentence.verb in ("pour", "splash", "fill")
-    part = stage.inventory.head(thing) in FITTINGS | OPENINGS
-    return stage.inventory.class_of(thing) not in ("body", "abstract") and not liquid and not part
+    liquid = state.inventory.head(thing) in lexicon.LIQUIDS and state.sentence.verb in ("pour", "splash", "fill")
+    part = state.inventory.head(thing) in FITTINGS | OPENINGS
+    return state.inventory.class_of(thing) not in ("body", "abstract") and not liquid and not part
 
 
-def _puts_on(stage: Stage, roles: Roles, thing: str, owner: str) -> bool:
+def _dresses_in(state: ReaderState, roles: Roles, thing: str, owner: str) -> bool:
     """``jams the helmet onto her own head``: she wears it."""
-    return stage.inventory.class_of(thing) == "worn" and owner in [person.id for person in roles.subjects]
+    return state.inventory.class_of(thing) == "worn" and owner in [person.id for person in roles.subjects]
 
 
-def _kind(stage: Stage, place: Place, thing: str, passed_on: bool) -> RelationKind | None:
+def _relation_of_placing(state: ReaderState, place: Place, thing: str, passed_on: bool) -> RelationKind | None:
     """What a preposition says of where a thing is put."""
-    verb, kind = stage.sentence.verb, lexicon.relation_of(place.preposition)
-    cloth = stage.inventory.head(thing) in CLOTHS
-    if (kind == "over" and verb in _THROWING and not cloth) or _is_kept(stage, place):
+    verb, kind = state.sentence.verb, lexicon.relation_of(place.preposition)
+    cloth = state.inventory.head(thing) in CLOTHS
+    if (kind == "over" and verb in _THROWING and not cloth) or _is_pocketed(state, place):
         return None
-    body = at_body(place)
+    body = body_part_at(place)
     if body:
         if verb in ("press", "push", "hold") and kind == "against":
             return None
-        if stage.person(thing):
+        if state.person(thing):
             return "on" if kind == "on" and body[0] in BEARING else None
         attached = "on" if verb in _ATTACHING else kind
         return (
             None
-            if stage.inventory.head(thing) in lexicon.LIQUIDS
-            else kind_at_body(place.preposition, body[0], attached)
+            if state.inventory.head(thing) in lexicon.LIQUIDS
+            else relation_at_body(place.preposition, body[0], attached)
         )
     if place.preposition == "across" and verb in _DRAWN_UP and passed_on:
         return None  # slides it across the desk to Kate: it does not stay there
     if place.preposition in _TO_THERE and verb in _DRAWN_UP:
-        return "next_to" if stage.inventory.class_of(thing) == "set_piece" else None
+        return "next_to" if state.inventory.class_of(thing) == "set_piece" else None
     if place.preposition == "to" and verb in _ATTACHING:
-        seat = any(stage.inventory.head(anchor) in lexicon.SEATS for anchor in place.things)
-        tethered = stage.person(thing) or stage.inventory.head(thing) in lexicon.VEHICLES
+        seat = any(state.inventory.head(anchor) in lexicon.SEATS for anchor in place.things)
+        tethered = state.person(thing) or state.inventory.head(thing) in lexicon.VEHICLES
         return "next_to" if tethered and not seat else "on"
-    floor = any(stage.inventory.head(anchor) in FLOOR for anchor in place.things)
+    floor = any(state.inventory.head(anchor) in FLOOR for anchor in place.things)
     if place.preposition == "to" and (verb in _RETURNING or floor):
         return "on"
     if kind == "over":
         return (
-            "on" if stage.inventory.head(thing) in CLOTHS or verb in _LOOPING else None if verb in _THROWING else kind
+            "on" if state.inventory.head(thing) in CLOTHS or verb in _LOOPING else None if verb in _THROWING else kind
         )
     return kind if kind in _KINDS else None
 
 
-def _is_kept(stage: Stage, place: Place) -> bool:
+def _is_pocketed(state: ReaderState, place: Place) -> bool:
     """``puts the key in his pocket``: he has it with him."""
     return any(noun.head in _POCKETS and noun.possessor is not None for noun in place.nouns)
 
 
-def _anchors(stage: Stage, roles: Roles, place: Place, thing: str, kind: RelationKind) -> list[str]:
+def _placing_anchors(state: ReaderState, roles: Roles, place: Place, thing: str, kind: RelationKind) -> list[str]:
     """Whom and what a thing is put on, in or beside."""
-    body = at_body(place)
+    body = body_part_at(place)
     if body:
-        return [] if _puts_on(stage, roles, thing, body[1]) else [body[1]]
-    spread = kind == "on" and stage.inventory.head(thing) in CLOTHS
+        return [] if _dresses_in(state, roles, thing, body[1]) else [body[1]]
+    spread = kind == "on" and state.inventory.head(thing) in CLOTHS
     beside = kind in ("in_front_of", "next_to") or spread or (bool(roles.people) and kind == "behind")
     anchors = [person.id for person in place.people if beside]
-    anchors += [anchor for anchor in place.things if holds_things(stage, anchor)]
+    anchors += [anchor for anchor in place.things if can_hold_things(state, anchor)]
     on_oneself = any(noun.head in lexicon.BODY for noun in place.nouns)
-    if kind == "on" and on_oneself and roles.subjects and not stage.person(thing):
+    if kind == "on" and on_oneself and roles.subjects and not state.person(thing):
         anchors.append(roles.subjects[0].id)
     return [anchor for anchor in anchors if anchor != thing]
 
 
 @rule("relations.between")
-def relate_between(stage: Stage, place: Place, located: list[str]) -> None:
+def relate_between(state: ReaderState, place: Place, located: list[str]) -> None:
     """``between Joe and the door``, ``between the beds``.
 
     Args:
-        stage: The state before.
+        state: The state before.
         place: After ``between``.
         located: Ids of who or what is there.
     """
     anchors = [person.id for person in place.people] + place.things
     several = len(anchors) == 1 and bool(place.things) and place.nouns[0].plural
-    if len(anchors) > 1 or (several and stage.inventory.class_of(anchors[0]) in ("prop", "set_piece")):
+    if len(anchors) > 1 or (several and state.inventory.class_of(anchors[0]) in ("prop", "set_piece")):
         for thing in located:
             if thing not in anchors:
-                stage.relate(thing, "between", anchors[0], anchors[1] if len(anchors) > 1 else None)
+                state.relate(thing, "between", anchors[0], anchors[1] if len(anchors) > 1 else None)
 
 
-def _furniture_beside(stage: Stage, roles: Roles, found: list[Stated]) -> list[Stated]:
+def _furniture_beside(state: ReaderState, roles: Roles, found: list[StatedRelation]) -> list[StatedRelation]:
     """``Lays her hat on the chair by the stove``: it is the chair that is by the stove."""
     pieces = [
-        anchor for _, kind, anchor in found if kind in ("on", "in") and stage.inventory.class_of(anchor) == "set_piece"
+        anchor for _, kind, anchor in found if kind in ("on", "in") and state.inventory.class_of(anchor) == "set_piece"
     ]
     beside = [
         place.things[0]
         for place in roles.places
         if place.preposition in ("by", "near", "next to", "beside")
         and place.things
-        and stage.inventory.class_of(place.things[0]) == "set_piece"
+        and state.inventory.class_of(place.things[0]) == "set_piece"
     ]
     if not pieces or not beside or beside[0] == pieces[0]:
         return found

@@ -17,18 +17,18 @@ from storyblender.agents.director.reader.places.anchors import (
     FLOOR,
     STATIVE,
     SURFACES,
-    THINGS,
-    Stated,
-    at_body,
-    exact_kind,
-    is_the_place,
-    solid_things,
+    THING_CLASSES,
+    StatedRelation,
+    body_part_at,
+    exact_relation,
+    furniture_and_props,
+    is_scene_place,
 )
-from storyblender.agents.director.reader.places.place_relations import state_place
-from storyblender.agents.director.reader.places.placing import put, puts_something, relate_between
-from storyblender.agents.director.reader.places.subject_places import is_still, telling_places
-from storyblender.agents.director.reader.places.supports import relate_supports
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.places.place_relations import relations_at_place
+from storyblender.agents.director.reader.places.placing import moves_something, placed_relations, relate_between
+from storyblender.agents.director.reader.places.subject_places import subject_places, subject_stays
+from storyblender.agents.director.reader.places.supports import support_relations
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import RelationKind
@@ -36,7 +36,7 @@ from storyblender.memory.vocabulary import RelationKind
 _BOARDING = frozenset(
     {"get", "climb", "step", "hop", "scramble", "slide", "jump", "clamber", "leap", "squeeze", "crawl"}
 )
-_LATELY = 4
+_RECENT_THINGS = 4
 """Things back to a vehicle."""
 _LEAPING = frozenset({"jump", "climb", "ride", "fall"})
 _PASSING = frozenset({"walk", "sneak"})
@@ -46,54 +46,56 @@ _BESIDE_FURNITURE = ("by", "near", "next to", "beside", "in front of")
 
 
 @rule("relations.clause")
-def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None, first: bool) -> None:
+def relate_clause(state: ReaderState, clause: Clause, roles: Roles, motion: str | None, first: bool) -> None:
     """State the relations a clause tells.
 
     Args:
-        stage: The state before.
+        state: The state before.
         clause: Not negated.
         roles: Its people and things.
         motion: The motion of its subject.
         first: Whether it is the first clause of its sentence.
     """
-    roles = _at_particle(clause, roles)
+    roles = _with_particle_place(clause, roles)
     roles = replace(roles, places=_across_from(roles.places))
     located = [person.id for person in roles.subjects] or [
-        thing for thing in roles.subject_things if stage.inventory.class_of(thing) in THINGS
+        thing for thing in roles.subject_things if state.inventory.class_of(thing) in THING_CLASSES
     ]
-    found: list[Stated] = []
+    found: list[StatedRelation] = []
     if located:
-        telling = telling_places(stage, clause, roles, motion)
+        telling = subject_places(state, clause, roles, motion)
         for place in telling:
-            found += state_place(stage, clause, place, located, motion)
-        if is_still(stage, clause, roles, motion):
-            found += relate_supports(stage, roles)
-        _between(stage, clause, roles, telling, motion, located)
+            found += relations_at_place(state, clause, place, located, motion)
+        if subject_stays(state, clause, roles, motion):
+            found += support_relations(state, roles)
+        _relate_between_clause(state, clause, roles, telling, motion, located)
         if clause.verb == "face":
-            faced = [person.id for person in roles.people] + solid_things(stage, roles.things)
+            faced = [person.id for person in roles.people] + furniture_and_props(state, roles.things)
             faced = faced or located  # each other
             found.extend((subject, "facing", other) for subject in located for other in faced if other != subject)
-        found += _boarded(stage, clause, roles, located)
-        found += _lands_on(roles, motion, located)
+        found += _boarding_known_vehicle(state, clause, roles, located)
+        found += _relations_on_body(roles, motion, located)
         if clause.verb in _BOARDING and not clause.opening and not roles.things + roles.people:
-            found += _aboard(stage, roles, located)
+            found += _boarding_relations(state, roles, located)
     if first and roles.subjects and not any(place.preposition in _SIDES and place.things for place in roles.places):
-        _left_or_right(stage, roles.subjects)
-    if puts_something(clause, roles, motion):
-        found += put(stage, clause, roles)
-    for subject, kind, anchor in _seat_beside(stage, roles, motion, found):
-        stage.relate(subject, kind, anchor)
+        _relate_left_right(state, roles.subjects)
+    if moves_something(clause, roles, motion):
+        found += placed_relations(state, clause, roles)
+    for subject, kind, anchor in _move_to_seat(state, roles, motion, found):
+        state.relate(subject, kind, anchor)
 
 
-def _lands_on(roles: Roles, motion: str | None, located: list[str]) -> list[Stated]:
+def _relations_on_body(roles: Roles, motion: str | None, located: list[str]) -> list[StatedRelation]:
     """``The cat jumps into her lap``, ``rides on Jim's back``."""
     if motion not in _LEAPING:
         return []
-    bodies = [at_body(place) for place in roles.places if place.preposition in ("on", "onto", "on to", "in", "into")]
+    bodies = [
+        body_part_at(place) for place in roles.places if place.preposition in ("on", "onto", "on to", "in", "into")
+    ]
     return [(who, "on", body[1]) for who in located for body in bodies if body and body[0] in BEARING]
 
 
-def _at_particle(clause: Clause, roles: Roles) -> Roles:
+def _with_particle_place(clause: Clause, roles: Roles) -> Roles:
     """``is bent over the desk``, ``squats on a basket``: the particle of the verb tells a place."""
     bent = clause.verb in BENT and clause.passive
     resting = (clause.verb in STATIVE or bent) and clause.particle in lexicon.RELATION_OF_PREPOSITION
@@ -116,66 +118,70 @@ def _across_from(places: list[Place]) -> list[Place]:
     return joined_places
 
 
-def _aboard(stage: Stage, roles: Roles, located: list[str]) -> list[Stated]:
+def _boarding_relations(state: ReaderState, roles: Roles, located: list[str]) -> list[StatedRelation]:
     """``climbs onto a chair``, ``gets into the car``."""
-    found: list[Stated] = []
+    found: list[StatedRelation] = []
     for place in roles.places:
         for thing in place.things:
-            solid = stage.inventory.class_of(thing) in ("set_piece", "prop") and not is_the_place(stage, thing)
-            if place.preposition in ("onto", "on to") and (solid or stage.inventory.head(thing) in SURFACES):
+            solid = state.inventory.class_of(thing) in ("set_piece", "prop") and not is_scene_place(state, thing)
+            if place.preposition in ("onto", "on to") and (solid or state.inventory.head(thing) in SURFACES):
                 found.extend((subject, "on", thing) for subject in located)
             elif place.preposition in ("into", "aboard", "inside") and solid:
-                found.extend((subject, exact_kind(stage, "in", thing, ""), thing) for subject in located)
+                found.extend((subject, exact_relation(state, "in", thing, ""), thing) for subject in located)
     return found
 
 
-def _boarded(stage: Stage, clause: Clause, roles: Roles, located: list[str]) -> list[Stated]:
+def _boarding_known_vehicle(
+    state: ReaderState, clause: Clause, roles: Roles, located: list[str]
+) -> list[StatedRelation]:
     """``opens the car door and gets in``, ``steps aboard``: into the vehicle that was named last."""
-    after = [word.low for word in stage.sentence.words[clause.index + 1 : clause.index + 2]]
+    after = [word.low for word in state.sentence.words[clause.index + 1 : clause.index + 2]]
     aboard, into = after == ["aboard"], clause.verb in _BOARDING and clause.particle == "in"
     told = roles.things + roles.people or any(place.things for place in roles.places)
-    told = told or any(stage.inventory.head(thing) == "window" for _, thing in stage.sentence.things)
-    lately = (t for t in stage.discourse.recent_things[:_LATELY] if stage.inventory.head(t) in lexicon.VEHICLES)
+    told = told or any(state.inventory.head(thing) == "window" for _, thing in state.sentence.things)
+    lately = (t for t in state.discourse.recent_things[:_RECENT_THINGS] if state.inventory.head(t) in lexicon.VEHICLES)
     vehicle = next(lately, None)
     if vehicle is None or told or not (aboard or into) or not roles.subjects:
         return []
     return [(who, "on" if aboard else "in", vehicle) for who in located]
 
 
-def _between(
-    stage: Stage, clause: Clause, roles: Roles, telling: list[Place], motion: str | None, located: list[str]
+def _relate_between_clause(
+    state: ReaderState, clause: Clause, roles: Roles, telling: list[Place], motion: str | None, located: list[str]
 ) -> None:
     """Who stands, or walks, between two; ``weaves between the stalls`` is between no two of them."""
-    still = not roles.subjects or is_still(stage, clause, roles, motion)
+    still = not roles.subjects or subject_stays(state, clause, roles, motion)
     boxes = [
         thing
         for place in roles.places
         for thing in place.things
-        if place.preposition == "in" and stage.inventory.head(thing) in CONTAINERS
+        if place.preposition == "in" and state.inventory.head(thing) in CONTAINERS
     ]
     located = boxes[:1] or located  # sleeps in a basket between the stove and the door
     walks = motion in _PASSING and not roles.things
     for place in roles.places if roles.subjects else telling:
         if place.preposition == "between" and (still or (walks and len(place.nouns) > 1)):
-            relate_between(stage, place, located)
+            relate_between(state, place, located)
 
 
-def _left_or_right(stage: Stage, subjects: list[Person]) -> None:
+def _relate_left_right(state: ReaderState, subjects: list[Person]) -> None:
     """``To her left, Dutch chews a toothpick.``"""
-    side = _ON_THE_SIDE.search(joined(stage.sentence.words))
+    side = _ON_THE_SIDE.search(joined(state.sentence.words))
     if side is None:
         return
     kind: RelationKind = "left_of" if "left" in side.group(0) else "right_of"
-    pronouns = stage.sentence.pronouns
-    owner = next((pronouns[i][0] for i in sorted(pronouns) if stage.sentence.words[i].low in ("her", "his")), [])
+    pronouns = state.sentence.pronouns
+    owner = next((pronouns[i][0] for i in sorted(pronouns) if state.sentence.words[i].low in ("her", "his")), [])
     others = [person for person in owner if person not in subjects]
-    others = others or [person for person in stage.on_stage() if person not in subjects][:1]
+    others = others or [person for person in state.on_stage() if person not in subjects][:1]
     for subject in subjects:
         for other in others:
-            stage.relate(subject.id, kind, other.id)
+            state.relate(subject.id, kind, other.id)
 
 
-def _seat_beside(stage: Stage, roles: Roles, motion: str | None, found: list[Stated]) -> list[Stated]:
+def _move_to_seat(
+    state: ReaderState, roles: Roles, motion: str | None, found: list[StatedRelation]
+) -> list[StatedRelation]:
     """``Sits in the armchair by the window``: it is the armchair that is by the window."""
     if motion not in ("sit", "lie_down", "sleep"):
         return found
@@ -184,23 +190,23 @@ def _seat_beside(stage: Stage, roles: Roles, motion: str | None, found: list[Sta
         for place in roles.places
         if place.things
         and lexicon.relation_of(place.preposition) in ("on", "in", "at")
-        and stage.inventory.class_of(place.things[0]) != "body"
-        and stage.inventory.head(place.things[0]) in lexicon.SEATS | {"table", "desk"}
+        and state.inventory.class_of(place.things[0]) != "body"
+        and state.inventory.head(place.things[0]) in lexicon.SEATS | {"table", "desk"}
     ]
     beside = [
         place
         for place in roles.places
         if place.things
         and (
-            (place.preposition in _BESIDE_FURNITURE and stage.inventory.class_of(place.things[0]) == "set_piece")
-            or (place.preposition == "in" and stage.inventory.head(place.things[0]) == "corner")
+            (place.preposition in _BESIDE_FURNITURE and state.inventory.class_of(place.things[0]) == "set_piece")
+            or (place.preposition == "in" and state.inventory.head(place.things[0]) == "corner")
         )
     ]
     at_table = any(kind == "at" for _, kind, _ in found)
     if not seats or not beside or (at_table and beside[0].preposition == "in front of"):
         return found
     seat, window = seats[0].things[0], beside[0].things[0]
-    if stage.inventory.head(seat) in FLOOR or seat == window:
+    if state.inventory.head(seat) in FLOOR or seat == window:
         return found
     if beside[0].nouns[0].index < seats[0].nouns[0].index:
         return found  # in front of the stove on a crate
@@ -213,15 +219,15 @@ _SIDE_WORDS = frozenset({"side", "shoulder", "elbow", "hip", "cheek", "knee"})
 
 
 @rule("relations.side_by_side")
-def relate_side_by_side(stage: Stage, words: list[Word], subjects: list[Person]) -> None:
+def relate_side_by_side(state: ReaderState, words: list[Word], subjects: list[Person]) -> None:
     """``They sit side by side``, ``stand shoulder to shoulder``: each next to the one named before.
 
     Args:
-        stage: The state after the clauses.
+        state: The state after the clauses.
         words: The sentence as it is written.
         subjects: Of the sentence.
     """
     low = [word.low for word in words]
     if any(low[i] == low[i + 2] in _SIDE_WORDS and low[i + 1] in ("by", "to") for i in range(len(low) - 2)):
         for before, person in pairwise(subjects):
-            stage.relate(before.id, "next_to", person.id)
+            state.relate(before.id, "next_to", person.id)

@@ -13,10 +13,10 @@ from storyblender.agents.director.reader.places.anchors import (
     GETTING_DOWN,
     HANGING,
     STATIVE,
-    solid_things,
+    furniture_and_props,
 )
-from storyblender.agents.director.reader.places.supports import describes_support
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.places.supports import locates_support
+from storyblender.agents.director.reader.state import ReaderState
 
 _AT_REST = lexicon.words("at_rest")
 """Verbs that tell where a thing is, not what somebody does."""
@@ -46,7 +46,7 @@ _SEATS_TAKEN = frozenset({"seat", "place", "chair", "post", "stand"})
 """``takes her place at the window``."""
 _MOVING = lexicon.words("moving")
 """Verbs after which a thing is somewhere else than the words say."""
-_WITH_IT = frozenset(
+_WITH_PREPOSITIONS = frozenset(
     {"on", "over", "under", "across", "on top of", "underneath", "beneath", "inside", "below", "above"}
 )
 """``with her feet on the desk``."""
@@ -57,18 +57,18 @@ _STATIC = frozenset(
 """Prepositions that tell where a thing is that does something: ``A kettle sings on the stove``."""
 
 
-def is_still(stage: Stage, clause: Clause, roles: Roles, motion: str | None) -> bool:
+def subject_stays(state: ReaderState, clause: Clause, roles: Roles, motion: str | None) -> bool:
     """Whether a clause tells where its subject is: it stands, is laid, hangs there.
 
     Args:
-        stage: The state before.
+        state: The state before.
         clause: Not negated.
         roles: Its people and things.
         motion: The motion of its subject.
     """
     if _settles_itself(clause, roles):
         return True
-    if clause.verb not in _ALWAYS and not clause.passive and _moves_something(stage, roles, motion):
+    if clause.verb not in _ALWAYS and not clause.passive and _moves_something(state, roles, motion):
         return False
     still = (
         clause.verb in STATIVE
@@ -88,87 +88,87 @@ def _settles_itself(clause: Clause, roles: Roles) -> bool:
     return bool(roles.subjects) and (own or seat or clause.verb == "join")
 
 
-def _moves_something(stage: Stage, roles: Roles, motion: str | None) -> bool:
+def _moves_something(state: ReaderState, roles: Roles, motion: str | None) -> bool:
     """``sets the doll on the chair``, ``rests her hands on the book``, but not ``leans her head on the chair``."""
-    classes = {stage.inventory.class_of(thing) for thing in roles.things} - {"abstract"}
-    classes -= set() if stage.sentence.verb in _PLACING else {"unknown"}
+    classes = {state.inventory.class_of(thing) for thing in roles.things} - {"abstract"}
+    classes -= set() if state.sentence.verb in _PLACING else {"unknown"}
     return bool(roles.people) or bool(classes - {"body"}) or (bool(classes) and motion not in _STILL)
 
 
-def _has_furniture(stage: Stage, place: Place) -> bool:
+def _has_furniture(state: ReaderState, place: Place) -> bool:
     """``writes at the desk``, but not ``works at the knot``."""
-    return any(stage.inventory.class_of(thing) in ("set_piece", "scenery") for thing in place.things)
+    return any(state.inventory.class_of(thing) in ("set_piece", "scenery") for thing in place.things)
 
 
-def telling_places(stage: Stage, clause: Clause, roles: Roles, motion: str | None) -> list[Place]:
+def subject_places(state: ReaderState, clause: Clause, roles: Roles, motion: str | None) -> list[Place]:
     """The places of a clause that tell where its subject is once it is over.
 
     Args:
-        stage: The state before.
+        state: The state before.
         clause: Not negated.
         roles: Its people and things.
         motion: The motion of its subject.
     """
-    if is_still(stage, clause, roles, motion):
-        own = [at for at in range(len(roles.places)) if not describes_support(stage, roles, at)]
-        return [roles.places[at] for at in own if not (at and _goes_with(stage, roles, at))]
+    if subject_stays(state, clause, roles, motion):
+        own = [at for at in range(len(roles.places)) if not locates_support(state, roles, at)]
+        return [roles.places[at] for at in own if not (at and _belongs_to_with(state, roles, at))]
     if clause.opening and clause.verb not in _SEEING:
         first = max(0, len(roles.places) - clause.opening)
-        return [roles.places[at] for at in range(first, len(roles.places)) if not describes_support(stage, roles, at)]
+        return [roles.places[at] for at in range(first, len(roles.places)) if not locates_support(state, roles, at)]
     if motion == "fall" or (roles.subject_things and clause.verb in _COMING_TO_REST):
         return [place for place in roles.places if place.preposition in _WHERE]
     if not roles.subjects:
         rests = clause.verb not in _MOVING and not roles.things
-        return [place for place in roles.places if rests and _is_where(stage, clause, place)]
+        return [place for place in roles.places if rests and _locates_active_thing(state, clause, place)]
     if clause.verb in _GAZE or (clause.verb in _PLACING and roles.things):
         return []
     return [
         place
         for place in roles.places
-        if (place.preposition == "at" and motion in _AT_WORK and _has_furniture(stage, place))
-        or (place.preposition in ("on", "in") and motion in _CONSUMING and _has_furniture(stage, place))
-        or (place.preposition == "on" and _is_seat(stage, place) and _only_body(stage, roles) and motion in _SEATED)
+        if (place.preposition == "at" and motion in _AT_WORK and _has_furniture(state, place))
+        or (place.preposition in ("on", "in") and motion in _CONSUMING and _has_furniture(state, place))
+        or (place.preposition == "on" and _is_seat(state, place) and _only_body(state, roles) and motion in _SEATED)
         or (
             place.preposition == "against"
             and clause.verb in _BACKING
-            and _only_body(stage, roles)
+            and _only_body(state, roles)
             and bool(place.things)
         )
-        or (place.preposition in _BESIDE and _is_beside(stage, roles, place))
-        or (not roles.things + roles.people and _gets_there(stage, clause, place))
+        or (place.preposition in _BESIDE and _is_beside(state, roles, place))
+        or (not roles.things + roles.people and _moves_to_place(state, clause, place))
     ]
 
 
-def _gets_there(stage: Stage, clause: Clause, place: Place) -> bool:
+def _moves_to_place(state: ReaderState, clause: Clause, place: Place) -> bool:
     """``hops to the floor``, ``crawls under the bed``."""
     if place.preposition == "to":
-        return clause.verb in GETTING_DOWN and any(stage.inventory.head(thing) in FLOOR for thing in place.things)
+        return clause.verb in GETTING_DOWN and any(state.inventory.head(thing) in FLOOR for thing in place.things)
     return place.preposition in ("under", "underneath", "beneath") and clause.verb in _CREEPING
 
 
-def _is_seat(stage: Stage, place: Place) -> bool:
-    return any(stage.inventory.head(thing) in lexicon.SEATS for thing in place.things)
+def _is_seat(state: ReaderState, place: Place) -> bool:
+    return any(state.inventory.head(thing) in lexicon.SEATS for thing in place.things)
 
 
-def _only_body(stage: Stage, roles: Roles) -> bool:
-    return all(stage.inventory.class_of(thing) == "body" for thing in roles.things)
+def _only_body(state: ReaderState, roles: Roles) -> bool:
+    return all(state.inventory.class_of(thing) == "body" for thing in roles.things)
 
 
-def _is_beside(stage: Stage, roles: Roles, place: Place) -> bool:
+def _is_beside(state: ReaderState, roles: Roles, place: Place) -> bool:
     """``runs alongside him``; ``pulls a chair up beside him`` tells where the chair is."""
-    return not (roles.things + roles.people) or (bool(place.people) and not solid_things(stage, roles.things))
+    return not (roles.things + roles.people) or (bool(place.people) and not furniture_and_props(state, roles.things))
 
 
-def _is_where(stage: Stage, clause: Clause, place: Place) -> bool:
+def _locates_active_thing(state: ReaderState, clause: Clause, place: Place) -> bool:
     """``A kettle sings on the stove``, ``A lantern swings from a hook``: where a thing is that does something."""
     if place.preposition == "from":
         return clause.verb in HANGING
     return place.preposition in _STATIC and any(
-        stage.inventory.class_of(thing) in ("prop", "set_piece") for thing in place.things
+        state.inventory.class_of(thing) in ("prop", "set_piece") for thing in place.things
     )
 
 
-def _goes_with(stage: Stage, roles: Roles, at: int) -> bool:
+def _belongs_to_with(state: ReaderState, roles: Roles, at: int) -> bool:
     """``sits with her feet on the desk``: the feet are on it; ``lies on the sofa behind them``: the sofa is there."""
     before, place = roles.places[at - 1], roles.places[at]
     if before.preposition == "of" and at > 1:
@@ -176,10 +176,10 @@ def _goes_with(stage: Stage, roles: Roles, at: int) -> bool:
     if place.nouns[0].index < before.nouns[0].index:
         return False
     if before.preposition == "with":
-        return bool(before.things) and place.preposition in _WITH_IT
-    pieces = any(stage.inventory.class_of(thing) == "set_piece" for thing in place.things)
+        return bool(before.things) and place.preposition in _WITH_PREPOSITIONS
+    pieces = any(state.inventory.class_of(thing) == "set_piece" for thing in place.things)
     supported = lexicon.relation_of(before.preposition) in ("on", "in") and any(
-        stage.inventory.class_of(thing) == "set_piece" for thing in before.things
+        state.inventory.class_of(thing) == "set_piece" for thing in before.things
     )
     side = lexicon.relation_of(place.preposition) in ("behind", "in_front_of", "next_to", "under", "over")
     return not roles.subjects and supported and side and (pieces or bool(place.people))

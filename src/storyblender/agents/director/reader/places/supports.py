@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.people.roles import Place, Roles
-from storyblender.agents.director.reader.places.anchors import FLOOR, OPENINGS, SURFACES, THINGS, Stated
-from storyblender.agents.director.reader.state import Stage
+from storyblender.agents.director.reader.places.anchors import FLOOR, OPENINGS, SURFACES, THING_CLASSES, StatedRelation
+from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.rules import rule
 
 _HELD_UP = frozenset({"on", "in"})
@@ -18,11 +18,11 @@ PEGS = frozenset({"hook", "nail", "peg"})
 """What things hang on; it is fixed somewhere itself."""
 
 
-def describes_support(stage: Stage, roles: Roles, at: int) -> bool:
+def locates_support(state: ReaderState, roles: Roles, at: int) -> bool:
     """Whether a place tells where the furniture named right before it is: ``on the hook behind the door``.
 
     Args:
-        stage: The state before.
+        state: The state before.
         roles: Of a clause that tells where its subject is.
         at: Which of its places.
     """
@@ -38,55 +38,55 @@ def describes_support(stage: Stage, roles: Roles, at: int) -> bool:
             (held in _HELD_UP and side in _ASIDE)
             or (before.preposition in _SOURCES and side in _ASIDE)
             or (held == "at" and side in ("under", "over"))
-            or (held == "on" and side == "at" and not roles.subjects and _is_opening(stage, place))
+            or (held == "on" and side == "at" and not roles.subjects and _is_opening(state, place))
             or (held in _BESIDE and side == "next_to" and bool(roles.subjects))
         )
         and len(before.things) == len(place.things + place.people) == 1
         and not before.people
         and before.nouns[0].index < place.nouns[0].index
-        and not _apart(stage, before, place)
-        and _stands(stage, before)
-        and (_is_landmark(stage, roles, place) or stage.inventory.head(before.things[0]) in PEGS)
+        and not _is_separated(state, before, place)
+        and _is_fixed_piece(state, before)
+        and (_is_landmark(state, roles, place) or state.inventory.head(before.things[0]) in PEGS)
         and before.things != place.things
     )
 
 
-def _apart(stage: Stage, before: Place, place: Place) -> bool:
+def _is_separated(state: ReaderState, before: Place, place: Place) -> bool:
     """``On the sledge, under a canvas, are crates``: both places are theirs."""
-    between = stage.sentence.words[before.nouns[0].index : place.nouns[0].index]
+    between = state.sentence.words[before.nouns[0].index : place.nouns[0].index]
     return any(word.text == "," for word in between)
 
 
 @rule("relations.support", without=[])
-def relate_supports(stage: Stage, roles: Roles) -> list[Stated]:
+def support_relations(state: ReaderState, roles: Roles) -> list[StatedRelation]:
     """The relations of furniture to furniture that the places of a clause tell.
 
     Args:
-        stage: The state before.
+        state: The state before.
         roles: Of a clause that tells where its subject is.
     """
-    found: list[Stated] = []
+    found: list[StatedRelation] = []
     for at, place in enumerate(roles.places):
         side = lexicon.relation_of(place.preposition)
-        if side and describes_support(stage, roles, at):
+        if side and locates_support(state, roles, at):
             sides = [*(person.id for person in place.people), *place.things]
             found.extend((roles.places[at - 1].things[0], side, other) for other in sides)
     return found
 
 
-def _is_opening(stage: Stage, place: Place) -> bool:
+def _is_opening(state: ReaderState, place: Place) -> bool:
     """``mounted on a tripod at the window``: it is the tripod that is at it."""
-    return bool(place.things) and stage.inventory.head(place.things[0]) in OPENINGS
+    return bool(place.things) and state.inventory.head(place.things[0]) in OPENINGS
 
 
-def _is_landmark(stage: Stage, roles: Roles, place: Place) -> bool:
+def _is_landmark(state: ReaderState, roles: Roles, place: Place) -> bool:
     """Furniture; somebody, where nobody but a thing is on it: ``On a table behind him lies a tray``."""
     if place.people:
         return not roles.subjects and lexicon.relation_of(place.preposition) in ("behind", "in_front_of")
-    return stage.inventory.class_of(place.things[0]) == "set_piece" or stage.inventory.head(place.things[0]) in _LAMPS
+    return state.inventory.class_of(place.things[0]) == "set_piece" or state.inventory.head(place.things[0]) in _LAMPS
 
 
-def _stands(stage: Stage, place: Place) -> bool:
+def _is_fixed_piece(state: ReaderState, place: Place) -> bool:
     """Whether it is a piece of furniture, or a hook in the wall: no floor, nothing that is carried about."""
-    head, kind = stage.inventory.head(place.things[0]), stage.inventory.class_of(place.things[0])
-    return head not in FLOOR | SURFACES and (kind == "set_piece" or (head in PEGS and kind in THINGS))
+    head, kind = state.inventory.head(place.things[0]), state.inventory.class_of(place.things[0])
+    return head not in FLOOR | SURFACES and (kind == "set_piece" or (head in PEGS and kind in THING_CLASSES))
