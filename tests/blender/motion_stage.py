@@ -10,7 +10,7 @@ from mathutils import Matrix, Quaternion, Vector
 
 from storyblender.blender.motion.plan import Performance, StageFurniture, StagePerson, StagePlan, StageProp, box_of
 from storyblender.blender.motion.solve import solve_shot
-from storyblender.blender.people.body import Body
+from storyblender.blender.people.body import RiggedBody
 from storyblender.blender.people.person import build_person
 from storyblender.memory.asset_sheet import Anchor, CharacterLook
 from storyblender.memory.shot_context import Blocking, Cue, Mark
@@ -19,13 +19,13 @@ from storyblender.memory.vocabulary import Posture
 FPS = 24
 
 
-def build_bodies(*who: str) -> dict[str, Body]:
+def build_bodies(*who: str) -> dict[str, RiggedBody]:
     """A man and a girl, or who is asked for of man, woman and girl."""
     return {name: _body(name) for name in who or ("man", "girl")}
 
 
 @cache
-def _body(name: str) -> Body:
+def _body(name: str) -> RiggedBody:
     cast = {"man": (40, "male"), "woman": (28, "female"), "girl": (8, "female")}
     age, gender = cast[name]
     return build_person(name, CharacterLook(age=age, gender=gender), 1).body
@@ -60,7 +60,7 @@ def table_at(x: float, y: float) -> StageFurniture:
 
 
 def perform(
-    bodies: dict[str, Body],
+    bodies: dict[str, RiggedBody],
     marks: tuple[Mark, ...],
     cues: tuple[Cue, ...],
     seconds: float,
@@ -90,7 +90,7 @@ def perform(
 class Playback:
     """Forward kinematics from the solved track alone, as Blender will play it."""
 
-    def __init__(self, body: Body, performance: Performance, who: str) -> None:
+    def __init__(self, body: RiggedBody, performance: Performance, who: str) -> None:
         self.body, self.track = body, performance.people[who]
         self.index = {name: i for i, name in enumerate(body.bone_names)}
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from storyblender.blender.measure.collisions import find_collisions
-from storyblender.blender.people.body import Body
+from storyblender.blender.people.body import RiggedBody
 
 pytestmark = pytest.mark.blender
 BOX = 0.4
@@ -38,10 +38,12 @@ def scene() -> bpy.types.Scene:
     return scene
 
 
-def body() -> Body:
+def body() -> RiggedBody:
     rest = np.array(bpy.data.armatures["anna"].bones["hips"].matrix_local)[None]
     skin = np.random.default_rng(0).uniform(-0.05, 0.05, (200, 3))
-    return Body(("hips",), np.array([-1]), rest, np.zeros((1, 3)), np.zeros((1, 3)), 1.7, skin, np.ones((200, 1)), ())
+    return RiggedBody(
+        ("hips",), np.array([-1]), rest, np.zeros((1, 3)), np.zeros((1, 3)), 1.7, skin, np.ones((200, 1)), ()
+    )
 
 
 def walk(keys: dict[int, float]) -> None:

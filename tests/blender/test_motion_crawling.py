@@ -7,19 +7,19 @@ import numpy as np
 import pytest
 from tests.blender.motion_stage import Playback, build_bodies, cue_of, mark_at, perform
 
-from storyblender.blender.people.body import Body
+from storyblender.blender.people.body import RiggedBody
 
 pytestmark = pytest.mark.blender
 
 
 @pytest.fixture(scope="module")
-def bodies() -> dict[str, Body]:
+def bodies() -> dict[str, RiggedBody]:
     bpy.ops.wm.read_factory_settings(use_empty=True)
     return build_bodies()
 
 
 @pytest.mark.parametrize("who", ["man", "girl"])
-def test_who_crawls_goes_on_hands_and_knees_and_stands_up_on_the_mark(bodies: dict[str, Body], who: str) -> None:
+def test_who_crawls_goes_on_hands_and_knees_and_stands_up_on_the_mark(bodies: dict[str, RiggedBody], who: str) -> None:
     end = mark_at(who, 0.8, -0.4, 60)
     shot = perform(bodies, (mark_at(who, -1, 0, 90),), (cue_of(who, "crawl", 2, mark=end),), 7.5, ends=(end,))
     assert shot.problems == ()
@@ -39,7 +39,7 @@ def test_who_crawls_goes_on_hands_and_knees_and_stands_up_on_the_mark(bodies: di
     assert play.joint("head", len(shot.frames) - 1).z > 1.4 * k
 
 
-def test_who_holds_something_keeps_it_while_crawling(bodies: dict[str, Body]) -> None:
+def test_who_holds_something_keeps_it_while_crawling(bodies: dict[str, RiggedBody]) -> None:
     end = mark_at("man", 0.5, 0, 90)
     start = mark_at("man", -1, 0, 90, held=(("L", "cup"),))
     shot = perform(bodies, (start,), (cue_of("man", "crawl", 2, mark=end),), 6, ends=(end,))

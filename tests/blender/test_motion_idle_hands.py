@@ -9,20 +9,20 @@ from tests.blender.motion_stage import Playback, build_bodies, cue_of, mark_at, 
 
 from storyblender.blender.motion import idle_hands
 from storyblender.blender.motion.plan import StageProp
-from storyblender.blender.people.body import Body
+from storyblender.blender.people.body import RiggedBody
 
 pytestmark = pytest.mark.blender
 
 
 @pytest.fixture(scope="module")
-def bodies() -> dict[str, Body]:
+def bodies() -> dict[str, RiggedBody]:
     bpy.ops.wm.read_factory_settings(use_empty=True)
     return build_bodies("man", "girl")
 
 
 @pytest.mark.parametrize("habit", ["folded", "behind", "clasped"])
 def test_hands_lie_in_each_other_at_ease_and_swing_on_the_way(
-    bodies: dict[str, Body], monkeypatch: pytest.MonkeyPatch, habit: str
+    bodies: dict[str, RiggedBody], monkeypatch: pytest.MonkeyPatch, habit: str
 ) -> None:
     monkeypatch.setattr(idle_hands, "HABITS", (habit,))
     end = mark_at("man", 2.5, 0, 90)
@@ -40,14 +40,14 @@ def test_hands_lie_in_each_other_at_ease_and_swing_on_the_way(
     assert (-ahead if habit == "behind" else ahead) > 0.08
 
 
-def test_children_let_their_hands_hang(bodies: dict[str, Body], monkeypatch: pytest.MonkeyPatch) -> None:
+def test_children_let_their_hands_hang(bodies: dict[str, RiggedBody], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(idle_hands, "HABITS", ("folded",))
     shot = perform(bodies, (mark_at("girl", 0, 0),), (), 1)
     play = Playback(bodies["girl"], shot, "girl")
     assert (play.joint("hand.L", 10) - play.joint("hand.R", 10)).length > 0.3
 
 
-def test_the_weight_goes_from_leg_to_leg_over_feet_that_stay(bodies: dict[str, Body]) -> None:
+def test_the_weight_goes_from_leg_to_leg_over_feet_that_stay(bodies: dict[str, RiggedBody]) -> None:
     shot = perform(bodies, (mark_at("man", 0, 0),), (), 24)
     play = Playback(bodies["man"], shot, "man")
     frames = range(0, len(shot.frames), 12)
@@ -59,7 +59,9 @@ def test_the_weight_goes_from_leg_to_leg_over_feet_that_stay(bodies: dict[str, B
 
 
 @pytest.mark.parametrize(("thickness", "level"), [(0.006, False), (0.02, True)])
-def test_papers_are_carried_on_edge_and_plates_level(bodies: dict[str, Body], thickness: float, level: bool) -> None:
+def test_papers_are_carried_on_edge_and_plates_level(
+    bodies: dict[str, RiggedBody], thickness: float, level: bool
+) -> None:
     props = {"thing": StageProp(world_at(0, 0, -5), (0.2, 0.2, thickness))}
     shot = perform(bodies, (mark_at("man", 0, 0, held=(("R", "thing"),)),), (), 1, props=props)
     up = abs(shot.props["thing"][12, 2, 2])

@@ -9,7 +9,7 @@ from mathutils import Vector
 from tests.blender.motion_stage import FPS, Playback, build_bodies, cue_of, mark_at, perform, world_at
 
 from storyblender.blender.motion.plan import StageFurniture, StageProp
-from storyblender.blender.people.body import Body
+from storyblender.blender.people.body import RiggedBody
 from storyblender.memory.asset_sheet import Anchor
 
 pytestmark = pytest.mark.blender
@@ -19,14 +19,14 @@ BAG_GRIP = Anchor(kind="grip", name="grip_r", location=(0, 0, 0.33), direction=(
 
 
 @pytest.fixture(scope="module")
-def bodies() -> dict[str, Body]:
+def bodies() -> dict[str, RiggedBody]:
     bpy.ops.wm.read_factory_settings(use_empty=True)
     return build_bodies()
 
 
 @pytest.mark.parametrize("clip", ["jump", "climb"])
 @pytest.mark.parametrize("who", ["man", "girl"])
-def test_feet_clear_the_fence_and_land_behind_it(bodies: dict[str, Body], who: str, clip: str) -> None:
+def test_feet_clear_the_fence_and_land_behind_it(bodies: dict[str, RiggedBody], who: str, clip: str) -> None:
     end = mark_at(who, 0, 0.5, 180)
     over = cue_of(who, clip, 2, target_id="fence", mark=end)
     shot = perform(bodies, (mark_at(who, 0, -0.42, 180),), (over,), 4, ends=(end,), furniture={"fence": FENCE})
@@ -42,7 +42,7 @@ def test_feet_clear_the_fence_and_land_behind_it(bodies: dict[str, Body], who: s
 
 @pytest.mark.parametrize("clip", ["jump", "climb"])
 @pytest.mark.parametrize("who", ["man", "girl"])
-def test_who_leaps_has_no_idle_hands(bodies: dict[str, Body], who: str, clip: str) -> None:
+def test_who_leaps_has_no_idle_hands(bodies: dict[str, RiggedBody], who: str, clip: str) -> None:
     low = StageFurniture(world_at(0, 0), (0.6, 0.3, 0.3))
     end = mark_at(who, 0, 0.6, 180)
     over = cue_of(who, clip, 2, target_id="step", mark=end)
@@ -58,7 +58,7 @@ def test_who_leaps_has_no_idle_hands(bodies: dict[str, Body], who: str, clip: st
     assert below(len(shot.frames) - 1) == pytest.approx(below(0), abs=0.06), "the arms come to rest again"
 
 
-def test_a_ladder_is_climbed_up_and_one_stays_there(bodies: dict[str, Body]) -> None:
+def test_a_ladder_is_climbed_up_and_one_stays_there(bodies: dict[str, RiggedBody]) -> None:
     up = cue_of("man", "climb", 2, target_id="ladder", duration=80)
     shot = perform(bodies, (mark_at("man", 0, -0.2, 180),), (up,), 4, furniture={"ladder": LADDER})
     play = Playback(bodies["man"], shot, "man")
@@ -67,7 +67,7 @@ def test_a_ladder_is_climbed_up_and_one_stays_there(bodies: dict[str, Body]) -> 
     assert min(play.joint(f"foot.{side}", last).z for side in "LR") > 0.5
 
 
-def test_what_is_thrown_to_somebody_is_caught(bodies: dict[str, Body]) -> None:
+def test_what_is_thrown_to_somebody_is_caught(bodies: dict[str, RiggedBody]) -> None:
     ball = StageProp(world_at(0, 0, -5), (0.1, 0.1, 0.1))
     marks = (mark_at("man", -1.5, 0, 90, held=(("R", "ball"),)), mark_at("girl", 1.5, 0, -90))
     cues = (
@@ -83,7 +83,7 @@ def test_what_is_thrown_to_somebody_is_caught(bodies: dict[str, Body]) -> None:
     assert (Vector(path[-1].tolist()) - hand).length < 0.25
 
 
-def test_an_orange_comes_out_of_the_satchel_one_holds(bodies: dict[str, Body]) -> None:
+def test_an_orange_comes_out_of_the_satchel_one_holds(bodies: dict[str, RiggedBody]) -> None:
     props = {
         "satchel": StageProp(world_at(0, 0, -5), (0.32, 0.14, 0.34), (BAG_GRIP,)),
         "orange": StageProp(world_at(4, 4, 0.7), (0.08, 0.08, 0.09)),
@@ -100,7 +100,7 @@ def test_an_orange_comes_out_of_the_satchel_one_holds(bodies: dict[str, Body]) -
     assert np.linalg.norm(np.diff(shot.props["orange"][:, :3, 3], axis=0), axis=1).max() < 0.12
 
 
-def test_a_child_is_lifted_eye_to_eye_and_put_down(bodies: dict[str, Body]) -> None:
+def test_a_child_is_lifted_eye_to_eye_and_put_down(bodies: dict[str, RiggedBody]) -> None:
     end = mark_at("man", 0.2, 0, 90)
     lift = cue_of("man", "lift", 2, target_id="girl")
     shot = perform(bodies, (mark_at("man", -0.6, 0, 90), mark_at("girl", 0.6, 0, -90)), (lift,), 6, ends=(end,))
@@ -113,14 +113,14 @@ def test_a_child_is_lifted_eye_to_eye_and_put_down(bodies: dict[str, Body]) -> N
     assert (man.joint("hand.L", top) - girl.joint("upper_chest", top)).length < 0.35, "held under the arms"
 
 
-def test_a_staff_stands_on_the_floor(bodies: dict[str, Body]) -> None:
+def test_a_staff_stands_on_the_floor(bodies: dict[str, RiggedBody]) -> None:
     stick = {"stick": StageProp(world_at(0, 0, -5), (0.04, 0.04, 0.95))}
     shot = perform(bodies, (mark_at("man", 0, 0, held=(("R", "stick"),)),), (), 1, props=stick)
     assert shot.props["stick"][10, 2, 3] == pytest.approx(0.0, abs=0.03)
     assert shot.props["stick"][10, 2, 2] > 0.98, "upright"
 
 
-def test_a_match_is_struck_before_the_breast_not_where_it_lay(bodies: dict[str, Body]) -> None:
+def test_a_match_is_struck_before_the_breast_not_where_it_lay(bodies: dict[str, RiggedBody]) -> None:
     props = {"match": StageProp(world_at(3, 0, 0.75), (0.01, 0.01, 0.06))}
     marks = (mark_at("man", 0, 0, held=(("R", "match"),)),)
     shot = perform(bodies, marks, (cue_of("man", "press", 2, prop_id="match", hand="R"),), 3, props=props)
@@ -130,7 +130,7 @@ def test_a_match_is_struck_before_the_breast_not_where_it_lay(bodies: dict[str, 
     assert min(hand.z for hand in hands) > 0.9
 
 
-def test_two_who_stand_too_near_to_embrace_step_back_without_turning_away(bodies: dict[str, Body]) -> None:
+def test_two_who_stand_too_near_to_embrace_step_back_without_turning_away(bodies: dict[str, RiggedBody]) -> None:
     marks = (mark_at("man", -0.1, 0, 90), mark_at("girl", 0.1, 0, -90))
     shot = perform(bodies, marks, (cue_of("man", "hug", 2, target_id="girl"),), 5)
     yaws = np.degrees(shot.people["man"].root[:, 3])
@@ -139,7 +139,7 @@ def test_two_who_stand_too_near_to_embrace_step_back_without_turning_away(bodies
 
 
 @pytest.mark.parametrize("who", ["man", "girl"])
-def test_a_coil_of_rope_is_lifted_from_the_floor_with_both_hands(bodies: dict[str, Body], who: str) -> None:
+def test_a_coil_of_rope_is_lifted_from_the_floor_with_both_hands(bodies: dict[str, RiggedBody], who: str) -> None:
     rope = {"rope": StageProp(world_at(0, 0.5), (0.37, 0.37, 0.12))}
     pick = cue_of(who, "pick_up", 2, prop_id="rope")
     shot = perform(bodies, (mark_at(who, 0, 0.05, 180),), (pick,), 4, props=rope)

@@ -9,7 +9,7 @@ from mathutils import Vector
 from tests.blender.motion_stage import Playback, build_bodies, chair_at, cue_of, mark_at, perform, world_at
 
 from storyblender.blender.motion.plan import StageProp
-from storyblender.blender.people.body import Body
+from storyblender.blender.people.body import RiggedBody
 from storyblender.memory.shot_context import PropState
 from storyblender.memory.vocabulary import BodyPlace
 
@@ -29,7 +29,7 @@ NEAR: dict[BodyPlace, tuple[str, float]] = {
 
 
 @pytest.fixture(scope="module")
-def bodies() -> dict[str, Body]:
+def bodies() -> dict[str, RiggedBody]:
     return build_bodies()
 
 
@@ -44,7 +44,7 @@ def _middle(path: np.ndarray, frame: int, place: BodyPlace) -> Vector:
 
 @pytest.mark.parametrize("place", SIZES)
 @pytest.mark.parametrize("who", ["man", "girl"])
-def test_it_is_at_its_place_and_goes_along(bodies: dict[str, Body], who: str, place: BodyPlace) -> None:
+def test_it_is_at_its_place_and_goes_along(bodies: dict[str, RiggedBody], who: str, place: BodyPlace) -> None:
     shot = perform(
         bodies, (mark_at(who, 0, 0),), (cue_of(who, "walk", 2, mark=mark_at(who, 2.0, 0, 90)),), 4,
         ends=(mark_at(who, 2.0, 0, 90),), props={"it": _worn(place, who)},
@@ -55,7 +55,7 @@ def test_it_is_at_its_place_and_goes_along(bodies: dict[str, Body], who: str, pl
 
 
 @pytest.mark.parametrize("place", ["chest", "back", "hip", "under_arm"])
-def test_it_lies_on_the_body_and_not_in_it(bodies: dict[str, Body], place: BodyPlace) -> None:
+def test_it_lies_on_the_body_and_not_in_it(bodies: dict[str, RiggedBody], place: BodyPlace) -> None:
     shot = perform(bodies, (mark_at("man", 0, 0),), (), 1, props={"it": _worn(place, "man")})
     arm = bodies["man"]
     skin = Playback(arm, shot, "man").skin(0)
@@ -70,7 +70,7 @@ def test_it_lies_on_the_body_and_not_in_it(bodies: dict[str, Body], place: BodyP
     assert inside.mean() < 0.01
 
 
-def test_what_is_on_the_lap_is_on_the_thighs_of_who_sits(bodies: dict[str, Body]) -> None:
+def test_what_is_on_the_lap_is_on_the_thighs_of_who_sits(bodies: dict[str, RiggedBody]) -> None:
     mark = mark_at("man", 0, -0.24, posture="sit", support_id="chair", anchor_name="seat")
     shot = perform(bodies, (mark,), (), 1, furniture={"chair": chair_at(0, 0)}, props={"it": _worn("lap", "man")})
     x, y, z = shot.props["it"][0][:3, 3]

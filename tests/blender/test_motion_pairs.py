@@ -12,13 +12,13 @@ from tests.blender.motion_stage import Playback, build_bodies, chair_at, cue_of,
 
 from storyblender.blender.motion.clips.embraces import LIPS
 from storyblender.blender.motion.plan import StageFurniture, StageProp
-from storyblender.blender.people.body import Body
+from storyblender.blender.people.body import RiggedBody
 
 pytestmark = pytest.mark.blender
 
 
 @pytest.fixture(scope="module")
-def bodies() -> dict[str, Body]:
+def bodies() -> dict[str, RiggedBody]:
     bpy.ops.wm.read_factory_settings(use_empty=True)
     return build_bodies("man", "woman")
 
@@ -34,13 +34,13 @@ def _lips(play: Playback, frame: int) -> Vector:
 MARKS = (mark_at("man", -0.6, 0, 90), mark_at("woman", 0.6, 0, -90))
 
 
-def test_who_kisses_touches_the_others_lips_with_theirs(bodies: dict[str, Body]) -> None:
+def test_who_kisses_touches_the_others_lips_with_theirs(bodies: dict[str, RiggedBody]) -> None:
     shot = perform(bodies, MARKS, (cue_of("man", "kiss", 2, target_id="woman", duration=120),), 4)
     lips = [_lips(Playback(bodies[who], shot, who), 90) for who in ("man", "woman")]
     assert (lips[0] - lips[1]).length < 0.02
 
 
-def test_an_embrace_is_held_as_long_as_wanted_and_left_for_the_mark(bodies: dict[str, Body]) -> None:
+def test_an_embrace_is_held_as_long_as_wanted_and_left_for_the_mark(bodies: dict[str, RiggedBody]) -> None:
     end = mark_at("man", -0.1, 0, 90)
     shot = perform(bodies, MARKS, (cue_of("man", "hug", 2, target_id="woman", mark=end),), 7, ends=(end,))
     assert shot.problems == ()
@@ -52,7 +52,7 @@ def test_an_embrace_is_held_as_long_as_wanted_and_left_for_the_mark(bodies: dict
     assert (Playback(bodies["man"], held, "man").joint("hand.R", 165) - back).length < 0.3, "still in each other's arms"
 
 
-def test_a_couple_turns_round_in_each_others_arms(bodies: dict[str, Body]) -> None:
+def test_a_couple_turns_round_in_each_others_arms(bodies: dict[str, RiggedBody]) -> None:
     marks = (mark_at("man", -0.3, 0, 90), mark_at("woman", 0.3, 0, -90))
     shot = perform(bodies, marks, (cue_of("man", "dance", 2, target_id="woman", duration=170),), 9.5)
     roots = {who: shot.people[who].root for who in ("man", "woman")}
@@ -67,7 +67,7 @@ def test_a_couple_turns_round_in_each_others_arms(bodies: dict[str, Body]) -> No
         assert math.cos(facing) == pytest.approx(-1, abs=0.02)
 
 
-def test_where_there_is_no_room_to_go_round_a_couple_turns_to_and_fro(bodies: dict[str, Body]) -> None:
+def test_where_there_is_no_room_to_go_round_a_couple_turns_to_and_fro(bodies: dict[str, RiggedBody]) -> None:
     walls = {f"wall_{y}": StageFurniture(np.array(Matrix.Translation((0, y, 0))), (3, 0.1, 2)) for y in (-0.4, 0.4)}
     marks = (mark_at("man", -0.25, 0, 90), mark_at("woman", 0.25, 0, -90))
     shot = perform(bodies, marks, (cue_of("man", "dance", 2, target_id="woman"),), 5, furniture=walls)
@@ -75,7 +75,7 @@ def test_where_there_is_no_room_to_go_round_a_couple_turns_to_and_fro(bodies: di
     assert 15 < np.degrees(np.ptp(shot.people["man"].root[:, 3])) < 50
 
 
-def test_a_hand_that_holds_a_staff_stays_with_it_in_an_embrace(bodies: dict[str, Body]) -> None:
+def test_a_hand_that_holds_a_staff_stays_with_it_in_an_embrace(bodies: dict[str, RiggedBody]) -> None:
     marks = (MARKS[0].model_copy(update={"held": (("R", "staff"),)}), MARKS[1])
     props = {"staff": StageProp(world_at(0, 0), (0.04, 0.04, 1.4))}
     shot = perform(bodies, marks, (cue_of("man", "hug", 2, target_id="woman", duration=166),), 7, props=props)
@@ -84,7 +84,7 @@ def test_a_hand_that_holds_a_staff_stays_with_it_in_an_embrace(bodies: dict[str,
     assert hands["L"] < 0.3 < hands["R"]
 
 
-def test_who_sits_takes_with_the_hand_that_is_towards_the_giver(bodies: dict[str, Body]) -> None:
+def test_who_sits_takes_with_the_hand_that_is_towards_the_giver(bodies: dict[str, RiggedBody]) -> None:
     chair = {"chair": chair_at(0, 0)}
     sitter = mark_at("woman", 0, -0.24, posture="sit", support_id="chair")
     props = {"cup": StageProp(world_at(0, 0), (0.08, 0.08, 0.1))}

@@ -31,7 +31,7 @@ from storyblender.blender.motion.plan import (
     box_of,
 )
 from storyblender.blender.motion.solve import solve_shot
-from storyblender.blender.people.body import Body
+from storyblender.blender.people.body import RiggedBody
 from storyblender.catalog.motions import MOTIONS
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.shot_context import Blocking
@@ -41,13 +41,13 @@ pytestmark = pytest.mark.blender
 
 
 @pytest.fixture(scope="module")
-def bodies() -> dict[str, Body]:
+def bodies() -> dict[str, RiggedBody]:
     bpy.ops.wm.read_factory_settings(use_empty=True)
     return build_bodies()
 
 
 @pytest.mark.parametrize("who", ["man", "girl"])
-def test_a_walk_arrives_on_the_mark_and_no_planted_foot_slides(bodies: dict[str, Body], who: str) -> None:
+def test_a_walk_arrives_on_the_mark_and_no_planted_foot_slides(bodies: dict[str, RiggedBody], who: str) -> None:
     end = mark_at(who, 2.0, 1.0, 45)
     shot = perform(bodies, (mark_at(who, -2, 0, 90),), (cue_of(who, "walk", 4, mark=end),), 6, ends=(end,))
     assert shot.problems == ()
@@ -70,7 +70,7 @@ def test_a_walk_arrives_on_the_mark_and_no_planted_foot_slides(bodies: dict[str,
         assert min(toe.z for toe, _ in feet) > -0.01
 
 
-def test_nobody_walks_through_a_table(bodies: dict[str, Body]) -> None:
+def test_nobody_walks_through_a_table(bodies: dict[str, RiggedBody]) -> None:
     end = mark_at("man", 0, 2.2, 0)
     furniture = {"table": table_at(0, 0.5)}
     shot = perform(
@@ -86,7 +86,9 @@ def test_nobody_walks_through_a_table(bodies: dict[str, Body]) -> None:
 
 
 @pytest.mark.parametrize("who", ["man", "girl"])
-def test_sitters_touch_the_seat_from_the_first_frame_and_after_sitting_down(bodies: dict[str, Body], who: str) -> None:
+def test_sitters_touch_the_seat_from_the_first_frame_and_after_sitting_down(
+    bodies: dict[str, RiggedBody], who: str
+) -> None:
     chair = {"chair": chair_at(0, 0.24)}
     seated = mark_at(who, 0, 0, 0, "sit", support_id="chair")
     already = perform(bodies, (seated,), (), 1, furniture=chair)
@@ -104,7 +106,7 @@ def test_sitters_touch_the_seat_from_the_first_frame_and_after_sitting_down(bodi
         assert shot.people[who].seated[frame] == pytest.approx(1, abs=0.01)
 
 
-def test_rising_from_a_seat_at_a_table_goes_to_the_side(bodies: dict[str, Body]) -> None:
+def test_rising_from_a_seat_at_a_table_goes_to_the_side(bodies: dict[str, RiggedBody]) -> None:
     furniture = {"chair": chair_at(0, 0.24), "table": table_at(0, -0.55)}
     seated = mark_at("man", 0, 0, 0, "sit", support_id="chair")
     shot = perform(bodies, (seated,), (cue_of("man", "rise", 4),), 4, furniture=furniture)
@@ -113,7 +115,7 @@ def test_rising_from_a_seat_at_a_table_goes_to_the_side(bodies: dict[str, Body])
     assert y > -0.3
 
 
-def test_a_letter_changes_hands(bodies: dict[str, Body]) -> None:
+def test_a_letter_changes_hands(bodies: dict[str, RiggedBody]) -> None:
     letter = StageProp(world_at(0, 0, -5), (0.11, 0.22, 0.01))
     marks = (mark_at("man", -1.0, 0, 90, held=(("R", "letter"),)), mark_at("girl", 0.5, 0, -90))
     shot = perform(
@@ -130,7 +132,7 @@ def test_a_letter_changes_hands(bodies: dict[str, Body]) -> None:
     assert steps.max() < 0.12, "the letter does not jump"
 
 
-def test_a_cup_is_picked_up_where_it_stands(bodies: dict[str, Body]) -> None:
+def test_a_cup_is_picked_up_where_it_stands(bodies: dict[str, RiggedBody]) -> None:
     cup = StageProp(world_at(0.1, 0.35, 0.75), (0.08, 0.08, 0.1))
     furniture = {"table": table_at(0, 0.6)}
     shot = perform(
@@ -145,7 +147,7 @@ def test_a_cup_is_picked_up_where_it_stands(bodies: dict[str, Body]) -> None:
 
 
 @pytest.mark.parametrize("yaw", [0, 90, 180, 270])
-def test_a_letter_is_reached_across_a_table_however_it_lies(bodies: dict[str, Body], yaw: float) -> None:
+def test_a_letter_is_reached_across_a_table_however_it_lies(bodies: dict[str, RiggedBody], yaw: float) -> None:
     grip = Anchor(kind="grip", name="grip_r", location=(-0.01, 0.04, -0.012), direction=(0, -1, 0), normal=(0, 0, 1))
     letter = StageProp(world_at(0.05, 0.475, 0.75, yaw), (0.22, 0.11, 0.006), (grip,))
     shot = perform(
@@ -158,7 +160,7 @@ def test_a_letter_is_reached_across_a_table_however_it_lies(bodies: dict[str, Bo
 
 
 @pytest.mark.parametrize("who", ["man", "girl"])
-def test_a_guitar_is_played_across_the_body(bodies: dict[str, Body], who: str) -> None:
+def test_a_guitar_is_played_across_the_body(bodies: dict[str, RiggedBody], who: str) -> None:
     guitar = StageProp(world_at(0, 0, -5), (0.34, 0.12, 1.0))
     cue = cue_of(who, "play_piano", 2, prop_id="guitar", duration=70)
     shot = perform(bodies, (mark_at(who, 0, 0, 90, held=(("R", "guitar"),)),), (cue,), 3, props={"guitar": guitar})
@@ -174,7 +176,7 @@ def test_a_guitar_is_played_across_the_body(bodies: dict[str, Body], who: str) -
     assert (play.joint("hand.R", 50) - matrix @ Vector((0, -0.08, 0.3))).length < reach + 0.06
 
 
-def test_who_walks_into_an_embrace_walks_through_nobody(bodies: dict[str, Body]) -> None:
+def test_who_walks_into_an_embrace_walks_through_nobody(bodies: dict[str, RiggedBody]) -> None:
     end = mark_at("man", 0.0, 0.0, 90)
     cues = (cue_of("man", "walk", 2, mark=end), cue_of("man", "hug", 60, target_id="girl"))
     marks = (mark_at("man", -1.5, 0, 90), mark_at("girl", 0.34, 0, -90))
@@ -182,7 +184,7 @@ def test_who_walks_into_an_embrace_walks_through_nobody(bodies: dict[str, Body])
     assert [p.kind for p in shot.problems] == []
 
 
-def test_a_door_is_opened_by_its_handle(bodies: dict[str, Body]) -> None:
+def test_a_door_is_opened_by_its_handle(bodies: dict[str, RiggedBody]) -> None:
     handle = Anchor(kind="handle", location=(-0.35, -0.05, 1.0))
     door = StageFurniture(world_at(0, 0.6), (0.9, 0.15, 2.0), (handle,), "door")
     plan = StagePlan(
@@ -198,7 +200,7 @@ def test_a_door_is_opened_by_its_handle(bodies: dict[str, Body]) -> None:
     assert shot.grasps["man", 2] == pytest.approx(2 / FPS + 0.9, abs=0.05)
 
 
-def test_what_cannot_be_staged_is_told(bodies: dict[str, Body]) -> None:
+def test_what_cannot_be_staged_is_told(bodies: dict[str, RiggedBody]) -> None:
     walls = {
         f"wall_{i}": StageFurniture(world_at(x, y), size)
         for i, (x, y, size) in enumerate(
@@ -211,7 +213,7 @@ def test_what_cannot_be_staged_is_told(bodies: dict[str, Body]) -> None:
     assert {"no_path", "missing", "no_support", "late"} <= {problem.kind for problem in shot.problems}
 
 
-def test_same_plan_same_performance(bodies: dict[str, Body]) -> None:
+def test_same_plan_same_performance(bodies: dict[str, RiggedBody]) -> None:
     cues = (cue_of("man", "talk", 0, duration=40, mood="angry"), cue_of("man", "look_around", 50))
     one, two = (perform(bodies, (mark_at("man", 0, 0),), cues, 3) for _ in range(2))
     assert np.array_equal(one.people["man"].rotations, two.people["man"].rotations)
@@ -223,7 +225,7 @@ def test_the_catalog_and_the_clips_agree() -> None:
 
 
 @every("clip", sorted(CLIPS))
-def test_every_clip_plays_on_everybody_without_leaving_the_floor(bodies: dict[str, Body], clip: str) -> None:
+def test_every_clip_plays_on_everybody_without_leaving_the_floor(bodies: dict[str, RiggedBody], clip: str) -> None:
     furniture = {"table": table_at(0, 1.2), "chair": chair_at(-1.6, 0.5)}
     props = {"cup": StageProp(world_at(0.2, 0.98, 0.75), (0.08, 0.08, 0.1))}
     marks = (mark_at("man", -0.2, -0.3, 150, held=(("L", "cup"),)), mark_at("girl", 1.0, -0.6, -60))
@@ -253,7 +255,7 @@ def test_every_clip_plays_on_everybody_without_leaving_the_floor(bodies: dict[st
             assert min(m.translation.z for m in play.matrices(frame).values()) > -0.05
 
 
-def test_who_has_no_room_between_a_person_and_a_wall_passes_sideways(bodies: dict[str, Body]) -> None:
+def test_who_has_no_room_between_a_person_and_a_wall_passes_sideways(bodies: dict[str, RiggedBody]) -> None:
     start, end, girl = mark_at("man", 0.15, -1.4, 180), mark_at("man", 0.15, 1.2, 180), mark_at("girl", -0.18, 0, 90)
     walls = {f"wall_{x}": StageFurniture(world_at(x, 0), (0.1, 4.0, 2.0)) for x in (-0.42, 0.42)}
     plan = StagePlan(
@@ -271,7 +273,7 @@ def test_who_has_no_room_between_a_person_and_a_wall_passes_sideways(bodies: dic
     assert shot.people["man"].root[-1, 1] == pytest.approx(1.2, abs=0.05)
 
 
-def test_who_sits_on_a_parcel_sits_on_top_of_it(bodies: dict[str, Body]) -> None:
+def test_who_sits_on_a_parcel_sits_on_top_of_it(bodies: dict[str, RiggedBody]) -> None:
     parcel = {"parcel": StageFurniture(world_at(0, 0.2), (0.5, 0.4, 0.4), (), "parcel")}
     shot = perform(bodies, (mark_at("man", 0, 0, 0, "sit", support_id="parcel"),), (), 1, furniture=parcel)
     assert shot.problems == ()
@@ -280,7 +282,7 @@ def test_who_sits_on_a_parcel_sits_on_top_of_it(bodies: dict[str, Body]) -> None
     assert np.percentile(skin[over][:, 2], 1) == pytest.approx(0.4, abs=0.03)
 
 
-def test_who_pushes_a_boat_stays_at_its_side(bodies: dict[str, Body]) -> None:
+def test_who_pushes_a_boat_stays_at_its_side(bodies: dict[str, RiggedBody]) -> None:
     bench = Anchor(kind="top", location=(0, 0, 0.5), size=(0.3, 0.3))
     boat = {"boat": StageFurniture(world_at(0, 1.2), (3.0, 1.6, 0.7), (bench,), "boat")}
     beside = mark_at("man", 1.2, 0.05, 180)
@@ -289,14 +291,14 @@ def test_who_pushes_a_boat_stays_at_its_side(bodies: dict[str, Body]) -> None:
     assert np.linalg.norm(shot.people["man"].root[:, :2] - (1.2, 0.05), axis=1).max() < 0.1
 
 
-def test_who_pushes_what_they_hold_does_not_walk_to_where_it_was(bodies: dict[str, Body]) -> None:
+def test_who_pushes_what_they_hold_does_not_walk_to_where_it_was(bodies: dict[str, RiggedBody]) -> None:
     letter = StageProp(world_at(3, 0, 0.8), (0.11, 0.22, 0.01))
     holding = mark_at("man", 0, 0, 0, held=(("R", "letter"),))
     shot = perform(bodies, (holding,), (cue_of("man", "push", 2, prop_id="letter"),), 5, props={"letter": letter})
     assert np.linalg.norm(shot.people["man"].root[:, :2], axis=1).max() < 0.1
 
 
-def test_a_letter_is_given_to_who_sits(bodies: dict[str, Body]) -> None:
+def test_a_letter_is_given_to_who_sits(bodies: dict[str, RiggedBody]) -> None:
     letter = StageProp(world_at(0, 0, -5), (0.11, 0.22, 0.01))
     seated = mark_at("girl", 0, 0, 0, "sit", support_id="chair")
     marks = (mark_at("man", 0, -0.6, 180, held=(("R", "letter"),)), seated)
@@ -308,7 +310,7 @@ def test_a_letter_is_given_to_who_sits(bodies: dict[str, Body]) -> None:
 
 
 @pytest.mark.parametrize("posture", ["hang", "upside_down", "float", "ride", "crawl"])
-def test_a_posture_off_the_floor_is_taken_from_the_first_frame(bodies: dict[str, Body], posture: Posture) -> None:
+def test_a_posture_off_the_floor_is_taken_from_the_first_frame(bodies: dict[str, RiggedBody], posture: Posture) -> None:
     horse = {"horse": StageFurniture(world_at(0, 0), (0.6, 2.4, 2.1), (), "horse")}
     support = {"support_id": "horse"} if posture == "ride" else {}
     mark = mark_at("man", 0, 0, 0, posture, **support)
@@ -321,7 +323,7 @@ def test_a_posture_off_the_floor_is_taken_from_the_first_frame(bodies: dict[str,
     assert feet > (0.3 if posture != "crawl" else 0.05)
 
 
-def test_who_stands_at_a_height_has_feet_and_head_there(bodies: dict[str, Body]) -> None:
+def test_who_stands_at_a_height_has_feet_and_head_there(bodies: dict[str, RiggedBody]) -> None:
     low, high = (
         Playback(bodies["man"], perform(bodies, (mark,), (), 1), "man")
         for mark in (mark_at("man", 0, 0), mark_at("man", 0, 0, location=(0.0, 0.0, 1.2)))
@@ -330,13 +332,13 @@ def test_who_stands_at_a_height_has_feet_and_head_there(bodies: dict[str, Body])
         assert high.joint(bone, 5).z - low.joint(bone, 5).z == pytest.approx(1.2, abs=0.01)
 
 
-def test_who_looks_at_a_point_in_the_air_stays_on_the_floor(bodies: dict[str, Body]) -> None:
+def test_who_looks_at_a_point_in_the_air_stays_on_the_floor(bodies: dict[str, RiggedBody]) -> None:
     look = cue_of("man", "look", 0, mark=mark_at("man", 0, -6, location=(0.0, -6.0, 1.6)))
     play = Playback(bodies["man"], perform(bodies, (mark_at("man", 0, 0),), (look,), 2), "man")
     assert play.joint("foot.L", 40).z == pytest.approx(play.joint("foot.L", 0).z, abs=0.02)
 
 
-def test_what_is_lasting_goes_on_under_words_and_looks(bodies: dict[str, Body]) -> None:
+def test_what_is_lasting_goes_on_under_words_and_looks(bodies: dict[str, RiggedBody]) -> None:
     handset = {"handset": StageProp(world_at(0, 0, -5), (0.05, 0.2, 0.05))}
     marks = (mark_at("man", 0, 0, held=(("R", "handset"),)), mark_at("girl", 0, -1.5, 180))
     cues = (
@@ -349,7 +351,7 @@ def test_what_is_lasting_goes_on_under_words_and_looks(bodies: dict[str, Body]) 
         assert (play.joint("hand.R", frame) - play.joint("head", frame)).length < 0.25
 
 
-def test_a_face_is_kept_for_the_whole_shot(bodies: dict[str, Body]) -> None:
+def test_a_face_is_kept_for_the_whole_shot(bodies: dict[str, RiggedBody]) -> None:
     cues = (cue_of("man", "face", 0, expression="rage"), cue_of("man", "shrug", 10))
     track = perform(bodies, (mark_at("man", 0, 0),), cues, 3).people["man"]
     brow = track.face[:, track.face_keys.index("brow_down")]

@@ -11,14 +11,14 @@ from tests.blender.motion_stage import Playback, build_bodies, cue_of, mark_at, 
 
 from storyblender.blender.motion.clips.phrasing import GESTURES, REST, phrases
 from storyblender.blender.motion.clips.speech import MANNERS, QUIET_HANDS
-from storyblender.blender.people.body import Body
+from storyblender.blender.people.body import RiggedBody
 from storyblender.memory.vocabulary import Mood
 
 pytestmark = pytest.mark.blender
 
 
 @pytest.fixture(scope="module")
-def bodies() -> dict[str, Body]:
+def bodies() -> dict[str, RiggedBody]:
     bpy.ops.wm.read_factory_settings(use_empty=True)
     return build_bodies("man", "woman")
 
@@ -44,7 +44,7 @@ def test_hands_that_are_quiet_stay_quiet() -> None:
 
 
 @pytest.mark.parametrize("mood", ["neutral", "sad", "angry"])
-def test_hands_rise_and_rest_while_somebody_talks(bodies: dict[str, Body], mood: Mood) -> None:
+def test_hands_rise_and_rest_while_somebody_talks(bodies: dict[str, RiggedBody], mood: Mood) -> None:
     marks = (mark_at("man", -0.6, 0, 90), mark_at("woman", 0.6, 0, -90))
     shot = perform(bodies, marks, (cue_of("man", "talk", 2, target_id="woman", duration=330, mood=mood),), 14)
     play, k = Playback(bodies["man"], shot, "man"), bodies["man"].stature / 1.7
@@ -57,7 +57,7 @@ def test_hands_rise_and_rest_while_somebody_talks(bodies: dict[str, Body], mood:
     assert max(steps) < 0.55, "nothing jumps"
 
 
-def test_who_talks_with_a_full_hand_gestures_with_the_other(bodies: dict[str, Body]) -> None:
+def test_who_talks_with_a_full_hand_gestures_with_the_other(bodies: dict[str, RiggedBody]) -> None:
     marks = (mark_at("man", 0, 0, 0, held=(("R", "cup"),)),)
     shot = perform(bodies, marks, (cue_of("man", "talk", 2, duration=200),), 8.5, furniture={"table": table_at(0, 3)})
     play = Playback(bodies["man"], shot, "man")
@@ -65,7 +65,7 @@ def test_who_talks_with_a_full_hand_gestures_with_the_other(bodies: dict[str, Bo
     assert moved["L"] > 0.2
 
 
-def test_who_laughs_throws_the_head_back_and_doubles_up_over_a_hand(bodies: dict[str, Body]) -> None:
+def test_who_laughs_throws_the_head_back_and_doubles_up_over_a_hand(bodies: dict[str, RiggedBody]) -> None:
     shot = perform(bodies, (mark_at("man", 0, 0),), (cue_of("man", "laugh", 2, duration=48),), 3)
     play = Playback(bodies["man"], shot, "man")
     ahead = [-play.joint("head", frame).y for frame in range(len(shot.frames))]

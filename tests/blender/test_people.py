@@ -8,7 +8,7 @@ import pytest
 from tests.every import every
 
 from storyblender.blender.people import mouth
-from storyblender.blender.people.figure import Figure
+from storyblender.blender.people.figure import BodyFigure
 from storyblender.blender.people.pack import PARTS, load_body_pack
 from storyblender.blender.people.person import PersonBuild, build_person
 from storyblender.blender.people.scalp import Scalp, above_hairline
@@ -119,7 +119,7 @@ def test_an_open_mouth_is_dark_with_a_band_of_upper_teeth() -> None:
     pack = load_body_pack()
     assert pack is not None
     throat, lip, chin = (0.0, 6.585, 0.57), (0.0, 6.671, 1.601), (0.0, 6.43, 1.491)
-    assert mouth.hollow(pack, np.array([throat, lip, chin])).tolist() == [1.0, 0.0, 0.0]
+    assert mouth.mouth_depth(pack, np.array([throat, lip, chin])).tolist() == [1.0, 0.0, 0.0]
     rows = mouth.paint_teeth(pack.points[PARTS["teeth"]])
     lower, upper = (row.max() for row in np.split(rows, 2))
     assert mouth.TONGUE[0] < upper / 2, "the teeth are told from what is behind them"
@@ -265,7 +265,7 @@ def test_a_beard_ends_in_one_clean_line_on_the_cheek() -> None:
     pack = load_body_pack()
     assert pack is not None
     look = CharacterLook(gender="male", age=60, facial_hair="beard")
-    grown = build_whiskers(Figure(pack, pack.shape(recipe(look, 1))), "beard", 1, {})
+    grown = build_whiskers(BodyFigure(pack, pack.shape(recipe(look, 1))), "beard", 1, {})
     growth = whisker_growth(grown.sheet.base)
     edge = np.abs(growth) < 1e-6
     assert edge.sum() > 60
@@ -287,12 +287,12 @@ def test_no_lock_falls_on_the_temples_from_under_a_cap() -> None:
 def test_a_lock_knows_how_far_above_the_hairline_it_grows() -> None:
     pack = load_body_pack()
     assert pack is not None
-    figure = Figure(pack, pack.shape(recipe(CharacterLook(gender="female", age=30), 1)))
+    figure = BodyFigure(pack, pack.shape(recipe(CharacterLook(gender="female", age=30), 1)))
     scalp = Scalp(figure, hairstyle("short"), 0.0)
     skin = figure.part("skin")
     line = above_hairline(skin.base, scalp.spec, 0.0)
     for direction in np.array(((0.0, -0.6, 0.8), (0.3, 0.5, 0.81), (0.0, 1.0, 0.0), (-0.5, -0.2, 0.84))):
-        found = scalp.surface(direction / np.linalg.norm(direction))
+        found = scalp.skull_surface(direction / np.linalg.norm(direction))
         assert found is not None
         nearest = int(np.argmin(np.linalg.norm(skin.points - found[0], axis=1)))
         assert abs(found[1] - line[nearest]) < 0.25, "decimetres: about the width of a face of the skull"

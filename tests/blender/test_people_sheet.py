@@ -7,7 +7,7 @@ import itertools
 import numpy as np
 import pytest
 
-from storyblender.blender.people.sheet import Sheet, clip, hemmed, join, loosened, normals, rigid, rim, smoothed
+from storyblender.blender.people.sheet import Sheet, clip, hemmed, join, loosened, normals, rigid_sheet, rim, smoothed
 
 pytestmark = pytest.mark.blender
 
@@ -21,7 +21,7 @@ def _grid(columns: int = 8, rows: int = 6) -> Sheet:
     ]
     weights = np.zeros(35)
     weights[0] = 1
-    return rigid(points, faces, weights)
+    return rigid_sheet(points, faces, weights)
 
 
 def _area(sheet: Sheet) -> float:
@@ -66,6 +66,6 @@ def test_a_hem_is_folded_inwards() -> None:
 
 
 def test_join_renumbers() -> None:
-    both = join([_grid(2, 2), rigid(np.eye(3), [(0, 1, 2)], np.eye(35)[3])])
+    both = join([_grid(2, 2), rigid_sheet(np.eye(3), [(0, 1, 2)], np.eye(35)[3])])
     assert both.faces[-1].tolist() == [9, 10, 11, -1]
     assert both.weights[-1, 3] == 1

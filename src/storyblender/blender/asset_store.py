@@ -14,7 +14,7 @@ import bpy
 from storyblender.blender.appending import append
 from storyblender.blender.measure.hashing import geometry_hash
 from storyblender.blender.measure.surfaces import find_tops
-from storyblender.blender.people.body import Body
+from storyblender.blender.people.body import RiggedBody
 from storyblender.blender.people.drape import drape_seated
 from storyblender.blender.people.person import build_person
 from storyblender.blender.props.build import PropBuild, build_prop
@@ -42,7 +42,7 @@ class CastMember:
 
     armature: bpy.types.Object
     meshes: list[bpy.types.Object]
-    body: Body
+    body: RiggedBody
 
 
 class AssetRecord(Frozen):
@@ -103,9 +103,9 @@ class AssetStore:
         meshes = [obj for obj in objects if obj.type == "MESH"]
         return CastMember(armature, meshes, self.body(digest))
 
-    def body(self, digest: str) -> Body:
+    def body(self, digest: str) -> RiggedBody:
         """Return a person's measures for the motion solver."""
-        return Body.load(self._path(digest, ".npz"))
+        return RiggedBody.load(self._path(digest, ".npz"))
 
     def _path(self, digest: str, suffix: str) -> Path:
         return self._files.path(ASSETS, f"{digest}{suffix}")

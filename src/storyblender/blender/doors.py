@@ -23,8 +23,6 @@ SWING = 0.8
 GRASP = 0.9
 """Seconds from the start of an ``open`` or ``close`` until the leaf moves, where no hand was solved for it."""
 
-Floats = NDArray[np.float64]
-
 
 class Door:
     """One doorway over the scene's timeline.

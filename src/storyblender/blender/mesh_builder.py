@@ -18,8 +18,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from storyblender.blender.materials import material as material_of
 from storyblender.geometry import solids
+from storyblender.geometry.solids import Floats
 
-Floats = NDArray[np.float64]
 MaterialRef: TypeAlias = "bpy.types.Material | str"
 Faces = Sequence[Sequence[int]]
 

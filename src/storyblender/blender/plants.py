@@ -103,12 +103,7 @@ def broad_tree(
 
 
 def conifer(
-    b: MeshBuilder,
-    bark: MaterialRef,
-    needles: MaterialRef,
-    size: Vec2,
-    rng: np.random.Generator,
-    bare: float = 0.12,
+    b: MeshBuilder, bark: MaterialRef, needles: MaterialRef, size: Vec2, rng: np.random.Generator, bare: float = 0.12
 ) -> None:
     """Add a conifer of drooping whorls; ``bare`` is the share of the trunk under the lowest bough."""
     w, h = size

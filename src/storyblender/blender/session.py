@@ -145,12 +145,7 @@ class BlenderSession:
         for request in requests:
             frame = pack.start_of(request.shot_id) + request.frame
             sighting = Sighting(
-                request.pose,
-                frame,
-                request.sensor_width,
-                request.focus_ids,
-                request.hidden_node_ids,
-                request.other_ids,
+                request.pose, frame, request.sensor_width, request.focus_ids, request.hidden_node_ids, request.other_ids
             )
             views.append(self._finder(pack, frame, height)(sighting))
         return views

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from storyblender.blender.motion.plan import Obstacle, StageFurniture, StagePerson, StagePlan, StageProp, box_of
-from storyblender.blender.people.body import Body
+from storyblender.blender.people.body import RiggedBody
 from storyblender.catalog.footprints import piece_boxes, wall_boxes
 from storyblender.catalog.garments import worn_open
 from storyblender.catalog.openings import OpeningPlace, openings_of
@@ -34,7 +34,7 @@ class Stage:
         bodies: Person's asset id to body.
     """
 
-    def __init__(self, job: SceneJob, plan: SetPlan, bodies: dict[str, Body]) -> None:
+    def __init__(self, job: SceneJob, plan: SetPlan, bodies: dict[str, RiggedBody]) -> None:
         assert job.scene.layout is not None, "a scene is laid out before it is packed"
         self._job, self._bodies = job, bodies
         self._assets = {asset.asset_id: asset for asset in job.assets}

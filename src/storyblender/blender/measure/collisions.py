@@ -14,10 +14,10 @@ import bpy
 import numpy as np
 from mathutils import Vector
 from mathutils.bvhtree import BVHTree
-from numpy.typing import NDArray
 
-from storyblender.blender.people.body import Body
+from storyblender.blender.people.body import RiggedBody
 from storyblender.geometry.limbs import BONE_RADII, capsule_penetration
+from storyblender.geometry.solids import Floats
 from storyblender.look.surface import Surface
 from storyblender.memory.measure import Collision
 
@@ -34,8 +34,6 @@ EVERY = 4
 _HANDS = ("hand.", "thumb.", "index1.", "index2.", "fingers1.", "fingers2.")
 _PROBES = (Vector((0.06, 0.11, 1.0)), Vector((1.0, 0.07, 0.05)), Vector((0.05, 1.0, 0.09)))
 """Directions of the parity rays, a little off the axes so that they do not graze edges."""
-
-Floats = NDArray[np.float64]
 
 
 class _Thing:
@@ -69,7 +67,7 @@ class _Thing:
 class _Person:
     """The skin of somebody, without the hands."""
 
-    def __init__(self, asset_id: str, rig: bpy.types.Object, body: Body) -> None:
+    def __init__(self, asset_id: str, rig: bpy.types.Object, body: RiggedBody) -> None:
         self.asset_id, self.rig, self._names = asset_id, rig, body.bone_names
         hands = np.array([name.startswith(_HANDS) for name in body.bone_names])
         free = np.flatnonzero(body.weights[:, hands].sum(axis=1) < 0.1)[::EVERY]
@@ -96,7 +94,7 @@ class _Person:
 
 
 def find_collisions(
-    scene: bpy.types.Scene, bodies: Mapping[str, Body], frames: Mapping[str, range], step: int = 8
+    scene: bpy.types.Scene, bodies: Mapping[str, RiggedBody], frames: Mapping[str, range], step: int = 8
 ) -> list[Collision]:
     """Return the deepest collision of each person with each object and each other person in each shot.
 

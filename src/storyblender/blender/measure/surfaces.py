@@ -16,9 +16,8 @@ from numpy.typing import NDArray
 
 from storyblender.geometry.rectangles import close_seams, largest_rectangle
 from storyblender.geometry.resting import LevelGrid
+from storyblender.geometry.solids import Floats
 from storyblender.memory.asset_sheet import Anchor
-
-Floats = NDArray[np.float64]
 
 LEVEL = 0.8
 """Least z of the normal of a face that things stand on."""

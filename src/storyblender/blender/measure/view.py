@@ -24,6 +24,7 @@ from storyblender.blender.render.session import RenderSession, changed, temporar
 from storyblender.blender.still import held_still
 from storyblender.geometry.framing import Figure, project
 from storyblender.geometry.orbit import Orbit
+from storyblender.geometry.solids import Floats
 from storyblender.look.gbuffer import View
 from storyblender.look.surface import Surface
 from storyblender.memory.measure import CameraView, SubjectView
@@ -40,7 +41,6 @@ _CROWN = 0.58
 """Hair and skull above the face's centre, in head heights."""
 
 Ints = NDArray[np.int32]
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

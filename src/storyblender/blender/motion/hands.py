@@ -156,8 +156,7 @@ def by_head(
 
     def target(t: float) -> Floats:
         bones = who.bones
-        eyes = (bones.head["eye.L"] + bones.head["eye.R"]) / 2 - bones.head["head"]
-        orient, palm = bones.orient["head"], bones.point("head", eyes + place * who.scale)
+        orient, palm = bones.orient["head"], bones.point("head", who.eye_offset + place * who.scale)
         directions = who.facing @ (orient @ along), who.facing @ (orient @ out), who.facing @ elbow
         return hand(who.to_world(palm), *directions, curl)
 

@@ -10,9 +10,8 @@ from mathutils import Vector
 from numpy.typing import NDArray
 
 from storyblender.blender.motion.skeleton import SIDES, Skeleton, about, sign
-from storyblender.blender.people.body import Body
-
-Floats = NDArray[np.float64]
+from storyblender.blender.people.body import RiggedBody
+from storyblender.geometry.solids import Floats
 
 CLOTH = 0.008
 """Metres of cloth between a sitter and the seat: trousers."""
@@ -93,7 +92,7 @@ class Measures:
         return max(self.chest_front, self.belly_front)
 
 
-def measure(body: Body) -> Measures:
+def measure(body: RiggedBody) -> Measures:
     """Return the measures of a body."""
     bones = Skeleton(body)
     head, k = bones.head, body.stature / 1.7
@@ -136,7 +135,7 @@ def measure(body: Body) -> Measures:
     )
 
 
-def skin_of(body: Body, bones: Skeleton, rows: NDArray[np.intp] | slice = slice(None)) -> Floats:
+def skin_of(body: RiggedBody, bones: Skeleton, rows: NDArray[np.intp] | slice = slice(None)) -> Floats:
     """Return the skin in the skeleton's pose, (V, 3) metres in armature space, by linear blend skinning.
 
     Args:
@@ -159,7 +158,7 @@ def _toe_out(bones: Skeleton, side: str) -> float:
     return math.atan2(along.x, -along.y)
 
 
-def _sit_down(body: Body, bones: Skeleton) -> tuple[float, float, float]:
+def _sit_down(body: RiggedBody, bones: Skeleton) -> tuple[float, float, float]:
     """Return ``seat_drop``, ``seat_back`` and ``lap``, read from the skin with the legs posed as on a chair."""
     hip, k = bones.head["thigh.L"], bones.scale
     thigh = (bones.head["shin.L"] - hip).length

@@ -29,7 +29,7 @@ OVERHEAD = 1.9
 LOW = 0.08
 """Metres; boxes that end lower, rugs and kerbs, are walked over."""
 GIRTH, SIDEWAYS = 0.8, 0.3
-"""Shares of the radius that others take up in a way: upright_matrix, and turned aside for who has no other way."""
+"""Shares of their radius that others take up: standing, and turned aside where there is no other path."""
 EMBRACE = 0.30
 """Metres between two people who hug; nearer, their bodies overlap."""
 PointOf = Callable[[float], Vector]
@@ -117,6 +117,11 @@ class MotionStage:
             for side in SIDES:
                 who.hands[side] = Channel(who.home[side], blend_hands)
 
+    @property
+    def seconds(self) -> float:
+        """Length of the shot."""
+        return self.plan.frames / self.fps
+
     def find_subject(self, name: str | None) -> Performer | StagedProp | StageFurniture | None:
         """Return the person, prop or piece of furniture with an asset id or node id, or None."""
         if not name:
@@ -155,7 +160,7 @@ class MotionStage:
     def look_point(self, subject: Performer | StagedProp | StageFurniture) -> PointOf:
         """Return what to look at, by seconds: eyes of a person, middle of a prop, front of a piece of furniture."""
         if isinstance(subject, Performer):
-            return lambda t: (subject.point("eye.L") + subject.point("eye.R")) / 2
+            return lambda t: subject.eyes_point()
         if isinstance(subject, StagedProp):
             return lambda t: subject.centre
         top = next((a for a in subject.anchors if a.kind in ("top", "handle")), None)

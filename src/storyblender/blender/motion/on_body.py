@@ -9,7 +9,7 @@ from mathutils import Matrix, Vector
 from storyblender.blender.motion.channel import Floats, TargetOf
 from storyblender.blender.motion.hands import hand, shoulder_rest
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.skeleton import sign
+from storyblender.blender.motion.skeleton import rigid_matrix, sign
 from storyblender.blender.motion.staged_props import MatrixOf, StagedProp
 from storyblender.memory.vocabulary import BodyPlace
 
@@ -47,15 +47,12 @@ def _follower(who: Performer, size: Vector, place: BodyPlace) -> MatrixOf:
 
 def _about(centre: Vector, turn: Matrix, size: Vector) -> Matrix:
     """Return the world matrix of a prop whose middle is at ``centre``."""
-    matrix = turn.to_4x4()
-    matrix.translation = centre - turn @ Vector((0, 0, size.z / 2))
-    return matrix
+    return rigid_matrix(turn, centre - turn @ Vector((0, 0, size.z / 2)))
 
 
 def _by_head(who: Performer, size: Vector, place: BodyPlace) -> Matrix:
     """Return the matrix of a prop on the head, the ears, the eyes or in the mouth."""
     bones, k = who.bones, who.scale
-    eyes = (bones.head["eye.L"] + bones.head["eye.R"]) / 2 - bones.head["head"]
     turn = who.facing @ bones.orient["head"]
     middle = {
         "head": Vector((0, 0.088 * k, 0.042 * k + size.z / 2)),
@@ -66,7 +63,7 @@ def _by_head(who: Performer, size: Vector, place: BodyPlace) -> Matrix:
     if place == "mouth" and size.z > size.y:  # a flower or a knife goes across
         turn = turn @ Matrix.Rotation(math.pi / 2, 3, "Y")
         middle.y = -0.022 * k
-    return _about(who.point("head", eyes + middle), turn, size)
+    return _about(who.point("head", who.eye_offset + middle), turn, size)
 
 
 def _by_trunk(who: Performer, size: Vector, place: BodyPlace) -> Matrix:

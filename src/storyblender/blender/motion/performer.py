@@ -18,7 +18,7 @@ from storyblender.blender.motion.gait import Gait
 from storyblender.blender.motion.liveliness import angles_of, moments_of
 from storyblender.blender.motion.measures import measure
 from storyblender.blender.motion.skeleton import IDENTITY, SIDES, Skeleton, about, frame, sign
-from storyblender.blender.people.body import Body
+from storyblender.blender.people.body import RiggedBody
 from storyblender.catalog.expressions import FACE, values_of
 
 MOUTH, BLINK = FACE.index("mouth_open"), FACE.index("blink")
@@ -43,12 +43,14 @@ class Performer:
         seed: For sways, blinks and glances.
     """
 
-    def __init__(self, asset_id: str, body: Body, seed: int) -> None:
+    def __init__(self, asset_id: str, body: RiggedBody, seed: int) -> None:
         self.asset_id, self.body = asset_id, body
         self.measures = measure(body)
         self.scale = self.measures.scale
         """Stature over 1.7 m."""
         self.bones = Skeleton(body)
+        self.eye_offset = (self.bones.head["eye.L"] + self.bones.head["eye.R"]) / 2 - self.bones.head["head"]
+        """From the joint of the head to the middle of the eyes, in rest axes."""
         self.rng = np.random.default_rng(seed)
         self.breathing = self.rng.uniform(0, 2 * math.pi)
         self.root = Channel((0, 0, 0))
@@ -130,6 +132,15 @@ class Performer:
     def forward(self) -> Vector:
         """Unit vector on the floor in the planned facing."""
         return Vector((math.sin(self.yaw), -math.cos(self.yaw)))
+
+    @property
+    def left(self) -> Vector:
+        """Unit vector on the floor to the person's left, in the planned facing."""
+        return Vector((math.cos(self.yaw), math.sin(self.yaw)))
+
+    def hand_holding(self, asset_id: str) -> str | None:
+        """Return the hand, ``L`` or ``R``, that holds a prop, or None."""
+        return next((side for side, held in self.held.items() if held == asset_id), None)
 
     def facing_at(self, t: float) -> Matrix:
         """Return the 3x3 rotation of the root at ``t`` seconds."""
@@ -219,6 +230,14 @@ class Performer:
         """
         return self.to_world(self.bones.point(bone, Vector(offset)))
 
+    def eyes_point(self) -> Vector:
+        """Return the world point between the eyes, in the current pose."""
+        return (self.point("eye.L") + self.point("eye.R")) / 2
+
+    def breast_point(self) -> Vector:
+        """Return the world point between the shoulders, in the current pose; not above the feet of a seated person."""
+        return (self.point("upper_arm.L") + self.point("upper_arm.R")) / 2
+
     def direction(self, bone: str, vector: Vector) -> Vector:
         """Return the world direction of a rest-pose direction ``vector`` that turns with a bone."""
         return self.facing @ (self.bones.orient[bone] @ vector)
@@ -288,10 +307,7 @@ class Performer:
             )
         self.bones.rotate("hips", x=2 * swing, y=2.5 * swing * math.sin(turn), z=-5 * swing * math.cos(turn))
         low = 0.0025 * gait.stoop
-        return (
-            dx + 0.018 * k * math.sin(turn) * swing,
-            height - (0.018 * math.cos(2 * turn) + 0.02 + low) * k * swing,
-        )
+        return (dx + 0.018 * k * math.sin(turn) * swing, height - (0.018 * math.cos(2 * turn) + 0.02 + low) * k * swing)
 
     def _pose_spine(self, t: float, swing: float, phase: float, gait: Gait | None, sway: float) -> None:
         """Turn the three spine bones: posture, accents, breath, gait and sway."""

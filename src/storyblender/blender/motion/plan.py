@@ -8,11 +8,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.blender.people.body import Body
+from storyblender.blender.people.body import RiggedBody
+from storyblender.geometry.solids import Floats
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.shot_context import Blocking, Cue, PropState
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -25,7 +24,7 @@ class StagePerson:
         jacket: Whether they wear something with pockets at the breast.
     """
 
-    body: Body
+    body: RiggedBody
     blocking: Blocking
     jacket: bool = False
 

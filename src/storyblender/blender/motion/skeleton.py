@@ -11,7 +11,7 @@ import math
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import clamp
-from storyblender.blender.people.body import Body
+from storyblender.blender.people.body import RiggedBody
 
 IDENTITY = Matrix.Identity(3)
 FORWARD = Vector((0, -1, 0))
@@ -40,6 +40,13 @@ def frame(direction: Vector, normal: Vector) -> Matrix:
     return Matrix((along, square, along.cross(square))).transposed()
 
 
+def rigid_matrix(turn: Matrix, place: Vector) -> Matrix:
+    """Return the 4x4 matrix of a 3x3 rotation followed by a translation."""
+    matrix = turn.to_4x4()
+    matrix.translation = place
+    return matrix
+
+
 def sign(side: str) -> int:
     """Return +1 for the left side, -1 for the right: X grows to the person's left."""
     return 1 if side == "L" else -1
@@ -57,7 +64,7 @@ class Skeleton:
         body: Rest joints and hierarchy.
     """
 
-    def __init__(self, body: Body) -> None:
+    def __init__(self, body: RiggedBody) -> None:
         names = body.bone_names
         self.names = names
         self.head = {name: Vector(point) for name, point in zip(names, body.heads.tolist(), strict=True)}

@@ -173,7 +173,7 @@ def _play_lasting(stage: MotionStage, who: Performer, cue: Cue, staged: StagedCu
     """
     clip = CLIPS[cue.clip]
     start = -SETTLED if cue.start == 0 else max([staged.start, *(who.free[part] for part in clip.parts(staged.side))])
-    clip.play(stage, who, replace(staged, start=start, duration=stage.plan.frames / stage.fps - start + 1.0))
+    clip.play(stage, who, replace(staged, start=start, duration=stage.seconds - start + 1.0))
     for side in SIDES:
         if side in clip.parts(staged.side):
             who.home[side] = who.hands[side].snapshot()

@@ -13,7 +13,7 @@ from storyblender.blender.motion.channel import Floats, TargetOf, clamp, smooth
 from storyblender.blender.motion.hands import Triple, chest_yaw, fixed_hand, hand, shoulder_rest
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import StageProp
-from storyblender.blender.motion.skeleton import frame, sign
+from storyblender.blender.motion.skeleton import frame, rigid_matrix, sign
 from storyblender.catalog.carrying import two_handed
 from storyblender.memory.asset_sheet import Anchor
 
@@ -57,7 +57,7 @@ class Grip:
         flip = Vector((-1, -1, 1))
         return Grip(self.palm * flip, self.fingers * flip, self.normal * flip, self.curl)
 
-    def hand(self, prop: Matrix, pole: Vector) -> Floats:
+    def hand_target(self, prop: Matrix, pole: Vector) -> Floats:
         """Return the hand target for a prop at world matrix ``prop``; ``pole`` is the direction of the elbow."""
         turn = prop.to_3x3()
         return hand(prop @ self.palm, turn @ self.fingers, turn @ self.normal, pole, self.curl)
@@ -193,9 +193,7 @@ def matrix_in_hand(who: Performer, side: str, grip: Grip) -> Matrix:
     """Return the world matrix of a prop held by the posed hand ``side`` with ``grip``."""
     axes, palm = who.hand_matrix(side)
     turn = axes @ frame(grip.fingers, grip.normal).transposed()
-    matrix = turn.to_4x4()
-    matrix.translation = palm - turn @ grip.palm
-    return matrix
+    return rigid_matrix(turn, palm - turn @ grip.palm)
 
 
 def carrying_hand(who: Performer, side: str, prop: StagedProp) -> TargetOf:
@@ -230,9 +228,7 @@ def carrying_hand(who: Performer, side: str, prop: StagedProp) -> TargetOf:
             middle = (shoulder_rest(who, "L") + shoulder_rest(who, "R")) / 2
             ahead = who.measures.front + prop.size.y / 2 + 0.03
             base = who.to_world(middle) + turn @ Vector((0, -ahead, -0.62 * m.arm - grip.palm.z))
-            matrix = turn.to_4x4()
-            matrix.translation = base
-            return grip.hand(matrix, turn @ Vector((s * 0.8, 0.6, -0.5)))
+            return grip.hand_target(rigid_matrix(turn, base), turn @ Vector((s * 0.8, 0.6, -0.5)))
         chest = who.bones.orient["upper_chest"]
         if (chest @ Vector((0, -1, 0))).z > 0.5:  # on one's back: on the chest
             turn = who.facing @ chest
@@ -245,7 +241,7 @@ def carrying_hand(who: Performer, side: str, prop: StagedProp) -> TargetOf:
                 turn = turn @ Matrix.Rotation(s * math.pi / 2, 3, "Z")
         if prop.is_staff and not float(who.pinned(t)):
             foot = who.place + who.facing @ Vector((s * 0.26 * m.scale, -0.22 * m.scale, 0))
-            return grip.hand(Matrix.Translation(foot) @ who.facing.to_4x4(), pole)
+            return grip.hand_target(Matrix.Translation(foot) @ who.facing.to_4x4(), pole)
         beside = who.facing @ Matrix.Rotation(chest_yaw(who), 3, "Z")
         fingers, palm = turn @ grip.fingers, turn @ grip.normal
         if prop.is_sheet and not float(who.pinned(t)):
@@ -272,7 +268,7 @@ def gripping_hand(
     """
 
     def target(t: float) -> Floats:
-        values = grip.hand(prop.matrix, who.facing @ Vector((sign(side) * 0.5, 0.4, -0.85)))
+        values = grip.hand_target(prop.matrix, who.facing @ Vector((sign(side) * 0.5, 0.4, -0.85)))
         values[2] += lift
         values[12:15] *= opening
         return values
@@ -283,9 +279,7 @@ def gripping_hand(
 def blend_matrices(a: Matrix, b: Matrix, w: float) -> Matrix:
     """Return the rigid motion between two world matrices; ``w`` is the share of ``b``, 0..1."""
     turn = a.to_quaternion().slerp(b.to_quaternion(), w)
-    matrix = turn.to_matrix().to_4x4()
-    matrix.translation = a.translation.lerp(b.translation, w)
-    return matrix
+    return rigid_matrix(turn.to_matrix(), a.translation.lerp(b.translation, w))
 
 
 def upright_matrix(place: Vector, yaw: float) -> Matrix:

@@ -7,11 +7,10 @@ from dataclasses import replace
 
 import bpy
 import numpy as np
-from numpy.typing import NDArray
 
 from storyblender.blender.people import animal_coat, animal_eyes, animal_growths, animal_heads
 from storyblender.blender.people.face import bone_weights
-from storyblender.blender.people.figure import ADULT_HEAD, Figure
+from storyblender.blender.people.figure import ADULT_HEAD, BodyFigure
 from storyblender.blender.people.pack import BodyPack
 from storyblender.blender.people.parts import Paint, build_object
 from storyblender.blender.people.sheet import join
@@ -23,10 +22,10 @@ from storyblender.catalog.garments import GARMENTS
 from storyblender.catalog.materials import hex_color
 from storyblender.catalog.skeleton import SKELETON
 from storyblender.catalog.species import Species
+from storyblender.geometry.solids import Floats
 from storyblender.memory.asset_sheet import CharacterLook, Garment
 from storyblender.memory.base import Color
 
-Floats = NDArray[np.float64]
 _PUPIL, _WHITE, _GLINT = (0.005, 0.005, 0.005), (0.72, 0.70, 0.66), (1.0, 1.0, 1.0)
 _FRAME = (0.012, 0.010, 0.009)
 _SMALL = 1.0
@@ -61,10 +60,10 @@ class Animal:
         neck = pack.joint(points, "neck")
         scale = (wanted - float(neck[2])) / ADULT_HEAD
         places = {"neck": neck, "l-eye": pack.joint(points, "l-eye")}
-        self.center, self.radius = animal_heads.head_place(points, places, species, scale)
-        self.figure = Figure(pack, animal_heads.with_skull(pack.points, points, self.center, self.radius))
+        self.center, self.radius = animal_heads.place_skull(points, places, species, scale)
+        self.figure = BodyFigure(pack, animal_heads.replace_head(pack.points, points, self.center, self.radius))
         self.head = animal_heads.build_head(self.figure, species, self.coat, self.center, self.radius)
-        animal_growths.grow(self.head)
+        animal_growths.add_growths(self.head)
         self.joints = self._joints()
 
     def _joints(self) -> dict[str, Floats]:
@@ -74,9 +73,9 @@ class Animal:
         for side, eye in animal_heads.eye_centers(self.head).items():
             joints[f"{side.lower()}-eye"] = eye
             joints[f"{side.lower()}-eye-target"] = eye - (0.0, 0.03, 0.0)
-        joints["mouth"] = self.head.place((0.0, -0.1, -0.35))
-        joints["jaw"] = self.head.place((0.0, -0.7, min(-0.72, float(skull.tip[2]) - 0.8 * skull.thick)))
-        joints["head-2"] = self.head.place((0.0, 0.0, 0.95))
+        joints["mouth"] = self.head.to_metres((0.0, -0.1, -0.35))
+        joints["jaw"] = self.head.to_metres((0.0, -0.7, min(-0.72, float(skull.tip[2]) - 0.8 * skull.thick)))
+        joints["head-2"] = self.head.to_metres((0.0, 0.0, 0.95))
         return joints
 
     def build(self, armature: bpy.types.Object, wardrobe: Sequence[Worn], *, glasses: bool) -> list[bpy.types.Object]:
@@ -89,7 +88,7 @@ class Animal:
         """
         group = f"{armature.name}_skin"
         painted = [Paint(self.coat, self.species.finish, vertex_colors=True)]
-        sheet, colors, keys = self.head.finished()
+        sheet, colors, keys = self.head.joined()
         made = [
             build_object(f"{armature.name}_head", sheet, painted, armature, surface=Surface.SKIN, ink_group=group,
                          colors=colors, shape_keys=keys),
@@ -106,6 +105,7 @@ class Animal:
         return [*made, *([self._glasses(armature)] if glasses else [])]
 
     def _eyes(self, armature: bpy.types.Object, group: str) -> bpy.types.Object:
+        """Build the eyeballs."""
         radius = self.head.skull.eye * self.radius
         sheet = animal_eyes.eyeballs(animal_heads.eye_centers(self.head), radius)
         iris = hex_color(self.species.iris)
@@ -123,17 +123,17 @@ class Animal:
         rings, ends = [], []
         for side in (1, -1):
             rim = np.stack([side * x + wide * np.cos(turns), 0 * turns + front, z + 1.1 * wide * np.sin(turns)], 1)
-            rings.append(bar(self.head.place(rim), thick, bone_weights("head"), closed=True))
+            rings.append(bar(self.head.to_metres(rim), thick, bone_weights("head"), closed=True))
             arm = [(side * (x + wide), front, z), (side * 0.98, -0.3, z), (side * 0.95, 0.15, z)]
-            rings.append(bar(self.head.place(arm), thick, bone_weights("head")))
+            rings.append(bar(self.head.to_metres(arm), thick, bone_weights("head")))
             ends.append((side * (x - wide), front, z))
-        rings.append(bar(self.head.place(ends), thick, bone_weights("head")))
+        rings.append(bar(self.head.to_metres(ends), thick, bone_weights("head")))
         return build_object(
             f"{armature.name}_glasses", join(rings), [Paint(_FRAME, "satin")], armature, surface=Surface.PROP
         )
 
 
-def worn_by_animals(look: CharacterLook) -> tuple[Garment, ...]:
+def animal_garments(look: CharacterLook) -> tuple[Garment, ...]:
     """Return the garments of an animal, innermost first: only those in the script, because it has a coat."""
     chosen = [garment for garment in look.garments if garment.key in GARMENTS]
     return tuple(sorted(chosen, key=lambda garment: GARMENTS[garment.key].layer))

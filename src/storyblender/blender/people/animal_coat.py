@@ -5,20 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from storyblender.blender.people import tailor
 from storyblender.blender.people.animal_skull import DARK
 from storyblender.blender.people.face import bone_weights
-from storyblender.blender.people.figure import Figure
+from storyblender.blender.people.figure import BodyFigure
 from storyblender.blender.people.sheet import Sheet, join, loosened
 from storyblender.blender.people.solids import ball, bar
 from storyblender.blender.people.tailor import Worn
 from storyblender.catalog.materials import hex_color
 from storyblender.catalog.species import Species
+from storyblender.geometry.solids import Floats
 from storyblender.memory.base import Color
 
-Floats = NDArray[np.float64]
 _FUR = 0.012
 """Thickness of the coat in metres, on an animal of 1.70 m."""
 _BIRDS = ("cone", "flat", "hook")
@@ -46,7 +45,7 @@ TAILS: dict[str, tuple[_Path, tuple[float, ...]]] = {
 """Tail shapes: path from the root (left, back, up) and radii along it, in metres on an animal of 1.70 m."""
 
 
-def build_coat(figure: Figure, species: Species, coat: Color, wardrobe: Sequence[Worn]) -> tuple[Sheet, Floats]:
+def build_coat(figure: BodyFigure, species: Species, coat: Color, wardrobe: Sequence[Worn]) -> tuple[Sheet, Floats]:
     """Return the visible fur with the hands, and its vertex colours.
 
     Args:
@@ -57,7 +56,7 @@ def build_coat(figure: Figure, species: Species, coat: Color, wardrobe: Sequence
     """
     fur, hands = figure.part("tights"), figure.part("skin")
     hidden = tailor.covered_skin(figure, fur, wardrobe)
-    fur = loosened(fur, (_FUR if not wardrobe else 0.3 * _FUR) * figure.k, 12).keep_faces(~hidden)
+    fur = loosened(fur, (_FUR if not wardrobe else 0.3 * _FUR) * figure.scale, 12).keep_faces(~hidden)
     holding = (figure.along_arm(hands)[0] > 1.8) & (figure.arm_share(hands) > 0.5)
     covered = tailor.covered_skin(figure, hands, wardrobe)
     hands = hands.keep_faces((holding[hands.faces] | (hands.faces < 0)).all(1) & ~covered)
@@ -65,7 +64,8 @@ def build_coat(figure: Figure, species: Species, coat: Color, wardrobe: Sequence
     return whole, _painted(figure, species, coat, whole)
 
 
-def _painted(figure: Figure, species: Species, coat: Color, sheet: Sheet) -> Floats:
+def _painted(figure: BodyFigure, species: Species, coat: Color, sheet: Sheet) -> Floats:
+    """Return the vertex colours (V, 3) of the fur: belly, bands, blotches and limbs over the coat's colour."""
     colors = np.tile(np.array(coat), (len(sheet.points), 1))
     base, bird = sheet.base, species.mouth in _BIRDS
     if species.belly or (species.pale and not bird and "disc" not in species.marks):
@@ -89,16 +89,22 @@ def _painted(figure: Figure, species: Species, coat: Color, sheet: Sheet) -> Flo
         arm = np.clip((place - 1.55) / 0.3, 0, 1) * (figure.arm_share(sheet) > 0.5) * (not bird)
         knee, ankle = figure.heights["knee"], figure.heights["ankle"]
         line = 0.75 * knee + 0.25 * ankle if bird else 0.35 * knee + 0.65 * ankle
-        leg = np.clip((line - sheet.points[:, 2]) / (0.05 * figure.k), 0, 1) * (figure.arm_share(sheet) < 0.3)
+        leg = np.clip((line - sheet.points[:, 2]) / (0.05 * figure.scale), 0, 1) * (figure.arm_share(sheet) < 0.3)
         colors += np.maximum(arm, leg)[:, None] * (limb - colors)
     return colors
 
 
-def build_tail(figure: Figure, species: Species, coat: Color) -> tuple[Sheet, Floats] | None:
-    """Return the tail at the back of the hips and its vertex colours, or None for an animal without one."""
+def build_tail(figure: BodyFigure, species: Species, coat: Color) -> tuple[Sheet, Floats] | None:
+    """Return the tail and its vertex colours (V, 3), or None for an animal without one.
+
+    Args:
+        figure: Body of the animal.
+        species: Species of the animal.
+        coat: Colour of its coat.
+    """
     if species.tail == "none":
         return None
-    scale = figure.k * (1.15 if species.height < 1.0 else 0.95)
+    scale = figure.scale * (1.15 if species.height < 1.0 else 0.95)
     root = _root(figure)
     tip = (
         np.array(hex_color(species.tip or (DARK if species.tail == "tuft" else "")))
@@ -133,16 +139,16 @@ def build_tail(figure: Figure, species: Species, coat: Color) -> tuple[Sheet, Fl
     )
 
 
-def _root(figure: Figure) -> Floats:
+def _root(figure: BodyFigure) -> Floats:
     """Return the root of the tail in metres: on the back, at the height of the pelvis."""
     skin = figure.part("skin").points
-    height = float(figure.joint("pelvis")[2]) + 0.01 * figure.k
-    near = (np.abs(skin[:, 2] - height) < 0.03 * figure.k) & (np.abs(skin[:, 0]) < 0.06 * figure.k)
-    return np.array((0.0, float(skin[near, 1].max()) - 0.015 * figure.k, height))
+    height = float(figure.joint("pelvis")[2]) + 0.01 * figure.scale
+    near = (np.abs(skin[:, 2] - height) < 0.03 * figure.scale) & (np.abs(skin[:, 0]) < 0.06 * figure.scale)
+    return np.array((0.0, float(skin[near, 1].max()) - 0.015 * figure.scale, height))
 
 
 def _feathers(root: Floats, scale: float, coat: Floats, tip: Floats) -> tuple[Sheet, Floats]:
-    """Return a short fan of feathers."""
+    """Return a short fan of feathers at ``root`` and its vertex colours."""
     sheets, colors = [], []
     for step, lean in enumerate((-34, -17, 0, 17, 34)):
         way = np.array((np.sin(np.radians(lean)), 0.9, -0.42))

@@ -5,15 +5,15 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-from storyblender.blender.people.face import bone_weights
-from storyblender.blender.people.sheet import Sheet, join, rigid
+from storyblender.blender.people.face import Glint, bone_weights, eyeball
+from storyblender.blender.people.sheet import Sheet, join, rigid_sheet
+from storyblender.geometry.solids import Floats, skin_faces
 
-Floats = NDArray[np.float64]
 _RINGS = ((0.0, 0), (0.3, 0), (0.31, 1), (0.62, 1), (0.63, 2), (0.7, 2), (0.71, 3), (1.0, 3), (1.5, 3), (2.0, 3))
 """Rings of the eyeball: angle from its axis (radians) and material slot: pupil, iris, rim, white."""
 _AROUND = 20
+_GLINT = Glint((-0.2, -1.0, 0.24), 0.11, 8)
 _UPPER, _LOWER = (155.0, 56.0, -28.0), (-155.0, -60.0, -30.0)
 """Angles of a lid in degrees: its root, its edge when open, its edge when shut; 0 is straight ahead."""
 LID_KEYS: dict[str, tuple[float, float]] = {
@@ -30,34 +30,10 @@ def eyeballs(centers: dict[str, Floats], radius: float) -> Sheet:
         centers: Eye centre of each side, metres.
         radius: Radius of the eyeballs, metres.
     """
-    return join([_ball(centers[side], radius, side) for side in "LR"])
+    return join([eyeball(centers[side], [radius] * len(_RINGS), side, _RINGS, _AROUND, _GLINT) for side in "LR"])
 
 
-def _ball(center: Floats, radius: float, side: str) -> Sheet:
-    points: list[Floats] = []
-    faces: list[tuple[int, ...]] = []
-    slots: list[int] = []
-    for angle, _ in _RINGS:
-        for step in range(_AROUND):
-            turn = 2 * math.pi * step / _AROUND
-            way = (math.sin(angle) * math.cos(turn), -math.cos(angle), math.sin(angle) * math.sin(turn))
-            points.append(center + radius * np.array(way))
-    for ring, (_, slot) in enumerate(_RINGS[1:]):
-        for step in range(_AROUND):
-            a, b = ring * _AROUND + step, ring * _AROUND + (step + 1) % _AROUND
-            faces.append((a, b, b + _AROUND, a + _AROUND))
-            slots.append(slot)
-    start = len(points)
-    glint = center + radius * np.array((-0.2, -1.0, 0.24))
-    for step in range(8):
-        turn = 2 * math.pi * step / 8
-        points.append(glint + radius * 0.11 * np.array((math.cos(turn), 0.0, math.sin(turn))))
-    faces.append(tuple(range(start, start + 8)))
-    slots.append(4)
-    return rigid(np.array(points), faces, bone_weights(f"eye.{side}"), slots)
-
-
-def lids(center: Floats, radius: float) -> tuple[Sheet, dict[str, Floats]]:
+def eyelids(center: Floats, radius: float) -> tuple[Sheet, dict[str, Floats]]:
     """Return the lids of one eye and the offsets (V, 3) of their shape keys.
 
     Args:
@@ -67,13 +43,8 @@ def lids(center: Floats, radius: float) -> tuple[Sheet, dict[str, Floats]]:
     sheets, moves = [], []
     for number, lid in enumerate((_UPPER, _LOWER)):
         open_, shut = _shell(lid, 0.0) * radius * 1.08, _shell(lid, 1.0) * radius * 1.08
-        rows, columns = open_.shape[:2]
-        faces = [
-            (r * columns + c, r * columns + c + 1, (r + 1) * columns + c + 1, (r + 1) * columns + c)
-            for r in range(rows - 1)
-            for c in range(columns - 1)
-        ]
-        sheets.append(rigid(center + open_.reshape(-1, 3), faces, bone_weights("head")))
+        faces = skin_faces(*open_.shape[:2], False)
+        sheets.append(rigid_sheet(center + open_.reshape(-1, 3), faces, bone_weights("head")))
         moves.append(((shut - open_).reshape(-1, 3), number))
     keys = {key: np.concatenate([move * shares[number] for move, number in moves]) for key, shares in LID_KEYS.items()}
     return join(sheets), keys

@@ -6,22 +6,22 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from storyblender.blender.people import animal_eyes
 from storyblender.blender.people.animal_skull import HINGE, Skull
 from storyblender.blender.people.face import bone_weights
-from storyblender.blender.people.figure import Figure
+from storyblender.blender.people.figure import BodyFigure
 from storyblender.blender.people.pack import PARTS
-from storyblender.blender.people.sheet import Sheet, join, normals, rigid
+from storyblender.blender.people.sheet import Sheet, join, normals, rigid_sheet
 from storyblender.blender.people.solids import ball, bar, skinned
 from storyblender.catalog.expressions import FACE
 from storyblender.catalog.materials import hex_color
 from storyblender.catalog.species import Species
 from storyblender.geometry.implicit import Field, surface
+from storyblender.geometry.solids import Floats
 from storyblender.memory.base import Color
 
-Floats = NDArray[np.float64]
 Point = tuple[float, float, float]
 SKULL = 0.155
 """Radius of the head in metres, on an adult of 1.70 m with head size 1."""
@@ -35,15 +35,15 @@ second it is unchanged."""
 
 
 @dataclass
-class Head:
-    """A head being built; lengths are in its own radius: x to the animal's left, y back, z up.
+class AnimalHead:
+    """The head of an animal while it is built; lengths are in head radii: x to the animal's left, y back, z up.
 
     Attributes:
         species: Species of the animal.
         skull: Shape and colours of the skull.
         center: Centre of the skull, metres.
         radius: Radius of the skull, metres.
-        sheets: Mesh sheets built so far.
+        sheets: Sheets built so far.
         colors: Vertex colours (V, 3) of each sheet.
         keys: Offsets (V, 3) of the shape keys of each sheet.
     """
@@ -56,8 +56,8 @@ class Head:
     colors: list[Floats] = field(default_factory=list)
     keys: list[Mapping[str, Floats]] = field(default_factory=list)
 
-    def place(self, points: ArrayLike) -> Floats:
-        """Return points of the head converted from head radii to metres."""
+    def to_metres(self, points: ArrayLike) -> Floats:
+        """Convert points (N, 3) from head radii to metres."""
         return self.center + np.asarray(points, float) * self.radius
 
     def add(self, sheet: Sheet, color: str | Floats, keys: Mapping[str, Floats] | None = None) -> None:
@@ -75,21 +75,34 @@ class Head:
         self.colors.append(np.clip(color, 0, 1))
         self.keys.append(keys or {})
 
-    def ball(self, color: str, at: Point, half: Point, turn: Point = (0, 0, 0)) -> None:
-        """Add an ellipsoid with semi-axes ``half``, turned by degrees."""
-        self.add(ball(self.place(at), np.array(half) * self.radius, bone_weights("head"), rotation=turn), color)
+    def add_ball(self, color: str, at: Point, half: Point, turn: Point = (0, 0, 0)) -> None:
+        """Add an ellipsoid.
 
-    def bar(self, color: str, points: Sequence[Point], radii: Sequence[float]) -> None:
-        """Add a round bar of varying thickness along a path."""
-        self.add(bar(self.place(points), [each * self.radius for each in radii], bone_weights("head")), color)
+        Args:
+            color: As in ``add``.
+            at: Centre, head radii.
+            half: Semi-axes, head radii.
+            turn: Degrees about X, then Y, then Z.
+        """
+        self.add(ball(self.to_metres(at), np.array(half) * self.radius, bone_weights("head"), rotation=turn), color)
 
-    def body(self, form: Field) -> tuple[Sheet, Floats]:
-        """Return the mesh of a distance field, and its vertices in head radii."""
+    def add_bar(self, color: str, points: Sequence[Point], radii: Sequence[float]) -> None:
+        """Add a round bar along a path.
+
+        Args:
+            color: As in ``add``.
+            points: Path, head radii.
+            radii: Radius at each point, head radii.
+        """
+        self.add(bar(self.to_metres(points), [each * self.radius for each in radii], bone_weights("head")), color)
+
+    def mesh_of(self, form: Field) -> tuple[Sheet, Floats]:
+        """Return the mesh of a distance field, and its vertices (V, 3) in head radii."""
         points, faces = surface(form, *self.skull.bounds(form), STEP)
-        return rigid(self.place(points), faces.tolist(), bone_weights("head")), points
+        return rigid_sheet(self.to_metres(points), faces.tolist(), bone_weights("head")), points
 
-    def finished(self) -> tuple[Sheet, Floats, dict[str, Floats]]:
-        """Return the whole head, its vertex colours and its shape keys."""
+    def joined(self) -> tuple[Sheet, Floats, dict[str, Floats]]:
+        """Return the whole head as one sheet, its vertex colours and the offsets of its shape keys."""
         whole = join(self.sheets)
         keys = {
             key: np.concatenate(
@@ -100,7 +113,7 @@ class Head:
         return whole, np.concatenate(self.colors), keys
 
 
-def head_place(points: Floats, joints: Mapping[str, Floats], species: Species, scale: float) -> tuple[Floats, float]:
+def place_skull(points: Floats, joints: Mapping[str, Floats], species: Species, scale: float) -> tuple[Floats, float]:
     """Return the centre and the radius of an animal's skull, metres.
 
     Args:
@@ -115,7 +128,7 @@ def head_place(points: Floats, joints: Mapping[str, Floats], species: Species, s
     return np.array((0.0, front + 0.55 * radius, max(crown - 0.75 * radius, joints["neck"][2] + 0.8 * radius))), radius
 
 
-def with_skull(base: Floats, points: Floats, center: Floats, radius: float) -> Floats:
+def replace_head(base: Floats, points: Floats, center: Floats, radius: float) -> Floats:
     """Return the body with its head replaced by the animal's round skull, for hats and the camera.
 
     Args:
@@ -134,7 +147,7 @@ def with_skull(base: Floats, points: Floats, center: Floats, radius: float) -> F
     return moved
 
 
-def build_head(figure: Figure, species: Species, coat: Color, center: Floats, radius: float) -> Head:
+def build_head(figure: BodyFigure, species: Species, coat: Color, center: Floats, radius: float) -> AnimalHead:
     """Return the head of an animal without its eyeballs, with a neck down into the collar.
 
     Args:
@@ -144,7 +157,7 @@ def build_head(figure: Figure, species: Species, coat: Color, center: Floats, ra
         center: Centre of its skull, metres.
         radius: Radius of its skull, metres.
     """
-    head = Head(species, Skull(species, coat), center, radius)
+    head = AnimalHead(species, Skull(species, coat), center, radius)
     _skull(head)
     _neck(head, figure)
     _eyelids(head)
@@ -152,25 +165,26 @@ def build_head(figure: Figure, species: Species, coat: Color, center: Floats, ra
     return head
 
 
-def eye_centers(head: Head) -> dict[str, Floats]:
+def eye_centers(head: AnimalHead) -> dict[str, Floats]:
     """Return the centre of each eyeball by side, metres."""
-    return {side: head.place(head.skull.eyes * (sign, 1, 1)) for side, sign in (("L", 1), ("R", -1))}
+    return {side: head.to_metres(head.skull.eyes * (sign, 1, 1)) for side, sign in (("L", 1), ("R", -1))}
 
 
-def _skull(head: Head) -> None:
+def _skull(head: AnimalHead) -> None:
+    """Add skull, beak and jaw."""
     skull = head.skull
-    sheet, points = head.body(skull.form)
+    sheet, points = head.mesh_of(skull.form)
     colors = skull.paint(points)
     mouth = np.array(hex_color("#3a1416"))
     if skull.jaw is not None:  # inside of the mouth, visible when the jaw opens
         colors[(skull.jaw(points) < 0.0) & (points[:, 1] < -0.6)] = mouth
     head.add(sheet, colors)
     if skull.beak is not None:
-        sheet, points = head.body(skull.beak)
+        sheet, points = head.mesh_of(skull.beak)
         head.add(sheet, np.tile(skull.pale, (len(points), 1)) * np.interp(points[:, 2:], (-0.4, 0.1), (0.75, 1.0)))
     if skull.jaw is None:
         return
-    sheet, points = head.body(skull.jaw)
+    sheet, points = head.mesh_of(skull.jaw)
     colors = np.tile(skull.pale * 0.8, (len(points), 1)) if skull.beak is not None else skull.paint(points)
     hidden = (skull.form if skull.beak is None else skull.beak)(points) < -0.01
     colors[hidden] = mouth
@@ -196,11 +210,11 @@ def _opened(points: Floats, share: float) -> Floats:
     return np.stack([away[:, 0], y, z], 1) - away
 
 
-def _neck(head: Head, figure: Figure) -> None:
+def _neck(head: AnimalHead, figure: BodyFigure) -> None:
     """Add a neck from inside the skull to below the collar; it bends with the person's neck."""
     base, top = figure.joint("neck"), head.center
     thick = min(0.6, 0.5 / head.species.head + 0.06) * head.radius
-    path = [base - (0, 0, 0.03 * figure.k), base + 0.3 * (top - base), base + 0.65 * (top - base), top]
+    path = [base - (0, 0, 0.03 * figure.scale), base + 0.3 * (top - base), base + 0.65 * (top - base), top]
     sheet = bar(path, [thick * 1.1, thick, thick, thick], bone_weights("head"))
     share = np.clip((sheet.points[:, 2] - base[2]) / max(float(top[2] - base[2]) * 0.6, 1e-6), 0, 1)[:, None]
     sheet.weights[:] = share * bone_weights("head") + (1 - share) * bone_weights("neck")
@@ -208,10 +222,11 @@ def _neck(head: Head, figure: Figure) -> None:
     head.add(sheet, head.skull.paint(local + np.array((0, 0, 0.2))))
 
 
-def _eyelids(head: Head) -> None:
+def _eyelids(head: AnimalHead) -> None:
+    """Add eyelids and brows."""
     skull, radius = head.skull, head.skull.eye * head.radius
     for sign, center in zip((1, -1), eye_centers(head).values(), strict=True):
-        sheet, keys = animal_eyes.lids(center, radius)
+        sheet, keys = animal_eyes.eyelids(center, radius)
         at = skull.eyes * (sign, 1, 1)
         around = at + np.array([(0, -0.1, 0.2), (0, -0.1, -0.24)])
         upper, lower = skull.paint(around) * 0.82
@@ -221,19 +236,19 @@ def _eyelids(head: Head) -> None:
             _brow(head, sign)
 
 
-def _brow(head: Head, sign: int) -> None:
-    """Add an eyebrow: darker than the coat, or lighter on a dark coat."""
+def _brow(head: AnimalHead, sign: int) -> None:
+    """Add an eyebrow on the side of ``sign`` (1 left, -1 right): darker than the coat, or lighter on a dark one."""
     skull = head.skull
     eye, x = skull.eyes, np.linspace(-0.85, 0.95, 7)
     line = []
     for at in x:
         side = sign * (eye[0] + at * skull.eye * 1.05)
         height = eye[2] + skull.eye * (1.66 - 0.16 * at - 0.3 * at * at)
-        line.append((side, skull.reach(side, height) - 0.005, height))
+        line.append((side, skull.front_y(side, height) - 0.005, height))
     under = skull.paint(np.array(line)).mean(0)
     color = under * 0.35 if under.mean() > 0.07 else under + 0.16
     radii = np.interp(x, (-0.85, -0.2, 0.95), (0.03, 0.036, 0.014)) * head.radius
-    sheet = bar(head.place(line), list(radii), bone_weights("head"))
+    sheet = bar(head.to_metres(line), list(radii), bone_weights("head"))
     inner = np.interp(np.abs((sheet.points[:, 0] - head.center[0]) / head.radius) - eye[0], (-0.2, 0.2), (1, 0))
     moves = {"brow_up": (0.14, 0.14), "brow_down": (-0.13, 0.02), "worry": (0.15, -0.07), "snarl": (-0.06, 0.04)}
     keys = {}
@@ -247,7 +262,7 @@ _CORNERS = {"smile": 0.17, "grin": 0.15, "frown": -0.15, "wail": -0.16, "wrinkle
 """How far each shape key lifts the corners of the mouth."""
 
 
-def _lips(head: Head) -> None:
+def _lips(head: AnimalHead) -> None:
     """Add the mouth line around the snout, with shape keys for smiling and frowning."""
     skull = head.skull
     if head.species.mouth not in ("snout", "wide"):
@@ -264,19 +279,19 @@ def _lips(head: Head) -> None:
         rise = height + (0.12 + lift) * bend**2
         ways = np.stack([np.sin(turns), -np.cos(turns), 0 * turns], 1)
         starts = np.stack([0 * rise, middle[1] + 0 * rise, rise], 1) + 2.5 * ways
-        return np.array([skull.cast(start, -way) for start, way in zip(starts, ways, strict=True)])
+        return np.array([skull.cast_ray(start, -way) for start, way in zip(starts, ways, strict=True)])
 
     radii = [0.019 * head.radius * (1 - 0.5 * share**3) for share in bend]
-    sheet = bar(head.place(line(0.0)), radii, bone_weights("head"))
+    sheet = bar(head.to_metres(line(0.0)), radii, bone_weights("head"))
     keys = {}
     for key, lift in _CORNERS.items():
-        moved = bar(head.place(line(lift)), radii, bone_weights("head"))
+        moved = bar(head.to_metres(line(lift)), radii, bone_weights("head"))
         keys[key] = moved.points - sheet.points
     head.add(sheet, "#201412", keys)
 
 
-def cup(
-    head: Head,
+def add_ear(
+    head: AnimalHead,
     path: Sequence[Point],
     widths: Sequence[float],
     facing: Point,
@@ -287,8 +302,8 @@ def cup(
 
     Args:
         head: Head that receives the ear.
-        path: From its root to its tip.
-        widths: Half its width along the path.
+        path: From its root to its tip, head radii.
+        widths: Half its width along the path, head radii.
         facing: Direction that its hollow faces.
         colors: Colours of its back and its hollow.
         thin: Ratio of thickness to width.
@@ -310,7 +325,7 @@ def cup(
         spine[row] + half[row] * (np.cos(turns)[:, None] * side[row] + thin * 2 * hollow[:, None] * front[row])
         for row in range(11)
     ]
-    sheet = skinned([head.place(ring) for ring in rings], bone_weights("head"))
+    sheet = skinned([head.to_metres(ring) for ring in rings], bone_weights("head"))
     inner = np.tile((np.sin(turns) > 0.35), 11)
     named = {"main": head.skull.coat, "pale": head.skull.pale, "dark": head.skull.coat * 0.42}
     back, lining = (named[color] if color in named else np.array(hex_color(color)) for color in colors)

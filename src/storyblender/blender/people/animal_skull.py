@@ -9,14 +9,14 @@ from collections.abc import Callable
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from storyblender.catalog.materials import hex_color
 from storyblender.catalog.species import Species
 from storyblender.geometry.implicit import Field, ellipsoid, melted, rod
+from storyblender.geometry.solids import Floats
 from storyblender.memory.base import Color
 
-Floats = NDArray[np.float64]
 DARK, WHITE = "#17171a", "#f2efe8"
 MOUTH_HEIGHT = -0.2
 """Height of the mouth on the skull."""
@@ -49,11 +49,11 @@ class Skull:
         else:
             height = 0.34 if species.drop > 0.3 else 0.26
             out = 0.36 if species.mouth in _BEAKS else 0.42 if species.drop > 0.2 else 0.4
-            self.eyes = np.array((out, self.reach(out, height) + 0.62 * self.eye, height))
+            self.eyes = np.array((out, self.front_y(out, height) + 0.62 * self.eye, height))
 
     @cached_property
     def form(self) -> Field:
-        """The head without its jaw and its ears."""
+        """Distance field of the head without its jaw and its ears."""
         species, long, thick = self.species, self.long, self.thick
         if species.mouth == "wide":
             parts = [
@@ -89,7 +89,7 @@ class Skull:
 
     @cached_property
     def beak(self) -> Field | None:
-        """The upper half of a bird's beak."""
+        """Distance field of the upper half of a bird's beak, if it has one."""
         long, thick = self.long, self.thick
         tip = (0, -0.85 - long, MOUTH_HEIGHT - 0.1)
         match self.species.mouth:
@@ -112,7 +112,7 @@ class Skull:
 
     @cached_property
     def jaw(self) -> Field | None:
-        """The lower jaw, shut."""
+        """Distance field of the lower jaw, shut."""
         long, thick = self.long, self.thick
         down = np.array((0.0, 0.3, -0.42 * thick))
         match self.species.mouth:
@@ -137,12 +137,17 @@ class Skull:
         inside = coarse.reshape(-1, 3)[field(coarse.reshape(-1, 3)) < 0.08]
         return inside.min(0) - 0.12, inside.max(0) + 0.12
 
-    def reach(self, x: float, z: float) -> float:
+    def front_y(self, x: float, z: float) -> float:
         """Return the y coordinate of the front surface of the head at ``x`` and ``z``."""
-        return float(self.cast((x, -3.2, z), (0, 1, 0))[1])
+        return float(self.cast_ray((x, -3.2, z), (0, 1, 0))[1])
 
-    def cast(self, start: ArrayLike, way: ArrayLike) -> Floats:
-        """Return the first point of a ray on the head, or the point of the ray closest to the head if it misses."""
+    def cast_ray(self, start: ArrayLike, way: ArrayLike) -> Floats:
+        """Return the first point of a ray on the head, or its point nearest to the head if it misses.
+
+        Args:
+            start: Origin of the ray.
+            way: Unit direction.
+        """
         at, step = np.array(start, float), np.asarray(way, float)
         nearest, least = at, np.inf
         for _ in range(60):
@@ -179,10 +184,12 @@ def _soft(value: Floats, width: float) -> Floats:
 
 
 def _blend(colors: Floats, share: Floats, color: ArrayLike) -> None:
+    """Blend ``color`` into ``colors`` (V, 3) in place, by ``share`` (V,)."""
     colors += np.clip(share, 0, 1)[:, None] * (np.asarray(color, float) - colors)
 
 
 def _tint(code: str) -> Floats:
+    """Return the colour of a hex code."""
     return np.array(hex_color(code))
 
 

@@ -1,6 +1,6 @@
-"""What the motion solver needs to know of one person: skeleton, skin and weights, measured once.
+"""The measured body that the motion solver works with: skeleton, skin and weights of one person.
 
-Saved beside the person's cached geometry; a plain numpy archive, so it loads in milliseconds.
+Saved beside the person's cached geometry as a numpy archive.
 """
 
 from __future__ import annotations
@@ -9,13 +9,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from storyblender.geometry.solids import Floats
 
 
 @dataclass(frozen=True)
-class Body:
+class RiggedBody:
     """A person at rest (A-pose), armature space: metres, Z up, facing -Y, soles at z = 0.
 
     Attributes:
@@ -41,7 +40,7 @@ class Body:
     shape_keys: tuple[str, ...]
 
     def save(self, part: Path) -> None:
-        """Write the archive."""
+        """Write the archive to a file."""
         np.savez_compressed(
             part,
             bone_names=np.array(self.bone_names),
@@ -56,8 +55,8 @@ class Body:
         )
 
     @classmethod
-    def load(cls, path: Path) -> Body:
-        """Read the archive."""
+    def load(cls, path: Path) -> RiggedBody:
+        """Return the body of an archive."""
         with np.load(path, allow_pickle=False) as data:
             return cls(
                 bone_names=tuple(str(name) for name in data["bone_names"]),

@@ -1,6 +1,6 @@
 """Cut cloth: shirts, jackets, trousers, skirts, shoes. One builder and one cover field for each kind of piece.
 
-A builder returns bolts: a sheet with the tint and fabric it is made of. A cover field is positive where the piece
+A builder returns bolts, sheets with the tint and fabric they are made of. A cover field is positive where the piece
 hides what is worn below it.
 """
 
@@ -11,18 +11,17 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from storyblender.blender.people.figure import FAR, Figure
+from storyblender.blender.people.figure import FAR, BodyFigure
 from storyblender.blender.people.sheet import Sheet, clip, loosened, normals, smoothed
-from storyblender.blender.people.under import Under
+from storyblender.blender.people.worn_layers import WornLayers
 from storyblender.catalog.cuts import Band, Collar, Fabric, Footwear, Lapel, Legs, Piece, Skirt, Top
 from storyblender.catalog.skeleton import columns
+from storyblender.geometry.solids import Floats
 
-Floats = NDArray[np.float64]
 _LEGS = columns("thigh", "shin", "foot", "toe")
 SKIRT_MARGIN = 0.06
-"""Below a skirt the legs stay for this length above its hem, because one looks in there."""
+"""Metres above a skirt's hem up to which the legs below it stay, because the camera can look in."""
 
 
 @dataclass
@@ -34,29 +33,29 @@ class Bolt:
     fabric: Fabric
 
 
-Builder = Callable[[Any, Figure, Under], list[Bolt]]
-Cover = Callable[[Any, Figure, Sheet], Floats]
+Builder = Callable[[Any, BodyFigure, WornLayers], list[Bolt]]
+Cover = Callable[[Any, BodyFigure, Sheet], Floats]
 
 
-def one(piece: Piece, sheet: Sheet) -> list[Bolt]:
-    """Return the single bolt of a piece made of one cloth."""
+def single_bolt(piece: Piece, sheet: Sheet) -> list[Bolt]:
+    """Return the bolt of a ``piece`` that is made of one ``sheet``."""
     return [Bolt(sheet, piece.tint, piece.fabric)]
 
 
 # ---------------------------------------------------------------------- trunk and arms
 
 
-def cover_top(cut: Top, figure: Figure, sheet: Sheet) -> Floats:
-    """Return the field of a top."""
+def cover_top(cut: Top, figure: BodyFigure, sheet: Sheet) -> Floats:
+    """Return the cover field (V,) of a top on the vertices of ``sheet``."""
     field = np.minimum(figure.inside_sleeve(sheet, cut.sleeve), figure.above(sheet, figure.height(cut.hem)))
-    # The throat stays: a collar stands off it, and one looks down into it.
+    # The throat stays visible inside a collar that stands off it.
     field = np.minimum(field, figure.below_neck(sheet, cut.neck - 0.02))
     return np.minimum(field, figure.beside_opening(sheet, cut.opening)) if cut.opening else field
 
 
-def build_top(cut: Top, figure: Figure, under: Under) -> list[Bolt]:
-    """Cut a top from the body suit, loosen it and put it over what is worn."""
-    k = figure.k
+def build_top(cut: Top, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of a top: cut from the body suit, loosened, outside the worn layers."""
+    k = figure.scale
     sheet = figure.part("tights")
     for field in (
         lambda s: figure.inside_sleeve(s, cut.sleeve),
@@ -68,24 +67,24 @@ def build_top(cut: Top, figure: Figure, under: Under) -> list[Bolt]:
     sheet = loosened(sheet, cut.ease * close * k, cut.drape)
     if cut.elbow:
         sheet = _fill_sleeves(sheet, figure, cut)
-    sheet = under.push_out(sheet, 0.006 * k)
+    sheet = layers.push_out(sheet, 0.006 * k)
     if cut.opening:
         sheet = clip(sheet, figure.beside_opening(sheet, cut.opening))
-    return one(cut, sheet)
+    return single_bolt(cut, sheet)
 
 
-def _fill_sleeves(sheet: Sheet, figure: Figure, cut: Top) -> Sheet:
-    """Widen the sleeves to the radii of the cut."""
+def _fill_sleeves(sheet: Sheet, figure: BodyFigure, cut: Top) -> Sheet:
+    """Return the sheet with its sleeves widened to the radii of the cut."""
     place, radial = figure.along_arm(sheet)
-    least = np.interp(place, (0.45, 1, 2), (0, cut.elbow, cut.cuff)) * figure.k
+    least = np.interp(place, (0.45, 1, 2), (0, cut.elbow, cut.cuff)) * figure.scale
     radius = np.maximum(np.linalg.norm(radial, axis=1), 1e-4)
     widened = (figure.arm_share(sheet) > 0.5) & (place > 0.45) & (radius < least)
     return sheet.moved(sheet.points + radial * np.where(widened, least / radius - 1, 0)[:, None])
 
 
-def build_lapel(cut: Lapel, figure: Figure, under: Under) -> list[Bolt]:
-    """Lay a strip along the opening of the jacket below it."""
-    opening, k = cut.opening, figure.k
+def build_lapel(cut: Lapel, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of a lapel: a strip along the opening of the jacket below it."""
+    opening, k = cut.opening, figure.scale
     bottom, top = figure.height(opening.bottom), figure.heights["neck"]
     sheet = figure.part("tights")
     for field in (
@@ -98,23 +97,22 @@ def build_lapel(cut: Lapel, figure: Figure, under: Under) -> list[Bolt]:
     ):
         sheet = clip(sheet, field(sheet))
     sheet = sheet.moved(sheet.points + normals(sheet) * cut.ease * k)
-    return one(cut, under.push_out(sheet, 0.004 * k))
+    return single_bolt(cut, layers.push_out(sheet, 0.004 * k))
 
 
-def _lapel_width(sheet: Sheet, figure: Figure, cut: Lapel, bottom: float, top: float) -> Floats:
-    """A lapel is widest at two thirds of its height and pointed at the button."""
+def _lapel_width(sheet: Sheet, figure: BodyFigure, cut: Lapel, bottom: float, top: float) -> Floats:
+    """Return the lapel's width (V,) in metres: widest at two thirds of its height, pointed at the button."""
     share = np.clip((sheet.skin[:, 2] - bottom) / (top - bottom), 0, 1)
-    return cut.width * figure.k * np.interp(share, (0, 0.66, 1), (0.15, 1.25, 0.7))
+    return cut.width * figure.scale * np.interp(share, (0, 0.66, 1), (0.15, 1.25, 0.7))
 
 
-def build_collar(cut: Collar, figure: Figure, under: Under) -> list[Bolt]:
-    """Cut a band of the neck that is folded over: it flares out below and ends in points in front."""
-    del under
-    k = figure.k
+def build_collar(cut: Collar, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of a collar: a folded band of the neck that flares out below and ends in points in front."""
+    k = figure.scale
     neck = float(figure.joint("neck")[1])
 
     def share(s: Sheet) -> Floats:
-        """0 at the lower edge, 1 at the fold."""
+        """Return the height on the collar, (V,): 0 at the lower edge, 1 at the fold."""
         frontal = np.clip((neck - s.skin[:, 1]) / (0.055 * k), 0, 1) ** 2
         low = cut.low - cut.point * frontal
         return (figure.up_neck(s) / k - low) / (cut.high - low)
@@ -126,20 +124,20 @@ def build_collar(cut: Collar, figure: Figure, under: Under) -> list[Bolt]:
     gap = (0.004 + cut.gap * np.clip(1 - share(sheet), 0, 1)) * k
     sheet = clip(sheet, np.where(figure.is_front(sheet), np.abs(sheet.skin[:, 0]) - gap, FAR))
     stand = (0.008 + cut.flare * (1 - share(sheet))) * k
-    return one(cut, sheet.moved(sheet.points + normals(sheet) * stand[:, None]))
+    return single_bolt(cut, sheet.moved(sheet.points + normals(sheet) * stand[:, None]))
 
 
 # ---------------------------------------------------------------------- hips and legs
 
 
-def cover_legs(cut: Legs, figure: Figure, sheet: Sheet) -> Floats:
-    """Return the field of trousers."""
+def cover_legs(cut: Legs, figure: BodyFigure, sheet: Sheet) -> Floats:
+    """Return the cover field (V,) of trousers on the vertices of ``sheet``."""
     return np.minimum(figure.below(sheet, figure.height(cut.waist)), sheet.skin[:, 2] - figure.height(cut.hem))
 
 
-def build_legs(cut: Legs, figure: Figure, under: Under) -> list[Bolt]:
-    """Cut trousers from the body suit and give the legs the shape of real trousers."""
-    k = figure.k
+def build_legs(cut: Legs, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of trousers: cut from the body suit, the legs widened to the cut."""
+    k = figure.scale
     hem = figure.height(cut.hem)
     sheet = figure.part("tights")
     sheet = clip(sheet, figure.below(sheet, figure.height(cut.waist)))
@@ -158,23 +156,23 @@ def build_legs(cut: Legs, figure: Figure, under: Under) -> list[Bolt]:
     points[:, :2] = (axis + radial * grow)[:, :2]
     points = smoothed(sheet.moved(points), 4)
     points[sheet.skin[:, 2] < hem + 0.012 * k, 2] -= cut.drop * k
-    return one(cut, under.push_out(sheet.moved(points), 0.003 * k))
+    return single_bolt(cut, layers.push_out(sheet.moved(points), 0.003 * k))
 
 
-def cover_skirt(cut: Skirt, figure: Figure, sheet: Sheet) -> Floats:
-    """Return the field of a skirt; trouser legs and skin near its hem stay."""
+def cover_skirt(cut: Skirt, figure: BodyFigure, sheet: Sheet) -> Floats:
+    """Return the cover field (V,) of a skirt; trouser legs and skin near its hem stay visible."""
     return np.minimum(
         figure.below(sheet, figure.height(cut.top)),
-        sheet.skin[:, 2] - figure.height(cut.hem) - SKIRT_MARGIN * figure.k,
+        sheet.skin[:, 2] - figure.height(cut.hem) - SKIRT_MARGIN * figure.scale,
     )
 
 
-def build_skirt(cut: Skirt, figure: Figure, under: Under) -> list[Bolt]:
-    """Cut a skirt from the skirt tube, flare it and fold it."""
+def build_skirt(cut: Skirt, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of a skirt: cut from the skirt tube, flared and folded."""
     sheet = figure.part("skirt")
     sheet = clip(sheet, figure.height(cut.top) - sheet.skin[:, 2])
     sheet = clip(sheet, sheet.skin[:, 2] - figure.height(cut.hem))
-    sheet = loosened(sheet, cut.ease * figure.k, 3)
+    sheet = loosened(sheet, cut.ease * figure.scale, 3)
     middle = figure.joint("pelvis")[1]
     top = sheet.points[:, 2].max()
     fall = np.clip((top - sheet.points[:, 2]) / max(top - sheet.points[:, 2].min(), 0.05), 0, 1)
@@ -184,18 +182,18 @@ def build_skirt(cut: Skirt, figure: Figure, under: Under) -> list[Bolt]:
     points = sheet.points.copy()
     points[:, 0] *= grow
     points[:, 1] = middle + (points[:, 1] - middle) * grow
-    sheet = under.push_out(sheet.moved(points), 0.012 * figure.k)
+    sheet = layers.push_out(sheet.moved(points), 0.012 * figure.scale)
     sheet.weights = _parted_between_the_legs(sheet, figure)
     if cut.opening:
         front = sheet.skin[:, 1] < middle
-        sheet = clip(sheet, np.where(front, np.abs(sheet.skin[:, 0]) - cut.opening * figure.k, FAR))
-    return one(cut, sheet)
+        sheet = clip(sheet, np.where(front, np.abs(sheet.skin[:, 0]) - cut.opening * figure.scale, FAR))
+    return single_bolt(cut, sheet)
 
 
-def _parted_between_the_legs(sheet: Sheet, figure: Figure) -> Floats:
+def _parted_between_the_legs(sheet: Sheet, figure: BodyFigure) -> Floats:
     """Return weights in which each half of a skirt follows the leg below it, so that a striding thigh stays inside."""
     weights = sheet.weights.copy()
-    left = np.clip(0.5 + sheet.skin[:, 0] / (0.14 * figure.k), 0, 1)
+    left = np.clip(0.5 + sheet.skin[:, 0] / (0.14 * figure.scale), 0, 1)
     for stem in ("thigh", "shin"):
         pair = columns(stem)
         both = weights[:, pair].sum(1)
@@ -203,20 +201,20 @@ def _parted_between_the_legs(sheet: Sheet, figure: Figure) -> Floats:
     return weights
 
 
-def build_band(cut: Band, figure: Figure, under: Under) -> list[Bolt]:
-    """Lay a belt around whatever is worn at the waist."""
+def build_band(cut: Band, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of a belt around what is worn at the waist."""
     sheet = figure.part("tights")
     sheet = clip(sheet, figure.above(sheet, figure.height(cut.low)))
     sheet = clip(sheet, figure.below(sheet, figure.height(cut.high)))
-    sheet = loosened(sheet, cut.ease * figure.k, 4)
-    return one(cut, under.push_out(sheet, 0.005 * figure.k))
+    sheet = loosened(sheet, cut.ease * figure.scale, 4)
+    return single_bolt(cut, layers.push_out(sheet, 0.005 * figure.scale))
 
 
 # ---------------------------------------------------------------------- feet
 
 
-def cover_footwear(cut: Footwear, figure: Figure, sheet: Sheet) -> Floats:
-    """Return the field of a shoe or boot."""
+def cover_footwear(cut: Footwear, figure: BodyFigure, sheet: Sheet) -> Floats:
+    """Return the cover field (V,) of a shoe or boot."""
     field = figure.below(sheet, figure.height(cut.top)) - 0.004
     if not cut.throat:
         return field
@@ -228,9 +226,9 @@ def cover_footwear(cut: Footwear, figure: Figure, sheet: Sheet) -> Floats:
     return np.minimum(field, slope - sheet.skin[:, 2])
 
 
-def build_footwear(cut: Footwear, figure: Figure, under: Under) -> list[Bolt]:
-    """Cut a shoe from the foot of the body suit; the sole is its own bolt."""
-    k = figure.k
+def build_footwear(cut: Footwear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of a shoe, cut from the foot of the body suit; the sole is a bolt of its own."""
+    k = figure.scale
     sheet = figure.part("tights")
     sheet = clip(sheet, cover_footwear(cut, figure, sheet) + 0.004)
     sheet = loosened(sheet, cut.ease * k, 6 if cut.sole else 2)
@@ -243,7 +241,7 @@ def build_footwear(cut: Footwear, figure: Figure, under: Under) -> list[Bolt]:
         points[:, :2] = (axis + radial * grow)[:, :2]
         sheet = sheet.moved(points)
     if not cut.sole:
-        return one(cut, sheet)
+        return single_bolt(cut, sheet)
     points = sheet.points.copy()
     points[:, 2] = np.maximum(points[:, 2], 0.0)
     sheet = sheet.moved(points)

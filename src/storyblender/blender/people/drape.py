@@ -1,8 +1,8 @@
 """Seated clothes: skirts, coats and jackets are draped once over the seated body and kept as the shape key ``sit``.
 
 Position-based cloth at rest (notes on motion, section 5): gravity, stiff edges, the skinned body and the seat as
-obstacles. The result is carried back through the skinning to the rest pose, so the key is an ordinary shape key whose
-value follows the sitting clip.
+obstacles. The result is carried back through the skinning to the rest pose, so it is an ordinary shape key whose value
+follows the sitting clip.
 """
 
 from __future__ import annotations
@@ -16,46 +16,48 @@ from mathutils import Vector
 from mathutils.bvhtree import BVHTree
 from numpy.typing import NDArray
 
-from storyblender.blender.people.body import Body
+from storyblender.blender.people.body import RiggedBody
 from storyblender.blender.people.pack import PARTS, BodyPack, load_body_pack
 from storyblender.blender.people.person import PersonBuild
+from storyblender.geometry.solids import Floats
 
-Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 KEY = "sit"
 ROUNDS = 70
+"""Steps of the simulation."""
 GRAVITY = 0.0012
-"""Metres a round."""
+"""Metres of fall in a step."""
 STRETCH, SQUEEZE = 0.5, 0.28
-"""How stiff an edge is when longer and when shorter than at rest."""
+"""Stiffness of an edge that is longer, and shorter, than at rest."""
 GAP = 0.012
-"""Cloth to skin on a person of 1.70 m."""
+"""Metres between cloth and skin on a person of 1.70 m."""
 REACH = 0.09
+"""Metres from an obstacle within which it pushes."""
 THIGH, SHIN = (0.10, -1.0, -0.03), (0.02, 0.06, -1.0)
-"""Directions of the left leg of someone who sits."""
+"""Directions of the left thigh and shin of a seated person."""
 
 
 @dataclass
 class SeatedPose:
-    """Where the bones are when seated, hips in place.
+    """The pose of a seated person, hips in place; B bones.
 
     Attributes:
         turns: (B, 3, 3) rotation of each bone from rest, armature space.
-        shifts: (B, 3) so that x becomes turn x + shift.
+        shifts: (B, 3) translation: x becomes turn x + shift.
     """
 
     turns: Floats
     shifts: Floats
 
     def blended(self, weights: Floats) -> tuple[Floats, Floats]:
-        """Return the matrix (V, 3, 3) and the shift (V, 3) of each vertex, by linear skinning."""
+        """Return the matrix (V, 3, 3) and shift (V, 3) of each vertex for skin ``weights`` (V, B)."""
         count = len(self.turns)
         return (weights @ self.turns.reshape(count, 9)).reshape(-1, 3, 3), weights @ self.shifts
 
 
-def seated_pose(body: Body) -> SeatedPose:
-    """Return the pose of someone on a chair: thighs forward, shins down, feet flat."""
+def seated_pose(body: RiggedBody) -> SeatedPose:
+    """Return the pose of a person on a chair: thighs forward, shins down, feet flat."""
     turns = np.repeat(np.eye(3)[None], len(body.bone_names), axis=0)
     places = body.heads.copy()
     for index, (name, parent) in enumerate(zip(body.bone_names, body.parents, strict=True)):
@@ -74,7 +76,7 @@ def seated_pose(body: Body) -> SeatedPose:
 
 
 def drape_seated(build: PersonBuild) -> list[bpy.types.Object]:
-    """Give every garment that lies on the lap the shape key ``sit`` (value 0) and return those garments.
+    """Add the shape key ``sit`` (value 0) to every garment that lies on the lap, and return those garments.
 
     Args:
         build: A finished person; the custom property ``drapes`` marks the garments.
@@ -87,7 +89,7 @@ def drape_seated(build: PersonBuild) -> list[bpy.types.Object]:
     obstacles = [skin]
     draped = []
     for garment in (mesh for mesh in build.meshes if "drapes" in mesh):
-        cloth = _Cloth(garment, build.body, pose)
+        cloth = _DrapedCloth(garment, build.body, pose)
         if garment["drapes"]:
             cloth.settle(obstacles, seat)
             _write_key(garment, cloth.at_rest())
@@ -98,8 +100,8 @@ def drape_seated(build: PersonBuild) -> list[bpy.types.Object]:
     return draped
 
 
-def _seated_skin(body: Body, pose: SeatedPose, pack: BodyPack) -> tuple[BVHTree, float]:
-    """Return the seated trunk and legs as an obstacle, and the height of the seat below them."""
+def _seated_skin(body: RiggedBody, pose: SeatedPose, pack: BodyPack) -> tuple[BVHTree, float]:
+    """Return the seated trunk and legs as an obstacle, and the height of the seat below them, metres."""
     matrices, shifts = pose.blended(body.weights)
     points = np.einsum("vij,vj->vi", matrices, body.vertices) + shifts
     trunk = [
@@ -113,10 +115,10 @@ def _seated_skin(body: Body, pose: SeatedPose, pack: BodyPack) -> tuple[BVHTree,
     return tree, seat
 
 
-class _Cloth:
-    """A garment on its way down."""
+class _DrapedCloth:
+    """A garment that falls onto obstacles."""
 
-    def __init__(self, garment: bpy.types.Object, body: Body, pose: SeatedPose) -> None:
+    def __init__(self, garment: bpy.types.Object, body: RiggedBody, pose: SeatedPose) -> None:
         mesh = garment.data
         flat = np.empty(len(mesh.vertices) * 3, np.float32)
         mesh.vertices.foreach_get("co", flat)
@@ -129,22 +131,22 @@ class _Cloth:
         weights = _vertex_weights(garment, body)
         self.matrices, self.shifts = pose.blended(weights)
         self.points = np.einsum("vij,vj->vi", self.matrices, self.rest) + self.shifts
-        self.k = body.stature / 1.7
+        self.scale = body.stature / 1.7
         self.hips = float(body.heads[body.bone_names.index("hips")][2])
-        waist = self.hips + 0.10 * self.k
+        waist = self.hips + 0.10 * self.scale
         arms = [i for i, name in enumerate(body.bone_names) if name.split(".")[0] in ("upper_arm", "forearm", "hand")]
-        below = np.clip((waist - self.rest[:, 2]) / (0.06 * self.k), 0, 1)
+        below = np.clip((waist - self.rest[:, 2]) / (0.06 * self.scale), 0, 1)
         self.free = (below * (weights[:, arms].sum(1) < 0.3))[:, None]
         thigh = body.bone_names.index("thigh.L")
         length = float(np.linalg.norm(body.tails[thigh] - body.heads[thigh]))
         self.edge_of_seat = float(body.heads[thigh][1]) - 0.8 * length
 
     def reaches_the_legs(self) -> bool:
-        """Return whether other clothes can lie on it in the lap."""
+        """Return whether it reaches the lap, so that other clothes can lie on it."""
         return float(self.rest[:, 2].max()) > 0.45 * self.hips > float(self.rest[:, 2].min())
 
     def settle(self, obstacles: Sequence[BVHTree], seat: float) -> None:
-        """Let the cloth fall until it lies."""
+        """Let it fall onto ``obstacles``, the body first, and a seat at height ``seat`` until it rests."""
         for turn in range(ROUNDS):
             self.points[:, 2] -= GRAVITY * self.free[:, 0]
             for _ in range(3):
@@ -161,11 +163,12 @@ class _Cloth:
             self.points[on_seat, 2] = seat - 0.002
 
     def at_rest(self) -> Floats:
-        """Return the draped points carried back to the rest pose."""
+        """Return the draped points (V, 3) carried back to the rest pose."""
         carried = np.einsum("vij,vj->vi", np.linalg.inv(self.matrices), self.points - self.shifts)
         return np.where(self.free > 0, carried, self.rest)
 
     def _spread(self, pairs: Ints, moves: Floats) -> Floats:
+        """Return the sum of edge moves at each vertex, added at one end and subtracted at the other."""
         total = np.zeros_like(self.points)
         for axis in range(3):
             total[:, axis] += np.bincount(pairs[:, 0], moves[:, axis], len(self.points))
@@ -173,31 +176,34 @@ class _Cloth:
         return total
 
     def _hold_edges(self) -> None:
+        """Pull edges back to their rest lengths."""
         span = self.points[self.edges[:, 1]] - self.points[self.edges[:, 0]]
         length = np.linalg.norm(span, axis=1)
         pull = np.where(length > self.lengths, STRETCH, SQUEEZE) * (length - self.lengths) / np.maximum(length, 1e-6)
         self.points += self._spread(self.edges, span * pull[:, None]) / self.valence * 1.6 * self.free
 
     def _flatten(self) -> None:
+        """Smooth the cloth."""
         span = self.points[self.edges[:, 1]] - self.points[self.edges[:, 0]]
         self.points += self._spread(self.edges, span) / self.valence * 0.12 * self.free
 
     def _push_vertices(self, obstacle: BVHTree) -> None:
+        """Push vertices out of an obstacle."""
         loose = np.flatnonzero(self.free[:, 0] > 0)
-        hit, moves = _pushes(obstacle, self.points[loose], GAP * self.k)
+        hit, moves = _pushes(obstacle, self.points[loose], GAP * self.scale)
         self.points[loose[hit]] += 0.8 * moves
 
     def _push_edges(self, obstacle: BVHTree) -> None:
-        """Push the middles of edges too: vertices alone let a thigh cut through a coarse skirt."""
+        """Push the middles of edges out too: vertices alone let a thigh cut through a coarse skirt."""
         loose = np.flatnonzero(self.free[self.edges, 0].max(1) > 0)
-        hit, moves = _pushes(obstacle, self.points[self.edges[loose]].mean(1), 0.6 * GAP * self.k)
+        hit, moves = _pushes(obstacle, self.points[self.edges[loose]].mean(1), 0.6 * GAP * self.scale)
         for end in (0, 1):
             vertices = self.edges[loose[hit], end]
             np.add.at(self.points, vertices, moves * self.free[vertices])
 
 
 def _pushes(obstacle: BVHTree, points: Floats, gap: float) -> tuple[Ints, Floats]:
-    """Return which of the points lie deeper than ``gap`` outside an obstacle, and the move that takes each out."""
+    """Return the rows of ``points`` within ``gap`` of an obstacle or inside it, and the move that takes each out."""
     hit: list[int] = []
     moves: list[tuple[float, float, float]] = []
     find = obstacle.find_nearest
@@ -209,8 +215,8 @@ def _pushes(obstacle: BVHTree, points: Floats, gap: float) -> tuple[Ints, Floats
     return np.array(hit, np.int64), np.array(moves, float).reshape(-1, 3)
 
 
-def _vertex_weights(garment: bpy.types.Object, body: Body) -> Floats:
-    """Return the skin weights in the order of the body's bones; groups are matched by name."""
+def _vertex_weights(garment: bpy.types.Object, body: RiggedBody) -> Floats:
+    """Return the skin weights (V, B) in the order of the body's bones."""
     column = {group.index: body.bone_names.index(group.name) for group in garment.vertex_groups}
     weights = np.zeros((len(garment.data.vertices), len(body.bone_names)))
     for vertex in garment.data.vertices:
@@ -220,6 +226,7 @@ def _vertex_weights(garment: bpy.types.Object, body: Body) -> Floats:
 
 
 def _write_key(garment: bpy.types.Object, points: Floats) -> None:
+    """Add the shape key ``sit`` with these points."""
     if garment.data.shape_keys is None:
         garment.shape_key_add(name="Basis", from_mix=False)
     block = garment.shape_key_add(name=KEY, from_mix=False)

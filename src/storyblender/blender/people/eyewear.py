@@ -5,19 +5,18 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from storyblender.blender.people.face import Pin, bone_weights
-from storyblender.blender.people.figure import Figure
-from storyblender.blender.people.sheet import Sheet, join, rigid
+from storyblender.blender.people.figure import BodyFigure
+from storyblender.blender.people.sheet import Sheet, join, rigid_sheet
+from storyblender.geometry.solids import Floats, skin_faces
 
-Floats = NDArray[np.float64]
 WIRE = 0.0016
 """Radius of the frame's wire on a grown-up's head, metres."""
 
 
-def build_glasses(figure: Figure) -> Sheet:
-    """Return the frame of a pair of glasses on the head bone."""
+def build_glasses(figure: BodyFigure) -> Sheet:
+    """Return the frame of a pair of glasses on the head bone, fitted to a figure."""
     scale = figure.head_scale
     pins = {name: Pin(figure.pack, *place).on(figure.points) for name, place in {
         "brow": (0.31, 7.47), "cheek": (0.31, 7.06), "bridge": (0.0, 7.25),
@@ -54,9 +53,4 @@ def _wire(line: Floats, radius: float) -> Sheet:
     side /= np.linalg.norm(side, axis=1, keepdims=True)
     up = np.cross(side, along)
     ring = np.stack([line + side * radius, line + up * radius, line - side * radius, line - up * radius], 1)
-    faces = [
-        (r * 4 + c, r * 4 + (c + 1) % 4, r * 4 + 4 + (c + 1) % 4, r * 4 + 4 + c)
-        for r in range(len(line) - 1)
-        for c in range(4)
-    ]
-    return rigid(ring.reshape(-1, 3), faces, bone_weights("head"))
+    return rigid_sheet(ring.reshape(-1, 3), skin_faces(len(line), 4, True), bone_weights("head"))

@@ -1,7 +1,8 @@
-"""One morphed body as the tailor sees it: joints, landmarks, limb coordinates and the scalar fields that cut cloth.
+"""One morphed body for the tailor: joints, landmarks, limb coordinates, and the scalar fields that cut cloth.
 
-Every field is positive inside, roughly in metres, and is evaluated where the sheet's vertices lay on the bare body
-(``Sheet.skin``), so that the same field cuts a garment, hides the skin below it and hides the shirt under the jacket.
+A field has one value per vertex of a sheet, positive inside and roughly in metres. It is evaluated where the vertices
+lay on the bare body (``Sheet.skin``), so the same field cuts a garment, hides the skin below it and the shirt under a
+jacket.
 """
 
 from __future__ import annotations
@@ -15,14 +16,15 @@ from storyblender.blender.people.pack import PARTS, BodyPack
 from storyblender.blender.people.sheet import Sheet
 from storyblender.catalog.cuts import Level, Opening
 from storyblender.catalog.skeleton import columns
+from storyblender.geometry.solids import Floats
 
-Floats = NDArray[np.float64]
 FAR = 0.1
+"""Value of a field far inside; its negative is far outside."""
 ADULT_HEAD = 0.225
-"""Metres from the neck joint to the crown of the man of 1.70 m that the prototype was tuned on."""
+"""Metres from the neck joint to the crown of an adult of 1.70 m."""
 
 
-class Figure:
+class BodyFigure:
     """A morphed body and the fields of the tailor.
 
     Args:
@@ -34,12 +36,12 @@ class Figure:
         self.pack = pack
         self.points = points
         self.stature = float(points[PARTS["skin"], 2].max())
-        self.k = self.stature / 1.7
-        """Lengths given for a person of 1.70 m are multiplied by this."""
+        self.scale = self.stature / 1.7
+        """Stature over 1.7 m; multiplies lengths authored for 1.70 m (local variable ``k``)."""
         self._joints: dict[str, Floats] = {}
 
     def joint(self, name: str) -> Floats:
-        """Return the position of a joint of the body pack; every point of hair asks for some."""
+        """Return the position of a joint of the body pack, metres; read-only and cached."""
         if name not in self._joints:
             self._joints[name] = self.pack.joint(self.points, name)
             self._joints[name].flags.writeable = False
@@ -47,12 +49,12 @@ class Figure:
 
     @cached_property
     def head_scale(self) -> float:
-        """Size of the head against a grown-up's; children have larger heads for their height."""
+        """Size of the head relative to an adult's; children have larger heads for their height."""
         return float(self.stature - self.joint("neck")[2]) / ADULT_HEAD
 
     @cached_property
     def heights(self) -> dict[str, float]:
-        """Heights of the landmarks that garments name."""
+        """Height of each landmark that garments name, metres."""
         z = {name: float(self.joint(name)[2]) for name in (
             "l-ankle", "l-knee", "l-upper-leg", "pelvis", "spine-4", "spine-3", "spine-2", "spine-1", "neck",
         )}  # fmt: skip
@@ -60,7 +62,7 @@ class Figure:
             "sole": 0.0,
             "ankle": z["l-ankle"],
             "knee": z["l-knee"],
-            "crotch": z["l-upper-leg"] - 0.055 * self.k,
+            "crotch": z["l-upper-leg"] - 0.055 * self.scale,
             "hip": z["pelvis"],
             "belt": 0.7 * z["spine-3"] + 0.3 * z["spine-4"],
             "waist": z["spine-3"],
@@ -70,12 +72,12 @@ class Figure:
         }
 
     def height(self, level: Level) -> float:
-        """Return the height in metres of a level such as ``("knee", -0.02)``."""
+        """Return the height in metres of a level such as ``("knee", -0.02)``: landmark and offset."""
         landmark, offset = level
-        return self.heights[landmark] + offset * self.k
+        return self.heights[landmark] + offset * self.scale
 
     def part(self, name: str) -> Sheet:
-        """Return one part of the base mesh as a fresh sheet."""
+        """Return one part of the base mesh (a key of ``PARTS``) as a new sheet."""
         span = PARTS[name]
         first = self.pack.faces[:, 0]
         faces = self.pack.faces[(first >= span.start) & (first < span.stop)] - span.start
@@ -95,12 +97,12 @@ class Figure:
     # ------------------------------------------------------------------ limbs
 
     def arm_share(self, sheet: Sheet) -> Floats:
-        """Return how much of each vertex hangs on the arms, 0 to 1."""
+        """Return the share of each vertex's weights on the arms, (V,) 0..1."""
         limbs = columns("upper_arm", "forearm", "hand", "thumb", "index1", "index2", "fingers1", "fingers2")
         return sheet.weights[:, limbs].sum(1)
 
     def along_arm(self, sheet: Sheet) -> tuple[Floats, Floats]:
-        """Return the place along the arm (0 shoulder, 1 elbow, 2 wrist) and the vector from the arm's axis."""
+        """Return the place along the arm, (V,) 0 shoulder, 1 elbow, 2 wrist, and the vector (V, 3) from its axis."""
         place = np.zeros(len(sheet.points))
         radial = np.zeros((len(sheet.points), 3))
         for side in "lr":
@@ -117,7 +119,7 @@ class Figure:
         return place, radial
 
     def along_leg(self, sheet: Sheet) -> tuple[Floats, Floats]:
-        """Return the place along the leg by height (0 hip joint, 1 knee, 2 ankle) and the leg's axis there."""
+        """Return the place along the leg by height, (V,) 0 hip, 1 knee, 2 ankle, and the leg's axis there, (V, 3)."""
         z = sheet.points[:, 2]
         place = np.zeros(len(z))
         axis = np.zeros((len(z), 3))
@@ -135,42 +137,42 @@ class Figure:
     # ------------------------------------------------------------------ fields
 
     def inside_sleeve(self, sheet: Sheet, end: float) -> Floats:
-        """Field of the trunk and of the arms down to ``end`` (0 shoulder, 1 elbow, 2 wrist)."""
+        """Return the field of the trunk, and of the arms down to ``end`` (0 shoulder, 1 elbow, 2 wrist)."""
         place, _ = self.along_arm(sheet)
         arm = self.arm_share(sheet)
-        return np.where(arm > 0.02, (end - place) * 0.28 * self.k, FAR) + FAR * np.clip((0.4 - arm) / 0.35, 0, 1)
+        return np.where(arm > 0.02, (end - place) * 0.28 * self.scale, FAR) + FAR * np.clip((0.4 - arm) / 0.35, 0, 1)
 
     def below(self, sheet: Sheet, height: float) -> Floats:
-        """Field of what lies below ``height``; the arms, which hang past the hips, are outside."""
+        """Return the field below ``height`` metres; the arms, which hang past the hips, are outside."""
         return np.where(self.arm_share(sheet) > 0.4, -FAR, height - sheet.skin[:, 2])
 
     def above(self, sheet: Sheet, height: float) -> Floats:
-        """Field of what lies above ``height``; the arms are inside."""
+        """Return the field above ``height`` metres; the arms are inside."""
         return np.where(self.arm_share(sheet) > 0.4, FAR, sheet.skin[:, 2] - height)
 
     def up_neck(self, sheet: Sheet) -> Floats:
-        """Return the distance above the neck's base along the neck, metres."""
+        """Return the distance of each vertex above the base of the neck along the neck, (V,) metres."""
         base = self.joint("neck")
         axis = self.joint("head") - base
         return (sheet.skin - base) @ (axis / np.linalg.norm(axis))
 
     def below_neck(self, sheet: Sheet, height: float) -> Floats:
-        """Field of what lies below a neckline ``height`` (metres at 1.70 m) up the neck."""
-        return height * self.k - self.up_neck(sheet)
+        """Return the field below a neckline ``height`` metres (at 1.70 m) up the neck."""
+        return height * self.scale - self.up_neck(sheet)
 
     def is_front(self, sheet: Sheet) -> NDArray[np.bool_]:
-        """Return which vertices lie in front of the neck's axis."""
-        return sheet.skin[:, 1] < self.joint("neck")[1] - 0.01 * self.k
+        """Return which vertices lie in front of the neck's axis, (V,)."""
+        return sheet.skin[:, 1] < self.joint("neck")[1] - 0.01 * self.scale
 
     def beside_opening(self, sheet: Sheet, opening: Opening) -> Floats:
-        """Field of what lies beside a neckline's opening in front: a V, or a gap down to the hem."""
+        """Return the field beside a neckline's opening in front: a V, or a gap down to the hem."""
         bottom, top = self.height(opening.bottom), self.heights["neck"]
         z = sheet.skin[:, 2]
-        width = (opening.width * np.clip((z - bottom) / (top - bottom), 0, 1.15) + opening.gap) * self.k
-        if not opening.gap:  # closed below, and the farther below the surer
+        width = (opening.width * np.clip((z - bottom) / (top - bottom), 0, 1.15) + opening.gap) * self.scale
+        if not opening.gap:  # closed below the V
             width = width - np.maximum(bottom - z, 0)
         # Towards the shoulder's ridge the opening closes in a curve.
-        depth = np.clip((self.joint("neck")[1] - 0.01 * self.k - sheet.skin[:, 1]) / (0.035 * self.k), 0, 1)
+        depth = np.clip((self.joint("neck")[1] - 0.01 * self.scale - sheet.skin[:, 1]) / (0.035 * self.scale), 0, 1)
         return np.where(
             self.is_front(sheet), np.abs(sheet.skin[:, 0]) - width * np.where(width > 0, np.sqrt(depth), 1), 0.05
         )

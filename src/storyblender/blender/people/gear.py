@@ -5,19 +5,18 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-from storyblender.blender.people.cloth import Bolt, one
+from storyblender.blender.people.cloth import Bolt, single_bolt
 from storyblender.blender.people.eyewear import build_glasses
 from storyblender.blender.people.face import bone_weights
-from storyblender.blender.people.figure import FAR, Figure
+from storyblender.blender.people.figure import FAR, BodyFigure
 from storyblender.blender.people.pack import PARTS
-from storyblender.blender.people.sheet import Sheet, clip, join, loosened, rigid
+from storyblender.blender.people.sheet import Sheet, clip, join, loosened, rigid_sheet
 from storyblender.blender.people.solids import ball, bar, skinned
-from storyblender.blender.people.under import Under
+from storyblender.blender.people.worn_layers import WornLayers
 from storyblender.catalog.cuts import Gear, HeadCloth
+from storyblender.geometry.solids import Floats, skin_faces
 
-Floats = NDArray[np.float64]
 BUCKLE, DARK = "#8a8d92", "#1b1b1e"
 
 
@@ -25,15 +24,14 @@ BUCKLE, DARK = "#8a8d92", "#1b1b1e"
 
 
 def _face(base: Floats, width: float, low: float, high: float) -> Floats:
-    """Return a field that is positive outside an oval of the face; decimetres on the base mesh."""
+    """Return the field (V,) outside an oval of the face; lengths in decimetres on the base mesh."""
     middle, tall = (low + high) / 2, (high - low) / 2
     inside = 1 - np.hypot(base[:, 0] / width, (base[:, 1] - middle) / tall)
     return np.where(base[:, 2] > 0.55, -inside, FAR)
 
 
-def build_head_cloth(cut: HeadCloth, figure: Figure, under: Under) -> list[Bolt]:
-    """Cut a cloth from the skin of the head and offset it outwards."""
-    del under
+def build_head_cloth(cut: HeadCloth, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of a head cloth, cut from the skin of the head and offset outwards."""
     sheet = figure.part("skin")
     base = sheet.base
     match cut.region:
@@ -53,14 +51,14 @@ def build_head_cloth(cut: HeadCloth, figure: Figure, under: Under) -> list[Bolt]
     sheet = clip(sheet, field * 0.1)
     rounds = {"hood": 14, "scarf": 16, "balaclava": 6}.get(cut.region, 8)
     sheet = loosened(sheet, cut.ease * figure.head_scale, rounds)
-    return one(cut, sheet)
+    return single_bolt(cut, sheet)
 
 
 # ---------------------------------------------------------------------- on the body
 
 
-def build_gear(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
-    """Build a solid accessory, outside all the clothes below it."""
+def build_gear(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of a solid accessory, outside the worn layers."""
     return {
         "backpack": _backpack,
         "tank": _tank,
@@ -73,27 +71,27 @@ def build_gear(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
         "sunglasses": _sunglasses,
         "eyepatch": _eyepatch,
         "headphones": _headphones,
-    }[cut.shape](cut, figure, under)
+    }[cut.shape](cut, figure, layers)
 
 
-def _back(figure: Figure) -> Floats:
-    """Return the point of the back between the shoulder blades."""
+def _back(figure: BodyFigure) -> Floats:
+    """Return the point of the back between the shoulder blades, metres."""
     near = figure.points[: len(figure.pack.ears)]
-    chest, k = figure.heights["chest"], figure.k
+    chest, k = figure.heights["chest"], figure.scale
     band = near[(np.abs(near[:, 2] - chest) < 0.03 * k) & (np.abs(near[:, 0]) < 0.08 * k)]
     return np.array((0.0, float(band[:, 1].max()) + 0.012 * k, chest))
 
 
-def _straps(figure: Figure, under: Under, apart: float, low: float) -> list[Sheet]:
-    """Return two straps from the back over the shoulders and down the front to a height."""
-    k, weights = figure.k, bone_weights("upper_chest")
+def _straps(figure: BodyFigure, layers: WornLayers, apart: float, low: float) -> list[Sheet]:
+    """Return two straps ``apart`` from the middle, from the back over the shoulders down to height ``low`` in front."""
+    k, weights = figure.scale, bone_weights("upper_chest")
     back, sheets = _back(figure), []
     top = figure.heights["neck"]
     for side in (-1, 1):
         x = side * apart * k
         path = [np.array((x * 0.9, back[1], back[2]))]
         for z in np.linspace(top + 0.0 * k, low, 7):
-            spot = under.front(x, float(z))
+            spot = layers.front(x, float(z))
             if spot is not None:
                 path.append(spot.location + spot.normal * 0.008 * k)
         crest = np.array((x, (path[0][1] + path[-1][1]) / 2, top + 0.02 * k))
@@ -103,17 +101,16 @@ def _straps(figure: Figure, under: Under, apart: float, low: float) -> list[Shee
     return sheets
 
 
-def _backpack(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
-    k, weights, back = figure.k, bone_weights("upper_chest"), _back(figure)
+def _backpack(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    k, weights, back = figure.scale, bone_weights("upper_chest"), _back(figure)
     body = ball(back + np.array((0, 0.085, -0.10)) * k, np.array((0.15, 0.085, 0.22)) * k, weights, softness=0.35)
     pocket = ball(back + np.array((0, 0.17, -0.18)) * k, np.array((0.11, 0.04, 0.1)) * k, weights, softness=0.35)
-    straps = _straps(figure, under, 0.085, figure.heights["ribs"])
+    straps = _straps(figure, layers, 0.085, figure.heights["ribs"])
     return [Bolt(body, cut.tint, cut.fabric), Bolt(pocket, "dark", cut.fabric), Bolt(join(straps), "dark", cut.fabric)]
 
 
-def _tank(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
-    del under
-    k, weights, back = figure.k, bone_weights("upper_chest"), _back(figure)
+def _tank(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    k, weights, back = figure.scale, bone_weights("upper_chest"), _back(figure)
     bodies = []
     for side in (-1, 1):
         foot = back + np.array((side * 0.075, 0.09, -0.28)) * k
@@ -123,24 +120,24 @@ def _tank(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
     return [Bolt(join(bodies), cut.tint, cut.fabric), Bolt(block, "dark", cut.fabric)]
 
 
-def _around_neck(figure: Figure, under: Under, low: float, half: float) -> list[Floats]:
-    """Return a loop around the neck that hangs to ``low`` metres below the base of the neck in front."""
-    k = figure.k
+def _around_neck(figure: BodyFigure, layers: WornLayers, low: float, half: float) -> list[Floats]:
+    """Return the points of a loop around the neck that hangs ``low`` (times the scale) below its base in front."""
+    k = figure.scale
     neck = figure.joint("neck")
     loop = []
     for turn in np.linspace(0, 2 * math.pi, 25)[:-1]:
         x = half * k * math.cos(turn)
         front = max(0.0, -math.sin(turn))
         z = neck[2] + (0.035 - 0.035 * front - low * front**2) * k
-        spot = under.front(x, float(z)) if front > 0.2 else None
+        spot = layers.front(x, float(z)) if front > 0.2 else None
         y = float(spot.location[1]) - 0.008 * k if spot is not None else neck[1] + 0.075 * k * math.sin(turn)
         loop.append(np.array((x, y, z)))
     return loop
 
 
-def _necklace(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
-    weights, k = bone_weights("upper_chest"), figure.k
-    loop = _around_neck(figure, under, 0.06, 0.075)
+def _necklace(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    weights, k = bone_weights("upper_chest"), figure.scale
+    loop = _around_neck(figure, layers, 0.06, 0.075)
     beads = [ball(at, np.full(3, 0.0065 * k), weights) for at in loop]
     drop = min(loop, key=lambda at: float(at[2]))
     return [
@@ -149,9 +146,9 @@ def _necklace(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
     ]
 
 
-def _stethoscope(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
-    weights, k = bone_weights("upper_chest"), figure.k
-    loop = _around_neck(figure, under, 0.17, 0.08)
+def _stethoscope(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    weights, k = bone_weights("upper_chest"), figure.scale
+    loop = _around_neck(figure, layers, 0.17, 0.08)
     drop = min(loop, key=lambda at: float(at[2]))
     return [
         Bolt(bar(loop, 0.0065 * k, weights, closed=True), cut.tint, cut.fabric),
@@ -159,13 +156,13 @@ def _stethoscope(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
     ]
 
 
-def _braces(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
-    straps = _straps(figure, under, 0.07, figure.heights["belt"] + 0.01 * figure.k)
-    return one(cut, join(straps))
+def _braces(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    straps = _straps(figure, layers, 0.07, figure.heights["belt"] + 0.01 * figure.scale)
+    return single_bolt(cut, join(straps))
 
 
-def _satchel(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
-    k, weights = figure.k, bone_weights("hips")
+def _satchel(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    k, weights = figure.scale, bone_weights("hips")
     at = np.array((-0.215 * k, figure.joint("pelvis")[1], figure.heights["hip"] - 0.04 * k))
     bag = ball(at, np.array((0.045, 0.14, 0.11)) * k, weights, softness=0.3)
     flap = ball(at + np.array((-0.02, 0, 0.04)) * k, np.array((0.032, 0.145, 0.075)) * k, weights, softness=0.3)
@@ -173,7 +170,7 @@ def _satchel(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
     for share in np.linspace(0.12, 1.0, 6):
         x = (-0.17 + 0.25 * share) * k
         z = float(at[2] + (figure.heights["neck"] - at[2]) * share)
-        spot = under.front(x, z)
+        spot = layers.front(x, z)
         if spot is not None:
             path.append(spot.location + spot.normal * 0.008 * k)
     top = np.array((0.08 * k, figure.joint("neck")[1], figure.heights["neck"] + 0.03 * k))
@@ -186,8 +183,7 @@ def _satchel(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
     ]
 
 
-def _headphones(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
-    del under
+def _headphones(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
     weights, s = bone_weights("head"), figure.head_scale
     ears = figure.points[: len(figure.pack.ears)][figure.pack.ears]
     middle, wide = ears.mean(0), float(ears[:, 0].max()) + 0.006 * s
@@ -203,7 +199,8 @@ def _headphones(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
     return [Bolt(join(cups), cut.tint, cut.fabric), Bolt(bar(arc, 0.008 * s, weights), "dark", cut.fabric)]
 
 
-def _lens(figure: Figure, side: str, size: tuple[float, float]) -> Sheet:
+def _lens(figure: BodyFigure, side: str, size: tuple[float, float]) -> Sheet:
+    """Return a lens over one eye; ``size`` is its half width and half height on an adult's head, metres."""
     eye, s = figure.joint(f"{side}-eye"), figure.head_scale
     lids = figure.points[PARTS["skin"]]
     near = lids[np.hypot(lids[:, 0] - eye[0], lids[:, 2] - eye[2]) < 0.02 * s]
@@ -211,21 +208,19 @@ def _lens(figure: Figure, side: str, size: tuple[float, float]) -> Sheet:
     return ball(center, np.array((size[0], 0.004, size[1])) * s, bone_weights("head"), softness=0.7)
 
 
-def _sunglasses(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
-    del under
+def _sunglasses(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
     lenses = [_lens(figure, side, (0.026, 0.021)) for side in "lr"]
-    return one(cut, join([build_glasses(figure), *lenses]))
+    return single_bolt(cut, join([build_glasses(figure), *lenses]))
 
 
-def _eyepatch(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
-    band = build_head_cloth(HeadCloth(region="band", ease=0.004, tint=cut.tint), figure, under)
+def _eyepatch(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    band = build_head_cloth(HeadCloth(region="band", ease=0.004, tint=cut.tint), figure, layers)
     return [Bolt(_lens(figure, "l", (0.028, 0.028)), cut.tint, cut.fabric), *band]
 
 
-def _cape(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
+def _cape(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
     """Return a cloth from the shoulders down the back, in soft folds; it follows trunk and legs."""
-    del under
-    k = figure.k
+    k = figure.scale
     top, hem, wide = figure.heights["neck"] + 0.01 * k, figure.heights["ankle"] + 0.1 * k, 0.2 * k
     back, axis = _back(figure), float(figure.joint("neck")[1])
     rows, weights = 12, []
@@ -242,19 +237,14 @@ def _cape(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
             points.append((reach * math.cos(turn) * fold, axis + deep * math.sin(turn) * fold, z))
             share = min(1.0, max(0.0, (fall - 0.2) / 0.4))
             weights.append(chest * (1 - share) + hips * share)
-    faces = [
-        (r * columns + c, r * columns + c + 1, (r + 1) * columns + c + 1, (r + 1) * columns + c)
-        for r in range(rows - 1)
-        for c in range(columns - 1)
-    ]
-    outer = rigid(np.array(points), faces, np.array(weights))
-    inner = rigid(np.array(points) * (0.985, 0.985, 1), [face[::-1] for face in faces], np.array(weights))
+    faces = skin_faces(rows, columns, False)
+    outer = rigid_sheet(np.array(points), faces, np.array(weights))
+    inner = rigid_sheet(np.array(points) * (0.985, 0.985, 1), [face[::-1] for face in faces], np.array(weights))
     return [Bolt(outer, cut.tint, cut.fabric), Bolt(inner, "dark", cut.fabric)]
 
 
-def _wings(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
-    del under
-    k, weights, back = figure.k, bone_weights("upper_chest"), _back(figure)
+def _wings(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    k, weights, back = figure.scale, bone_weights("upper_chest"), _back(figure)
     sheets = []
     for side in (-1, 1):
         for place in range(7):
@@ -271,4 +261,4 @@ def _wings(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
                 for t, w in ((0.0, 0.02), (0.4, 0.055), (0.85, 0.06), (1.0, 0.012))
             ]
             sheets.append(skinned(rings, weights))
-    return one(cut, join(sheets))
+    return single_bolt(cut, join(sheets))

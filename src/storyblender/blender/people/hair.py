@@ -1,4 +1,4 @@
-"""Hair: a thin shell over the scalp and tapered locks that are combed over it (notes on humans, section 4)."""
+"""Hair: a thin shell over the scalp and tapered locks combed over it (notes on humans, section 4)."""
 
 from __future__ import annotations
 
@@ -7,18 +7,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from storyblender.blender.people.curtain import curtain
-from storyblender.blender.people.figure import Figure
-from storyblender.blender.people.locks import KNOT, Drape, Strand, bun, curl, leaf
+from storyblender.blender.people.figure import BodyFigure
+from storyblender.blender.people.hanging_hair import hanging_hair
+from storyblender.blender.people.locks import KNOT, HairSupport, Strand, flat_lock, round_curl, wound_bun
 from storyblender.blender.people.scalp import Scalp, above_hairline
 from storyblender.blender.people.sheet import Sheet, join
-from storyblender.blender.people.tails import tied
+from storyblender.blender.people.tied_hair import tied_hair
 from storyblender.catalog.bodies import Complexion
 from storyblender.catalog.hair import HairSpec, hairstyle
-
-Floats = NDArray[np.float64]
+from storyblender.geometry.solids import Floats
 
 WHORL = np.array((0.08, 0.55, 0.83)) / np.linalg.norm((0.08, 0.55, 0.83))
 STEP = 0.13
@@ -39,7 +37,7 @@ class Hair:
 
 
 def build_hair(
-    figure: Figure,
+    figure: BodyFigure,
     style: str,
     colors: Complexion,
     masculine: float,
@@ -48,34 +46,32 @@ def build_hair(
     clothes: Sequence[Sheet],
     hatted: bool,
 ) -> Hair | None:
-    """Return the hair of ``figure``, or None for a shaved head.
+    """Return the hair of a figure, or None for a shaved head.
 
     Args:
-        figure: Whose head.
+        figure: The body.
         style: Key of ``catalog.hair``.
         colors: Of hair and skin.
         masculine: 0 to 1, shapes the hairline.
-        seed: Where the locks fall.
-        clothes: What long hair lies on.
-        hatted: Presses the hair on top flat.
+        seed: Varies the locks.
+        clothes: Sheets that long hair lies on.
+        hatted: Whether a hat presses the hair on top flat.
     """
     spec = hairstyle(style)
     if not spec.top and not spec.side:
         return None
     rng = np.random.default_rng(seed + 4)
     scalp = Scalp(figure, spec, masculine, hatted)
-    shell = scalp.cap()
+    shell = scalp.shell()
     sheets = [shell]
     shades = [np.full(len(shell.points), 0.82)]
     if spec.hang:
-        fall, tones = curtain(scalp, Drape(figure, clothes), rng)
+        fall, tones = hanging_hair(scalp, HairSupport(figure, clothes), rng)
         sheets.append(fall)
         shades.append(tones)
     for lock in () if spec.hang else _locks(scalp, clothes, rng):
         sheets.append(lock)
-        # Each lock has its own shade and is darker at the root, which reads as strands.
-        shade = rng.uniform(0.86, 1.18)
-        shades.append(np.full(len(lock.points), shade))
+        shades.append(np.full(len(lock.points), rng.uniform(0.86, 1.18)))
     paint = np.concatenate(shades)[:, None] * np.array(colors.hair)
     # The shell thins out to the skin at the hairline.
     thin = 0.45 * np.exp(-np.maximum(above_hairline(shell.base, spec, masculine), 0) / 0.05)[:, None]
@@ -84,27 +80,28 @@ def build_hair(
 
 
 def _locks(scalp: Scalp, clothes: Sequence[Sheet], rng: np.random.Generator) -> list[Sheet]:
+    """Return the locks of a hairstyle that does not hang, with its bun, tail or braid."""
     spec, figure = scalp.spec, scalp.figure
-    body = Drape(figure, clothes) if spec.knot in ("tail", "braid") else None
+    body = HairSupport(figure, clothes) if spec.knot in ("tail", "braid") else None
     locks: list[Sheet] = []
     for root in _roots(scalp, rng):
         if scalp.hatted and (root[2] > 0.55 or root[1] < -0.2):  # under the brim; its tips would fall on the temples
             continue
         if spec.curls:
-            locks.append(curl(scalp, root, rng))
+            locks.append(round_curl(scalp, root, rng))
             continue
         strand = _comb(scalp, root, rng)
         if strand is not None:
-            locks.append(leaf(figure, strand, spec, spec.width * rng.uniform(0.8, 1.2)))
+            locks.append(flat_lock(figure, strand, spec, spec.width * rng.uniform(0.8, 1.2)))
     if spec.knot == "bun":
-        locks += bun(scalp, rng)
+        locks += wound_bun(scalp, rng)
     if body:
-        locks += tied(scalp, body)
+        locks += tied_hair(scalp, body)
     return locks
 
 
 def _roots(scalp: Scalp, rng: np.random.Generator) -> list[Floats]:
-    """Spread the roots evenly over where hair grows: a Fibonacci sphere, slightly shaken."""
+    """Return evenly spread directions of locks where hair grows: a Fibonacci sphere with noise."""
     spec = scalp.spec
     if not spec.locks:
         return []
@@ -118,7 +115,7 @@ def _roots(scalp: Scalp, rng: np.random.Generator) -> list[Floats]:
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
     roots = []
     for direction in directions[directions[:, 2] > -0.6]:
-        found = scalp.surface(direction)
+        found = scalp.skull_surface(direction)
         if found is not None and found[1] > 0.03:
             roots.append(direction)
     if not spec.curls and spec.growth != "wreath":
@@ -128,13 +125,13 @@ def _roots(scalp: Scalp, rng: np.random.Generator) -> list[Floats]:
 
 
 def _hairline_roots(scalp: Scalp) -> list[Floats]:
-    """Return a row of roots along the front hairline, where the eye looks first."""
+    """Return a row of directions along the front hairline."""
     roots = []
     for turn in np.radians(np.linspace(-72, 72, 17)):
         for rise in np.radians(np.arange(8, 70, 3)):
             forward = np.cos(rise)
             direction = np.array((np.sin(turn) * forward, -np.cos(turn) * forward, np.sin(rise)))
-            found = scalp.surface(direction)
+            found = scalp.skull_surface(direction)
             if found is not None and found[1] > 0.05:
                 roots.append(direction)
                 break
@@ -162,12 +159,12 @@ def _flow(direction: Floats, spec: HairSpec, side: float) -> Floats:
 
 
 def _cross(a: Floats, b: Floats) -> Floats:
-    """Return the cross product of two vectors, a tenth of the time of numpy's for many."""
+    """Return the cross product of two vectors; ten times faster than numpy's for single vectors."""
     return np.array((a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]))
 
 
 def _comb(scalp: Scalp, root: Floats, rng: np.random.Generator) -> Strand | None:
-    """Lead a lock over the head along the combing direction."""
+    """Return the middle line of a lock led over the head along the combing direction; None if it ends at once."""
     spec, scale = scalp.spec, scalp.figure.head_scale
     side = 1.0 if root[0] > spec.parting else -1.0
     stray = rng.normal(0, 0.5 * spec.mess)
@@ -179,7 +176,7 @@ def _comb(scalp: Scalp, root: Floats, rng: np.random.Generator) -> Strand | None
         lift = rise * math.sin(math.pi * min(1.0, 0.35 + row / rows))
         if row == 0:  # sunk into the shell, or the open end of the lock would show at the parting
             lift = -spec.top * scale * (0.45 if root[1] > -0.6 else 0.2)
-        found = scalp.over(direction, lift)
+        found = scalp.hair_surface(direction, lift)
         if found is None:
             break
         point, grown = found

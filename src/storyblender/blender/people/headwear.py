@@ -5,17 +5,16 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from storyblender.blender.people.cloth import Bolt
 from storyblender.blender.people.face import bone_weights
-from storyblender.blender.people.figure import Figure
-from storyblender.blender.people.sheet import Sheet, rigid
+from storyblender.blender.people.figure import BodyFigure
+from storyblender.blender.people.sheet import Sheet, rigid_sheet
 from storyblender.blender.people.solids import bar, skinned
-from storyblender.blender.people.under import Under
+from storyblender.blender.people.worn_layers import WornLayers
 from storyblender.catalog.cuts import Hat
+from storyblender.geometry.solids import Floats, skin_faces
 
-Floats = NDArray[np.float64]
 Profile = tuple[tuple[float, float], ...]
 """Height above the brim line in metres and radius as a share of the head's, from the bottom up."""
 
@@ -62,19 +61,15 @@ BRIMS: dict[str, tuple[float, float]] = {
 VISORS: dict[str, float] = {"peaked": 0.058, "flat": 0.045, "baseball": 0.075, "hard": 0.045}
 
 
-def build_hat(cut: Hat, figure: Figure, under: Under) -> list[Bolt]:
-    """Turn a hat that fits the head: crown, band, and a brim or a visor."""
-    del under
-    head = _Head(figure)
+def build_hat(cut: Hat, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of a hat that fits the head: crown, band, and a brim or a visor."""
+    head = _HatForm(figure)
     if cut.shape == "crown":
         return [Bolt(head.crown(), cut.tint, cut.fabric)]
     if cut.shape == "globe":
         return head.globe(cut)
     crown = head.turn(CROWNS[cut.shape], dented=cut.shape in ("fedora", "cowboy"))
-    bolts = [
-        Bolt(crown, cut.tint, cut.fabric),
-        Bolt(head.turn(BANDS.get(cut.shape, _BAND)), cut.band, cut.fabric),
-    ]
+    bolts = [Bolt(crown, cut.tint, cut.fabric), Bolt(head.turn(BANDS.get(cut.shape, _BAND)), cut.band, cut.fabric)]
     if cut.shape in BRIMS:
         bolts.append(Bolt(head.brim(*BRIMS[cut.shape]), cut.tint, cut.fabric))
     if cut.shape in VISORS:
@@ -83,10 +78,10 @@ def build_hat(cut: Hat, figure: Figure, under: Under) -> list[Bolt]:
     return bolts
 
 
-class _Head:
-    """The ellipse around the skull above the ears, tilted a little back."""
+class _HatForm:
+    """The tilted ellipse around the skull above the ears on which a hat is turned."""
 
-    def __init__(self, figure: Figure) -> None:
+    def __init__(self, figure: BodyFigure) -> None:
         skin = figure.part("skin")
         above = skin.points[(skin.base[:, 1] > 7.75) & (np.abs(skin.base[:, 0]) < 1.2)]
         low, high = above.min(0), above.max(0)
@@ -96,14 +91,20 @@ class _Head:
         self.center: Floats = np.array((0.0, (low[1] + high[1]) / 2, high[2] - 0.082 * self.scale), float)
 
     def _place(self, turn: float, radius: float, height: float) -> Floats:
-        """Return a point at an angle (0 = left, -90 degrees = front)."""
+        """Return a point of a hat, metres.
+
+        Args:
+            turn: Angle in radians: 0 is left, -pi / 2 in front.
+            radius: Share of the ellipse's radius.
+            height: Metres above the brim line, on an adult's head.
+        """
         x, y = self.rx * radius * math.cos(turn), self.ry * radius * math.sin(turn)
         offset: Floats = np.array((x, y, height * self.scale - 0.16 * y), float)
         return self.center + offset
 
     def turn(self, profile: Profile, dented: bool = False) -> Sheet:
-        """Return a turned surface; ``dented`` presses a crease into the top."""
-        points, faces = [], []
+        """Return the surface of a turned ``profile``; ``dented`` presses a crease into its top."""
+        points = []
         for height, radius in profile:
             for step in range(SEGMENTS):
                 angle = 2 * math.pi * step / SEGMENTS
@@ -111,25 +112,16 @@ class _Head:
                 if dented and radius < 0.9:
                     point[2] -= 0.012 * self.scale * math.exp(-((radius * math.cos(angle) / 0.3) ** 2))
                 points.append(point)
-        for row in range(len(profile) - 1):
-            for step in range(SEGMENTS):
-                a, b = row * SEGMENTS + step, row * SEGMENTS + (step + 1) % SEGMENTS
-                faces.append((a, b, b + SEGMENTS, a + SEGMENTS))
-        return rigid(np.array(points), faces, bone_weights("head"))
+        return rigid_sheet(np.array(points), skin_faces(len(profile), SEGMENTS, True), bone_weights("head"))
 
     def crown(self) -> Sheet:
         """Return a king's crown: a two-sided hoop whose upper edge is cut into points."""
-        points, faces = [], []
+        points = []
         for out, row in ((1.03, 0), (1.05, 1), (1.0, 1), (0.99, 0)):
             for step in range(2 * SEGMENTS):
                 peak = 0.075 if step % 4 == 0 else 0.055 if step % 2 else 0.036
                 points.append(self._place(math.pi * step / SEGMENTS, out + 0.06 * row * (peak > 0.06), peak * row))
-        count = 2 * SEGMENTS
-        for row in range(3):
-            for step in range(count):
-                a, b = row * count + step, row * count + (step + 1) % count
-                faces.append((a, b, b + count, a + count))
-        return rigid(np.array(points), faces, bone_weights("head"))
+        return rigid_sheet(np.array(points), skin_faces(4, 2 * SEGMENTS, True), bone_weights("head"))
 
     def globe(self, cut: Hat) -> list[Bolt]:
         """Return a round helmet around the head, open in front of the face, with a rim around the opening."""
@@ -147,7 +139,7 @@ class _Head:
         ]
 
     def brim(self, width: float, rising: float) -> Sheet:
-        """Return a brim that rises at the sides, both faces."""
+        """Return a brim of ``width`` metres that rises by ``rising`` metres at the sides, both faces."""
         points, faces = [], []
         rings = ((0.0, 0.0), (0.5, 0.0), (1.0, 0.0), (1.0, -0.003), (0.5, -0.003), (0.0, -0.003))
         for out, drop in rings:
@@ -160,10 +152,10 @@ class _Head:
             for step in range(SEGMENTS):
                 a, b = row * SEGMENTS + step, row * SEGMENTS + (step + 1) % SEGMENTS
                 faces.append((a, a + SEGMENTS, b + SEGMENTS, b))
-        return rigid(np.array(points), faces, bone_weights("head"))
+        return rigid_sheet(np.array(points), faces, bone_weights("head"))
 
     def visor(self, width: float) -> Sheet:
-        """Return a crescent in front."""
+        """Return a crescent of ``width`` metres in front."""
         points, faces = [], []
         columns, rows = 15, 4
         for row in range(rows):
@@ -177,4 +169,4 @@ class _Head:
             for column in range(columns - 1):
                 a = row * columns + column
                 faces.append((a, a + columns, a + columns + 1, a + 1))
-        return rigid(np.array(points), faces, bone_weights("head"))
+        return rigid_sheet(np.array(points), faces, bone_weights("head"))

@@ -1,4 +1,4 @@
-"""Single locks of hair: leaves, curls, the knot of a bun, and hair that hangs over body and clothes."""
+"""Single locks of hair: flat locks, curls, the knot of a bun; and the body and clothes that hair lies on."""
 
 from __future__ import annotations
 
@@ -9,16 +9,14 @@ from functools import cache
 import numpy as np
 from mathutils import Vector
 from mathutils.bvhtree import BVHTree
-from numpy.typing import NDArray
 
 from storyblender.blender.people.face import bone_weights
-from storyblender.blender.people.figure import Figure
+from storyblender.blender.people.figure import BodyFigure
 from storyblender.blender.people.scalp import Scalp
-from storyblender.blender.people.sheet import Sheet, rigid
-from storyblender.blender.people.under import polygons
+from storyblender.blender.people.sheet import Sheet, rigid_sheet
+from storyblender.blender.people.worn_layers import polygons
 from storyblender.catalog.hair import HairSpec
-
-Floats = NDArray[np.float64]
+from storyblender.geometry.solids import Floats, skin_faces
 
 KNOT = np.array((0.0, 0.99, 0.10)) / np.linalg.norm((0.0, 0.99, 0.10))
 """Where hair is tied, low enough to be under the brim of a hat."""
@@ -26,7 +24,7 @@ DROP = 0.026
 """Metres between the rows of a lock that hangs."""
 ROWS = 7
 _FAR = 0.6
-"""Metres behind the head from where the back is looked at."""
+"""Metres behind the head at which rays to the back start."""
 
 
 @dataclass
@@ -34,36 +32,41 @@ class Strand:
     """The middle line of a lock.
 
     Attributes:
-        points: (N, 3).
-        outward: (N, 3) away from the head or body.
+        points: (N, 3) metres.
+        outward: (N, 3) directions away from the head or body.
     """
 
     points: Floats
     outward: Floats
 
 
-class Drape:
-    """The body and clothes that long hair falls on."""
+class HairSupport:
+    """The body and clothes that long hair lies on.
 
-    def __init__(self, figure: Figure, clothes: Sequence[Sheet]) -> None:
+    Args:
+        figure: The body.
+        clothes: Sheets of the clothes.
+    """
+
+    def __init__(self, figure: BodyFigure, clothes: Sequence[Sheet]) -> None:
         skin = figure.part("skin")
-        low = skin.points[:, 2] > figure.heights["chest"] - 0.1 * figure.k
+        low = skin.points[:, 2] > figure.heights["chest"] - 0.1 * figure.scale
         self._sheets = [skin.keep_faces(low[skin.faces].all(1)), *clothes]
         self._trees = [BVHTree.FromPolygons(sheet.points.tolist(), polygons(sheet)) for sheet in self._sheets]
         self._figure = figure
 
     def behind(self, point: Floats) -> float:
-        """Return how far back, y in metres, body and clothes reach at a point's height and side."""
+        """Return how far back (y, metres) body and clothes reach at a point's x and height."""
         origin = Vector((point[0], point[1] + _FAR, point[2]))
         hits = [tree.ray_cast(origin, Vector((0.0, -1.0, 0.0)), _FAR + 0.3)[0] for tree in self._trees]
         return max((hit.y for hit in hits if hit is not None), default=-_FAR)
 
     def clear(self, point: Floats, gap: float) -> Floats:
-        """Return ``point`` kept off the face and at least ``gap`` outside the body and clothes."""
+        """Return ``point`` moved off the face and at least ``gap`` metres outside body and clothes."""
         return self.push_out(self._aside(point), gap)
 
     def _aside(self, point: Floats) -> Floats:
-        """Return ``point`` kept off the face."""
+        """Return ``point`` moved sideways off the face."""
         scale = self._figure.head_scale
         depth = self._figure.joint("head")[1] - point[1]
         least = float(np.interp(depth, (0.0, 0.05 * scale), (0.0, 0.072 * scale)))
@@ -72,7 +75,7 @@ class Drape:
         return np.array((least if point[0] > 0 else -least, point[1], point[2]))
 
     def push_out(self, point: Floats, gap: float) -> Floats:
-        """Return ``point`` moved at least ``gap`` outside the body and clothes."""
+        """Return ``point`` moved at least ``gap`` metres outside body and clothes."""
         for tree in self._trees:
             nearest, normal, _, _ = tree.find_nearest(Vector(point), 0.08)
             if nearest is not None:
@@ -82,15 +85,22 @@ class Drape:
         return point
 
 
-def hair_weights(figure: Figure, points: Floats) -> Floats:
-    """Return bone weights: hair follows the head; where it lies on the shoulders it stays half with them."""
+def hair_weights(figure: BodyFigure, points: Floats) -> Floats:
+    """Return bone weights (V, 35) of hair at ``points``: the head's, blending to the chest's on the shoulders."""
     neck, chest = figure.heights["neck"], figure.heights["chest"]
-    share = np.interp(points[:, 2], (chest, neck + 0.05 * figure.k), (0.55, 0.0))[:, None]
+    share = np.interp(points[:, 2], (chest, neck + 0.05 * figure.scale), (0.55, 0.0))[:, None]
     return (1 - share) * bone_weights("head") + share * bone_weights("upper_chest")
 
 
-def leaf(figure: Figure, strand: Strand, spec: HairSpec, width: float) -> Sheet:
-    """Return a lock: a strip with a raised middle that tapers to its tip."""
+def flat_lock(figure: BodyFigure, strand: Strand, spec: HairSpec, width: float) -> Sheet:
+    """Return a lock as a strip with a raised middle that tapers to its tip.
+
+    Args:
+        figure: The body.
+        strand: Middle line.
+        spec: Hairstyle; shapes the tip.
+        width: Metres on an adult's head.
+    """
     count = ROWS
     at = np.linspace(0, len(strand.points) - 1, count)
     index = np.arange(len(strand.points))
@@ -106,20 +116,29 @@ def leaf(figure: Figure, strand: Strand, spec: HairSpec, width: float) -> Sheet:
     half = (0.5 * width * figure.head_scale * profile)[:, None]
     sink = 0.45 * half * outward
     rows = np.stack([points - across * half - sink, points + outward * half * 0.25, points + across * half - sink], 1)
-    faces = [(r * 3 + c, r * 3 + c + 1, r * 3 + c + 4, r * 3 + c + 3) for r in range(count - 1) for c in range(2)]
     flat = rows.reshape(-1, 3)
-    return rigid(flat, faces, hair_weights(figure, flat))
+    return rigid_sheet(flat, skin_faces(count, 3, False), hair_weights(figure, flat))
 
 
-def ball(figure: Figure, center: Floats, radii: Floats, spin: Floats, segments: int = 7, rings: int = 5) -> Sheet:
-    """Return a small ellipsoid; ``spin`` (3, 3) turns it."""
+def ball(figure: BodyFigure, center: Floats, radii: Floats, spin: Floats, segments: int = 7, rings: int = 5) -> Sheet:
+    """Return a small ellipsoid of hair.
+
+    Args:
+        figure: The body.
+        center: Metres.
+        radii: (3,) metres.
+        spin: (3, 3) rotation.
+        segments: Corners around.
+        rings: Bands from pole to pole.
+    """
     points, faces = _unit_ball(segments, rings)
     placed = center + (points * radii) @ spin.T
-    return rigid(placed, list(faces), hair_weights(figure, placed))
+    return rigid_sheet(placed, list(faces), hair_weights(figure, placed))
 
 
 @cache
 def _unit_ball(segments: int, rings: int) -> tuple[Floats, tuple[tuple[int, ...], ...]]:
+    """Return points and faces of a unit sphere."""
     points = [np.array((0.0, 0.0, 1.0))]
     for ring in range(1, rings):
         tilt = np.pi * ring / rings
@@ -140,21 +159,21 @@ def _unit_ball(segments: int, rings: int) -> tuple[Floats, tuple[tuple[int, ...]
     return np.array(points), tuple(faces)
 
 
-def curl(scalp: Scalp, root: Floats, rng: np.random.Generator) -> Sheet:
-    """Return one round curl standing on the hair."""
+def round_curl(scalp: Scalp, root: Floats, rng: np.random.Generator) -> Sheet:
+    """Return one round curl on the hair in direction ``root`` from the middle of the head."""
     spec, scale = scalp.spec, scalp.figure.head_scale
     size = 0.5 * spec.width * scale * rng.uniform(0.75, 1.25)
-    found = scalp.over(root, -rng.uniform(0.1, 0.8) * size)
+    found = scalp.hair_surface(root, -rng.uniform(0.1, 0.8) * size)
     center = found[0] if found else scalp.center
     spin, _ = np.linalg.qr(rng.normal(size=(3, 3)))
     spin = spin * np.sign(np.linalg.det(spin))
     return ball(scalp.figure, center, size * np.array((1.0, 0.85, 0.7)), spin, 7, 4)
 
 
-def bun(scalp: Scalp, rng: np.random.Generator) -> list[Sheet]:
-    """Return a knot of wound locks."""
+def wound_bun(scalp: Scalp, rng: np.random.Generator) -> list[Sheet]:
+    """Return the locks of a bun at the back of the head."""
     figure, scale = scalp.figure, scalp.figure.head_scale
-    found = scalp.over(KNOT, 0.020 * scale)
+    found = scalp.hair_surface(KNOT, 0.020 * scale)
     center = found[0] if found else scalp.center
     radii = np.array((0.046, 0.038, 0.042)) * scale
     locks = [ball(figure, center, radii * 0.94, np.eye(3), 10, 7)]
@@ -165,5 +184,5 @@ def bun(scalp: Scalp, rng: np.random.Generator) -> list[Sheet]:
         angle = np.linspace(0.25, 1.75, ROWS)[:, None]
         wind = turn + 1.5 * angle
         directions = KNOT * np.cos(angle) + (right * np.cos(wind) + up * np.sin(wind)) * np.sin(angle)
-        locks.append(leaf(figure, Strand(center + directions * radii, directions), scalp.spec, 0.030))
+        locks.append(flat_lock(figure, Strand(center + directions * radii, directions), scalp.spec, 0.030))
     return locks

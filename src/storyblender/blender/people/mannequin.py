@@ -1,15 +1,13 @@
-"""A plain mannequin on the same skeleton, for when the body data has not been fetched: capsules, no face."""
+"""A plain mannequin on the person's skeleton, used until the body data has been fetched: capsules, no face."""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from storyblender.blender.people.face import bone_weights
-from storyblender.blender.people.sheet import Sheet, join, rigid
+from storyblender.blender.people.sheet import Sheet, join, rigid_sheet
 from storyblender.catalog.skeleton import SKELETON
-
-Floats = NDArray[np.float64]
+from storyblender.geometry.solids import Floats, skin_faces
 
 CLAY = (0.42, 0.38, 0.34)
 
@@ -40,7 +38,7 @@ CAP_TILTS = (-1.45, -0.9, -0.35, 0.35, 0.9, 1.45)
 
 
 def mannequin_joints(stature: float) -> dict[str, Floats]:
-    """Return the joints that the skeleton names, metres."""
+    """Return the joints that the skeleton names, for a ``stature`` in metres."""
     joints: dict[str, Floats] = {}
     for name, place in JOINTS.items():
         joints[name] = np.array(place) * stature
@@ -64,6 +62,7 @@ def build_mannequin(stature: float) -> Sheet:
 
 
 def _capsule(head: Floats, tail: Floats, radius: float, weights: Floats) -> Sheet:
+    """Return a capsule between two joints."""
     along = (tail - head) / np.linalg.norm(tail - head)
     across = np.cross(along, (1.0, 0.0, 0.0) if abs(along[0]) < 0.9 else (0.0, 1.0, 0.0))
     across /= np.linalg.norm(across)
@@ -75,12 +74,7 @@ def _capsule(head: Floats, tail: Floats, radius: float, weights: Floats) -> Shee
         end = head if tilt < 0 else tail
         rows.append(end + radius * (np.cos(tilt) * ring + np.sin(tilt) * along))
     last = len(CAP_TILTS) - 1
-    faces: list[tuple[int, ...]] = [
-        (r * SEGMENTS + s, r * SEGMENTS + (s + 1) % SEGMENTS, (r + 1) * SEGMENTS + (s + 1) % SEGMENTS,
-         (r + 1) * SEGMENTS + s)
-        for r in range(last)
-        for s in range(SEGMENTS)
-    ]  # fmt: skip
+    faces = skin_faces(last + 1, SEGMENTS, True)
     faces.append(tuple(range(SEGMENTS))[::-1])
     faces.append(tuple(range(last * SEGMENTS, (last + 1) * SEGMENTS)))
-    return rigid(np.concatenate(rows), faces, weights)
+    return rigid_sheet(np.concatenate(rows), faces, weights)

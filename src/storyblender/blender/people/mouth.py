@@ -1,20 +1,19 @@
-"""The inside of the mouth, painted as it is seen: a dark hollow with a band of upper teeth, never a white block.
+"""The inside of the mouth, painted: a dark hollow with a band of upper teeth instead of a white block.
 
-Little light gets past the lips, and light at a quarter of the picture's size cannot tell; so the shade is paint.
+Little light gets past the lips, and light computed at a quarter of the picture's size cannot show it; so shade is
+paint.
 """
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from storyblender.blender.people.face import base_tree
 from storyblender.blender.people.pack import BodyPack
-
-Floats = NDArray[np.float64]
+from storyblender.geometry.solids import Floats
 
 HOLLOW = (0.030, 0.009, 0.008)
-"""What the throat shows, scene-linear."""
+"""Colour of the throat, scene-linear."""
 TONGUE = (0.15, 0.045, 0.04)
 TOOTH = (0.47, 0.44, 0.38)
 _LOWER = 0.22
@@ -22,15 +21,15 @@ _LOWER = 0.22
 _BACK, _FRONT = 1.05, 1.48
 """Depth of the last and of the first tooth on the base mesh, decimetres."""
 _SHALLOW, _DEEP = 0.01, 0.06
-"""Decimetres behind what is seen from the front at which the shade begins and is full."""
+"""Decimetres behind the visible surface at which the shade begins and is full."""
 
 
-def hollow(pack: BodyPack, base: Floats) -> Floats:
+def mouth_depth(pack: BodyPack, base: Floats) -> Floats:
     """Return how far inside the mouth skin vertices lie, (V,): 0 on the face and lips, 1 behind the lips.
 
     Args:
         pack: The body data; its mouth is shut.
-        base: (V, 3) places on the base mesh, decimetres.
+        base: (V, 3) positions on the base mesh, decimetres.
     """
     tree, _ = base_tree(pack)
     inside = np.zeros(len(base))
@@ -44,10 +43,10 @@ def hollow(pack: BodyPack, base: Floats) -> Floats:
 
 
 def paint_teeth(base: Floats) -> Floats:
-    """Return the vertex colours (V, 3) of both rows: the upper one light in front, the rest in shade.
+    """Return the vertex colours (V, 3) of both rows of teeth: the upper one light in front, the rest in shade.
 
     Args:
-        base: (V, 3) places on the base mesh, decimetres; the lower row first, as the body data has it.
+        base: (V, 3) positions on the base mesh, decimetres; the lower row first, as in the body data.
     """
     light = np.interp(base[:, 2], (_BACK, _FRONT), (0.1, 1.0))
     light[: len(base) // 2] *= _LOWER

@@ -1,4 +1,4 @@
-"""Read the body pack: base mesh, joints, skin weights and morph targets of the CC0 MakeHuman data. No bpy."""
+"""Reads the body pack: base mesh, joints, skin weights and morph targets of the CC0 MakeHuman data. No bpy."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.catalog.bodies import BodyRecipe, body_pack_path, macro_targets
+from storyblender.geometry.solids import Floats
 
-Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 PARTS: dict[str, slice] = {
@@ -28,15 +28,15 @@ PARTS: dict[str, slice] = {
 
 @dataclass(frozen=True, eq=False)
 class BodyPack:
-    """The repacked data.
+    """The repacked body data.
 
     Attributes:
         points: (V, 3) base mesh in decimetres: Y up, facing +Z, +X the person's left.
         faces: (F, 4) quads.
         joints: First of the 8 vertices around each joint, by name.
         weights: (V, 35) skin weights, columns as in ``catalog.skeleton.SKELETON``.
-        ears: (13380,) skin vertices of the ears.
-        lips: (13380,) how much a skin vertex is lip.
+        ears: (13380,) whether a skin vertex belongs to an ear.
+        lips: (13380,) how much a skin vertex belongs to the lips, 0..1.
         targets: Start and end of each morph target in the two arrays below.
         target_vertices: (N,) moved vertices.
         target_offsets: (3, N) offsets in 0.1 mm.
@@ -53,7 +53,7 @@ class BodyPack:
     target_offsets: NDArray[np.int16]
 
     def displacement(self, targets: Mapping[str, float]) -> Floats:
-        """Return the sum of weighted morph targets, (V, 3) in decimetres, base axes."""
+        """Return the sum of morph targets, weighted by amount, (V, 3) in decimetres, base axes."""
         total = np.zeros_like(self.points)
         for name, amount in targets.items():
             start, end = self.targets[name]
@@ -61,7 +61,7 @@ class BodyPack:
         return total
 
     def joint(self, points: Floats, name: str) -> Floats:
-        """Return the position of a joint: the mean of its 8 vertices."""
+        """Return the position of the joint ``name`` on a morphed mesh ``points`` (V, 3): the mean of its 8 vertices."""
         first = self.joints[name]
         return points[first : first + 8].mean(0)
 
@@ -89,7 +89,7 @@ class BodyPack:
 
 
 def to_scene(points: Floats) -> Floats:
-    """Turn base axes and decimetres into Blender's axes and metres."""
+    """Convert base axes and decimetres to Blender's axes and metres, (V, 3)."""
     return np.stack([points[:, 0], -points[:, 2], points[:, 1]], 1) * 0.1
 
 
@@ -101,6 +101,7 @@ def load_body_pack() -> BodyPack | None:
 
 @lru_cache(maxsize=1)
 def _load(path: Path) -> BodyPack:
+    """Return the body pack of a file, cached."""
     with np.load(io.BytesIO(lzma.decompress(path.read_bytes()))) as data:
         ends = data["target_ends"].tolist()
         names = data["target_names"].tolist()

@@ -1,4 +1,4 @@
-"""A person from casting words: body, face, hair and clothes on one armature."""
+"""Builds a person from a character look: body, face, hair and clothes on one armature."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.blender.people import eyewear, face, hair, mannequin, mouth, rig, skin, tailor, whiskers
-from storyblender.blender.people.animal import Animal, worn_by_animals
-from storyblender.blender.people.body import Body
-from storyblender.blender.people.figure import Figure
+from storyblender.blender.people.animal import Animal, animal_garments
+from storyblender.blender.people.body import RiggedBody
+from storyblender.blender.people.figure import BodyFigure
 from storyblender.blender.people.pack import PARTS, BodyPack, load_body_pack
 from storyblender.blender.people.parts import Paint, build_object
 from storyblender.blender.people.scalp import covered_scalp
@@ -44,14 +44,14 @@ class PersonBuild:
 
     Attributes:
         armature: Named like the asset, at the origin, soles at z = 0, facing -Y.
-        meshes: Everything that hangs on it.
-        body: What the motion solver needs.
-        stand_in: A plain mannequin, because the body data has not been fetched.
+        meshes: Mesh objects that it deforms.
+        body: Measured body for the motion solver.
+        stand_in: Whether this is a plain mannequin, because the body data has not been fetched.
     """
 
     armature: bpy.types.Object
     meshes: list[bpy.types.Object]
-    body: Body
+    body: RiggedBody
     stand_in: bool = False
 
 
@@ -61,7 +61,7 @@ def build_person(asset_id: str, look: CharacterLook, seed: int) -> PersonBuild:
     Args:
         asset_id: Name of the armature object and tag of every part.
         look: Casting words; gaps are filled from gender, age and seed.
-        seed: Makes two people with the same words different.
+        seed: Varies people with the same words.
     """
     pack = load_body_pack()
     if pack is None:
@@ -70,11 +70,11 @@ def build_person(asset_id: str, look: CharacterLook, seed: int) -> PersonBuild:
     if look.species in SPECIES:
         return _build_animal(asset_id, look, seed, pack)
     colors = complexion(look, seed)
-    figure = Figure(pack, pack.shape(recipe(look, seed)))
+    figure = BodyFigure(pack, pack.shape(recipe(look, seed)))
     armature = rig.build_armature(asset_id, {n: figure.joint(n) for bone in SKELETON for n in (bone.head, bone.tail)})
     tag(armature, kind="character", node_id=asset_id, asset_id=asset_id)
-    wardrobe = tailor.dress(figure, dressed(look, look.gender, seed), seed)
-    every = skin.expressions(pack)
+    wardrobe = tailor.dress_figure(figure, dressed(look, look.gender, seed), seed)
+    every = skin.expression_offsets(pack)
     meshes = [
         _build_skin(figure, armature, look, colors, wardrobe, every),
         _build_eyes(figure, armature, colors),
@@ -91,7 +91,7 @@ def _build_animal(asset_id: str, look: CharacterLook, seed: int, pack: BodyPack)
     animal = Animal(pack, SPECIES[look.species], look, seed)
     armature = rig.build_armature(asset_id, animal.joints)
     tag(armature, kind="character", node_id=asset_id, asset_id=asset_id)
-    wardrobe = tailor.dress(animal.figure, worn_by_animals(look), seed)
+    wardrobe = tailor.dress_figure(animal.figure, animal_garments(look), seed)
     meshes = [
         *animal.build(armature, wardrobe, glasses=look.glasses),
         *(_build_garment(animal.figure, armature, worn) for worn in wardrobe),
@@ -99,13 +99,14 @@ def _build_animal(asset_id: str, look: CharacterLook, seed: int, pack: BodyPack)
     return PersonBuild(armature, meshes, _measured(animal.figure, armature))
 
 
-def _measured(figure: Figure, armature: bpy.types.Object) -> Body:
+def _measured(figure: BodyFigure, armature: bpy.types.Object) -> RiggedBody:
+    """Return the measured body of a figure."""
     bare = PARTS["skin"]
     return rig.measure_body(armature, figure.points[bare], figure.pack.weights[bare], figure.stature, FACE)
 
 
 def _build_stand_in(asset_id: str, look: CharacterLook, seed: int) -> PersonBuild:
-    """Build the mannequin of ``look``'s stature; its armature carries the custom property ``stand_in``."""
+    """Build a mannequin of the look's stature; its armature has the custom property ``stand_in``."""
     stature = recipe(look, seed).stature
     armature = rig.build_armature(asset_id, mannequin.mannequin_joints(stature))
     tag(armature, kind="character", node_id=asset_id, asset_id=asset_id)
@@ -118,7 +119,7 @@ def _build_stand_in(asset_id: str, look: CharacterLook, seed: int) -> PersonBuil
 
 
 def _build_skin(
-    figure: Figure,
+    figure: BodyFigure,
     armature: bpy.types.Object,
     look: CharacterLook,
     colors: Complexion,
@@ -132,7 +133,7 @@ def _build_skin(
     bare = bare.keep_faces(~hidden)
     paint = skin.paint_skin(figure, bare, colors, look)
     sheets = [bare, *(figure.part(name) for name in ("lashes", "teeth", "tongue"))]
-    keys = [skin.keys_for(sheet, every) for sheet in sheets]
+    keys = [skin.shape_keys_of(sheet, every) for sheet in sheets]
     brows, brow_keys = face.brows(figure, 0.034, every)
     sheets.append(brows)
     keys.append(brow_keys)
@@ -158,7 +159,8 @@ def _build_skin(
     )
 
 
-def _build_eyes(figure: Figure, armature: bpy.types.Object, colors: Complexion) -> bpy.types.Object:
+def _build_eyes(figure: BodyFigure, armature: bpy.types.Object, colors: Complexion) -> bpy.types.Object:
+    """Build the eyeballs."""
     limbus = mix(colors.iris, (0.0, 0.0, 0.0), 0.65)
     shades = (PUPIL, colors.iris, limbus, SCLERA, (1.0, 1.0, 1.0))
     return build_object(
@@ -172,13 +174,14 @@ def _build_eyes(figure: Figure, armature: bpy.types.Object, colors: Complexion) 
 
 
 def _build_hair(
-    figure: Figure,
+    figure: BodyFigure,
     armature: bpy.types.Object,
     look: CharacterLook,
     colors: Complexion,
     wardrobe: Sequence[Worn],
     seed: int,
 ) -> list[bpy.types.Object]:
+    """Build the hair; empty for a shaved head or under a hood."""
     if any(hides_hair(piece) for worn in wardrobe for piece in worn.spec.pieces):
         return []
     clothes = [bolt.sheet for worn in wardrobe for bolt in worn.bolts]
@@ -198,8 +201,14 @@ def _build_hair(
 
 
 def _build_whiskers(
-    figure: Figure, armature: bpy.types.Object, look: CharacterLook, colors: Complexion, every: Expressions, seed: int
+    figure: BodyFigure,
+    armature: bpy.types.Object,
+    look: CharacterLook,
+    colors: Complexion,
+    every: Expressions,
+    seed: int,
 ) -> list[bpy.types.Object]:
+    """Build the beard or moustache, if there is one."""
     if look.facial_hair not in ("moustache", "beard"):
         return []
     grown = whiskers.build_whiskers(figure, look.facial_hair, seed, every)
@@ -217,19 +226,21 @@ def _build_whiskers(
     ]
 
 
-def _build_glasses(figure: Figure, armature: bpy.types.Object, look: CharacterLook) -> list[bpy.types.Object]:
+def _build_glasses(figure: BodyFigure, armature: bpy.types.Object, look: CharacterLook) -> list[bpy.types.Object]:
+    """Build the glasses, if there are any."""
     if not look.glasses:
         return []
     sheet = eyewear.build_glasses(figure)
     return [build_object(f"{armature.name}_glasses", sheet, [Paint(FRAME, "satin")], armature, surface=Surface.PROP)]
 
 
-def _build_garment(figure: Figure, armature: bpy.types.Object, worn: Worn) -> bpy.types.Object:
+def _build_garment(figure: BodyFigure, armature: bpy.types.Object, worn: Worn) -> bpy.types.Object:
+    """Build one garment; its custom property ``drapes`` says whether it lies on the lap of a seated person."""
     paints: list[Paint] = []
     sheets = []
     for bolt in worn.bolts:
-        sheet = hemmed(bolt.sheet, HEM * figure.k)
-        paint = Paint(tailor.tinted(worn.color, bolt.tint), bolt.fabric)
+        sheet = hemmed(bolt.sheet, HEM * figure.scale)
+        paint = Paint(tailor.piece_color(worn.color, bolt.tint), bolt.fabric)
         if paint not in paints:
             paints.append(paint)
         sheet.slot[:] = paints.index(paint)

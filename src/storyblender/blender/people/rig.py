@@ -1,21 +1,21 @@
-"""The armature of a person, and the measured ``Body`` that the motion solver works with."""
+"""The armature of a person, and the measured ``RiggedBody`` that the motion solver works with."""
 
 from __future__ import annotations
 
 import bpy
 import numpy as np
 from mathutils import Vector
-from numpy.typing import NDArray
 
-from storyblender.blender.people.body import Body
+from storyblender.blender.people.body import RiggedBody
 from storyblender.catalog.skeleton import BONE_INDEX, SKELETON
+from storyblender.geometry.solids import Floats
 
-Floats = NDArray[np.float64]
 Joints = dict[str, Floats]
 
 SHORTEST = 0.005
+"""Metres; shorter bones get the tail ``STUB``."""
 STUB = Vector((0.0, -0.03, 0.0))
-"""Tail of a bone whose joints coincide."""
+"""Head to tail of a bone whose joints coincide, metres."""
 
 
 def build_armature(name: str, joints: Joints) -> bpy.types.Object:
@@ -48,7 +48,7 @@ def build_armature(name: str, joints: Joints) -> bpy.types.Object:
 
 def measure_body(
     armature: bpy.types.Object, vertices: Floats, weights: Floats, stature: float, shape_keys: tuple[str, ...]
-) -> Body:
+) -> RiggedBody:
     """Return the rest state of a person; weights are put in the order of the armature's bones, by name.
 
     Args:
@@ -60,7 +60,7 @@ def measure_body(
     """
     bones = list(armature.data.bones)
     names = tuple(bone.name for bone in bones)
-    return Body(
+    return RiggedBody(
         bone_names=names,
         parents=tuple(names.index(bone.parent.name) if bone.parent else -1 for bone in bones),
         rest=np.array([bone.matrix_local for bone in bones], float),

@@ -1,4 +1,4 @@
-"""The head under the hair: where hair grows, how thick it lies, and points on or over the skull by direction."""
+"""The head under the hair: where hair grows, how thick it is, and points on skull and hair by direction."""
 
 from __future__ import annotations
 
@@ -10,12 +10,11 @@ from mathutils import Vector
 from mathutils.bvhtree import BVHTree
 from numpy.typing import NDArray
 
-from storyblender.blender.people.figure import Figure
+from storyblender.blender.people.figure import BodyFigure
 from storyblender.blender.people.sheet import Sheet, clip, normals, smoothed
-from storyblender.blender.people.under import polygons
+from storyblender.blender.people.worn_layers import polygons
 from storyblender.catalog.hair import HairSpec
-
-Floats = NDArray[np.float64]
+from storyblender.geometry.solids import Floats
 
 HAIRLINE = np.array([
     (-1.0, 6.50), (-0.1, 6.58), (0.15, 6.88), (0.35, 7.22), (0.60, 7.36), (0.78, 7.08), (0.90, 7.12), (0.98, 7.62),
@@ -25,7 +24,13 @@ HAIRLINE = np.array([
 
 
 def above_hairline(base: Floats, spec: HairSpec, masculine: float) -> Floats:
-    """Return how far points of the base mesh lie above the hairline, decimetres; negative is skin."""
+    """Return how far points lie above the hairline, (N,) decimetres; negative is skin.
+
+    Args:
+        base: (N, 3) positions on the base mesh, decimetres.
+        spec: Hairstyle.
+        masculine: 0 to 1, shapes the hairline.
+    """
     x, depth = np.abs(base[:, 0]), base[:, 2]
     line = np.interp(depth, HAIRLINE[:, 0], HAIRLINE[:, 1])
     temples = np.clip(1 - np.abs(x - 0.52) / 0.22, 0, 1) * np.clip((depth - 0.85) / 0.2, 0, 1)
@@ -38,8 +43,15 @@ def above_hairline(base: Floats, spec: HairSpec, masculine: float) -> Floats:
     return grown
 
 
-def covered_scalp(figure: Figure, skin: Sheet, spec: HairSpec, masculine: float) -> NDArray[np.bool_]:
-    """Return which faces of ``skin`` lie well under the hair."""
+def covered_scalp(figure: BodyFigure, skin: Sheet, spec: HairSpec, masculine: float) -> NDArray[np.bool_]:
+    """Return which faces of the skin lie well under the hair, (F,).
+
+    Args:
+        figure: The body.
+        skin: Its skin.
+        spec: Hairstyle.
+        masculine: 0 to 1, shapes the hairline.
+    """
     if not spec.top and not spec.side:
         return np.zeros(len(skin.faces), bool)
     deep = (above_hairline(skin.base, spec, masculine) > 0.25) & (skin.base[:, 1] > 6.8) & (skin.base[:, 2] < 1.6)
@@ -51,13 +63,13 @@ class Scalp:
     """A head with a hairstyle's growth and thickness.
 
     Attributes:
-        figure: Whose head.
+        figure: The body.
         spec: The hairstyle.
         masculine: 0 to 1, shapes the hairline.
-        hatted: The hair on top is pressed flat.
+        hatted: Whether a hat presses the hair on top flat.
     """
 
-    figure: Figure
+    figure: BodyFigure
     spec: HairSpec
     masculine: float
     hatted: bool = False
@@ -81,13 +93,13 @@ class Scalp:
 
     @cached_property
     def _corners(self) -> list[list[tuple[Vector, float]]]:
-        """The corners of every face of the skull, each with how far it lies above the hairline: read for every lock."""
+        """Corners of every face of the skull, each with its decimetres above the hairline."""
         grown = above_hairline(self._skull.base, self.spec, self.masculine).tolist()
         corners = [(Vector(point), high) for point, high in zip(self._skull.points.tolist(), grown, strict=True)]
         return [[corners[index] for index in face] for face in polygons(self._skull)]
 
     def thickness(self, base: Floats) -> Floats:
-        """Return the thickness of the hair over points of the base mesh, metres."""
+        """Return the thickness of the hair over points of the base mesh (N, 3), metres."""
         spec = self.spec
         high = np.clip((base[:, 1] - 7.4) / 0.9, 0, 1)
         full = spec.side * (1 - high) + spec.top * high
@@ -96,8 +108,8 @@ class Scalp:
         grown = np.clip(above_hairline(base, spec, self.masculine) / 0.22, 0, 1) ** 0.6
         return (0.0015 + full * grown) * self.figure.head_scale
 
-    def cap(self) -> Sheet:
-        """Return the hair as one thin shell over the scalp, below the locks."""
+    def shell(self) -> Sheet:
+        """Return the hair as one thin sheet over the scalp, below the locks."""
         sheet = self._skull
         back = sheet.base[:, 2] < 1.6
         sheet = sheet.keep_faces(back[sheet.faces].all(1))
@@ -112,17 +124,22 @@ class Scalp:
         clearance = ((lifted - sheet.points) * outward).sum(1)
         return sheet.moved(lifted + outward * np.maximum(0.8 * thick - clearance, 0)[:, None])
 
-    def surface(self, direction: Floats) -> tuple[Floats, float] | None:
-        """Return the skull point in a direction from the centre and how far it lies above the hairline (dm)."""
+    def skull_surface(self, direction: Floats) -> tuple[Floats, float] | None:
+        """Return the skull point in a direction and its decimetres above the hairline; None if it misses."""
         hit, _, face, _ = self._tree.ray_cast(Vector(self.center), Vector(direction))
         if hit is None:
             return None
         shares = [(1 / ((corner - hit).length + 1e-6), high) for corner, high in self._corners[face]]
         return np.array(hit), sum(share * high for share, high in shares) / sum(share for share, _ in shares)
 
-    def over(self, direction: Floats, lift: float) -> tuple[Floats, float] | None:
-        """Return the point on the hair in a direction, ``lift`` metres higher, and its place above the hairline."""
-        found = self.surface(direction)
+    def hair_surface(self, direction: Floats, lift: float) -> tuple[Floats, float] | None:
+        """Return the hair point in a direction and its decimetres above the hairline; None if it misses.
+
+        Args:
+            direction: Unit vector from the centre.
+            lift: Metres above the hair.
+        """
+        found = self.skull_surface(direction)
         if found is None:
             return None
         point, grown = found

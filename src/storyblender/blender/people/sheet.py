@@ -1,7 +1,7 @@
-"""Pieces of surface that know their body: the cloth that garments are cut from, and the hair. Pure numpy.
+"""Sheets: polygon meshes with skin weights, from which garments, fur and hair are made. Pure numpy.
 
-A sheet is cut from a part of the base mesh, so it carries skin weights and follows every morph for free. ``clip`` is
-the tailor's scissors: it keeps where a scalar field is positive, with a clean hem anywhere (notes: humans, 4).
+A sheet is cut from a part of the base mesh, so it has skin weights and follows every morph. ``clip`` cuts it: it keeps
+where a scalar field is positive, with a clean hem along the zero line (notes: humans, 4).
 """
 
 from __future__ import annotations
@@ -12,20 +12,25 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from storyblender.geometry.solids import Floats
+
 Ints = NDArray[np.int64]
+BLENDED_ARRAYS = ("points", "weights", "base", "skin")
+"""Arrays of a sheet with a row for each vertex that a cut interpolates."""
+VERTEX_ARRAYS = (*BLENDED_ARRAYS, "source")
+"""Arrays of a sheet with a row for each vertex."""
 
 
 @dataclass
 class Sheet:
-    """A polygon mesh with skin weights.
+    """A polygon mesh with skin weights; V vertices, F faces.
 
     Attributes:
         points: (V, 3) metres.
         faces: (F, K) corners in order, rows padded with -1.
         weights: (V, 35) columns as in ``catalog.skeleton``.
         base: (V, 3) position on the base mesh, decimetres; selections made there fit every morph.
-        skin: (V, 3) position on the body before the cloth was loosened, metres; garments compare themselves there.
+        skin: (V, 3) position on the body before the cloth was loosened, metres; garments are compared there.
         source: (V,) vertex of the base mesh, -1 where a cut made a new one.
         slot: (F,) material slot.
     """
@@ -39,36 +44,30 @@ class Sheet:
     slot: Ints
 
     def keep_faces(self, kept: NDArray[np.bool_]) -> Sheet:
-        """Return the sheet of the faces ``kept``, without loose vertices."""
+        """Return the sheet of the faces where ``kept`` (F,) is true, without loose vertices."""
         faces = self.faces[kept]
         used = np.zeros(len(self.points) + 1, bool)
         used[faces] = True
         used[-1] = False
         renumber = np.full(len(self.points) + 1, -1)
         renumber[used] = np.arange(used.sum())
-        used = used[:-1]
-        return Sheet(
-            self.points[used],
-            renumber[faces],
-            self.weights[used],
-            self.base[used],
-            self.skin[used],
-            self.source[used],
-            self.slot[kept],
-        )
+        vertices = {name: getattr(self, name)[used[:-1]] for name in VERTEX_ARRAYS}
+        return Sheet(faces=renumber[faces], slot=self.slot[kept], **vertices)
 
     def moved(self, points: Floats) -> Sheet:
-        """Return the same sheet with its vertices elsewhere."""
+        """Return the same sheet with other vertex positions, (V, 3) metres."""
         return replace(self, points=points)
 
 
-def rigid(points: Floats, faces: Sequence[Sequence[int]], weights: Floats, slots: Sequence[int] | int = 0) -> Sheet:
-    """Return a free-standing sheet, e.g. a button or a hat.
+def rigid_sheet(
+    points: Floats, faces: Sequence[Sequence[int]], weights: Floats, slots: Sequence[int] | int = 0
+) -> Sheet:
+    """Return a sheet that is not cut from the body, for example a button or a hat.
 
     Args:
         points: (V, 3) metres.
         faces: Corners of each face.
-        weights: (35,) or (V, 35).
+        weights: (35,) for all vertices, or (V, 35).
         slots: Material slot of each face, or one for all.
     """
     width = max(len(face) for face in faces)
@@ -86,26 +85,24 @@ def rigid(points: Floats, faces: Sequence[Sequence[int]], weights: Floats, slots
 
 
 def join(sheets: Sequence[Sheet]) -> Sheet:
-    """Return all sheets as one."""
+    """Return several sheets as one, in order."""
     width = max(sheet.faces.shape[1] for sheet in sheets)
     faces, start = [], 0
     for sheet in sheets:
         shifted = np.where(sheet.faces >= 0, sheet.faces + start, -1)
         faces.append(np.pad(shifted, ((0, 0), (0, width - shifted.shape[1])), constant_values=-1))
         start += len(sheet.points)
-    return Sheet(
-        np.concatenate([sheet.points for sheet in sheets]),
-        np.concatenate(faces),
-        np.concatenate([sheet.weights for sheet in sheets]),
-        np.concatenate([sheet.base for sheet in sheets]),
-        np.concatenate([sheet.skin for sheet in sheets]),
-        np.concatenate([sheet.source for sheet in sheets]),
-        np.concatenate([sheet.slot for sheet in sheets]),
-    )
+    stacked = {name: np.concatenate([getattr(sheet, name) for sheet in sheets]) for name in (*VERTEX_ARRAYS, "slot")}
+    return Sheet(faces=np.concatenate(faces), **stacked)
 
 
 def clip(sheet: Sheet, field: Floats) -> Sheet:
-    """Return the part of ``sheet`` where ``field`` (V,) is not negative, cut cleanly along its zero line."""
+    """Return the part of a sheet where a field is not negative.
+
+    Args:
+        sheet: The sheet.
+        field: (V,) values; faces across their zero line are cut along it.
+    """
     inside = field >= 0
     real = sheet.faces >= 0
     corner_in = inside[sheet.faces] & real
@@ -134,20 +131,14 @@ def clip(sheet: Sheet, field: Floats) -> Sheet:
         return np.concatenate([values, values[first] * (1 - share) + values[second] * share])
 
     faces = np.concatenate([kept, new])
-    whole_sheet = Sheet(
-        blend(sheet.points),
-        faces,
-        blend(sheet.weights),
-        blend(sheet.base),
-        blend(sheet.skin),
-        np.concatenate([sheet.source, np.full(len(ends), -1)]),
-        np.concatenate([sheet.slot[whole], sheet.slot[mixed]]),
-    )
-    return whole_sheet.keep_faces(np.ones(len(faces), bool))
+    blended = {name: blend(getattr(sheet, name)) for name in BLENDED_ARRAYS}
+    source = np.concatenate([sheet.source, np.full(len(ends), -1)])
+    slot = np.concatenate([sheet.slot[whole], sheet.slot[mixed]])
+    return Sheet(faces=faces, source=source, slot=slot, **blended).keep_faces(np.ones(len(faces), bool))
 
 
 def half_edges(sheet: Sheet) -> Ints:
-    """Return every side of every face as (start, end), (N, 2)."""
+    """Return every side of every face as (start, end) vertices, (N, 2)."""
     real = sheet.faces >= 0
     following = np.where(np.arange(sheet.faces.shape[1]) == real.sum(1)[:, None] - 1, sheet.faces[:, :1],
                          np.roll(sheet.faces, -1, axis=1))  # fmt: skip
@@ -155,14 +146,14 @@ def half_edges(sheet: Sheet) -> Ints:
 
 
 def edges(sheet: Sheet) -> tuple[Ints, Ints]:
-    """Return the distinct edges (E, 2) and in how many faces each lies (E,)."""
+    """Return the distinct edges (E, 2) and the number of faces at each (E,)."""
     pairs = np.sort(half_edges(sheet), axis=1)
     keys, counts = np.unique(pairs[:, 0] * len(sheet.points) + pairs[:, 1], return_counts=True)
     return np.stack(np.divmod(keys, len(sheet.points)), 1), counts
 
 
 def rim(sheet: Sheet) -> NDArray[np.bool_]:
-    """Return which vertices lie on a hem."""
+    """Return which vertices lie on a hem, (V,)."""
     pairs, counts = edges(sheet)
     on_rim = np.zeros(len(sheet.points), bool)
     on_rim[pairs[counts == 1]] = True
@@ -170,11 +161,12 @@ def rim(sheet: Sheet) -> NDArray[np.bool_]:
 
 
 def _scatter(rows: Ints, values: Floats, count: int) -> Floats:
+    """Return the sums (count, 3) of ``values`` (N, 3) by row number."""
     return np.stack([np.bincount(rows, values[:, axis], count).astype(float) for axis in range(3)], 1)
 
 
 def normals(sheet: Sheet) -> Floats:
-    """Return unit vertex normals, weighted by face area."""
+    """Return unit vertex normals (V, 3), weighted by face area."""
     pairs = half_edges(sheet)
     real = sheet.faces >= 0
     per_edge = np.cross(sheet.points[pairs[:, 0]], sheet.points[pairs[:, 1]])
@@ -185,7 +177,13 @@ def normals(sheet: Sheet) -> Floats:
 
 
 def smoothed(sheet: Sheet, rounds: int, strength: float | Floats = 0.5) -> Floats:
-    """Return the points after ``rounds`` of Laplacian smoothing; hems stay where they are."""
+    """Return the points (V, 3) after Laplacian smoothing; vertices on hems stay.
+
+    Args:
+        sheet: The sheet.
+        rounds: Number of passes.
+        strength: Share of the way to the neighbours' mean, one value or (V,).
+    """
     pairs, counts = edges(sheet)
     amount = np.broadcast_to(strength, len(sheet.points)).copy()
     amount[pairs[counts == 1]] = 0
@@ -199,7 +197,13 @@ def smoothed(sheet: Sheet, rounds: int, strength: float | Floats = 0.5) -> Float
 
 
 def loosened(sheet: Sheet, ease: float | Floats, rounds: int) -> Sheet:
-    """Return the sheet smoothed to cloth that stays at least ``ease`` metres off where it was, along the normal."""
+    """Return a sheet smoothed to cloth that keeps a distance from the original surface.
+
+    Args:
+        sheet: The sheet, on the skin.
+        ease: Least distance along the normal in metres, one value or (V,).
+        rounds: Passes of smoothing.
+    """
     outward = normals(sheet)
     points = smoothed(sheet, rounds)
     clearance = ((points - sheet.points) * outward).sum(1)
@@ -207,7 +211,12 @@ def loosened(sheet: Sheet, ease: float | Floats, rounds: int) -> Sheet:
 
 
 def hemmed(sheet: Sheet, thickness: float) -> Sheet:
-    """Return the sheet with its hems folded inwards, which gives cloth a visible thickness for a ring of faces."""
+    """Return a sheet with its hems folded inwards, so that the cloth shows its thickness.
+
+    Args:
+        sheet: The sheet.
+        thickness: Width of the fold, metres.
+    """
     pairs = half_edges(sheet)
     count = len(sheet.points)
     keys = pairs.min(1) * count + pairs.max(1)
@@ -224,12 +233,8 @@ def hemmed(sheet: Sheet, thickness: float) -> Sheet:
     sides = np.full((len(outer), width), -1)
     sides[:, :4] = np.stack([outer[:, 1], outer[:, 0], fold[outer[:, 0]], fold[outer[:, 1]]], 1)
     faces = np.pad(sheet.faces, ((0, 0), (0, width - sheet.faces.shape[1])), constant_values=-1)
-    return Sheet(
-        np.concatenate([sheet.points, inner]),
-        np.concatenate([faces, sides]),
-        np.concatenate([sheet.weights, sheet.weights[ring]]),
-        np.concatenate([sheet.base, sheet.base[ring]]),
-        np.concatenate([sheet.skin, sheet.skin[ring]]),
-        np.concatenate([sheet.source, np.full(len(ring), -1)]),
-        np.concatenate([sheet.slot, sheet.slot[owner]]),
-    )
+    doubled = {name: np.concatenate([values := getattr(sheet, name), values[ring]]) for name in BLENDED_ARRAYS}
+    doubled["points"][count:] = inner
+    source = np.concatenate([sheet.source, np.full(len(ring), -1)])
+    slot = np.concatenate([sheet.slot, sheet.slot[owner]])
+    return Sheet(faces=np.concatenate([faces, sides]), source=source, slot=slot, **doubled)

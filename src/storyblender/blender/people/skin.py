@@ -5,22 +5,20 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
 from storyblender.blender.people import mouth
-from storyblender.blender.people.figure import Figure
+from storyblender.blender.people.figure import BodyFigure
 from storyblender.blender.people.pack import BodyPack, to_scene
 from storyblender.blender.people.scalp import above_hairline
 from storyblender.blender.people.sheet import Sheet
 from storyblender.catalog.bodies import Complexion
 from storyblender.catalog.expressions import FACE_UNITS
 from storyblender.catalog.hair import hairstyle
+from storyblender.geometry.solids import Floats
 from storyblender.memory.asset_sheet import CharacterLook
 
-Floats = NDArray[np.float64]
 
-
-def expressions(pack: BodyPack) -> dict[str, Floats]:
+def expression_offsets(pack: BodyPack) -> dict[str, Floats]:
     """Return the offsets of each shape key for the whole base mesh, (V, 3) metres in Blender's axes."""
     return {
         key: to_scene(pack.displacement({f"expression/units/caucasian/{unit}": w for unit, w in units.items()}))
@@ -28,8 +26,13 @@ def expressions(pack: BodyPack) -> dict[str, Floats]:
     }
 
 
-def keys_for(sheet: Sheet, every: Mapping[str, Floats]) -> dict[str, Floats]:
-    """Return the shape keys of a sheet whose vertices all come from the base mesh."""
+def shape_keys_of(sheet: Sheet, every: Mapping[str, Floats]) -> dict[str, Floats]:
+    """Return the shape keys of a sheet whose vertices all come from the base mesh.
+
+    Args:
+        sheet: The sheet.
+        every: Offsets (V, 3) of each key for the whole base mesh.
+    """
     return {key: offsets[sheet.source] for key, offsets in every.items()}
 
 
@@ -41,14 +44,14 @@ def whisker_growth(base: Floats) -> Floats:
     return np.minimum.reduce([cheek - y, lips, depth - 0.42, y - 6.08])
 
 
-def paint_skin(figure: Figure, sheet: Sheet, colors: Complexion, look: CharacterLook) -> Floats:
+def paint_skin(figure: BodyFigure, sheet: Sheet, colors: Complexion, look: CharacterLook) -> Floats:
     """Return the vertex colours (V, 3): tone, blood in cheeks, nose and ears, lips, mouth, eye sockets, stubble, age.
 
     Args:
-        figure: Whose body it is.
-        sheet: The skin, uncut.
+        figure: The body.
+        sheet: Its skin, uncut.
         colors: The person's colours.
-        look: Whose age, hairline and stubble are painted.
+        look: Gives age, hairline and stubble.
     """
     base = sheet.base
     paint = np.tile(np.array(colors.skin), (len(base), 1))
@@ -78,5 +81,5 @@ def paint_skin(figure: Figure, sheet: Sheet, colors: Complexion, look: Character
         paint = paint * (1 - shadow) + np.array(colors.hair) * shadow
     paint = paint * (1 - beard) + np.array(colors.brow) * beard
     paint = paint * (1 - lips[:, None]) + np.array(colors.lips) * lips[:, None]
-    hollow = mouth.hollow(figure.pack, base)[:, None]
+    hollow = mouth.mouth_depth(figure.pack, base)[:, None]
     return paint * (1 - hollow) + np.array(mouth.HOLLOW) * hollow

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from storyblender.blender.people.sheet import Sheet, rigid
+from storyblender.blender.people.sheet import Sheet, rigid_sheet
 from storyblender.geometry import solids
-
-Floats = NDArray[np.float64]
+from storyblender.geometry.solids import Floats
 
 
 def skinned(rings: Sequence[ArrayLike], weights: Floats, *, caps: bool = True) -> Sheet:
@@ -29,20 +28,35 @@ def skinned(rings: Sequence[ArrayLike], weights: Floats, *, caps: bool = True) -
     points = stack.reshape(-1, 3)
     if solids.signed_volume(points, faces) < 0:
         faces = [face[::-1] for face in faces]
-    return rigid(points, faces, weights)
+    return rigid_sheet(points, faces, weights)
 
 
 def ball(
     center: ArrayLike, half: ArrayLike, weights: Floats, *, softness: float = 1.0, rotation: ArrayLike = (0, 0, 0)
 ) -> Sheet:
-    """Return a superellipsoid with semi-axes ``half``: softness 1 is an ellipsoid, 0.3 a cushion; turned by degrees."""
+    """Return a superellipsoid.
+
+    Args:
+        center: Metres.
+        half: Semi-axes, metres.
+        weights: (35,) bone weights.
+        softness: 1 is an ellipsoid, 0.3 a cushion.
+        rotation: Degrees about X, then Y, then Z.
+    """
     matrix = solids.transform(center, rotation, 1.0)
     rings = solids.superellipsoid_rings(np.asarray(half, float), softness, 18, 10)
     return skinned([ring @ matrix[:3, :3].T + matrix[:3, 3] for ring in rings], weights)
 
 
 def bar(points: ArrayLike, radius: float | Sequence[float], weights: Floats, *, closed: bool = False) -> Sheet:
-    """Return a round bar along a path; ``radius`` in metres is one value, or one per point."""
+    """Return a round bar along a path.
+
+    Args:
+        points: (N, 3) path, metres.
+        radius: Metres, one value or one per point.
+        weights: (35,) bone weights.
+        closed: Join the last point to the first.
+    """
     rings = solids.tube_rings(np.asarray(points, float), radius, 8, closed)
     if not closed:
         return skinned(rings, weights)

@@ -1,4 +1,4 @@
-"""Dress a figure: build every garment from the inside out and take away what the next one hides."""
+"""Dresses a figure: builds every garment from the inside out and removes what the next one hides."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from numpy.typing import NDArray
 
 from storyblender.blender.people import cloth, gear, headwear, trimmings
 from storyblender.blender.people.cloth import Bolt, Builder, Cover
-from storyblender.blender.people.figure import Figure
+from storyblender.blender.people.figure import BodyFigure
 from storyblender.blender.people.sheet import Sheet
-from storyblender.blender.people.under import Under
+from storyblender.blender.people.worn_layers import WornLayers
 from storyblender.catalog import cuts
 from storyblender.catalog.bodies import mix
 from storyblender.catalog.garments import GARMENTS, GarmentSpec
 from storyblender.catalog.materials import hex_color
+from storyblender.geometry.solids import Floats
 from storyblender.memory.asset_sheet import Garment
 from storyblender.memory.base import Color
 
-Floats = NDArray[np.float64]
-SKIN_MARGIN = 0.012
-CLOTH_MARGIN = 0.018
+SKIN_MARGIN, CLOTH_MARGIN = 0.012, 0.018
+"""Metres inside a cover field at which skin and cloth are hidden."""
 
 BUILDERS: dict[type, Builder] = {
     cuts.Top: cloth.build_top,
@@ -43,7 +43,7 @@ BUILDERS: dict[type, Builder] = {
     cuts.HeadCloth: gear.build_head_cloth,
     cuts.Gear: gear.build_gear,
 }
-"""Who sews which kind of piece."""
+"""Builder of each kind of piece."""
 
 COVERS: dict[type, Cover] = {
     cuts.Top: cloth.cover_top,
@@ -51,10 +51,10 @@ COVERS: dict[type, Cover] = {
     cuts.Skirt: cloth.cover_skirt,
     cuts.Footwear: cloth.cover_footwear,
 }
-"""Pieces that hide what is below them."""
+"""Cover field of the pieces that hide what is below them."""
 
 SOLID = {*COVERS, cuts.Band, cuts.Bib, cuts.Lapel}
-"""Pieces that later ones are pushed off; the others are too small or stand off by themselves."""
+"""Pieces that become a layer; the others are too small or stand off by themselves."""
 
 
 @dataclass
@@ -72,41 +72,48 @@ class Worn:
     bolts: list[Bolt]
 
 
-def dress(figure: Figure, outfit: Sequence[Garment], seed: int) -> list[Worn]:
-    """Return the garments of ``outfit`` (from the inside out) fitted to ``figure``."""
+def dress_figure(figure: BodyFigure, outfit: Sequence[Garment], seed: int) -> list[Worn]:
+    """Return garments fitted to a figure, with hidden faces removed.
+
+    Args:
+        figure: The body.
+        outfit: Garments from the inside out.
+        seed: Picks the colour of garments without one.
+    """
     rng = np.random.default_rng(seed + 3)
-    under = Under(float(figure.joint("neck")[1]) - 0.01 * figure.k)
+    layers = WornLayers(float(figure.joint("neck")[1]) - 0.01 * figure.scale)
     wardrobe: list[Worn] = []
     for garment in outfit:
         spec = GARMENTS[garment.key]
         picked = hex_color(spec.colors[int(rng.integers(len(spec.colors)))])
         worn = Worn(spec, garment.color or picked, [])
         for piece in spec.pieces:
-            bolts = BUILDERS[type(piece)](piece, figure, under)
+            bolts = BUILDERS[type(piece)](piece, figure, layers)
             worn.bolts += bolts
             if type(piece) in SOLID or _lies_flat(piece):
                 for bolt in bolts:
-                    under.add(bolt.sheet)
+                    layers.add(bolt.sheet)
         wardrobe.append(worn)
     for place, worn in enumerate(wardrobe):
         fields = _cover_fields(figure, wardrobe[place + 1 :])
         for bolt in worn.bolts:
-            bolt.sheet = bolt.sheet.keep_faces(~_hidden(bolt.sheet, fields, CLOTH_MARGIN * figure.k))
+            bolt.sheet = bolt.sheet.keep_faces(~_hidden(bolt.sheet, fields, CLOTH_MARGIN * figure.scale))
         worn.bolts = [bolt for bolt in worn.bolts if len(bolt.sheet.faces)]
     return [worn for worn in wardrobe if worn.bolts]
 
 
 def _lies_flat(piece: cuts.AnyPiece) -> bool:
-    """A collar that lies on the shoulders goes under a jacket; one that stands comes out of it."""
+    """Return whether a collar lies on the shoulders, so that it goes under a jacket."""
     return isinstance(piece, cuts.Collar) and piece.low < 0
 
 
-def covered_skin(figure: Figure, skin: Sheet, wardrobe: Sequence[Worn]) -> NDArray[np.bool_]:
-    """Return which faces of ``skin`` are under clothes."""
-    return _hidden(skin, _cover_fields(figure, wardrobe), SKIN_MARGIN * figure.k)
+def covered_skin(figure: BodyFigure, skin: Sheet, wardrobe: Sequence[Worn]) -> NDArray[np.bool_]:
+    """Return which faces of ``skin`` are hidden by the garments of ``wardrobe``, (F,)."""
+    return _hidden(skin, _cover_fields(figure, wardrobe), SKIN_MARGIN * figure.scale)
 
 
-def _cover_fields(figure: Figure, wardrobe: Sequence[Worn]) -> list[Callable[[Sheet], Floats]]:
+def _cover_fields(figure: BodyFigure, wardrobe: Sequence[Worn]) -> list[Callable[[Sheet], Floats]]:
+    """Return the cover fields of all garments, as functions of a sheet."""
     return [
         partial(COVERS[type(piece)], piece, figure)
         for worn in wardrobe
@@ -116,7 +123,7 @@ def _cover_fields(figure: Figure, wardrobe: Sequence[Worn]) -> list[Callable[[Sh
 
 
 def _hidden(sheet: Sheet, fields: Sequence[Callable[[Sheet], Floats]], margin: float) -> NDArray[np.bool_]:
-    """Return which faces lie wholly inside one of ``fields`` by at least ``margin`` metres."""
+    """Return which faces (F,) lie wholly inside one of ``fields`` by at least ``margin`` metres."""
     if not fields:
         return np.zeros(len(sheet.faces), bool)
     inside = np.any([field(sheet) > margin for field in fields], axis=0)
@@ -124,15 +131,15 @@ def _hidden(sheet: Sheet, fields: Sequence[Callable[[Sheet], Floats]], margin: f
 
 
 def hangs_below_hips(spec: GarmentSpec) -> bool:
-    """Return whether a garment lies on the lap of someone who sits."""
+    """Return whether a garment lies on the lap of a person who sits."""
     return any(
         isinstance(piece, cuts.Skirt | cuts.Bib) or (isinstance(piece, cuts.Top) and piece.hem[0] == "crotch")
         for piece in spec.pieces
     )
 
 
-def tinted(color: Color, tint: str) -> Color:
-    """Return the colour of a piece: ``main``, ``dark``, ``light`` or a hex code."""
+def piece_color(color: Color, tint: str) -> Color:
+    """Return the colour of a piece: ``color`` changed by ``tint`` (``main``, ``dark``, ``light``), or a hex code's."""
     if tint.startswith("#"):
         return hex_color(tint)
     return {"main": color, "dark": mix(color, (0, 0, 0), 0.3), "light": mix(color, (1, 1, 1), 0.35)}[tint]

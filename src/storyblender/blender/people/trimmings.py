@@ -1,4 +1,4 @@
-"""What is sewn onto clothes or tied over them: buttons, pockets, ties, scarves, the bib of an apron."""
+"""Pieces sewn onto clothes or tied over them: buttons, pockets, ties, scarves, the bib of an apron."""
 
 from __future__ import annotations
 
@@ -6,30 +6,30 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from storyblender.blender.people.cloth import Bolt, one
-from storyblender.blender.people.figure import FAR, Figure
-from storyblender.blender.people.sheet import Sheet, clip, join, loosened, normals, rigid
-from storyblender.blender.people.under import FrontPoint, Under
+from storyblender.blender.people.cloth import Bolt, single_bolt
+from storyblender.blender.people.figure import FAR, BodyFigure
+from storyblender.blender.people.sheet import Sheet, clip, join, loosened, normals, rigid_sheet
+from storyblender.blender.people.worn_layers import FrontPoint, WornLayers
 from storyblender.catalog.cuts import Bib, BowTie, Buttons, Necktie, Patches, Scarf
+from storyblender.geometry.solids import Floats
 
-Floats = NDArray[np.float64]
 Row = tuple[float, float, float]
 """Height, half width and middle of one row of a strip, metres."""
 
 
-def build_buttons(cut: Buttons, figure: Figure, under: Under) -> list[Bolt]:
-    """Sew one or two rows of round buttons to the front."""
-    k = figure.k
+def build_buttons(cut: Buttons, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of one or two rows of round buttons on the front of the worn layers."""
+    k = figure.scale
     columns = (-cut.offset, cut.offset) if cut.offset else (0.0,)
     heights = np.linspace(figure.height(cut.top), figure.height(cut.bottom), cut.count)
-    spots = [under.front(x * k, float(z)) for z in heights for x in columns]
+    spots = [layers.front(x * k, float(z)) for z in heights for x in columns]
     discs = [_disc(spot, cut.radius * k) for spot in spots if spot is not None]
-    return one(cut, join(discs)) if discs else []
+    return single_bolt(cut, join(discs)) if discs else []
 
 
 def _disc(spot: FrontPoint, radius: float) -> Sheet:
+    """Return a round button on a point of the clothes."""
     across = np.cross(spot.normal, (0, 0, 1))
     across /= np.linalg.norm(across)
     up = np.cross(across, spot.normal)
@@ -37,16 +37,16 @@ def _disc(spot: FrontPoint, radius: float) -> Sheet:
     base = spot.location + spot.normal * 0.002
     ring = [base + (across * math.cos(turn) + up * math.sin(turn)) * radius for turn in turns]
     points = [base + spot.normal * 0.4 * radius, *ring]
-    return rigid(np.array(points), [(0, 1 + (i + 1) % 8, 1 + i) for i in range(8)], spot.weights)
+    return rigid_sheet(np.array(points), [(0, 1 + (i + 1) % 8, 1 + i) for i in range(8)], spot.weights)
 
 
-def _strip(rows: Sequence[Row], lift: float, under: Under) -> Sheet | None:
-    """Return a strip of five columns laid on the front of the clothes, or None where the front has a hole."""
+def _strip(rows: Sequence[Row], lift: float, layers: WornLayers) -> Sheet | None:
+    """Return a strip of five columns, ``lift`` metres over the front of the clothes, or None where they have a hole."""
     points, weights = [], []
     columns = (-1.0, -0.5, 0.0, 0.5, 1.0)
     for z, half, middle in rows:
         for at in columns:
-            spot = under.front(middle + at * half, z)
+            spot = layers.front(middle + at * half, z)
             if spot is None:
                 return None
             points.append(spot.location + spot.normal * lift * (1.4 - 0.6 * abs(at)))
@@ -57,41 +57,41 @@ def _strip(rows: Sequence[Row], lift: float, under: Under) -> Sheet | None:
         for r in range(len(rows) - 1)
         for c in range(count - 1)
     ]
-    return rigid(np.array(points), faces, np.array(weights))
+    return rigid_sheet(np.array(points), faces, np.array(weights))
 
 
-def build_patches(cut: Patches, figure: Figure, under: Under) -> list[Bolt]:
-    """Sew on pockets with a flap line."""
-    k = figure.k
+def build_patches(cut: Patches, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of pockets with a flap line."""
+    k = figure.scale
     top = figure.height(cut.top)
     half, tall = cut.width / 2 * k, cut.height * k
     sheets = []
     for side in (1, -1) if cut.pair else (1,):
         rows = [(top - share * tall, half * (1 - 0.06 * share), side * cut.offset * k) for share in (0, 0.28, 0.65, 1)]
         flap = [(top + 0.004 * k - share * 0.3 * tall, half * 1.05, side * cut.offset * k) for share in (0, 0.5, 1)]
-        sheets += [_strip(rows, 0.004 * k, under), _strip(flap, 0.007 * k, under)]
+        sheets += [_strip(rows, 0.004 * k, layers), _strip(flap, 0.007 * k, layers)]
     found = [sheet for sheet in sheets if sheet is not None]
-    return one(cut, join(found)) if found else []
+    return single_bolt(cut, join(found)) if found else []
 
 
-def build_necktie(cut: Necktie, figure: Figure, under: Under) -> list[Bolt]:
-    """Hang a tie from its knot down the front."""
-    k = figure.k
+def build_necktie(cut: Necktie, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of a tie that hangs from its knot down the front."""
+    k = figure.scale
     knot = figure.heights["neck"] - 0.030 * k
     lengths = (0.0, 0.012, 0.026, 0.034, 0.10, 0.17, 0.24, 0.31, cut.length - 0.03, cut.length)
     halves = (0.017, 0.022, 0.019, 0.014, 0.020, 0.024, 0.028, 0.032, 0.033, 0.003)
     rows = [(knot - down * k, half * k, 0.0) for down, half in zip(lengths, halves, strict=True)]
-    strip = _strip(rows, 0.005 * k, under)
+    strip = _strip(rows, 0.005 * k, layers)
     if strip is None:
         return []
     bulge = np.repeat((0.006, 0.009, 0.006, *[0.0] * 7), 5) * k
-    return one(cut, strip.moved(strip.points + np.outer(bulge, (0.0, -1.0, 0.0))))
+    return single_bolt(cut, strip.moved(strip.points + np.outer(bulge, (0.0, -1.0, 0.0))))
 
 
-def build_bow_tie(cut: BowTie, figure: Figure, under: Under) -> list[Bolt]:
-    """Pin a bow to the collar."""
-    k = figure.k
-    spots = (under.front(0.0, figure.heights["neck"] - down * k) for down in np.linspace(0.005, 0.05, 8))
+def build_bow_tie(cut: BowTie, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of a bow at the collar."""
+    k = figure.scale
+    spots = (layers.front(0.0, figure.heights["neck"] - down * k) for down in np.linspace(0.005, 0.05, 8))
     spot = next((spot for spot in spots if spot is not None), None)
     if spot is None:
         return []
@@ -114,24 +114,24 @@ def build_bow_tie(cut: BowTie, figure: Figure, under: Under) -> list[Bolt]:
     points += list(knot)
     box = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
     faces += [tuple(first + corner for corner in face) for face in box]
-    return one(cut, rigid(np.array(points), faces, spot.weights))
+    return single_bolt(cut, rigid_sheet(np.array(points), faces, spot.weights))
 
 
-def build_scarf(cut: Scarf, figure: Figure, under: Under) -> list[Bolt]:
-    """Wind a thick ring of cloth around the neck."""
-    k = figure.k
+def build_scarf(cut: Scarf, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of a thick ring of cloth around the neck."""
+    k = figure.scale
     sheet = figure.part("tights")
     sheet = clip(sheet, figure.below_neck(sheet, 0.05))
     sheet = clip(sheet, -figure.below_neck(sheet, -0.012))
     sheet = loosened(sheet, 0.016 * k, 3)
     share = np.clip((figure.up_neck(sheet) / k + 0.012) / 0.062, 0, 1)
     roll = np.sin(np.pi * share)[:, None] * 0.014 * k
-    return one(cut, under.push_out(sheet.moved(sheet.points + normals(sheet) * roll), 0.004 * k))
+    return single_bolt(cut, layers.push_out(sheet.moved(sheet.points + normals(sheet) * roll), 0.004 * k))
 
 
-def build_bib(cut: Bib, figure: Figure, under: Under) -> list[Bolt]:
-    """Hang an apron: a bib on the chest and a panel over the front of the legs."""
-    k = figure.k
+def build_bib(cut: Bib, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of an apron: a bib on the chest and a panel over the front of the legs."""
+    k = figure.scale
     waist = figure.heights["belt"]
 
     def front(sheet: Sheet, half: float) -> Floats:
@@ -147,4 +147,4 @@ def build_bib(cut: Bib, figure: Figure, under: Under) -> list[Bolt]:
     panel = clip(panel, panel.skin[:, 2] - figure.height(cut.hem))
     panel = clip(panel, front(panel, 0.17))
     panel = loosened(panel, 0.012 * k, 4)
-    return [Bolt(under.push_out(sheet, 0.006 * k), cut.tint, cut.fabric) for sheet in (bib, panel)]
+    return [Bolt(layers.push_out(sheet, 0.006 * k), cut.tint, cut.fabric) for sheet in (bib, panel)]

@@ -6,14 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from storyblender.blender.people.face import Pin
-from storyblender.blender.people.figure import Figure
-from storyblender.blender.people.sheet import Sheet, clip, join, normals, rigid
-from storyblender.blender.people.skin import keys_for, whisker_growth
+from storyblender.blender.people.figure import BodyFigure
+from storyblender.blender.people.sheet import Sheet, clip, join, normals, rigid_sheet
+from storyblender.blender.people.skin import shape_keys_of, whisker_growth
+from storyblender.geometry.solids import Floats, skin_faces
 
-Floats = NDArray[np.float64]
 Place = tuple[float, float]
 """x and y on the front of the base mesh, decimetres."""
 
@@ -24,8 +23,8 @@ class Whiskers:
 
     Attributes:
         sheet: The surface.
-        shades: (V,) brightness of the hair's colour.
-        keys: Shape keys.
+        shades: (V,) brightness, a factor of the hair's colour.
+        keys: Offsets (V, 3) of the shape keys.
     """
 
     sheet: Sheet
@@ -33,13 +32,13 @@ class Whiskers:
     keys: dict[str, Floats]
 
 
-def build_whiskers(figure: Figure, kind: str, seed: int, keys: Mapping[str, Floats]) -> Whiskers:
-    """Return a ``beard`` (with its moustache) or a ``moustache``.
+def build_whiskers(figure: BodyFigure, kind: str, seed: int, keys: Mapping[str, Floats]) -> Whiskers:
+    """Return a beard, which includes a moustache, or a moustache.
 
     Args:
-        figure: Whose face.
+        figure: The body.
         kind: ``beard`` or ``moustache``.
-        seed: Where the tufts fall.
+        seed: Varies the tufts.
         keys: Shape keys of the whole base mesh.
     """
     rng = np.random.default_rng(seed + 5)
@@ -55,6 +54,7 @@ def build_whiskers(figure: Figure, kind: str, seed: int, keys: Mapping[str, Floa
 
 
 def _moustache(rng: np.random.Generator) -> list[tuple[list[Place], float]]:
+    """Return path and width of each tuft of a moustache, decimetres on the base mesh."""
     paths = []
     for side in (-1, 1):
         for step in range(7):
@@ -69,6 +69,7 @@ def _moustache(rng: np.random.Generator) -> list[tuple[list[Place], float]]:
 
 
 def _beard(rng: np.random.Generator) -> list[tuple[list[Place], float]]:
+    """Return path and width of each tuft of a beard, decimetres on the base mesh."""
     paths = []
     for row, top in enumerate((6.80, 6.66, 6.52, 6.38)):
         for x in np.linspace(-0.62, 0.62, 11) + (0.03 if row % 2 else -0.03):
@@ -81,7 +82,7 @@ def _beard(rng: np.random.Generator) -> list[tuple[list[Place], float]]:
     return paths
 
 
-def _shell(figure: Figure, keys: Mapping[str, Floats], rng: np.random.Generator) -> Whiskers:
+def _shell(figure: BodyFigure, keys: Mapping[str, Floats], rng: np.random.Generator) -> Whiskers:
     """Return the skin of the jaw, thickened, fullest on the chin."""
     skin = figure.part("skin")
     sheet = clip(skin, whisker_growth(skin.base))  # through the faces, or its edge on the cheek is a saw
@@ -91,13 +92,13 @@ def _shell(figure: Figure, keys: Mapping[str, Floats], rng: np.random.Generator)
     thick = (0.0005 + (0.004 + 0.010 * chin) * np.clip(growth / 0.12, 0, 1)) * figure.head_scale
     thick = thick * (1 + 0.15 * rng.standard_normal(len(thick)))
     sheet = sheet.moved(sheet.points + outward * thick[:, None])
-    return Whiskers(sheet, np.full(len(sheet.points), 0.85), keys_for(sheet, keys))
+    return Whiskers(sheet, np.full(len(sheet.points), 0.85), shape_keys_of(sheet, keys))
 
 
 def _tuft(
-    figure: Figure, path: list[Place], width: float, keys: Mapping[str, Floats], rng: np.random.Generator
+    figure: BodyFigure, path: list[Place], width: float, keys: Mapping[str, Floats], rng: np.random.Generator
 ) -> Whiskers:
-    """Return one tapered tuft pinned to the face."""
+    """Return one tapered tuft pinned to the face along ``path``."""
     pins = [Pin(figure.pack, x, y) for x, y in path]
     scale = figure.head_scale
     middle = np.array([pin.on(figure.points) for pin in pins])
@@ -111,8 +112,7 @@ def _tuft(
     across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-9)
     half = (0.5 * width * scale * np.array((0.7, 1.0, 0.25)))[:, None]
     rows = np.stack([middle - across * half - out * half, middle, middle + across * half - out * half], 1)
-    faces = [(r * 3 + c, r * 3 + c + 1, r * 3 + c + 4, r * 3 + c + 3) for r in range(2) for c in range(2)]
     weights = np.repeat([pin.on(figure.pack.weights) for pin in pins], 3, axis=0)
-    sheet = rigid(rows.reshape(-1, 3), faces, weights)
+    sheet = rigid_sheet(rows.reshape(-1, 3), skin_faces(3, 3, False), weights)
     shade = np.full(len(sheet.points), rng.uniform(0.85, 1.2))
     return Whiskers(sheet, shade, {key: np.repeat([pin.on(o) for pin in pins], 3, axis=0) for key, o in keys.items()})

@@ -1,53 +1,13 @@
-"""The clips: every motion a person can perform, one function each, registered by its key in ``catalog.motions``."""
+"""The clips: one function for every motion a person can perform, registered by its key in ``catalog.motions``."""
 
 from __future__ import annotations
 
-from storyblender.blender.motion.clips import (
-    acts,
-    arms,
-    crawling,
-    dancing,
-    embraces,
-    floor,
-    gaze,
-    gesture,
-    handling,
-    leaps,
-    lifting,
-    locomotion,
-    pairs,
-    postures,
-    seat,
-    speech,
-    support,
-    throwing,
-    using,
-    work,
-)
+from importlib import import_module
+from pkgutil import iter_modules
+
 from storyblender.blender.motion.clips.registry import CLIPS, Clip, play
 
-FAMILIES = (
-    acts,
-    arms,
-    crawling,
-    dancing,
-    embraces,
-    floor,
-    gaze,
-    gesture,
-    handling,
-    leaps,
-    lifting,
-    locomotion,
-    pairs,
-    postures,
-    seat,
-    speech,
-    support,
-    throwing,
-    using,
-    work,
-)
-"""Importing a family registers its clips."""
+for _family in iter_modules(__path__):
+    import_module(f"{__name__}.{_family.name}")  # registers its clips
 
-__all__ = ["CLIPS", "FAMILIES", "Clip", "play"]
+__all__ = ["CLIPS", "Clip", "play"]

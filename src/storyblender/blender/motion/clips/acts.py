@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 
 from mathutils import Matrix, Vector
@@ -25,7 +24,7 @@ from storyblender.blender.motion.clips.work import WORKING, working_point
 from storyblender.blender.motion.hands import chest_yaw, hand, shoulder_rest
 from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.skeleton import SIDES, UP, other, sign
+from storyblender.blender.motion.skeleton import SIDES, UP, other, rigid_matrix, sign
 from storyblender.blender.motion.staged_props import Grip, StagedProp, carrying_hand
 from storyblender.catalog.acts import ACTS
 from storyblender.catalog.acts.entry import HOME_SECONDS, Act, FootPose, Gaze, HandPose, Key, Triple
@@ -92,7 +91,7 @@ class _Playing:
         if self.partner is not None and act.partner:
             _Playing(self.stage, self.partner, replace(self.cue, start=t, target=who, prop=None), act).react(t)
         now = self._keys(t, end)
-        if act.stays or now > self.stage.plan.frames / self.stage.fps - 0.3:
+        if act.stays or now > self.stage.seconds - 0.3:
             return now
         self._home(now)
         if bent:
@@ -218,7 +217,7 @@ class _Playing:
         grip = _grip_along(prop, far, self.act.second)
 
         def target(_: float) -> Floats:
-            return grip.hand(prop.matrix, self.who.facing @ Vector((sign(far) * 0.8, 0.3, -0.6)))
+            return grip.hand_target(prop.matrix, self.who.facing @ Vector((sign(far) * 0.8, 0.3, -0.6)))
 
         self.who.hands[far].set(t, 0.6, target)
         self.stage.following_hands.append((self.who, far, t, end + HOME_SECONDS))
@@ -251,8 +250,7 @@ class _Playing:
                 turn = who.facing @ Matrix.Rotation(chest_yaw(who), 3, "Z")
                 return who.to_world(shoulder_rest(who, side)), turn, who.measures.arm
             case "head":
-                eyes = (who.bones.head["eye.L"] + who.bones.head["eye.R"]) / 2 - who.bones.head["head"]
-                return who.point("head", eyes), who.facing @ who.bones.orient["head"], k
+                return who.point("head", who.eye_offset), who.facing @ who.bones.orient["head"], k
             case "work":
                 return self.spot, who.facing, k
             case "ground":
@@ -268,7 +266,7 @@ class _Playing:
             height = {"their_head": 0.95, "their_hand": 0.5}.get(part, 0.82)
             return self.who.to_world(Vector((0, -ahead * self.who.scale, height * self.who.measures.eye_height)))
         if part == "their_head":
-            return (them.point("eye.L") + them.point("eye.R")) / 2
+            return them.eyes_point()
         if part == "their_hand":
             near = self.who.to_world(shoulder_rest(self.who, side))
             return min((them.point("hand.L"), them.point("hand.R")), key=lambda place: (place - near).length)
@@ -282,7 +280,7 @@ class _Playing:
 
     def _planted(self, side: str, pose: FootPose) -> Floats:
         who, k = self.who, self.who.scale
-        left = Vector((math.cos(who.yaw), math.sin(who.yaw)))
+        left = who.left
         spot = who.position + who.forward * (pose.ahead * k) + left * (sign(side) * pose.aside * k)
         foot = who.plant_at(side, spot, who.yaw)
         foot[2] += pose.up * k
@@ -322,9 +320,7 @@ def _wielding(grip: Grip, place: Vector, axes: list[Vector], elbow: Vector) -> F
     up, front = axes[0].normalized(), axes[1]
     back = -(front - up * front.dot(up)).normalized()
     turn = Matrix((back.cross(up), back, up)).transposed()
-    matrix = turn.to_4x4()
-    matrix.translation = place - turn @ grip.palm
-    return grip.hand(matrix, elbow)
+    return grip.hand_target(rigid_matrix(turn, place - turn @ grip.palm), elbow)
 
 
 def _grip_along(prop: StagedProp, side: str, metres: float) -> Grip:

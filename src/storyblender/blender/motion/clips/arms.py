@@ -35,7 +35,7 @@ def aim(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     goal = stage.look_point(cue.target) if cue.target is not None else who.ahead
 
     def muzzle(now: float) -> Matrix:
-        root = (who.point("upper_arm.L") + who.point("upper_arm.R")) / 2 + UP * (0.035 * k)
+        root = who.breast_point() + UP * (0.035 * k)
         along = (Vector(goal(now)) - UP * (0.15 * k) - root).normalized()
         across = UP.cross(along).normalized() * -1
         matrix = Matrix((-across, -along, (-across).cross(-along))).transposed().to_4x4()
@@ -52,7 +52,7 @@ def aim(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
         pole = who.facing @ Vector((sign(side) * 0.7, 0.1, -0.8))
         if grip is not None:
             matrix = matrix @ Matrix.Translation(-grip.palm)
-            return grip.hand(matrix, pole)
+            return grip.hand_target(matrix, pole)
         turn = matrix.to_3x3()
         along = turn @ Vector((0, -1, 0))
         return hand(matrix.translation, along, turn @ Vector((-sign(side), 0, 0)), pole, (4, 88, 20))

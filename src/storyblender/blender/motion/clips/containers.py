@@ -11,7 +11,7 @@ from storyblender.blender.motion.clips.handling import bend_to_reach, straighten
 from storyblender.blender.motion.hands import Triple, by_chest, chest_yaw, hand
 from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.skeleton import UP, other, sign
+from storyblender.blender.motion.skeleton import UP, other, rigid_matrix, sign
 from storyblender.blender.motion.staged_props import StagedProp, carrying_hand
 
 ChestPose = tuple[Triple, Triple, Triple]
@@ -107,11 +107,11 @@ def _raise(stage: MotionStage, who: Performer, side: str, bag: StagedProp, t: fl
 
     def before_one(now: float) -> Floats:
         turn = who.facing @ Matrix.Rotation(chest_yaw(who), 3, "Z")
-        matrix = turn.to_4x4()
         ahead = who.measures.front + 0.5 * bag.size.y + 0.14 * who.scale
         opening = who.point("upper_chest") + turn @ Vector((0, -ahead, -RAISED * who.scale))
-        matrix.translation = opening - UP * bag.size.z
-        return grip.hand(matrix, turn @ Vector((sign(side) * 0.8, 0.5, -0.5)))
+        return grip.hand_target(
+            rigid_matrix(turn, opening - UP * bag.size.z), turn @ Vector((sign(side) * 0.8, 0.5, -0.5))
+        )
 
     who.hands[side].set(t, 0.6, before_one)
     look_at(who, t, stage.look_point(bag))

@@ -154,13 +154,12 @@ def _alone(who: Performer, cue: StagedCue) -> float:
     t, k = cue.start, who.scale
     end = t + max(2.0, cue.duration or 4.0)
     x, y = who.position
-    right = Vector((math.cos(who.yaw), math.sin(who.yaw)))
     way, pulse = 1, 0.52
     show_mood(who, t, "happy")
     for side in SIDES:
         who.hands[side].set(t, 0.5, _swing(who, side, t, pulse))
     while t < end - 2 * pulse:
-        shift = right * (0.10 * k * way)
+        shift = who.left * (0.10 * k * way)
         side = "L" if way > 0 else "R"
         step_to(who, side, t, 0.8 * pulse, who.plant(side, x + shift.x, y + shift.y, who.yaw, width=1.2, splay=14))
         who.hips.set(t, pulse, (0.07 * k * way, 0, who.standing_height - 0.03 * k, 0, 4 * way, 8 * way))

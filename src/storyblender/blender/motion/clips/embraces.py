@@ -142,8 +142,7 @@ def _around(who: Performer, other: Performer, side: str, over: bool) -> TargetOf
 
 def _lips(who: Performer) -> Vector:
     """Where the lips are at the moment being posed, world."""
-    eyes = (who.bones.head["eye.L"] + who.bones.head["eye.R"]) / 2 - who.bones.head["head"]
-    return who.point("head", eyes + LIPS * who.scale)
+    return who.point("head", who.eye_offset + LIPS * who.scale)
 
 
 def _bring_lips_together(who: Performer, partner: Performer, held: Embrace) -> None:

@@ -39,10 +39,10 @@ def kneel(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     m, k = who.measures, who.scale
     knee, front = cue.side, other(cue.side)
     whole, radius, ankle = 1.0 * math.sqrt(k), 0.075 * k, 0.125 * k
-    forward, right = who.forward, Vector((math.cos(who.yaw), math.sin(who.yaw)))
+    forward, left = who.forward, who.left
     spot = who.position + forward * (0.62 * m.shin + 0.06 * k)
     step_to(who, front, t, 0.5 * whole, who.plant(front, spot.x, spot.y, who.yaw, width=1.15, splay=6), 0.05 * k)
-    down = who.position + right * (sign(knee) * 0.10 * k) + forward * (0.10 * k)
+    down = who.position + left * (sign(knee) * 0.10 * k) + forward * (0.10 * k)
     foot = down - forward * math.sqrt(m.shin**2 - (ankle - radius) ** 2)
     pose = who.plant(knee, foot.x, foot.y, who.yaw)
     pose[:3], pose[4], pose[5] = (foot.x, foot.y, ankle), -62, 58

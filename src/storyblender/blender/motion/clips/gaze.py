@@ -1,4 +1,4 @@
-"""Looking, listening, nodding: what head and eyes do."""
+"""Looking, listening, nodding: clips of head and eyes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,14 @@ from storyblender.catalog.expressions import EXPRESSIONS, OF_MOOD, values_of
 
 
 def look_at(who: Performer, t: float, point: Target, duration: float = 0.4) -> float:
-    """Look at a point from ``t`` on: eyes lead the head, and a blink hides the jump."""
+    """Look at a point: eyes lead the head, and a blink hides the jump. Return the second at which the head is there.
+
+    Args:
+        who: The person.
+        t: Second at which the eyes move.
+        point: World point, or a function from seconds to one.
+        duration: Seconds of the head's turn.
+    """
     who.eyes.set(t, 0.08, point)
     who.gaze.set(t + 0.06, duration, point)
     who.blinks.append(t + 0.05)
@@ -23,18 +30,32 @@ def look_at(who: Performer, t: float, point: Target, duration: float = 0.4) -> f
 
 
 def show_expression(who: Performer, t: float, duration: float, **units: float) -> None:
-    """Set a facial expression from units of ``FACE``; no units restore the person's expression in this shot."""
+    """Blend to a facial expression.
+
+    Args:
+        who: The person.
+        t: Second at which the blend begins.
+        duration: Seconds.
+        units: Amounts by unit of ``FACE``; without any, the person's base expression in this shot.
+    """
     who.face.set(t, duration, values_of(units or EXPRESSIONS[who.expression]))
 
 
 def show_mood(who: Performer, t: float, name: str, duration: float = 0.3) -> None:
-    """Show a mood or an expression; ``neutral`` restores the person's expression in this shot."""
+    """Blend to the expression of a mood.
+
+    Args:
+        who: The person.
+        t: Second at which the blend begins.
+        name: A mood or expression; ``neutral`` is the person's base expression in this shot.
+        duration: Seconds.
+    """
     expression = next((face for each, face in OF_MOOD.items() if each == name), name)
     show_expression(who, t, duration, **EXPRESSIONS[expression])
 
 
 def look_at_subject(stage: MotionStage, who: Performer, t: float, cue: StagedCue) -> float:
-    """Look at the cue's target, or at its prop, or ahead."""
+    """Look at the cue's target, else at its prop, else ahead, from ``t`` seconds on; return the end."""
     subject = cue.target or cue.prop
     if subject is None:
         return look_at(who, t, who.ahead)
@@ -43,7 +64,7 @@ def look_at_subject(stage: MotionStage, who: Performer, t: float, cue: StagedCue
 
 @clip("idle")
 def idle(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Stay as one is, alive."""
+    """Stand or sit still, with idle life. Return the end in seconds."""
     if cue.target is not None:
         look_at_subject(stage, who, cue.start, cue)
     return cue.start + (cue.duration or 1.0)
@@ -51,7 +72,7 @@ def idle(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("face")
 def face(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Set the base expression for the rest of the shot; the face returns to it after other expressions."""
+    """Set the base expression for the rest of the shot; other expressions return to it. Return the end in seconds."""
     who.expression = cue.expression
     show_mood(who, cue.start, "neutral")
     return cue.start + 0.3
@@ -59,7 +80,7 @@ def face(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("look")
 def look(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Look at the target, or at the point of the mark; the trunk turns along for targets far to the side."""
+    """Look at the target or the mark's point; the trunk turns along if it is far aside. Return the end in seconds."""
     show_mood(who, cue.start, cue.mood)
     if cue.target is None and cue.mark is not None:
         return look_at(who, cue.start, cue.mark.location)
@@ -68,7 +89,7 @@ def look(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("listen")
 def listen(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Look at whom one listens to, head a little aside, with a small nod now and then."""
+    """Look at the speaker, head tilted, with small nods. Return the end in seconds."""
     end = cue.start + (cue.duration or 2.0)
     look_at_subject(stage, who, cue.start, cue)
     tilt = -4.0 if cue.seed % 2 else 4.0
@@ -84,7 +105,7 @@ def listen(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("look_around", "head")
 def look_around(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Scan the room: left, right, and where it all comes together."""
+    """Look left, right and ahead. Return the end in seconds."""
     t = cue.start
     for degrees, hold in ((55, 0.75), (-55, 0.85), (20, 0.5)):
         look_at(who, t, point_aside(who, degrees))
@@ -97,7 +118,7 @@ def look_around(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("peek", "head")
 def peek(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Bend aside to see around something."""
+    """Bend aside to see around something. Return the end in seconds."""
     t, side = cue.start, 1 if cue.seed % 2 else -1
     look_at_subject(stage, who, t, cue)
     who.accent.set(t, 0.6, (12, 16 * side, 0))
@@ -107,7 +128,7 @@ def peek(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("nod", "head")
 def nod(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Nod twice."""
+    """Nod twice. Return the end in seconds."""
     t = cue.start
     if cue.target is not None:
         look_at_subject(stage, who, t, cue)
@@ -121,7 +142,7 @@ def nod(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("shake_head", "head")
 def shake_head(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Shake the head: no."""
+    """Shake the head. Return the end in seconds."""
     t = cue.start
     if cue.target is not None:
         look_at_subject(stage, who, t, cue)
@@ -134,7 +155,7 @@ def shake_head(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("think", "head", "hand")
 def think(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Look up and aside, a hand at the chin."""
+    """Look up and aside, a hand at the chin. Return the end in seconds."""
     t, end = cue.start, cue.start + (cue.duration or 2.4)
     look_at(who, t, point_aside(who, 25, 1.3))
     who.nod.set(t, 0.5, (3, 6, 0))
@@ -150,7 +171,13 @@ def think(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def point_aside(who: Performer, degrees: float, height: float = 0.95) -> PointOf:
-    """Return a point far away, turned from straight ahead."""
+    """Return a function from seconds to a point 5 m away, turned from straight ahead.
+
+    Args:
+        who: The person.
+        degrees: Turn to the left.
+        height: Share of the eyes' height.
+    """
 
     def point(t: float) -> Vector:
         x, y, yaw = who.root(t)

@@ -181,7 +181,7 @@ def dress(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 def _put_on_finger(stage: MotionStage, who: Performer, cue: StagedCue, ring: StagedProp) -> float:
     """Push a ring on a finger of the hand that does not hold it, before the chest; it stays there."""
-    t, side = cue.start, next((s for s, held in who.held.items() if held == ring.asset_id), cue.side)
+    t, side = cue.start, who.hand_holding(ring.asset_id) or cue.side
     far = other(side)
     offered = by_chest(who, far, (-0.16, 0.50, -0.40), (-0.9, 0.35, 0.15), (0, -0.5, -0.8), curl=(4, 8, 0))
     who.hands[far].set(t, 0.6, offered)

@@ -27,24 +27,35 @@ from storyblender.blender.motion.staged_props import (
 from storyblender.geometry.paths import clearance
 
 ARM_AND_LEAN = 1.45
-"""Arm lengths on the floor that a standing person can reach, leaning."""
+"""Arm lengths on the floor within reach of a standing person who leans."""
 REACH_OF_HAND = 0.4
-"""Share of the hand that lengthens an arm, also where it lies across: the palm is at the place, not the wrist."""
+"""Share of the hand that adds to the arm's length, because the palm reaches the place, not the wrist."""
 LEAF, PALM = 0.03, 0.018
-"""Metres: papers and booklets are thinner than the one; from the middle of a palm to what lies in it."""
+"""Metres: largest thickness of papers and booklets; distance from the middle of a palm to what it holds."""
 KNEE = 0.35
-"""Metres; what lies lower is squatted to deeply."""
+"""Metres; a person squats deeply for what is lower."""
 TURN_IN_HAND = 0.6
-"""Seconds in which a thing taken from behind turns to how it is carrying_hand, while it is lifted."""
+"""Seconds in which a prop taken from behind turns to how it is carried."""
 
 
 def prop_of(cue: StagedCue) -> StagedProp | None:
-    """Return the prop a cue handles."""
+    """Return the prop that a cue handles, or None."""
     return cue.prop or (cue.target if isinstance(cue.target, StagedProp) else None)
 
 
 def approach(stage: MotionStage, who: Performer, cue: StagedCue, place: Vector, reach: float) -> float:
-    """Walk to where a point can be reached and face it; return the end. Seated people stay."""
+    """Walk to where a hand can reach a point, and face it; seated, kneeling and lying people stay.
+
+    Args:
+        stage: The stage.
+        who: The person.
+        cue: Gives the start; a failure is reported on it.
+        place: World point.
+        reach: Metres on the floor from which it can be reached.
+
+    Returns:
+        Second of arrival.
+    """
     toward = place.xy - who.position
     if who.posture in ("sit", "lie", "asleep", "kneel"):
         return cue.start
@@ -62,7 +73,7 @@ def approach(stage: MotionStage, who: Performer, cue: StagedCue, place: Vector, 
 
 
 def _standing_spot(stage: MotionStage, who: Performer, place: Vector, reach: float) -> Vector | None:
-    """Return the free spot around a point that is nearest to the person."""
+    """Return the free position (x, y) around a point that is nearest to the person; None if there is none."""
     around = [
         place.xy + Vector((math.sin(a), math.cos(a))) * r
         for r in (0.75 * reach, 0.9 * reach, 1.05 * reach, 1.2 * reach)
@@ -77,7 +88,16 @@ def _standing_spot(stage: MotionStage, who: Performer, place: Vector, reach: flo
 def take_in_hand(
     stage: MotionStage, who: Performer, side: str, prop: StagedProp, t: float, settle: float = SETTLE
 ) -> None:
-    """Let a prop follow a hand from ``t`` on; note who holds it and where the hand carries it."""
+    """Let a prop follow a hand, and note the person as its holder.
+
+    Args:
+        stage: The stage.
+        who: The holder.
+        side: ``L`` or ``R``.
+        prop: The prop.
+        t: Second from which it follows.
+        settle: Seconds of the blend into the hand.
+    """
     release_prop(stage, prop)
     prop.hold(t, who, side, prop.grip(side), settle)
     for hand in SIDES if prop.two_handed else (side,):
@@ -85,13 +105,23 @@ def take_in_hand(
 
 
 def release_prop(stage: MotionStage, prop: StagedProp) -> None:
-    """Nobody holds the prop any more."""
+    """Note that nobody holds the prop any more."""
     for person in stage.people.values():
         person.held = {side: held for side, held in person.held.items() if held != prop.asset_id}
 
 
 def bend_to_reach(who: Performer, t: float, duration: float, place: Vector) -> float:
-    """Bend hips and spine so that a standing person reaches a low or a far place; return how far (0: not needed)."""
+    """Bend hips and spine so that a standing person reaches a low or far point.
+
+    Args:
+        who: The person.
+        t: Second at which the bend begins.
+        duration: Seconds.
+        place: World point.
+
+    Returns:
+        Depth of the bend, 0..1; 0 if none is needed.
+    """
     m, k = who.measures, who.scale
     if who.posture != "stand":
         return 0.0
@@ -100,6 +130,7 @@ def bend_to_reach(who: Performer, t: float, duration: float, place: Vector) -> f
     away = (place.xy - who.position).length - 0.10 * k
 
     def falls_short(depth: float) -> bool:
+        """Return whether the point is out of reach at a share of the full bend."""
         ahead, height = _shoulders(who, sink, bend * depth)
         return math.hypot(away - 0.10 * k * (1 - depth) - ahead, place.z - height) > m.arm + REACH_OF_HAND * m.hand
 
@@ -115,22 +146,19 @@ def bend_to_reach(who: Performer, t: float, duration: float, place: Vector) -> f
 
 
 def _squat(who: Performer, height: float, low: float) -> tuple[float, float]:
-    """Return how far the hips sink to reach a height, metres, and how far the trunk bends, degrees.
-
-    Tables are bent over, the floor is squatted to.
-    """
+    """Return metres the hips sink and degrees the trunk bends to reach ``height``; ``low`` is the depth, 0..1."""
     floor = clamp(1 - height / KNEE)
     return (0.42 + 0.26 * floor) * who.measures.hip_height * low * low, 47 + 28 * floor
 
 
 def _shoulders(who: Performer, sink: float, bend: float) -> tuple[float, float]:
-    """Return how far ahead of the feet and how high the shoulders are when one bends by some degrees."""
+    """Return how far ahead of the feet and how high the shoulders are (metres) after sinking and bending."""
     trunk, angle = who.measures.shoulder_height - who.measures.hip_height, math.radians(bend)
     return trunk * math.sin(angle) - 0.10 * who.scale, who.measures.hip_height - sink + trunk * math.cos(angle)
 
 
 def near_grip(who: Performer, prop: StagedProp, side: str) -> Grip:
-    """Return the grip by which a hand takes a thing that lies there: from the person's side, not from behind it."""
+    """Return the grip of a hand on a prop that lies there, approached from the person's side."""
     grip = grip_from_above(prop, prop.grip(side))
     ahead = Vector((*(prop.matrix.translation.xy - who.position), 0.0))
     turned = prop.matrix.to_3x3() @ grip.fingers
@@ -140,7 +168,7 @@ def near_grip(who: Performer, prop: StagedProp, side: str) -> Grip:
 
 
 def grip_from_above(prop: StagedProp, grip: Grip) -> Grip:
-    """Return the grip on a thing that lies: no hand comes between a paper that is carried on the palm and the table."""
+    """Return the grip on a prop that lies down: papers are taken from above, not with a palm below them."""
     if prop.size.z > LEAF or grip.normal.z < 0.7:
         return grip
     x, y, _ = grip.palm
@@ -149,14 +177,14 @@ def grip_from_above(prop: StagedProp, grip: Grip) -> Grip:
 
 
 def straighten_up(who: Performer, t: float, duration: float) -> None:
-    """Straighten after ``bend_to_reach``."""
+    """Stand straight again after ``bend_to_reach``, from ``t`` on in ``duration`` seconds."""
     who.hips.set(t, duration, (0, 0, who.standing_height, 0, 0, 0))
     who.spine.set(t, duration, (0, 0, 0))
 
 
 @clip("hold", "hand")
 def hold(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Hold a prop; if it is within reach it is picked up first."""
+    """Hold the prop; pick it up first if it is within reach. Return the end in seconds."""
     prop = prop_of(cue)
     if prop is None:
         return cue.start
@@ -172,7 +200,7 @@ def hold(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("pick_up", "body", "hand", "head")
 def pick_up(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Reach for a prop with an open hand, close it, lift it to where it is carried."""
+    """Reach for the prop with an open hand, close it, lift it to where it is carried. Return the end in seconds."""
     prop = prop_of(cue)
     if prop is None or prop.holder is who:
         return cue.start
@@ -203,9 +231,9 @@ def pick_up(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("put_down", "body", "hand", "head")
 def put_down(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Set a held prop down where the mark says, or on the target's top, or on the floor."""
+    """Put the held prop down at the mark, else on the target's top, else on the floor. Return the end in seconds."""
     prop = prop_of(cue)
-    side = next((s for s, held in who.held.items() if prop is not None and held == prop.asset_id), None)
+    side = who.hand_holding(prop.asset_id) if prop is not None else None
     if prop is None or side is None:
         return cue.start
     matrix = _resting_place(stage, who, cue, prop)
@@ -235,8 +263,10 @@ def put_down(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 def _placing(
     who: Performer, grip: Grip, side: str, matrix: Matrix, opening: float = 1.0, lift: float = 0.0
 ) -> TargetOf:
+    """Return the target of a hand that puts a prop down at ``matrix``, fingers opened and palm lifted."""
+
     def target(t: float) -> Floats:
-        values = grip.hand(matrix, who.facing @ Vector((sign(side) * 0.5, 0.4, -0.85)))
+        values = grip.hand_target(matrix, who.facing @ Vector((sign(side) * 0.5, 0.4, -0.85)))
         values[2] += lift
         values[12:15] *= opening
         return values
@@ -245,6 +275,7 @@ def _placing(
 
 
 def _resting_place(stage: MotionStage, who: Performer, cue: StagedCue, prop: StagedProp) -> Matrix:
+    """Return the world matrix at which a prop is put down."""
     if cue.mark is not None:
         return upright_matrix(Vector(cue.mark.location), math.radians(cue.mark.yaw))
     ahead = who.position + who.forward * (0.42 * who.scale)
@@ -262,9 +293,9 @@ def _resting_place(stage: MotionStage, who: Performer, cue: StagedCue, prop: Sta
 
 @clip("drop", "hand")
 def drop(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Let a held prop fall to the floor."""
+    """Let the held prop fall to the floor. Return the end in seconds."""
     prop = prop_of(cue)
-    side = next((s for s, held in who.held.items() if prop is not None and held == prop.asset_id), None)
+    side = who.hand_holding(prop.asset_id) if prop is not None else None
     if prop is None or side is None:
         return cue.start
     landing = Vector((*(who.position + who.forward * 0.35), 0.0))
@@ -278,14 +309,14 @@ def drop(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 class Flight:
-    """A prop in the air: from where it is when let go, on a parabola.
+    """A prop in the air, on a parabola from where it is when released; a function from seconds to its world matrix.
 
     Args:
-        prop: What flies.
-        start: Second at which it is let go.
-        goal: Where it comes down, at the moment being posed.
+        prop: The prop.
+        start: Second at which it is released.
+        goal: Returns the world point where it lands, in the current pose.
         height: Metres of the arc above the straight line.
-        seconds: Of the flight.
+        seconds: Duration of the flight.
     """
 
     def __init__(
@@ -296,11 +327,11 @@ class Flight:
 
     @property
     def end(self) -> float:
-        """Second at which it comes down."""
+        """Second at which it lands."""
         return self.start + self.seconds
 
     def __call__(self, t: float) -> Matrix:
-        """Return where it is at a second."""
+        """Return the world matrix at ``t`` seconds."""
         if self.origin is None or t <= self.start:
             self.origin = self.prop.matrix.copy()
         w = clamp((t - self.start) / self.seconds)
@@ -313,6 +344,7 @@ class Flight:
 
 
 def _opened(channel: Channel) -> TargetOf:
+    """Return the present target of a hand with its fingers open."""
     before = Channel(channel.keys[-1].target)
 
     def target(t: float) -> Floats:

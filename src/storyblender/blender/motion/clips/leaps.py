@@ -68,7 +68,7 @@ def _get_over(stage: MotionStage, who: Performer, cue: StagedCue, thing: StageFu
     air = air * math.sqrt(k) + 0.12 * way.length
     if top > HANDS_FREE * k:
         hold = _nearest_on_top(who, thing, top)
-        side = Vector((math.cos(who.yaw), math.sin(who.yaw), 0))
+        side = Vector((*who.left, 0))
         for hand in SIDES:
             palm = hold + side * (sign(hand) * 0.17 * k)
             elbow = Vector((*(-who.forward), 0)) + side * (sign(hand) * 0.6)
@@ -186,7 +186,7 @@ def _climb_up(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     end = t + max(2.0, cue.duration or 3.0)
     pulse = 0.55
     rungs = max(1, min(int(height / (RUNG * k)), int((end - t) / pulse)))
-    stays = end > stage.plan.frames / stage.fps - 1.0
+    stays = end > stage.seconds - 1.0
     levels = [*range(1, rungs + 1), *(() if stays else range(rungs - 1, -1, -1))]
     for index, level in enumerate(levels):
         t = _pull(who, t, pulse, SIDES[index % 2], level * RUNG * k)

@@ -27,11 +27,20 @@ from storyblender.geometry.boxes import shortest_turn
 from storyblender.geometry.paths import Vec2, find_waiting_time
 
 NEAR = 0.06
-"""Metres; a mark that near is already reached."""
+"""Metres; a nearer mark counts as reached."""
 
 
 def step_to(who: Performer, side: str, t: float, duration: float, pose: Floats, lift: float | None = None) -> float:
-    """Move one foot to a target in an arc, and return the end."""
+    """Move one foot in an arc; return the second at which it is down.
+
+    Args:
+        who: The person.
+        side: ``L`` or ``R``.
+        t: Second at which it leaves the floor.
+        duration: Seconds.
+        pose: (9,) foot target; see ``Performer.plant``.
+        lift: Height of the arc in metres; None for the usual one.
+    """
     start, goal = np.array(who.feet[side](t), float), np.array(pose, float)
     turn = shortest_turn(start[3], goal[3])
     height = 0.04 * who.scale if lift is None else lift
@@ -50,10 +59,9 @@ def step_to(who: Performer, side: str, t: float, duration: float, pose: Floats, 
 
 
 def shuffle_to(who: Performer, t: float, place: Vector) -> float:
-    """Step to a place that is near without turning: forwards, aside or back; return the end."""
+    """Step to a near ``place`` (x, y) without turning, from ``t`` seconds on; return the end."""
     way = place - who.position
-    right = Vector((math.cos(who.yaw), math.sin(who.yaw)))
-    lead = "R" if way.dot(right) < 0 else "L"
+    lead = "R" if way.dot(who.left) < 0 else "L"
     who.root.set(t + 0.1, 0.75, (place.x, place.y, who.yaw))
     for side, after in ((lead, 0.1), (other(lead), 0.48)):
         step_to(who, side, t + after, 0.36, who.plant(side, place.x, place.y, who.yaw))
@@ -62,7 +70,7 @@ def shuffle_to(who: Performer, t: float, place: Vector) -> float:
 
 
 def turn_to(who: Performer, t: float, yaw: float) -> float:
-    """Turn on the spot to a yaw with footsteps, and return the end."""
+    """Turn on the spot to a yaw in radians with footsteps, from ``t`` seconds on; return the end."""
     turn = shortest_turn(who.yaw, yaw)
     x, y = who.position
     if abs(turn) < math.radians(12):
@@ -94,9 +102,19 @@ def travel(
     skip: tuple[str, ...] = (),
     partner: Performer | None = None,
 ) -> float:
-    """Find a way to ``goal``, wait for whoever crosses it, turn, go, turn; return the end.
+    """Walk around obstacles to a goal: wait for people who cross, turn, walk, turn; return the second of arrival.
 
-    Where there is no way the person stays, and the stage's problems say so.
+    Without a path the person stays, and the stage reports it.
+
+    Args:
+        stage: The stage.
+        who: The walker.
+        cue: Gives the start and, if it has one, the duration.
+        goal: x and y, metres.
+        end_yaw: Facing at the end in radians; None keeps the heading.
+        style: Speed and gait.
+        skip: Obstacles to ignore, by node id or asset id.
+        partner: The person walked to, who is not avoided.
     """
     here = (who.position.x, who.position.y)
     if math.dist(here, goal) < NEAR:
@@ -117,7 +135,7 @@ def travel(
     others = stage.tracks_of_others(who, partner, goal)
     wait, gap = find_waiting_time(lambda u: trial.root(u)[:2], trial.duration, t + lead, others)
     if gap < -0.12:
-        stage.report("crossing", who, cue, f"{who.asset_id} walks through somebody by {-gap:.2f} m", -gap)
+        stage.report("crossing", who, cue, f"{who.asset_id} walks through another person by {-gap:.2f} m", -gap)
     t += wait
     if turning:
         t = turn_to(who, t, first)
@@ -126,7 +144,7 @@ def travel(
 
 
 def find_goal(stage: MotionStage, who: Performer, cue: StagedCue) -> tuple[Vec2, float | None]:
-    """Return where a travelling cue ends: its mark, or an arm's length before its target."""
+    """Return the goal (x, y) and final yaw of a travelling cue: its mark, else an arm's length before its target."""
     if cue.mark is not None:
         return (cue.mark.location[0], cue.mark.location[1]), math.radians(cue.mark.yaw)
     if cue.target is not None:
@@ -141,14 +159,14 @@ def find_goal(stage: MotionStage, who: Performer, cue: StagedCue) -> tuple[Vec2,
 
 @clip("walk", "body")
 def walk(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Walk to the mark."""
+    """Walk to the mark. Return the end in seconds."""
     goal, yaw = find_goal(stage, who, cue)
     return travel(stage, who, cue, goal, yaw)
 
 
 @clip("run", "body")
 def run(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Run to the mark; a way too short for a run is walked briskly."""
+    """Run to the mark; short distances are walked briskly. Return the end in seconds."""
     goal, yaw = find_goal(stage, who, cue)
     far = math.dist(who.position, goal) > 2.2 * who.scale
     return travel(stage, who, cue, goal, yaw, style=RUN if far else WALK.slowed(1.8, 1.0))
@@ -156,14 +174,14 @@ def run(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("sneak", "body")
 def sneak(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Steal to the mark, bent and slow."""
+    """Sneak to the mark, bent and slow. Return the end in seconds."""
     goal, yaw = find_goal(stage, who, cue)
     return travel(stage, who, cue, goal, yaw, style=SNEAK)
 
 
 @clip("stagger", "body")
 def stagger(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Stumble to the mark: wide uneven steps, the trunk rolls from side to side."""
+    """Stagger to the mark: wide steps, the trunk rolling from side to side. Return the end in seconds."""
     goal, yaw = find_goal(stage, who, cue)
     end = travel(stage, who, cue, goal, yaw, style=STAGGER)
     t, roll = cue.start, 1
@@ -176,7 +194,7 @@ def stagger(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("turn", "body")
 def turn(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Turn on the spot to the mark's yaw or to the target; without either, around."""
+    """Turn on the spot to the mark's yaw, else to the target, else by half a turn. Return the end in seconds."""
     if cue.mark is not None:
         yaw = math.radians(cue.mark.yaw)
     elif cue.target is not None:

@@ -58,7 +58,7 @@ def strum(stage: MotionStage, who: Performer, cue: StagedCue, prop: StagedProp) 
     who.hands["R"].set(t, 0.6, stroking)
     prop.follow(t, lambda _: body(), 0.6)
     look_at(who, t, lambda now: tuple(body() @ Vector((0, 0, 0.6 * tall))))
-    if end < stage.plan.frames / stage.fps - 0.3:
+    if end < stage.seconds - 0.3:
         prop.hold(end, who, "R", prop.grip("R"), 0.6)
         for side in SIDES:
             who.hands[side].set(end, 0.6, carrying_hand(who, side, prop) if side == "R" else who.home[side])

@@ -119,7 +119,7 @@ def _hand_over(
     mover = mover or giver
     reach = 0.72 * (giver.measures.arm + taker.measures.arm)
     t = meet(stage, mover, taker if mover is giver else giver, replace(cue, start=start), reach)
-    side = next((s for s, held in giver.held.items() if held == prop.asset_id), "R")
+    side = giver.hand_holding(prop.asset_id) or "R"
     other_side = free_hand(taker, hand_towards(taker.position.to_tuple(), taker.yaw, giver.position.to_tuple()))
     if other_side is None:
         stage.report("unreachable", taker, cue, f"{taker.asset_id} has no free hand for {prop.asset_id}")
@@ -162,24 +162,15 @@ def _offered(giver: Performer, taker: Performer, side: str, grip: Grip) -> Targe
 
     def target(t: float) -> Floats:
         share = giver.measures.arm / (giver.measures.arm + taker.measures.arm)
-        a, b = _breast(giver), _breast(taker)
+        a, b = giver.breast_point(), taker.breast_point()
         middle = a.lerp(b, share)
-        low = min(_shoulder(giver), _shoulder(taker))
+        low = min(giver.breast_point().z, taker.breast_point().z)
         middle.z = 0.86 * low + 0.04 * max(0.0, giver.measures.shoulder_height - taker.measures.shoulder_height)
         toward = b - a
         matrix = upright_matrix(middle, math.atan2(toward.x, -toward.y)) @ Matrix.Translation(-grip.palm)
-        return grip.hand(matrix, giver.facing @ Vector((sign(side) * 0.5, 0.4, -0.85)))
+        return grip.hand_target(matrix, giver.facing @ Vector((sign(side) * 0.5, 0.4, -0.85)))
 
     return target
-
-
-def _shoulder(who: Performer) -> float:
-    return _breast(who).z
-
-
-def _breast(who: Performer) -> Vector:
-    """The middle between the shoulders: of who sits or lies it is not over the feet."""
-    return (who.point("upper_arm.L") + who.point("upper_arm.R")) / 2
 
 
 @clip("shake_hands", "body", "hand", "head")
@@ -195,7 +186,7 @@ def shake_hands(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     def middle(now: float) -> Vector:
         between = (who.point("upper_arm.R") + partner.point("upper_arm.R")) / 2
         up = 0.030 * math.sin(2 * math.pi * 2.2 * (now - clasped)) if clasped < now < shaken else 0.0
-        between.z = 0.72 * min(_shoulder(who), _shoulder(partner)) + up
+        between.z = 0.72 * min(who.breast_point().z, partner.breast_point().z) + up
         return between
 
     reserve_hands(partner, ("R",), t, shaken + 0.8)
@@ -256,8 +247,7 @@ def touch(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def _nearer_shoulder(who: Performer, partner: Performer) -> str:
-    right = Vector((math.cos(partner.yaw), math.sin(partner.yaw)))
-    return "L" if (who.position - partner.position).dot(right) > 0 else "R"
+    return "L" if (who.position - partner.position).dot(partner.left) > 0 else "R"
 
 
 @clip("hit", "body", "hand", "head")

@@ -10,7 +10,7 @@ from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import SIDES
 
 Play = Callable[[MotionStage, Performer, StagedCue], float]
-"""Sets keys on the performer's channels and returns the second at which the clip is over."""
+"""A clip: sets keys on the channels of the performer for a cue and returns the second at which it is over."""
 
 
 @dataclass(frozen=True)
@@ -19,8 +19,8 @@ class Clip:
 
     Attributes:
         key: Its name in ``catalog.motions``.
-        uses: ``body`` (root, legs, trunk), ``hand`` (the cue's), ``hands`` (both), ``head``. A clip waits until the
-            parts it uses are free, and takes hands away from whatever was planned for them later.
+        uses: ``body`` (root, legs, trunk), ``hand`` (the cue's), ``hands`` (both), ``head``. A clip waits until these
+            are free, and cancels what was planned later for the hands it uses.
         play: The function.
     """
 
@@ -29,7 +29,7 @@ class Clip:
     play: Play
 
     def parts(self, side: str) -> tuple[str, ...]:
-        """Return the keys of ``Performer.free`` it needs."""
+        """Return the keys of ``Performer.free`` that the clip needs when ``side`` acts."""
         names: list[str] = []
         for use in self.uses:
             names += list(SIDES) if use == "hands" else [side] if use == "hand" else [use]
@@ -40,7 +40,12 @@ CLIPS: dict[str, Clip] = {}
 
 
 def clip(key: str, *uses: str) -> Callable[[Play], Play]:
-    """Register the decorated function as the clip ``key``."""
+    """Return a decorator that registers a function as a clip.
+
+    Args:
+        key: Name in ``catalog.motions``.
+        uses: Parts of the body it uses; see ``Clip``.
+    """
 
     def register(play: Play) -> Play:
         CLIPS[key] = Clip(key, uses, play)
@@ -50,7 +55,17 @@ def clip(key: str, *uses: str) -> Callable[[Play], Play]:
 
 
 def play(stage: MotionStage, who: Performer, key: str, cue: StagedCue) -> float:
-    """Play a clip as soon as the parts it uses are free, and keep them until it is over."""
+    """Play a clip as soon as the parts it uses are free, and keep them until it is over.
+
+    Args:
+        stage: The stage.
+        who: The performer.
+        key: Key of the clip.
+        cue: Its earliest start, target and prop.
+
+    Returns:
+        Second at which it is over.
+    """
     chosen = CLIPS[key]
     parts = chosen.parts(cue.side)
     start = max([cue.start, *(who.free[part] for part in parts)])

@@ -115,8 +115,7 @@ def _slide(who: Performer, t: float, place: Vector, hips: tuple[float, ...]) -> 
     """Move sideways between chair and table, half up; return the end."""
     k = who.scale
     way = place - who.position
-    right = Vector((math.cos(who.yaw), math.sin(who.yaw)))
-    lead = "R" if way.dot(right) < 0 else "L"
+    lead = "R" if way.dot(who.left) < 0 else "L"
     who.hips.set(t, 0.5, hips)
     who.spine.set(t, 0.5, (16, 0, 0))
     who.root.set(t + 0.1, 0.75, (place.x, place.y, who.yaw))
@@ -130,9 +129,8 @@ def _slide(who: Performer, t: float, place: Vector, hips: tuple[float, ...]) -> 
 def _seat_foot(who: Performer, side: str, t: float, whole: float, height: float, hips: Vector, forward: Vector) -> None:
     """Feet of somebody sitting: dangling from high seats, stretched out on low ones, else tucked in one step."""
     m, k = who.measures, who.scale
-    right = Vector((math.cos(who.yaw), math.sin(who.yaw)))
     if height - m.ankle > m.shin + 0.02 * k + 0.05:
-        knee = hips + forward * (0.97 * m.thigh - 0.02) + right * (sign(side) * 0.09 * k)
+        knee = hips + forward * (0.97 * m.thigh - 0.02) + who.left * (sign(side) * 0.09 * k)
         pose = who.plant(side, 0, 0, who.yaw)
         pose[:3], pose[4] = (knee.x, knee.y, height - 0.995 * m.shin), -18
         who.feet[side].set(t + 0.55 * whole, 0.4 * whole, pose)

@@ -50,7 +50,7 @@ def hand_places_on(who: Performer, hips: Vector, table: Table | None) -> dict[st
     """
     if table is None:
         return {}
-    left = Vector((math.cos(who.yaw), math.sin(who.yaw)))
+    left = who.left
     return {
         side: Vector(
             (
@@ -67,7 +67,7 @@ def seated_hand(stage: MotionStage, who: Performer, side: str) -> TargetOf:
     spot = who.table.get(side)
     if spot is None or not _is_free(stage, spot):
         return on_thigh(who, side)
-    forward, left = who.forward, Vector((math.cos(who.yaw), math.sin(who.yaw)))
+    forward, left = who.forward, who.left
     palm = spot + Vector((0, 0, 0.024 * who.scale))
     fingers = Vector((*(forward - left * (0.5 * sign(side))), 0))
     pole = Vector((*(left * sign(side) - forward * 0.3), -0.3))

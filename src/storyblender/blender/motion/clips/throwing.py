@@ -27,7 +27,7 @@ ARC = 0.35
 def throw(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Throw a held prop towards the target in an arc."""
     prop = prop_of(cue)
-    side = next((s for s, held in who.held.items() if prop is not None and held == prop.asset_id), None)
+    side = who.hand_holding(prop.asset_id) if prop is not None else None
     if prop is None or side is None:
         return cue.start
     aim = stage.floor_position(cue.target) if cue.target else who.position + who.forward * 3
@@ -66,12 +66,12 @@ def catch(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
         return Matrix.Translation(place) @ who.facing.to_4x4() @ Matrix.Translation(-grip.palm)
 
     def reaching(now: float) -> Floats:
-        values = grip.hand(meeting(), who.facing @ Vector((s * 0.6, 0.3, -0.8)))
+        values = grip.hand_target(meeting(), who.facing @ Vector((s * 0.6, 0.3, -0.8)))
         values[12:15] *= 0.3
         return values
 
     def closing(now: float) -> Floats:
-        return grip.hand(meeting(), who.facing @ Vector((s * 0.6, 0.3, -0.8)))
+        return grip.hand_target(meeting(), who.facing @ Vector((s * 0.6, 0.3, -0.8)))
 
     flight.goal = lambda: meeting().translation
     look_at(who, t, stage.look_point(prop))

@@ -13,7 +13,7 @@ from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.hands import by_head, hand
 from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.skeleton import SIDES, about, other, sign
+from storyblender.blender.motion.skeleton import SIDES, about, other, rigid_matrix, sign
 from storyblender.blender.motion.staged_props import MatrixOf, StagedProp, carrying_hand
 
 
@@ -61,10 +61,9 @@ def _to_mouth(
 
     def target(now: float) -> Floats:
         turn = who.facing @ who.bones.orient["head"] @ about("X", -float(tilting(now)))
-        matrix = turn.to_4x4()
         jaw = who.point("jaw", (0, -0.118 * k, -0.052 * k))
-        matrix.translation = jaw - turn @ (rim + Vector((0, -held.size.y * 0.35, 0)))
-        return grip.hand(matrix, who.facing @ Vector((sign(side) * 0.8, -0.1, -0.6)))
+        matrix = rigid_matrix(turn, jaw - turn @ (rim + Vector((0, -held.size.y * 0.35, 0))))
+        return grip.hand_target(matrix, who.facing @ Vector((sign(side) * 0.8, -0.1, -0.6)))
 
     ahead = Vector((*who.forward, 0)) * (0.08 * k)
     who.hands[side].set(t, 0.8, target, bump=ahead)
@@ -90,7 +89,7 @@ def phone(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     if held is not None:
         held.follow(t + 0.25, _at_ear(who, side, held), 0.45)
     who.nod.set(t + 0.3, 0.4, (4, 5 * sign(side), 0))
-    if cue.duration is not None and end < stage.plan.frames / stage.fps - 0.2:
+    if cue.duration is not None and end < stage.seconds - 0.2:
         who.nod.set(end - 0.6, 0.4, (0, 0, 0))
         home = carrying_hand(who, side, held) if held is not None else who.home[side]
         who.hands[side].set(end - 0.7, 0.7, home)
@@ -112,9 +111,7 @@ def _at_ear(who: Performer, side: str, prop: StagedProp) -> MatrixOf:
         if turn.determinant() < 0:
             columns[rest[1]] = -columns[rest[1]]
             turn = Matrix(columns).transposed()
-        world = turn.to_4x4()
-        world.translation = palm + out * 0.02 - turn @ Vector((0, 0, prop.size.z / 2))
-        return world
+        return rigid_matrix(turn, palm + out * 0.02 - turn @ Vector((0, 0, prop.size.z / 2)))
 
     return matrix
 
@@ -132,13 +129,11 @@ def read(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     def page(now: float) -> Matrix:
         ahead, up = (-0.36 * k, 0.21 * k) if lying else (-0.34 * k, -0.06 * k)
         place = who.point("upper_chest", (0, ahead, up))
-        eyes = (who.point("eye.L") + who.point("eye.R")) / 2
+        eyes = who.eyes_point()
         normal = (eyes - place).normalized()
         across = who.direction("upper_chest", Vector((1, 0, 0)))
         across = (across - normal * across.dot(normal)).normalized()
-        matrix = Matrix((across, normal.cross(across), normal)).transposed().to_4x4()
-        matrix.translation = place
-        return matrix
+        return rigid_matrix(Matrix((across, normal.cross(across), normal)).transposed(), place)
 
     width = min(0.16, max(0.05, 0.5 * max(prop.size.x, prop.size.y))) if prop is not None else 0.11
     who.lean_after.set(t - 0.5, 0, 0.0)
@@ -233,7 +228,7 @@ def _elbow(who: Performer, side: str) -> Vector:
 
 def _stop(stage: MotionStage, who: Performer, end: float, cue: StagedCue) -> float:
     """Bring the hands home at the end, if the shot goes on after it."""
-    if end < stage.plan.frames / stage.fps - 0.3:
+    if end < stage.seconds - 0.3:
         for side in SIDES:
             held = stage.props.get(who.held.get(side, ""))
             who.hands[side].set(end - 0.1, 0.7, carrying_hand(who, side, held) if held else who.home[side])

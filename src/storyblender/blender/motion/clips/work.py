@@ -19,7 +19,7 @@ from storyblender.blender.motion.hands import by_chest, hand
 from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import StageFurniture
-from storyblender.blender.motion.skeleton import SIDES, UP, other, sign
+from storyblender.blender.motion.skeleton import SIDES, UP, other, rigid_matrix, sign
 from storyblender.blender.motion.staged_props import StagedProp, carrying_hand
 
 HAND_IN = 0.25
@@ -183,15 +183,16 @@ def press(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 def _strike(stage: MotionStage, who: Performer, cue: StagedCue, held: StagedProp) -> float:
     """Bring both hands together before the breast, and flick: a match, a lighter, a torch."""
-    t, side = cue.start, next((s for s, name in who.held.items() if name == held.asset_id), "R")
+    t, side = cue.start, who.hand_holding(held.asset_id) or "R"
     grip, free = held.grip(side), other(side)
 
     def before_one(away: float) -> TargetOf:
         def target(now: float) -> Floats:
             turn, k = who.facing, who.scale
-            matrix = turn.to_4x4()
-            matrix.translation = who.point("upper_chest", (sign(side) * (0.05 + away) * k, -0.34 * k, -0.14 * k))
-            return grip.hand(matrix, turn @ Vector((sign(side) * 0.8, 0.3, -0.6)))
+            return grip.hand_target(
+                rigid_matrix(turn, who.point("upper_chest", (sign(side) * (0.05 + away) * k, -0.34 * k, -0.14 * k))),
+                turn @ Vector((sign(side) * 0.8, 0.3, -0.6)),
+            )
 
         return target
 
@@ -280,10 +281,10 @@ def _over_keys(stage: MotionStage, who: Performer, cue: StagedCue, rate: float, 
     for side in SIDES:
         if side not in who.held:
             who.hands[side].set(t, 0.6, lambda now, side=side: target(now, side))
-            if end < stage.plan.frames / stage.fps - 0.3:
+            if end < stage.seconds - 0.3:
                 who.hands[side].set(end, 0.6, who.home[side])
     look_at(who, t, lambda now: tuple(target(now, "L")[:3] * 0.5 + target(now, "R")[:3] * 0.5))
-    if end < stage.plan.frames / stage.fps - 0.3:
+    if end < stage.seconds - 0.3:
         who.lean_after.set(end + 0.6, 0, 1.0)
         look_at(who, end, who.ahead)
     return end
@@ -390,10 +391,8 @@ def pour(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
         def tilted(now: float) -> Floats:
             turn = who.facing @ Matrix.Rotation(-sign(side) * math.radians(75), 3, "Y")
-            matrix = turn.to_4x4()
             place = who.point("upper_chest") + who.facing @ Vector((sign(side) * 0.10, -0.42, -0.10)) * k
-            matrix.translation = place
-            return grip.hand(matrix, who.facing @ Vector((sign(side) * 0.9, 0.1, 0.1)))
+            return grip.hand_target(rigid_matrix(turn, place), who.facing @ Vector((sign(side) * 0.9, 0.1, 0.1)))
 
         raised = tilted
     who.hands[side].set(t, 0.8, raised)

@@ -1,4 +1,4 @@
-"""What is already worn: pushes the next garment outside it, and gives points on its front to sew trimmings to."""
+"""The clothes already worn: the next garment is pushed outside them; trimmings are sewn to their front."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from dataclasses import dataclass
 import numpy as np
 from mathutils import Vector
 from mathutils.bvhtree import BVHTree
-from numpy.typing import NDArray
 
 from storyblender.blender.people.sheet import Sheet
+from storyblender.geometry.solids import Floats
 
-Floats = NDArray[np.float64]
 REACH = 0.05
+"""Metres within which a layer pushes."""
 
 
 @dataclass
 class FrontPoint:
-    """A point on the front of the clothes."""
+    """A point on the front of the clothes: location (metres), outward normal and skin weights (35,)."""
 
     location: Floats
     normal: Floats
@@ -25,16 +25,16 @@ class FrontPoint:
 
 
 def polygons(sheet: Sheet) -> list[list[int]]:
-    """Return the faces as lists of corners."""
+    """Return the faces of a sheet as lists of vertex numbers, without padding."""
     sizes = (sheet.faces >= 0).sum(1)
     return [row[:size] for row, size in zip(sheet.faces.tolist(), sizes.tolist(), strict=True)]
 
 
-class Under:
+class WornLayers:
     """The clothes worn so far.
 
     Args:
-        back: y of the neck; what lies farther back is never the front.
+        back: y of the neck in metres; what lies farther back is never the front.
     """
 
     def __init__(self, back: float) -> None:
@@ -42,11 +42,11 @@ class Under:
         self._layers: list[tuple[Sheet, BVHTree]] = []
 
     def add(self, sheet: Sheet) -> None:
-        """Put ``sheet`` on."""
+        """Add a garment's ``sheet`` as the outermost layer."""
         self._layers.append((sheet, BVHTree.FromPolygons(sheet.points.tolist(), polygons(sheet))))
 
     def push_out(self, sheet: Sheet, gap: float) -> Sheet:
-        """Return ``sheet`` with every vertex at least ``gap`` metres outside everything worn."""
+        """Return ``sheet`` with every vertex at least ``gap`` metres outside all layers."""
         points = sheet.points.copy()
         for _, tree in self._layers:
             for row, point in enumerate(points.tolist()):
@@ -59,7 +59,7 @@ class Under:
         return sheet.moved(points)
 
     def front(self, x: float, z: float) -> FrontPoint | None:
-        """Return the foremost point of the clothes at ``x``, ``z``, or None where there is only the back."""
+        """Return the foremost point of the clothes at ``x`` and ``z`` (metres), or None if they have no front there."""
         best: FrontPoint | None = None
         for sheet, tree in self._layers:
             hit, normal, face, _ = tree.ray_cast((x, -2.0, z), (0.0, 1.0, 0.0))

@@ -1,17 +1,16 @@
-"""Hair that hangs, as one smooth sheet: combed from the parting over the head, then falling, in shallow soft locks."""
+"""Hanging hair as one smooth sheet: combed from the parting over the head, then falling, in shallow soft locks."""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from storyblender.blender.people.locks import Drape, hair_weights
+from storyblender.blender.people.locks import HairSupport, hair_weights
 from storyblender.blender.people.scalp import Scalp
-from storyblender.blender.people.sheet import Sheet, rigid
-
-Floats = NDArray[np.float64]
+from storyblender.blender.people.sheet import Sheet, rigid_sheet
+from storyblender.geometry.solids import Floats
 
 _COLUMNS = 91
+"""Columns of points from cheek to cheek."""
 _COMBED = 15
 """Rows from the parting to where the hair leaves the head."""
 _DROP = 0.016
@@ -30,13 +29,13 @@ _HEM = ((0.007, -0.004), (0.018, 0.010))
 """Inwards and upwards, metres: the hem turns under, so that the hair has thickness."""
 
 
-def curtain(scalp: Scalp, body: Drape, rng: np.random.Generator) -> tuple[Sheet, Floats]:
+def hanging_hair(scalp: Scalp, body: HairSupport, rng: np.random.Generator) -> tuple[Sheet, Floats]:
     """Return the sheet of hanging hair and the shade of each of its points, about 1.
 
     Args:
         scalp: Head and hairstyle.
-        body: What long hair falls on.
-        rng: Draws the locks.
+        body: What long hair lies on.
+        rng: Varies the locks.
     """
     spec, scale = scalp.spec, scalp.figure.head_scale
     turns = np.linspace(-_OPEN, _OPEN, _COLUMNS)
@@ -74,7 +73,9 @@ def curtain(scalp: Scalp, body: Drape, rng: np.random.Generator) -> tuple[Sheet,
     fine = rng.normal(0, 0.035, _COLUMNS)
     shade = np.repeat(1.0 + 0.09 * ridge + fine, rows).reshape(_COLUMNS, rows)
     shade *= np.interp(np.arange(rows), (0, _COMBED, rows - 1), (0.9, 1.04, 0.92))
-    return rigid(flat, [tuple(face) for face in corners.tolist()], hair_weights(scalp.figure, flat)), shade.ravel()
+    return rigid_sheet(
+        flat, [tuple(face) for face in corners.tolist()], hair_weights(scalp.figure, flat)
+    ), shade.ravel()
 
 
 def _combed(scalp: Scalp, turn: float, ridge: float, edge: float) -> list[Floats]:
@@ -94,7 +95,7 @@ def _combed(scalp: Scalp, turn: float, ridge: float, edge: float) -> list[Floats
         direction = pole * np.cos(at) + way * np.sin(at)
         rooted = min(1.0, at / 0.5)
         lift = scale * (0.006 * edge * rooted + 0.0022 * ridge * rooted - 0.004 * (1 - rooted))
-        found = scalp.over(direction, lift)
+        found = scalp.hair_surface(direction, lift)
         if found is not None:
             radius = float(np.linalg.norm(found[0] - scalp.center))
         points.append(scalp.center + direction * radius)
@@ -102,7 +103,7 @@ def _combed(scalp: Scalp, turn: float, ridge: float, edge: float) -> list[Floats
 
 
 def _locks(rng: np.random.Generator) -> tuple[Floats, Floats]:
-    """Return for each column how high it lies in its lock, -1 to 1, and its length as a share."""
+    """Return for each column how high it lies in its lock, -1 to 1, and its length as a factor."""
     at = np.linspace(0, _LOCKS, _COLUMNS) + np.interp(
         np.linspace(0, 1, _COLUMNS), np.linspace(0, 1, 12), rng.uniform(-0.5, 0.5, 12)
     )

@@ -5,15 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from storyblender.blender.people.face import bone_weights
-from storyblender.blender.people.figure import Figure
-from storyblender.blender.people.locks import DROP, KNOT, Drape, ball
+from storyblender.blender.people.figure import BodyFigure
+from storyblender.blender.people.locks import DROP, KNOT, HairSupport, ball
 from storyblender.blender.people.scalp import Scalp
-from storyblender.blender.people.sheet import Sheet, rigid
-
-Floats = NDArray[np.float64]
+from storyblender.blender.people.sheet import Sheet, rigid_sheet
+from storyblender.geometry.solids import Floats
 
 _AROUND = 20
 """Corners of a cross-section."""
@@ -26,18 +24,22 @@ _PITCH = 0.075
 """Metres of a braid in which a strand comes back to its side."""
 BACK = np.array((0.0, 1.0, 0.0))
 _INWARDS, _CLEAR = 0.6, 0.02
-"""How far, times the fall, what hangs comes in until it lies on neck and back, and metres of its middle from them."""
+"""Metres a tail comes inwards for each metre it falls, until its middle is this far from neck and back."""
 _SWAY, _CROSS = 0.012, 0.007
-"""Metres a strand of a braid goes to the side, and over and under."""
+"""Metres a strand of a braid moves sideways, and in and out."""
 _FREE, _LAIN = 0.14, -0.06
-"""Heights from the neck's, for a person of scale 1, above which a tail goes with the head and below which it lies on
-the back."""
+"""Metres from the neck, at scale 1: above the first a tail follows the head, below the second it lies on the back."""
 _STAYS = 0.95
-"""Share of the back in what lies on it: a head that bends must not swing the tail out behind it."""
+"""Weight of the back on a tail that lies on it, so that a bending head does not swing it out."""
 
 
-def tied(scalp: Scalp, body: Drape) -> list[Sheet]:
-    """Return what hangs from the knot, ponytail or braid, and the band that holds it."""
+def tied_hair(scalp: Scalp, body: HairSupport) -> list[Sheet]:
+    """Return what hangs from the knot, a ponytail or a braid, and the band that holds it.
+
+    Args:
+        scalp: Head and hairstyle.
+        body: What it lies on.
+    """
     figure, scale = scalp.figure, scalp.figure.head_scale
     braided = scalp.spec.knot == "braid"
     spine, outward = _spine(scalp, body)
@@ -59,18 +61,18 @@ def tied(scalp: Scalp, body: Drape) -> list[Sheet]:
     return [_hanging(sheet, figure) for sheet in sheets]
 
 
-def _hanging(sheet: Sheet, figure: Figure) -> Sheet:
-    """Return what hangs from the knot with weights that go from the head's to the back's on the way down."""
+def _hanging(sheet: Sheet, figure: BodyFigure) -> Sheet:
+    """Return a sheet whose weights change from the head's to the back's on the way down."""
     neck = figure.heights["neck"]
-    heights = neck + _LAIN * figure.k, neck + _FREE * figure.k
+    heights = neck + _LAIN * figure.scale, neck + _FREE * figure.scale
     share = np.interp(sheet.points[:, 2], heights, (_STAYS, 0.0))[:, None]
     return replace(sheet, weights=(1 - share) * bone_weights("head") + share * bone_weights("upper_chest"))
 
 
-def _spine(scalp: Scalp, body: Drape) -> tuple[Floats, Floats]:
-    """Return the middle line from the knot down the back, in even steps, and which way is away from the back."""
+def _spine(scalp: Scalp, body: HairSupport) -> tuple[Floats, Floats]:
+    """Return the middle line from the knot down the back in even steps, and the directions away from the back."""
     spec, scale = scalp.spec, scalp.figure.head_scale
-    found = scalp.over(KNOT, 0.012 * scale)
+    found = scalp.hair_surface(KNOT, 0.012 * scale)
     start = found[0] if found else scalp.center
     points = [start, start + KNOT * 0.012 * scale, start + KNOT * 0.02 * scale]
     drop, length = DROP * scale, (_BRAID_LENGTH if spec.knot == "braid" else _TAIL_LENGTH) * scale
@@ -92,7 +94,7 @@ def _spine(scalp: Scalp, body: Drape) -> tuple[Floats, Floats]:
 
 
 def _tube(line: Floats, outward: Floats, radius: Floats, grooves: int) -> Sheet:
-    """Return a closed tube about ``line`` with ``grooves`` along it."""
+    """Return a closed tube of varying ``radius`` about ``line``, with ``grooves`` along it."""
     along = np.gradient(line, axis=0)
     along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-9)
     across = np.cross(along, outward)
@@ -112,4 +114,4 @@ def _tube(line: Floats, outward: Floats, radius: Floats, grooves: int) -> Sheet:
             faces.append((a + step, a + after, b + after, b + step))
         faces.append((last, after, step))
         faces.append((last + 1, last - _AROUND + step, last - _AROUND + after))
-    return rigid(flat, faces, bone_weights("head"))
+    return rigid_sheet(flat, faces, bone_weights("head"))
