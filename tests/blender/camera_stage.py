@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import itertools
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import bpy
 
+from storyblender.blender.measure.view import WIDTH, ViewfinderPose, viewfinder
 from storyblender.blender.tags import Surface, tag
 from storyblender.catalog.set_plan import Wall
+from storyblender.memory.shot_context import CameraPose
 
 HALF = 3.0
 STATURE = 1.75
@@ -77,3 +80,19 @@ def person(scene, name: str, x: float, y: float, yaw: float) -> None:
     for part, low, size in (("body", 0.0, (0.45, 0.28, 1.45)), ("skull", 1.45, (0.17, 0.2, 0.3))):
         obj = box(scene, name, (0, 0, low), size, "character")
         obj.name, obj.parent = f"{name}_{part}", rig
+
+
+def view(scene: bpy.types.Scene, pose: CameraPose, focus_ids: Sequence[str] = (), hidden: Sequence[str] = ()):
+    """Return what one camera pose sees at the scene's current frame."""
+    return look(scene, [ViewfinderPose(pose, focus_ids=tuple(focus_ids), hidden=tuple(hidden))])[0]
+
+
+def look(scene: bpy.types.Scene, poses: Sequence[ViewfinderPose], width: int = WIDTH, height: int = WIDTH * 9 // 16):
+    """Return what each camera sees, in order; the scene is back at its frame afterwards."""
+    results = []
+    before = scene.frame_current
+    for frame, batch in itertools.groupby(poses, key=lambda pose: pose.frame):
+        with viewfinder(scene, frame, width, height) as see:
+            results += [see(pose) for pose in batch]
+    scene.frame_set(before)
+    return results

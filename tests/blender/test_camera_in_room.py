@@ -12,7 +12,7 @@ import camera_stage  # noqa: E402
 from storyblender.agents.layout_artist.camera_operator import operate  # noqa: E402
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment  # noqa: E402
 from storyblender.blender.measure.figures import figures  # noqa: E402
-from storyblender.blender.measure.view import Sighting, look  # noqa: E402
+from storyblender.blender.measure.view import ViewfinderPose  # noqa: E402
 from storyblender.catalog.set_plan import SetPlan  # noqa: E402
 from storyblender.geometry.boxes import Box  # noqa: E402
 from storyblender.memory.scene_context import SceneSize  # noqa: E402
@@ -33,8 +33,8 @@ class RealFinder:
         self.scene = scene
 
     def look(self, requests):
-        sightings = [Sighting(r.pose, None, r.sensor_width, r.focus_ids, r.hidden_node_ids) for r in requests]
-        return look(self.scene, sightings)
+        poses = [ViewfinderPose(r.pose, None, r.sensor_width, r.focus_ids, r.hidden_node_ids) for r in requests]
+        return camera_stage.look(self.scene, poses)
 
 
 @pytest.fixture(scope="module")

@@ -10,7 +10,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import camera_stage  # noqa: E402
 
 from storyblender.blender.session import BlenderSession  # noqa: E402
-from storyblender.blender.windows import follow_daylight  # noqa: E402
+from storyblender.blender.windows import set_daylight_material  # noqa: E402
 from storyblender.geometry.orbit import camera_looking_at  # noqa: E402
 from storyblender.memory.graph import ProjectFormat  # noqa: E402
 from storyblender.memory.jobs import FrameJob, MotionJob, PackRef  # noqa: E402
@@ -67,7 +67,7 @@ def test_what_is_drawn_has_the_windows_of_its_hour(session, monkeypatch):
     scene = session._open_pack(PACK)
     block = bpy.data.materials.new("window")
     block.use_nodes = True
-    follow_daylight(block, scene, ((0.1, 0.1, 0.1), 0.0), ((1.0, 0.8, 0.5), 0.7))
+    set_daylight_material(block, scene, ((0.1, 0.1, 0.1), 0.0), ((1.0, 0.8, 0.5), 0.7))
     seen = []
 
     def drawn(*_args, **_kwargs):

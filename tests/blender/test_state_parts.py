@@ -64,7 +64,7 @@ def test_it_changes_in_the_middle_of_the_deed_and_back(thing: bpy.types.Object, 
     parts = StateParts(job, Meshes(), {"chest": [thing]})
     timing = [PlayedCue(shot_id=2, asset_id="ann", clip="open", start=4, began=10, over=30)]
     starts: Mapping[int, bool] = {1: True, 49: True, 97: True, 145: True}
-    (main, shut), (part, opened) = parts.shown("chest", starts, timing)
+    (main, shut), (part, opened) = parts.visibility("chest", starts, timing)
     assert main is thing and part.parent is thing and part["node_id"] == "chest"
     for frame in range(1, 192, 6):
         is_open = 49 + 20 <= frame < 145
@@ -82,6 +82,6 @@ def test_what_is_gone_is_seen_no_more_and_what_an_earlier_scene_left_open_is_ope
         in_states=states,
     )  # fmt: skip
     parts = StateParts(job, Meshes(), {"chest": [thing]})
-    (_, shut), (_, opened) = parts.shown("chest", {1: True, 49: True}, [])
+    (_, shut), (_, opened) = parts.visibility("chest", {1: True, 49: True}, [])
     assert _seen(opened, 1) and not _seen(shut, 1)
     assert not _seen(opened, 60) and not _seen(shut, 60)

@@ -10,7 +10,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import camera_stage  # noqa: E402
 
 from storyblender.blender.measure.figures import figures  # noqa: E402
-from storyblender.blender.measure.view import Sighting, look, view  # noqa: E402
+from storyblender.blender.measure.view import ViewfinderPose  # noqa: E402
 from storyblender.geometry.framing import Film, frame_single  # noqa: E402
 from storyblender.geometry.orbit import Orbit, camera_around, camera_looking_at  # noqa: E402
 from storyblender.memory.shot_context import CameraPose  # noqa: E402
@@ -41,7 +41,7 @@ def test_faces_are_read_from_the_rig(scene) -> None:
 def test_a_single_measures_as_it_was_framed(scene) -> None:
     anna = figures(scene)[0]
     camera = frame_single(Film(), anna, "MCU", 60, 2, 65)
-    seen = subject(view(scene, pose(camera), focus_ids=["anna"]), "anna")
+    seen = subject(camera_stage.view(scene, pose(camera), focus_ids=["anna"]), "anna")
     assert seen.head_height == pytest.approx(0.31, rel=0.12)
     assert seen.face_angle == pytest.approx(30, abs=5)
     assert seen.face_visible > 0.9
@@ -50,7 +50,7 @@ def test_a_single_measures_as_it_was_framed(scene) -> None:
 
 def test_whoever_stands_before_hides_the_other(scene) -> None:
     camera = camera_looking_at((-3, 0.0, 1.5), (0.6, 0, 1.5), 50)
-    tom = subject(view(scene, pose(camera), focus_ids=["tom"]), "tom")
+    tom = subject(camera_stage.view(scene, pose(camera), focus_ids=["tom"]), "tom")
     assert tom.in_frame_fraction > 0.3
     assert tom.visible_fraction < 0.5 * tom.in_frame_fraction
     assert tom.face_visible < 0.3
@@ -58,7 +58,9 @@ def test_whoever_stands_before_hides_the_other(scene) -> None:
 
 def test_a_wall_hides_all_until_it_is_taken_away(scene) -> None:
     camera = pose(camera_around((0, 0, 1.4), 0, 3, 6, 35))
-    blocked, open_ = look(scene, [Sighting(camera), Sighting(camera, hidden=("wall_front",))], 320, 180)
+    blocked, open_ = camera_stage.look(
+        scene, [ViewfinderPose(camera), ViewfinderPose(camera, hidden=("wall_front",))], 320, 180
+    )
     assert subject(blocked, "anna").visible_fraction == 0
     assert subject(open_, "anna").visible_fraction > 0.9
     assert not any(obj.hide_render for obj in scene.objects)
@@ -66,23 +68,25 @@ def test_a_wall_hides_all_until_it_is_taken_away(scene) -> None:
 
 def test_void_shows_outside_the_walls_and_is_sky_where_the_scene_has_one(scene) -> None:
     camera = camera_around((0, 0, 1.4), 0, -3, 9, 24)
-    without = view(scene, pose(camera), hidden=["wall_front"])
+    without = camera_stage.view(scene, pose(camera), hidden=["wall_front"])
     assert without.void > 0.2 and without.sky == 0
     scene["open_sky"] = True
-    with_sky = view(scene, pose(camera), hidden=["wall_front"])
+    with_sky = camera_stage.view(scene, pose(camera), hidden=["wall_front"])
     del scene["open_sky"]
     assert with_sky.sky == pytest.approx(without.void, abs=0.05)
 
 
 def test_a_camera_in_a_table_or_below_the_floor_is_told(scene) -> None:
-    assert "table" in view(scene, pose(camera_looking_at((1.8, 1.6, 0.5), (0, 0, 1), 35))).inside
-    assert view(scene, pose(camera_looking_at((0, -2, -0.3), (0, 0, 1), 35))).below_floor
-    good = view(scene, pose(camera_looking_at((0, -2.5, 1.5), (0, 0, 1.4), 35)))
+    assert "table" in camera_stage.view(scene, pose(camera_looking_at((1.8, 1.6, 0.5), (0, 0, 1), 35))).inside
+    assert camera_stage.view(scene, pose(camera_looking_at((0, -2, -0.3), (0, 0, 1), 35))).below_floor
+    good = camera_stage.view(scene, pose(camera_looking_at((0, -2.5, 1.5), (0, 0, 1.4), 35)))
     assert good.inside == () and not good.below_floor
 
 
 def test_foreground_counts_what_stands_in_the_way(scene) -> None:
-    over_tom = view(scene, pose(camera_looking_at((1.1, 0.25, 1.65), (-0.6, 0, 1.6), 35)), focus_ids=["anna"])
+    over_tom = camera_stage.view(
+        scene, pose(camera_looking_at((1.1, 0.25, 1.65), (-0.6, 0, 1.6), 35)), focus_ids=["anna"]
+    )
     assert over_tom.foreground > 0.1
     assert over_tom.nearest < 0.6
 
@@ -91,7 +95,7 @@ def test_two_looks_at_the_same_thing_are_equal_and_leave_no_trace(scene) -> None
     counts = [len(block) for block in (bpy.data.cameras, bpy.data.images, bpy.data.objects, bpy.data.meshes)]
     engine, color = scene.render.engine, tuple(scene.objects["table"].color)
     camera = pose(camera_around((0, 0, 1.4), 20, 3, 3, 35))
-    first, second = look(scene, [Sighting(camera), Sighting(camera)], 320, 180)
+    first, second = camera_stage.look(scene, [ViewfinderPose(camera), ViewfinderPose(camera)])
     assert first == second
     assert [len(block) for block in (bpy.data.cameras, bpy.data.images, bpy.data.objects, bpy.data.meshes)] == counts
     assert (scene.render.engine, tuple(scene.objects["table"].color)) == (engine, color)
@@ -103,7 +107,9 @@ def test_a_hidden_person_is_out_of_the_picture_even_where_visibility_is_keyed() 
     for part in parts:
         part.keyframe_insert("hide_render", frame=1)
     camera = pose(camera_looking_at((0, -2.5, 1.5), (0, 0, 1.5), 50))
-    shown, hidden = look(scene, [Sighting(camera, 1), Sighting(camera, 1, hidden=("anna",))], 320, 180)
+    shown, hidden = camera_stage.look(
+        scene, [ViewfinderPose(camera, 1), ViewfinderPose(camera, 1, hidden=("anna",))], 320, 180
+    )
     assert subject(shown, "tom").visible_fraction < 0.4
     assert subject(hidden, "tom").visible_fraction > 0.5
     assert not any(part.hide_render or part.animation_data.action.fcurves[0].mute for part in parts)

@@ -20,14 +20,14 @@ _SIGNAL_AT_PARENTS_END = 1
 
 
 def main() -> None:
-    """Serve until the client closes the pipe, then end at once: an interpreter that used Blender may never end."""
+    """Serve until the client closes the pipe, then exit at once: an interpreter that used Blender may hang at exit."""
     status = 1
     try:
         _serve(sys.argv[1:])
         status = 0
     except SystemExit as end:
         status = end.code if isinstance(end.code, int) else 1
-    except BaseException:  # noqa: BLE001 - told in the log, and the process ends
+    except BaseException:  # noqa: BLE001 - logged, and the process ends
         with suppress(OSError):  # the log may lie on a full disk
             traceback.print_exc()
     finally:
@@ -37,29 +37,30 @@ def main() -> None:
 
 
 def _serve(words: Sequence[str]) -> None:
-    gc.disable()  # what is imported stays: to look for garbage among it takes a tenth of the time to come up
+    """Parse the command line and serve a session over standard input and output."""
+    gc.disable()  # collecting garbage among imports takes a tenth of the start-up time
     parser = argparse.ArgumentParser(prog="storyblender.blender", description="StoryBlender's Blender worker")
     parser.add_argument("--root", type=Path, required=True, help="the project folder; no job may leave it")
     parser.add_argument("--models", type=Path, action="append", default=[], help="a folder of models it may read")
-    parser.add_argument("--build", type=Path, default=None, help="where names below build/ lie instead")
+    parser.add_argument("--build", type=Path, default=None, help="folder for names below build/")
     arguments = parser.parse_args(words)
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the client, which ends us
     _end_with(os.getppid())
     from storyblender.blender.progress import Progress
-    from storyblender.blender.server import lines_of, serve, take_wire
+    from storyblender.blender.server import claim_standard_output, read_lines, serve
 
-    wire = take_wire()  # before Blender is imported: it prints as it likes
+    wire = claim_standard_output()  # before the import of Blender, which prints
     from storyblender.blender.session import BlenderSession
 
     gc.freeze()
     gc.enable()
     progress = Progress(wire)
     session = BlenderSession(arguments.root, arguments.models, arguments.build, progress)
-    serve(session.tools, lines_of(sys.stdin.buffer), wire, progress)
+    serve(session.tools, read_lines(sys.stdin.buffer), wire, progress)
 
 
 def _end_with(client: int) -> None:
-    """End when the client was killed: a long job would go on for nobody."""
+    """End this process when the client process is killed."""
 
     def watch() -> None:
         while os.getppid() == client:
@@ -67,7 +68,7 @@ def _end_with(client: int) -> None:
         os._exit(1)
 
     threading.Thread(target=watch, daemon=True).start()
-    if sys.platform == "linux":  # where Blender lets no thread of ours run, the system ends the process
+    if sys.platform == "linux":  # even while Blender blocks our thread
         ctypes.CDLL(None).prctl(_SIGNAL_AT_PARENTS_END, signal.SIGKILL)
 
 

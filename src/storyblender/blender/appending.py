@@ -1,7 +1,7 @@
-"""Appending from another .blend at a cost that does not grow with the open file.
+"""Appends from another .blend at a cost that does not grow with the open file.
 
-Blender makes what it appends local one data-block at a time, and for each goes through everything in the open
-file: fifty scenes take minutes. What is linked already it copies instead, which costs only the copy.
+Blender makes appended data-blocks local one at a time, each time going through everything in the open file: fifty
+scenes take minutes. Blocks that are already linked are copied instead, which costs only the copy.
 """
 
 from __future__ import annotations
@@ -13,12 +13,12 @@ import bpy
 
 
 def append(path: Path, kind: str, names: Sequence[str] | None = None) -> list[bpy.types.ID]:
-    """Append data-blocks, with all that they use, to the open file.
+    """Append data-blocks, with everything they use, to the open file.
 
     Args:
         path: The .blend to take them from.
-        kind: Which collection of ``bpy.data``: ``scenes``, ``collections``.
-        names: Which ones; all of that kind where none are given.
+        kind: A collection of ``bpy.data``: ``scenes``, ``collections``.
+        names: Names of the blocks; None for all of that kind.
 
     Returns:
         The local data-blocks, in the order of the names.
@@ -30,6 +30,7 @@ def append(path: Path, kind: str, names: Sequence[str] | None = None) -> list[bp
 
 
 def _load(path: Path, kind: str, names: Sequence[str] | None, *, link: bool) -> list[bpy.types.ID]:
+    """Link or append data-blocks."""
     with bpy.data.libraries.load(str(path), link=link) as (source, target):
         setattr(target, kind, list(getattr(source, kind) if names is None else names))
     return [block for block in getattr(target, kind) if block is not None]

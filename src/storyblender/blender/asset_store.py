@@ -1,6 +1,6 @@
 """The canonical assets on disk: ``assets/<digest>.blend`` with the geometry, ``.json`` with its measure.
 
-Content-addressed: the same recipe is built once, by whichever worker comes first, and appended everywhere else.
+Content-addressed: a recipe is built once, by the first worker that needs it, and appended everywhere else.
 """
 
 from __future__ import annotations
@@ -36,8 +36,8 @@ class CastMember:
 
     Attributes:
         armature: The rig's object.
-        meshes: What hangs on it.
-        body: Its measures for the motion solver.
+        meshes: Objects that it deforms.
+        body: Measured body for the motion solver.
     """
 
     armature: bpy.types.Object
@@ -46,11 +46,11 @@ class CastMember:
 
 
 class AssetRecord(Frozen):
-    """What lies beside a built asset; it is written last."""
+    """The record beside a built asset; it is written last."""
 
     measure: AssetMeasure
     files: dict[str, str]
-    """Suffix and digest of the files with its geometry."""
+    """Digest by suffix of the files with its geometry."""
 
 
 class AssetStore:
@@ -65,9 +65,9 @@ class AssetStore:
         self._files, self._models = files, models
 
     def measure(self, job: AssetJob) -> AssetMeasure:
-        """Return the measure of an asset, building it into the store first where it is not there or is damaged.
+        """Return the measure of an asset; build it into the store first if it is missing or damaged.
 
-        The open Blender file is replaced while building.
+        Building replaces the open Blender file.
         """
         record, suffixes = self._path(job.digest, ".json"), asset_suffixes(job.asset)
         try:
@@ -84,7 +84,7 @@ class AssetStore:
         return measure
 
     def append_mesh(self, asset: Asset) -> bpy.types.Mesh:
-        """Return the canonical mesh of an object, appended once to the open file."""
+        """Return the canonical mesh of an object, appended to the open file at most once."""
         digest = _digest(asset)
         present = next((mesh for mesh in bpy.data.meshes if mesh.get("digest") == digest), None)
         if present is not None:
@@ -96,7 +96,7 @@ class AssetStore:
         return mesh
 
     def append_person(self, asset: Asset) -> CastMember:
-        """Return a fresh copy of a person's rig and meshes in the open file, linked to no collection yet."""
+        """Return a new copy of a person's rig and meshes in the open file, not linked to a collection."""
         digest = _digest(asset)
         objects = self._append(digest)
         armature = next(obj for obj in objects if obj.type == "ARMATURE")
@@ -104,22 +104,26 @@ class AssetStore:
         return CastMember(armature, meshes, self.body(digest))
 
     def body(self, digest: str) -> RiggedBody:
-        """Return a person's measures for the motion solver."""
+        """Return the measured body of a person by the digest of their asset."""
         return RiggedBody.load(self._path(digest, ".npz"))
 
     def _path(self, digest: str, suffix: str) -> Path:
+        """Return the path of a file of an asset."""
         return self._files.path(ASSETS, f"{digest}{suffix}")
 
     def _digests(self, digest: str, suffixes: Sequence[str]) -> dict[str, str]:
+        """Return the digests of an asset's files by suffix."""
         return {suffix: digest_of(self._path(digest, suffix)) for suffix in suffixes}
 
     def _append(self, digest: str) -> list[bpy.types.Object]:
+        """Append the objects of an asset to the open file, ordered by name."""
         (collection,) = append(self._path(digest, ".blend"), "collections")
         objects = sorted(collection.objects, key=lambda obj: obj.name)
         bpy.data.collections.remove(collection)
         return objects
 
     def _build(self, job: AssetJob) -> AssetMeasure:
+        """Build an asset into the open file, save it and return its measure."""
         asset, digest = job.asset, job.digest
         collection = bpy.data.collections.new(f"AST_{asset.asset_id}")
         if asset.asset_type == "character":
@@ -131,6 +135,7 @@ class AssetStore:
         return measure
 
     def _build_person(self, asset: Asset, digest: str, collection: bpy.types.Collection) -> AssetMeasure:
+        """Build a person with seated clothes into a collection; return its measure."""
         look = asset.look or CharacterLook()
         if asset.dimension is not None and asset.dimension.height is not None:
             look = look.model_copy(update={"stature": min(2.4, max(0.4, asset.dimension.height))})
@@ -154,6 +159,7 @@ class AssetStore:
         )
 
     def _build_object(self, asset: Asset, digest: str, collection: bpy.types.Collection) -> AssetMeasure:
+        """Build an object into a collection; return its measure."""
         build = self._make_object(asset, digest)
         build.mesh.name = asset.asset_id
         build.mesh["digest"] = digest
@@ -172,6 +178,7 @@ class AssetStore:
         )
 
     def _make_object(self, asset: Asset, digest: str) -> PropBuild:
+        """Return the built prop of an asset, from the catalogue, a user's file, or as a stand-in."""
         canonical = asset.canonical
         assert canonical is not None, "the Concept Artist decides what an asset is before it is built"
         seed = _seed(digest)
@@ -186,34 +193,36 @@ class AssetStore:
                 return build_stand_in(canonical.key, asset.dimension)
 
     def _model_path(self, name: str, content: str) -> tuple[Path, Path]:
-        """Return the file of a model and the folder of models that has it with the content decided on.
+        """Return the file of a model, and the folder of models that has it with the content chosen before.
 
         Raises:
             InputError: No folder has it, or only with another content.
         """
-        mend = "put it back, or run `storyblender make` with --models FOLDER"
+        mend = "restore it, or run `storyblender make` with --models FOLDER"
         found: Path | None = None
         for folder in (*self._models, self._files.path(FETCHED)):
             path = folder / name
             if not path.resolve().is_relative_to(folder.resolve()):
-                raise InputError(f"the model {name!r} lies outside the folder of models")
+                raise InputError(f"the model {name!r} is outside the folder of models")
             if path.is_file():
                 if content in ("", content_of(path, folder)):
                     return path, folder
                 found = found or path
         if found is not None:
-            mend = "run `storyblender make` to take it as it is now"
-            raise InputError("the model was changed since it was taken into the story", mend=mend, path=found)
+            mend = "run `storyblender make` to use it as it is now"
+            raise InputError("the model has changed since it was added to the story", mend=mend, path=found)
         for folder in self._models:
             if not folder.is_dir():
-                raise InputError(f"the folder of the model {name!r} is not there", mend=mend, path=folder)
-        raise InputError(f"the model {name!r} is in no folder", mend=mend)
+                raise InputError(f"the folder of the model {name!r} does not exist", mend=mend, path=folder)
+        raise InputError(f"no folder of models has the model {name!r}", mend=mend)
 
 
 def _digest(asset: Asset) -> str:
+    """Return the digest of a built asset."""
     assert asset.canonical is not None, f"{asset.asset_id} has not been built"
     return asset.canonical.digest
 
 
 def _seed(text: str) -> int:
+    """Return a seed for a text."""
     return int(content_hash(text)[:8], 16)

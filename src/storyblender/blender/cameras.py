@@ -18,12 +18,12 @@ KEY_EVERY = 4
 def make_camera(
     scene: bpy.types.Scene, collection: bpy.types.Collection, shot: ShotContext, start: int
 ) -> bpy.types.Object:
-    """Make the camera of a shot and link it.
+    """Create and link the camera of a shot.
 
     Args:
-        scene: Whose evaluation is not needed; matrices are written directly.
-        collection: Where it goes.
-        shot: With its camera solved.
+        scene: The scene; it need not be evaluated, because matrices are written directly.
+        collection: Receives the camera.
+        shot: A shot with a solved camera.
         start: First frame of the shot on the scene's timeline.
     """
     state = shot.camera
@@ -45,6 +45,7 @@ def make_camera(
 
 
 def _key(camera: bpy.types.Object, state: CameraState, duration: int, start: int) -> None:
+    """Key the camera's move and focus, or set them once if they do not change."""
     _set(camera, state, 0)
     moves, pulls = len(state.poses) > 1, bool(state.focus) and len(state.poses) + len(state.focus) > 2
     last = max(duration - 1, 1)
@@ -59,7 +60,7 @@ def _key(camera: bpy.types.Object, state: CameraState, duration: int, start: int
 
 
 def _set(camera: bpy.types.Object, state: CameraState, frame: float) -> None:
-    """Put a camera where it is at a frame of its shot, with its lens and its focus."""
+    """Set pose, lens and focus distance of a camera at a frame of its shot."""
     film = Film(state.sensor_width)
     orbit, focus = camera_at(state, frame, film), focus_at(state, frame, film)
     world = Matrix(orbit.world.tolist())

@@ -1,4 +1,4 @@
-"""The cut of a story as a scene of strips, and the .blend of a long story, which links its scenes from other files."""
+"""The cut of a story as a scene of sequencer strips, and the .blend of a long story, which links its scenes."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ import bpy
 
 from storyblender.blender.asset_store import AssetStore
 from storyblender.blender.library_scene import add_assets, new_file
-from storyblender.blender.opening import open_on
-from storyblender.blender.tidying import say_version
+from storyblender.blender.opening import show_on_opening
+from storyblender.blender.tidying import write_version_note
 from storyblender.folder import Folder
 from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.graph import ProjectFormat
@@ -22,13 +22,13 @@ EDIT = "EDIT"
 
 
 def compile_cut(job: CutJob, files: Folder) -> None:
-    """Compile the .blend of a long story.
+    """Compile the .blend of a long story, which links its scenes from the files of its sequences.
 
-    Blender reads all that is linked, gigabytes for a feature, to write down no more than names. So the file is made
-    beside stand-ins of the sequences, with the same names and scenes that hold cameras alone.
+    Blender reads everything that is linked, gigabytes for a feature, only to store names. So the file is made beside
+    stand-ins of the sequences, with the same names and scenes that contain only cameras.
 
     Args:
-        job: The sequences, which may be under way, and what the file itself holds.
+        job: The sequences, which may still be compiling, and the content of the file itself.
         files: The project folder.
     """
     with TemporaryDirectory(prefix="storyblender_") as folder:
@@ -37,25 +37,25 @@ def compile_cut(job: CutJob, files: Folder) -> None:
             _stand_in(beside, sequence, job)
         new_file()
         add_assets(job.assets, AssetStore(files))
-        say_version()
+        write_version_note()
         bpy.ops.wm.save_as_mainfile(filepath=str(beside.path(job.out)))  # links are relative to where the file lies
         for sequence in job.sequences:
             names = [scene_name(scene_id) for scene_id in sequence.scene_ids]
             with bpy.data.libraries.load(str(beside.path(sequence.path)), link=True, relative=True) as (_, target):
                 target.scenes = names
         add_edit(job.format, job.packs, job.shots)
-        open_on(bpy.data.scenes[scene_name(job.packs[0].scene_id)])
+        show_on_opening(bpy.data.scenes[scene_name(job.packs[0].scene_id)])
         with files.writing(job.out) as part:
             bpy.ops.wm.save_as_mainfile(filepath=str(part), compress=True, copy=True, relative_remap=False)
             files.refuse_change(job.out, job.former)
 
 
 def add_edit(film: ProjectFormat, packs: Sequence[PackRef], shots: Sequence[ShotContext]) -> None:
-    """String the shots in the sequencer: one strip a shot, so that an editor can re-order and trim them.
+    """Add the scene with the cut: one sequencer strip per shot, which an editor can re-order and trim.
 
     Args:
-        film: Size and rate.
-        packs: The scenes that are in the file.
+        film: Size and frame rate.
+        packs: The scenes in the file.
         shots: In order; those of other scenes are left out.
     """
     edit = bpy.data.scenes.new(EDIT)
@@ -82,6 +82,7 @@ def add_edit(film: ProjectFormat, packs: Sequence[PackRef], shots: Sequence[Shot
 
 
 def _stand_in(beside: Folder, sequence: SequenceFile, job: CutJob) -> None:
+    """Write a stand-in of a sequence's file: its scenes with cameras only."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scenes: set[bpy.types.ID] = set()
     for scene_id in sequence.scene_ids:

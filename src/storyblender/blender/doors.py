@@ -1,4 +1,4 @@
-"""Doors that swing: open for whoever comes through or opens them, and shut behind who has gone."""
+"""Swinging doors: open for people who pass or open them, shut behind them."""
 
 from __future__ import annotations
 
@@ -15,52 +15,53 @@ from storyblender.memory.base import Vec2
 from storyblender.memory.shot_context import Cue
 
 PASSING = 0.95
-"""Metres from the doorway at which a door is open for who walks there."""
+"""Metres from the doorway within which a door is open for a walker."""
 WALKING = 1.0
-"""Metres somebody must go in a shot, or they merely stand by the door."""
+"""Least metres a person travels in a shot to count as a walker."""
 SWING = 0.8
 """Seconds of a full swing."""
 GRASP = 0.9
-"""Seconds from the start of an ``open`` or ``close`` until the leaf moves, where no hand was solved for it."""
+"""Seconds from the start of an ``open`` or ``close`` cue to the movement of the leaf, if no hand was solved for it."""
 
 
 class Door:
-    """One doorway over the scene's timeline.
+    """One door over the scene's timeline.
 
     Args:
         place: The doorway.
         fps: Frames per second.
-        left_open: How an earlier scene left it; None takes it as the set has it.
+        left_open: Whether an earlier scene left it open; None keeps the set's state.
     """
 
     def __init__(self, place: OpeningPlace, fps: int, left_open: bool | None = None) -> None:
         self.name, self.centre, self.fps = place.opening.name, place.location[:2], fps
         self.built_open = place.opening.state == "open"
-        self.ajar = self.built_open if left_open is None else left_open
-        """Left open by somebody."""
+        self.left_open = self.built_open if left_open is None else left_open
+        """Whether it stays open by itself."""
         self.amounts: list[float] = []
-        """How far it is open, 0..1, frame by frame."""
+        """Opening of the leaf by frame, 0..1."""
 
     def play(self, performance: Performance, cues: Sequence[Cue], frames: int) -> None:
-        """Add one shot: what stands open when it begins was opened before."""
-        passed = self._passed(performance, frames)
+        """Add one shot of ``frames`` frames, with its solved performance and cues, to the door's movement."""
+        passed = self._frames_passed(performance, frames)
         changes = {
-            self._moved(performance, cue): cue.clip == "open"
+            self._grasp_frame(performance, cue): cue.clip == "open"
             for cue in sorted(cues, key=lambda cue: cue.start)
             if cue.target_id == self.name and cue.clip in ("open", "close")
         }
         for frame in range(frames):
-            self.ajar = changes.get(frame, self.ajar)
-            wanted = 1.0 if self.ajar or passed[frame] else 0.0
+            self.left_open = changes.get(frame, self.left_open)
+            wanted = 1.0 if self.left_open or passed[frame] else 0.0
             amount = self.amounts[-1] if self.amounts and frame else wanted
             step = 1 / (SWING * self.fps)
             self.amounts.append(min(wanted, amount + step) if wanted > amount else max(wanted, amount - step))
 
-    def _moved(self, performance: Performance, cue: Cue) -> int:
-        """Return the frame at which the hand that opens or closes it moves the leaf."""
+    def _grasp_frame(self, performance: Performance, cue: Cue) -> int:
+        """Return the frame at which the hand of an ``open`` or ``close`` cue begins to move the leaf."""
         return round(performance.grasps.get((cue.asset_id, cue.start), cue.start / self.fps + GRASP) * self.fps)
 
-    def _passed(self, performance: Performance, frames: int) -> NDArray[np.bool_]:
+    def _frames_passed(self, performance: Performance, frames: int) -> NDArray[np.bool_]:
+        """Return in which frames somebody passes the doorway."""
         passed = np.zeros(frames, bool)
         for track in performance.people.values():
             places = track.root[:, :2]
@@ -70,8 +71,8 @@ class Door:
             passed |= np.interp(np.arange(frames), performance.frames, near.astype(float)) > 0.5
         return passed
 
-    def turns(self) -> Iterator[Vec2]:
-        """Yield frame, from 0, and amount where the movement of the leaf begins, ends or turns."""
+    def key_amounts(self) -> Iterator[Vec2]:
+        """Yield (frame, amount) wherever the leaf's movement begins, ends or changes; frames from 0, amounts 0..1."""
         amounts = self.amounts
         for frame, amount in enumerate(amounts):
             before, after = amounts[max(0, frame - 1)], amounts[min(len(amounts) - 1, frame + 1)]
@@ -80,18 +81,18 @@ class Door:
 
 
 def swing_doors(doors: Sequence[Door], leaves: Sequence[bpy.types.Object]) -> None:
-    """Key the leaves that ``build_set`` made; doors that nobody moves get no keys.
+    """Key the leaves that ``build_set`` made; doors that never move get no keys.
 
     Args:
-        doors: As played from the scene's first frame on.
-        leaves: Objects with the property ``opening``.
+        doors: Played from the scene's first frame on.
+        leaves: Objects with the custom property ``opening``.
     """
     by_name = {door.name: door for door in doors if {*door.amounts} - {float(door.built_open)}}
     for leaf in leaves:
         door = by_name.get(leaf.get("opening", ""))
         if door is None:
             continue
-        for frame, amount in door.turns():
+        for frame, amount in door.key_amounts():
             leaf.rotation_euler[2] = leaf["shut"] + leaf["swing"] * amount
             leaf.keyframe_insert("rotation_euler", index=2, frame=frame + 1)
         for bag in leaf.animation_data.action.layers[0].strips[0].channelbags:

@@ -1,4 +1,4 @@
-"""Exchange formats of one scene: glTF and USD, with the motion of people and the visibility of objects in each shot."""
+"""Exchange formats of one scene: glTF and USD, with people's motion and the visibility of objects in each shot."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from storyblender.blender.usd_visibility import hide_prims
 from storyblender.errors import EngineError
 
 _PLACED = ("location", "rotation_quaternion", "rotation_euler", "scale")
-"""What of an object glTF can move."""
+"""Properties of an object that glTF can animate."""
 
 
 def export_scene(story: Path, scene_name: str, kind: Literal["glb", "usd"], part: Path) -> None:
@@ -43,7 +43,7 @@ def export_scene(story: Path, scene_name: str, kind: Literal["glb", "usd"], part
 
 
 def _show_all(scene: bpy.types.Scene, frames: list[int]) -> dict[str, list[bool]]:
-    """Show every object at all times; return whether it was seen, shot by shot, for those that were not always."""
+    """Make every object permanently visible; return the visibility by shot of those that were hidden in some."""
     shown = {obj.name: [not is_hidden(obj, frame) for frame in frames] for obj in scene.objects}
     for obj in scene.objects:
         key_hidden(obj, [(scene.frame_start, True)])
@@ -52,10 +52,11 @@ def _show_all(scene: bpy.types.Scene, frames: list[int]) -> dict[str, list[bool]
 
 
 def _export_glb(scene: bpy.types.Scene, shots: list[tuple[str, int]], shown: dict[str, list[bool]], part: Path) -> None:
+    """Export the scene as .glb; lamps that only burn in some shots are left out, as glTF cannot switch them."""
     ends = [frame for _, frame in shots[1:]] + [scene.frame_end + 1]
     spans = [(name, start, end - 1) for (name, start), end in zip(shots, ends, strict=True)]
     for obj in [obj for obj in scene.objects if obj.type == "LIGHT" and obj.name in shown]:
-        bpy.data.objects.remove(obj)  # glTF cannot switch a lamp off: what burns in some shots only is left out
+        bpy.data.objects.remove(obj)
     _lighten(scene)
     _string(scene, spans)
     bpy.ops.export_scene.gltf(
@@ -75,16 +76,16 @@ def _export_glb(scene: bpy.types.Scene, shots: list[tuple[str, int]], shown: dic
 
 
 def _lighten(scene: bpy.types.Scene) -> None:
-    """Switch off what shapes meshes in the view: glTF takes them as they are, but each frame would reckon them anew."""
+    """Switch off modifiers in the viewport, which glTF ignores but would evaluate at every frame."""
     for obj in scene.objects:
         for modifier in obj.modifiers:
             modifier.show_viewport = False
 
 
 def _string(scene: bpy.types.Scene, spans: list[tuple[str, int, int]]) -> None:
-    """Cut what moves by an action of its own, cameras and doors, into a strip a shot, as people's motion is.
+    """Split the actions of cameras and doors into one NLA strip per shot, as people's motion is.
 
-    glTF gets an animation for each name of a track. A camera is there in its own shot alone.
+    glTF gets an animation for each name of a track; a camera has one only in its own shot.
     """
     for obj in scene.objects:
         data = obj.animation_data

@@ -1,8 +1,8 @@
 """Visibility of objects in each shot, written into a .glb: glTF hides a node by a scale of zero.
 
-The specification says so, and every viewer shows it; ``KHR_node_visibility`` and ``KHR_animation_pointer`` would be
-cleaner, and most viewers know neither. Without an animation a node is as in the first shot, but never of no size at
-all: Blender's importer divides by the scale of a rig.
+The specification allows it and every viewer shows it; ``KHR_node_visibility`` and ``KHR_animation_pointer`` would be
+cleaner, but few viewers know them. Outside the animations a node is as in the first shot, but never of zero size:
+Blender's importer divides by the scale of a rig.
 """
 
 from __future__ import annotations
@@ -15,22 +15,24 @@ from typing import Any
 
 _JSON, _BIN = 0x4E4F534A, 0x004E4942
 _FLOAT = 5126
-_SPECK = 0.001
+_HIDDEN_SCALE = 0.001
 """Rest scale of a node that is hidden at the start: a person is two millimetres tall."""
 
 
 def hide_nodes(part: Path, shots: Sequence[tuple[str, float]], shown: Mapping[str, Sequence[bool]]) -> None:
-    """Let each shot's animation show and hide nodes; a shot in which nothing moves gets an animation for it.
+    """Add to each shot's animation which nodes are visible; a shot without motion gets an animation.
 
     Args:
         part: A .glb whose animations are named like the shots; it is rewritten.
         shots: Name and seconds of each shot, in order.
-        shown: Node name and whether it is seen, shot by shot; nodes that are not named are always seen.
+        shown: Node name -> whether it is visible, shot by shot; other nodes are always visible.
     """
     scene, buffer = _read(part)
-    nodes = {index: shown[node["name"]] for index, node in enumerate(scene["nodes"]) if _hides(node, shown)}
+    nodes = {
+        index: shown[node["name"]] for index, node in enumerate(scene["nodes"]) if _changes_visibility(node, shown)
+    }
     if nodes:
-        writer = _Writer(scene, buffer)
+        writer = _BufferWriter(scene, buffer)
         animations = {animation["name"]: animation for animation in scene.setdefault("animations", [])}
         for number, (name, seconds) in enumerate(shots):
             if name not in animations:
@@ -42,17 +44,18 @@ def hide_nodes(part: Path, shots: Sequence[tuple[str, float]], shown: Mapping[st
                 _set_scale(animations[name], index, times, writer.accessor([*scale, *scale], "VEC3"))
         for index, seen in nodes.items():
             if not seen[0]:
-                scene["nodes"][index]["scale"] = [_SPECK, _SPECK, _SPECK]
+                scene["nodes"][index]["scale"] = [_HIDDEN_SCALE, _HIDDEN_SCALE, _HIDDEN_SCALE]
         scene["buffers"][0]["byteLength"] = len(buffer)
     _write(part, scene, buffer)
 
 
-def _hides(node: Mapping[str, Any], shown: Mapping[str, Sequence[bool]]) -> bool:
-    """A skinned mesh goes with its joints, which hang on the node of its rig."""
+def _changes_visibility(node: Mapping[str, Any], shown: Mapping[str, Sequence[bool]]) -> bool:
+    """Return whether a node is hidden in some shot; a skinned mesh follows the joints of its rig."""
     return "skin" not in node and not all(shown.get(node.get("name", ""), ()))
 
 
 def _set_scale(animation: dict[str, Any], node: int, times: int, values: int) -> None:
+    """Set the scale of a node in an animation, by the indices of two accessors."""
     channels = animation["channels"]
     target = {"node": node, "path": "scale"}
     channels[:] = [channel for channel in channels if channel["target"] != target]
@@ -60,15 +63,15 @@ def _set_scale(animation: dict[str, Any], node: int, times: int, values: int) ->
     channels.append({"sampler": len(animation["samplers"]) - 1, "target": target})
 
 
-class _Writer:
-    """Appends numbers to the buffer; equal numbers are written once."""
+class _BufferWriter:
+    """Appends numbers to the buffer of a .glb; equal numbers are written once."""
 
     def __init__(self, scene: dict[str, Any], buffer: bytearray) -> None:
         self._scene, self._buffer = scene, buffer
         self._known: dict[tuple[float, ...], int] = {}
 
     def accessor(self, values: Sequence[float], kind: str, *, bounds: bool = False) -> int:
-        """Return the index of an accessor of two elements of ``kind``; times need their bounds told."""
+        """Return an accessor of two elements of a glTF ``kind``; glTF wants ``bounds`` for times."""
         key = tuple(values)
         if key not in self._known:
             views, accessors = self._scene["bufferViews"], self._scene["accessors"]
@@ -84,11 +87,12 @@ class _Writer:
 
 
 def _single(value: float) -> float:
-    """The bounds of an accessor are those of the numbers as they are stored, in single precision."""
+    """Return a number rounded to single precision, as it is stored."""
     return struct.unpack("<f", struct.pack("<f", value))[0]
 
 
 def _read(path: Path) -> tuple[dict[str, Any], bytearray]:
+    """Return the JSON and the binary buffer of a .glb."""
     data = path.read_bytes()
     chunks: dict[int, bytes] = {}
     offset = 12
@@ -101,6 +105,7 @@ def _read(path: Path) -> tuple[dict[str, Any], bytearray]:
 
 
 def _write(part: Path, scene: dict[str, Any], buffer: bytearray) -> None:
+    """Write a .glb."""
     text = json.dumps(scene, separators=(",", ":"), ensure_ascii=False).encode()
     text += b" " * (-len(text) % 4)
     binary = bytes(buffer) + b"\0" * (-len(buffer) % 4)

@@ -1,4 +1,4 @@
-"""Who and what is seen when: keys of visibility shot by shot, and objects taken out of a picture for a while."""
+"""Visibility of objects: keys shot by shot, and temporary hiding from a render."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ _RENDER, _VIEWPORT = "hide_render", "hide_viewport"
 
 
 def key_hidden(obj: bpy.types.Object, shown: Sequence[tuple[int, bool]]) -> None:
-    """Hide an object over time, in renders and in the viewport, in place of what was keyed before.
+    """Key the visibility of an object in renders and viewport, replacing earlier keys.
 
     Args:
-        obj: The object; it is left as it is seen at the first frame.
-        shown: Frame and whether it is seen from there on, in order; keys are written only where that changes, and none
-            where it is always seen.
+        obj: The object; it is left as at the first frame.
+        shown: (frame, whether it is visible from there on), in order; keys are written only at changes, and none if it
+            is always visible.
     """
     for bag in _bags(obj):
         for curve in [curve for curve in bag.fcurves if curve.data_path in (_RENDER, _VIEWPORT)]:
@@ -30,7 +30,7 @@ def key_hidden(obj: bpy.types.Object, shown: Sequence[tuple[int, bool]]) -> None
 
 
 def is_hidden(obj: bpy.types.Object, frame: int) -> bool:
-    """Return whether an object is hidden from renders at a frame of the timeline, by its keys or for good."""
+    """Return whether an object is hidden from renders at a frame, by its keys or permanently."""
     curves = _visibility_curves(obj)
     return any(curve.evaluate(frame) > 0.5 for curve in curves) if curves else obj.hide_render
 
@@ -39,8 +39,8 @@ def is_hidden(obj: bpy.types.Object, frame: int) -> bool:
 def out_of_picture(objects: Iterable[bpy.types.Object]) -> Iterator[None]:
     """Hide objects from renders inside ``with``.
 
-    A render evaluates the animation again, so a keyed ``hide_render`` would win over the value that is set here;
-    its curves are muted meanwhile.
+    A render evaluates the animation again, and a keyed ``hide_render`` would override the value set here; so its curves
+    are muted meanwhile.
     """
     hidden = [(obj, obj.hide_render) for obj in objects]
     curves = [curve for obj, _ in hidden for curve in _visibility_curves(obj) if not curve.mute]
@@ -58,11 +58,12 @@ def out_of_picture(objects: Iterable[bpy.types.Object]) -> Iterator[None]:
 
 
 def _visibility_curves(obj: bpy.types.Object) -> list[bpy.types.FCurve]:
+    """Return the curves of an object's visibility in renders."""
     return [curve for bag in _bags(obj) for curve in bag.fcurves if curve.data_path == _RENDER]
 
 
 def _bags(obj: bpy.types.Object) -> list[bpy.types.ActionChannelbag]:
-    """The curves of the action that an object plays by itself, not those of its strips."""
+    """Return the channel bags of the action that an object plays directly, without its NLA strips."""
     data = obj.animation_data
     if data is None or data.action is None or data.action_slot is None:
         return []

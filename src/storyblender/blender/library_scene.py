@@ -1,4 +1,4 @@
-"""The scene of a story's file that holds its canonical assets, marked for the Asset Browser."""
+"""The scene of a story's file with its canonical assets, marked for the Asset Browser."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ LIBRARY = "00_ASSET_LIBRARY"
 
 
 def new_file() -> None:
-    """Begin an empty file with the scene of the assets in it, empty too."""
+    """Begin an empty file with an empty scene for the assets."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.context.scene.name = LIBRARY
 
 
 def add_assets(assets: Sequence[Asset], store: AssetStore) -> None:
-    """Show every canonical asset once, on a grid, each in a collection marked for the Asset Browser."""
+    """Add every canonical asset once, on a grid, each in a collection marked for the Asset Browser."""
     library = bpy.data.scenes[LIBRARY]
     bpy.context.window.scene = library
     columns = max(1, math.ceil(math.sqrt(len(assets))))
@@ -57,6 +57,7 @@ def _credit(data: bpy.types.AssetMetaData, provenance: Provenance | None) -> Non
 
 
 def _canonical_objects(asset: Asset, store: AssetStore) -> list[bpy.types.Object]:
+    """Return new objects that show an asset."""
     if asset.asset_type == "character":
         member = store.append_person(asset)
         return [member.armature, *member.meshes]

@@ -1,4 +1,4 @@
-"""The lamps of a light plan as Blender lights that stay in the file, for artists and for other tools."""
+"""The lamps of a light plan as Blender lights that stay in the file, for artists and other tools."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Materials of the catalog as Blender materials: one per key and colour, the same picture for every renderer."""
+"""Materials of the catalog as Blender materials: one per key and colour, shared by all renderers."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ _SOOT = 0.02
 
 
 def material(key: str, color: Color | None = None) -> bpy.types.Material:
-    """Return the material of the current file for a catalog key, made if it is not there yet.
+    """Return the material of the open file for a catalog key, created on first use.
 
     It carries the custom properties ``key``, ``tile`` (metres of one picture), ``emit`` (emission strength) and
-    ``grain`` (boards turn the picture to their length).
+    ``grain`` (whether boards turn the picture to their length).
 
     Args:
         key: A key of ``catalog.materials``.
-        color: Scene-linear colour in place of the entry's own.
+        color: Scene-linear colour instead of the entry's own.
 
     Raises:
         KeyError: The catalog has no such material.
@@ -31,10 +31,12 @@ def material(key: str, color: Color | None = None) -> bpy.types.Material:
 
 
 def _code(color: Color) -> str:
+    """Return the hex digits of a colour."""
     return "".join(f"{round(255 * min(max(channel, 0.0), 1.0)):02x}" for channel in color)
 
 
 def _make(name: str, entry: MaterialEntry, color: Color) -> bpy.types.Material:
+    """Create a material with its nodes."""
     block = bpy.data.materials.new(name)
     block.use_nodes = True
     tree = block.node_tree
@@ -67,7 +69,7 @@ def _make(name: str, entry: MaterialEntry, color: Color) -> bpy.types.Material:
 
 
 def _add_puddles(tree: bpy.types.NodeTree, shader: bpy.types.Node) -> None:
-    """Let roughness follow low noise over the world, so that water lies in patches (notes: sets and light, 1.8)."""
+    """Vary roughness with low noise over the world, so that water lies in patches (notes: sets and light, 1.8)."""
     place = tree.nodes.new("ShaderNodeNewGeometry")
     noise = tree.nodes.new("ShaderNodeTexNoise")
     noise.inputs["Scale"].default_value, noise.inputs["Detail"].default_value = 0.55, 3

@@ -1,4 +1,4 @@
-"""Merging what appending duplicates: one material, one image, one canonical mesh, however many files it came from."""
+"""Merges the duplicates that appending creates: one material, one image, one canonical mesh."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable
 import bpy
 
 IDENTITY = "identity"
-"""Custom property of a material that got a name for people: what it is made of, by which it is merged."""
+"""Custom property of a material that was renamed for people: its content, by which it is merged."""
 _COPY = re.compile(r"\.\d{3,}$")
 
 Copies = dict[bpy.types.ID, bpy.types.ID]
@@ -17,8 +17,8 @@ Copies = dict[bpy.types.ID, bpy.types.ID]
 def merge_duplicates() -> None:
     """Point every user of a copy at the original and remove the copy.
 
-    Images and materials are named by what they are made of, so equal names mean equal content; meshes also carry
-    the digest of their recipe. A mesh with shape keys stays single: its face is animated.
+    Images and materials are named by their content, so equal names mean equal content; meshes also carry the digest of
+    their recipe. Meshes with shape keys stay, because their faces are animated.
     """
     images = _copies(bpy.data.images)
     for tree in _node_trees():
@@ -38,14 +38,14 @@ def merge_duplicates() -> None:
 
 
 def identity_of(block: bpy.types.ID) -> str:
-    """Return what a data-block is made of; equal identities, equal content."""
+    """Return the content of a data-block as text; equal identities mean equal content."""
     return str(block.get(IDENTITY, "")) or _COPY.sub("", block.name)
 
 
 def _copies(
     blocks: Iterable[bpy.types.ID], same: Callable[[bpy.types.ID, bpy.types.ID], bool] = lambda copy, original: True
 ) -> Copies:
-    """Return every copy with its original: the one with a name for people, else the one without a number."""
+    """Return every copy with its original: the block renamed for people, else the one without a number."""
     every = list(blocks)
     originals = {block.name: block for block in every if not _COPY.search(block.name) and IDENTITY not in block}
     originals |= {str(block[IDENTITY]): block for block in every if IDENTITY in block}
@@ -54,22 +54,25 @@ def _copies(
 
 
 def _same_digest(copy: bpy.types.ID, original: bpy.types.ID) -> bool:
+    """Return whether two meshes have the same recipe."""
     return copy.get("digest") is not None and copy.get("digest") == original.get("digest")
 
 
 def _node_trees() -> list[bpy.types.NodeTree]:
+    """Return the node trees of the file."""
     users = (*bpy.data.materials, *bpy.data.worlds, *bpy.data.lights)
     return [user.node_tree for user in users if user.node_tree is not None]
 
 
 def _replace_materials(slots: bpy.types.IDMaterials, copies: Copies) -> None:
+    """Replace copies in material slots by their originals."""
     for index, material in enumerate(slots):
         if material in copies:
             slots[index] = copies[material]
 
 
 def _remove(copies: Copies) -> None:
-    """Remove copies that nobody uses any more, all in one go: each removal goes through the whole file."""
+    """Remove unused copies in one batch, because each removal goes through the whole file."""
     unused = [copy for copy in copies if copy.users == int(copy.use_fake_user)]
     if unused:
         bpy.data.batch_remove(unused)

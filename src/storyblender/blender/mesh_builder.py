@@ -1,7 +1,7 @@
-"""A mesh from parts: boxes, lathes, lofts, tubes; with textures laid out in metres. Sets and props are built with it.
+"""Builds a mesh from parts: boxes, lathes, lofts, tubes; textures are laid out in metres. Sets and props use it.
 
 Frame: metres, Z up, front -Y. Every method takes the material first (a key of ``catalog.materials`` or a Blender
-material), adds its part under the current transform and returns the builder. The same calls give the same mesh.
+material), adds a part under the current transform and returns the builder. Equal calls give equal meshes.
 """
 
 from __future__ import annotations
@@ -24,11 +24,13 @@ MaterialRef: TypeAlias = "bpy.types.Material | str"
 Faces = Sequence[Sequence[int]]
 
 SHARP_ANGLE = math.radians(38)
-"""Edges that bend more are drawn sharp; the ink draws creases at nearly the same angle."""
+"""Radians; edges that bend more are shaded sharp, and the ink draws creases at nearly the same angle."""
 
 
 @dataclass(frozen=True)
-class _Part:
+class _MeshPart:
+    """Vertices (V, 3), corner indices, corners per face, material slot and uv (corners, 2) of one part."""
+
     vertices: Floats
     loops: NDArray[np.int64]
     sizes: NDArray[np.int64]
@@ -45,12 +47,10 @@ class MeshBuilder:
 
     def __init__(self, name: str) -> None:
         self.name = name
-        self._parts: list[_Part] = []
+        self._parts: list[_MeshPart] = []
         self._materials: list[bpy.types.Material] = []
         self._frames: list[Floats] = [np.eye(4)]
         self._vertex_count = 0
-
-    # ------------------------------------------------------------------ transforms
 
     @contextmanager
     def at(
@@ -72,8 +72,6 @@ class MeshBuilder:
         finally:
             self._frames.pop()
 
-    # ------------------------------------------------------------------ flat parts
-
     def quad(
         self,
         material: MaterialRef,
@@ -88,7 +86,7 @@ class MeshBuilder:
         return self.add(material, np.stack([np.asarray(point, float) for point in (a, b, c, d)]), [(0, 1, 2, 3)], uv=uv)
 
     def polygon(self, material: MaterialRef, points: ArrayLike, *, uv: ArrayLike | None = None) -> MeshBuilder:
-        """Add one flat face with any number of corners, counter-clockwise as seen from its front."""
+        """Add one flat face, corners (N, 3) counter-clockwise as seen from its front; ``uv`` (N, 2) in image units."""
         corners = np.asarray(points, float)
         return self.add(material, corners, [tuple(range(len(corners)))], uv=uv)
 
@@ -109,8 +107,6 @@ class MeshBuilder:
         top = middle + (flat - middle) * taper
         rings = [np.c_[flat, np.full(len(flat), base)], np.c_[top, np.full(len(flat), base + height)]]
         return self.loft(material, rings)
-
-    # ------------------------------------------------------------------ solid parts
 
     def box(
         self,
@@ -149,7 +145,7 @@ class MeshBuilder:
         steps: int = 3,
         rotation: ArrayLike = (0.0, 0.0, 0.0),
     ) -> MeshBuilder:
-        """Add a box with round edges, shaded smooth: upholstery, appliances, soap-bar shapes."""
+        """Add a smooth box with edges of ``radius`` metres, turned by degrees: upholstery, appliances, soap bars."""
         extent = np.asarray(size, float)
         with self.at(center, rotation):
             return self.loft(material, solids.rounded_box_rings(extent, min(radius, float(extent.min()) * 0.49), steps))
@@ -163,7 +159,7 @@ class MeshBuilder:
         softness: float = 0.35,
         rotation: ArrayLike = (0.0, 0.0, 0.0),
     ) -> MeshBuilder:
-        """Add a superellipsoid: 0.2 is nearly a box, 0.35 a stuffed cushion, 1 an ellipsoid."""
+        """Add a superellipsoid, turned by degrees: 0.2 is nearly a box, 0.35 a stuffed cushion, 1 an ellipsoid."""
         with self.at(center, rotation):
             return self.loft(material, solids.superellipsoid_rings(np.asarray(size, float) / 2, softness, 20, 10))
 
@@ -177,7 +173,7 @@ class MeshBuilder:
         segments: int = 16,
         rings: int = 9,
     ) -> MeshBuilder:
-        """Add a ball; ``scale`` makes it an ellipsoid."""
+        """Add a ball; ``scale``, factors in x, y, z, makes it an ellipsoid."""
         with self.at(center):
             half = radius * np.asarray(scale, float)
             return self.loft(material, solids.superellipsoid_rings(half, 1.0, segments, rings))
@@ -193,7 +189,7 @@ class MeshBuilder:
         segments: int = 14,
         caps: bool = True,
     ) -> MeshBuilder:
-        """Add a round bar from ``start`` to ``end``; a cone with another ``end_radius``."""
+        """Add a round bar from ``start`` to ``end``; a cone if it has another ``end_radius``."""
         foot = np.asarray(start, float)
         along = np.asarray(end, float) - foot
         top = radius if end_radius is None else end_radius
@@ -276,8 +272,6 @@ class MeshBuilder:
             faces, uv = _flipped(faces, uv)
         return self._append(material, vertices, faces, uv)
 
-    # ------------------------------------------------------------------ anything
-
     def add(
         self, material: MaterialRef, vertices: ArrayLike, faces: Faces, *, uv: ArrayLike | None = None
     ) -> MeshBuilder:
@@ -297,6 +291,7 @@ class MeshBuilder:
         return self._append(material, corners, faces, layout)
 
     def _append(self, material: MaterialRef, vertices: Floats, faces: Faces, uv: Floats) -> MeshBuilder:
+        """Add vertices, faces and uv (metres) under the current transform."""
         block = _resolve(material)
         if block not in self._materials:
             self._materials.append(block)
@@ -308,14 +303,13 @@ class MeshBuilder:
         loops = np.fromiter((corner for face in faces for corner in face), np.int64, int(sizes.sum()))
         if block.get("grain", False):  # neighbouring boards show different parts of the picture
             uv = uv + np.array([0.37, 0.61]) * len(self._parts)
-        self._parts.append(_Part(placed, loops + self._vertex_count, sizes, self._materials.index(block), uv))
+        self._parts.append(_MeshPart(placed, loops + self._vertex_count, sizes, self._materials.index(block), uv))
         self._vertex_count += len(placed)
         return self
 
     def _tile(self, material: MaterialRef) -> float:
+        """Return the metres of one repeat of a material's picture."""
         return float(_resolve(material).get("tile", 1.0))
-
-    # ------------------------------------------------------------------ results
 
     @property
     def vertices(self) -> Floats:
@@ -350,10 +344,12 @@ class MeshBuilder:
 
 
 def _resolve(material: MaterialRef) -> bpy.types.Material:
+    """Return a material by key, or the material itself."""
     return material_of(material) if isinstance(material, str) else material
 
 
 def _flipped(faces: Faces, uv: Floats) -> tuple[list[tuple[int, ...]], Floats]:
+    """Return faces and their uv with reversed corners."""
     turned, layout, start = [], [], 0
     for face in faces:
         turned.append(tuple(face)[::-1])

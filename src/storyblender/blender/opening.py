@@ -1,16 +1,12 @@
-"""How the story's file looks when an artist opens it: the first shot, through its camera, in its colours."""
+"""The view of a story's file when an artist opens it: the first shot, through its camera."""
 
 from __future__ import annotations
 
 import bpy
 
 
-def open_on(scene: bpy.types.Scene) -> None:
-    """Show a scene through its camera in every 3D view of the file.
-
-    Args:
-        scene: What is seen first; the scene of the cut itself holds strips only, and its 3D view is empty.
-    """
+def show_on_opening(scene: bpy.types.Scene) -> None:
+    """Show a scene through its camera in every 3D view; the scene of the cut has only strips, and its view is empty."""
     bpy.context.window.scene = scene
     for screen in bpy.data.screens:
         for area in screen.areas:

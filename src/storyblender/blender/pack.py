@@ -1,7 +1,7 @@
 """A scene pack: one Blender scene with set, objects, people and the motion of all its shots.
 
-No cameras, no face lights: a changed camera never rebuilds a scene. Names and custom properties are the contract
-of the design: scene ``SC010``, objects ``SC010.<node_id>`` with ``node_id``, ``asset_id`` and ``kind``.
+It has no cameras and no face lights, so that a changed camera never rebuilds a scene. Names and custom properties are
+the interface: scene ``SC010``, objects ``SC010.<node_id>`` with ``node_id``, ``asset_id`` and ``kind``.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from storyblender.blender.motion.bake import bake
 from storyblender.blender.motion.solve import solve_shot
 from storyblender.blender.progress import Report, ignore
 from storyblender.blender.sets.build import build_set
-from storyblender.blender.staging import Stage, moved_assets
+from storyblender.blender.staging import StagePlanner, moved_assets
 from storyblender.blender.state_parts import StateParts
 from storyblender.blender.tags import surface_of, tag
 from storyblender.catalog.fixtures import fixtures_called
@@ -34,15 +34,15 @@ from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import Flaw, ShotContext
 
 MOTION_STEP = 1
-"""Legs are solved on ones: on twos the linear in-between makes feet slide (notes: motion, section 6)."""
+"""Frames between solved poses; on twos, linear in-betweens make feet slide (notes: motion, section 6)."""
 
 
 class ScenePacker:
     """Builds one scene into the open file.
 
     Args:
-        job: What to build.
-        store: Where the canonical assets are.
+        job: The scene to build.
+        store: The canonical assets.
     """
 
     def __init__(self, job: SceneJob, store: AssetStore) -> None:
@@ -54,13 +54,13 @@ class ScenePacker:
         self._nodes: dict[str, list[bpy.types.Object]] = {}
         self._cast: dict[str, CastMember] = {}
         self.timing: list[PlayedCue] = []
-        """Actual timing of all cues, for choosing the moment of a still frame."""
+        """Actual timing of all cues, from which the moment of a board frame is chosen."""
 
     def build(self, report: Report = ignore) -> tuple[Flaw, ...]:
         """Build everything and return what could not be staged.
 
         Args:
-            report: Hears for how many shots people have been animated.
+            report: Receives the number of shots animated.
         """
         bpy.ops.wm.read_factory_settings(use_empty=True)
         scene = bpy.context.scene
@@ -75,7 +75,7 @@ class ScenePacker:
         self._place_objects()
         self._states = StateParts(self._job, self._store, self._nodes)
         self._place_people()
-        stage = Stage(self._job, plan, {asset_id: member.body for asset_id, member in self._cast.items()})
+        planner = StagePlanner(self._job, plan, {asset_id: member.body for asset_id, member in self._cast.items()})
         doors = [
             Door(place, self._job.fps, _left_open(plan, place.opening.name, self._job.scene.setup.found))
             for wall in plan.walls
@@ -85,18 +85,20 @@ class ScenePacker:
         problems: list[Flaw] = []
         for step, shot in enumerate(self._job.shots):
             report(step, len(self._job.shots))
-            problems += self._perform(stage, shot, doors)
+            problems += self._perform(planner, shot, doors)
         swing_doors(doors, built)
         self._key_visibility()
         merge_duplicates()
         return tuple(problems)
 
     def _collection(self, part: str) -> bpy.types.Collection:
+        """Create and link the collection of a part of the scene."""
         collection = bpy.data.collections.new(f"{self._name}_{part}")
         bpy.context.scene.collection.children.link(collection)
         return collection
 
     def _place_objects(self) -> None:
+        """Place the objects of the layout; movable ones without a place wait below the floor."""
         layout = self._job.scene.layout
         assert layout is not None, "the Spatial Planner comes before the pack"
         collection = self._collection("props")
@@ -108,6 +110,7 @@ class ScenePacker:
                 self._place(LayoutObject(node_id=asset_id, asset_id=asset_id, location=(0, 0, -5)), collection)
 
     def _place(self, item: LayoutObject, collection: bpy.types.Collection) -> None:
+        """Place one object."""
         asset = self._assets[item.asset_id]
         obj = bpy.data.objects.new(f"{self._name}.{item.node_id}", self._store.append_mesh(asset))
         obj.location = item.location
@@ -118,6 +121,7 @@ class ScenePacker:
         self._nodes.setdefault(item.asset_id, []).append(obj)
 
     def _place_people(self) -> None:
+        """Append the people who appear in any shot."""
         collection = self._collection("cast")
         present = {blocking.start.asset_id for shot in self._job.shots for blocking in shot.blocking}
         for asset in self._job.assets:
@@ -132,8 +136,9 @@ class ScenePacker:
                 mesh.name = f"{self._name}.{mesh.name.split('.')[0]}"
             self._cast[asset.asset_id] = member
 
-    def _perform(self, stage: Stage, shot: ShotContext, doors: list[Door]) -> list[Flaw]:
-        plan = stage.plan(shot)
+    def _perform(self, planner: StagePlanner, shot: ShotContext, doors: list[Door]) -> list[Flaw]:
+        """Solve and bake one shot; return its staging flaws."""
+        plan = planner.plan(shot)
         performance = solve_shot(plan, self._job.fps, MOTION_STEP)
         fps = performance.fps
         for (who, clip, start), (began, over) in performance.played.items():
@@ -150,7 +155,7 @@ class ScenePacker:
         ]
 
     def _key_visibility(self) -> None:
-        """People off stage and props out of the picture are hidden shot by shot, with constant keys."""
+        """People off planner and props out of the picture are hidden shot by shot, with constant keys."""
         for asset_id, member in self._cast.items():
             shown = [
                 (self._starts[shot.shot_id], any(b.start.asset_id == asset_id and b.visible for b in shot.blocking))
@@ -163,12 +168,12 @@ class ScenePacker:
                 self._starts[shot.shot_id]: all(each.visible for each in shot.prop_states if each.asset_id == asset_id)
                 for shot in self._job.shots
             }
-            for obj, shown in self._states.shown(asset_id, seen, self.timing):
+            for obj, shown in self._states.visibility(asset_id, seen, self.timing):
                 key_hidden(obj, shown)
 
 
 def _left_open(plan: SetPlan, name: str, found: Mapping[str, Condition]) -> bool | None:
-    """Return whether an earlier scene left a door open or shut; None if it tells nothing of it."""
+    """Return whether an earlier scene left a door open (True) or shut (False); None if it did not touch it."""
     for thing, states in found.items():
         if any(fixture.name == name for fixture in fixtures_called(plan, thing)[:1]):
             return next((state == "open" for state in reversed(states) if state in ("open", "closed")), None)
@@ -186,5 +191,5 @@ def shot_starts(shots: tuple[ShotContext, ...]) -> dict[int, int]:
 
 
 def save_pack(part: Path) -> None:
-    """Save the open file."""
+    """Save the open file as ``part``."""
     bpy.ops.wm.save_as_mainfile(filepath=str(part), compress=True, copy=True)

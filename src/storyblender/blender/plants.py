@@ -1,6 +1,6 @@
-"""What grows and lies outdoors, at any size in any material: sets plant it by the dozen, as a prop it stands alone.
+"""Plants and rocks at any size in any material: sets plant them by the dozen, and they are props.
 
-Origin on the ground, metres. Everything that varies comes from the generator, so one seed is one plant.
+Origin on the ground, metres. All variation comes from the random generator, so one seed gives one plant.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ GOLDEN_TURN = 2.399963
 
 
 def along_trunk(height: float, leans: ArrayLike, share: float) -> Floats:
-    """Return the axis of a trunk at a share of its height; ``leans`` is how far its top is off the foot."""
+    """Return the point (3,) at a share 0..1 of a trunk's axis; ``leans`` is x and y of its top relative to its foot."""
     return np.append(np.asarray(leans, float) * share * share, share * height)
 
 
 def trunk(
     b: MeshBuilder, bark: MaterialRef, height: float, radius: float, leans: ArrayLike, rng: np.random.Generator
 ) -> None:
-    """Add a trunk that flares into its roots, from below the ground to ``height``."""
+    """Add a trunk that flares into its roots, from below the ground up; ``leans`` is x and y of its top."""
     around, phase = np.linspace(0, math.tau, 12, endpoint=False), rng.uniform(0, math.tau)
     rings = []
     for share in np.linspace(-0.02, 1, 9):
@@ -37,7 +37,7 @@ def trunk(
 
 
 def _clump(b: MeshBuilder, leaf: MaterialRef, centre: ArrayLike, radius: float, rng: np.random.Generator) -> None:
-    """Add a clump of leaves: an uneven ball, with loose leaves on its skin that break its outline."""
+    """Add a clump of leaves: an uneven ball with loose leaves that break its outline."""
     middle, phase = np.asarray(centre, float), rng.uniform(0, math.tau, 3)
     rings = []
     for k in range(8):
@@ -54,6 +54,7 @@ def _clump(b: MeshBuilder, leaf: MaterialRef, centre: ArrayLike, radius: float, 
 def _sprays(
     b: MeshBuilder, leaf: MaterialRef, middle: Floats, radius: float, count: int, rng: np.random.Generator
 ) -> None:
+    """Add loose leaves on the surface of a clump."""
     out = rng.normal(size=(count, 3))
     out[:, 2] *= 0.8
     out /= np.linalg.norm(out, axis=1, keepdims=True)
@@ -81,8 +82,8 @@ def broad_tree(
         b: Receives it.
         bark: Of trunk and branches.
         leaves: In the light and in the shade of the crown.
-        size: Width of the crown and height.
-        rng: For everything that varies.
+        size: Width of the crown and height, metres.
+        rng: Random generator.
     """
     (w, h), (leaf, shade) = size, leaves
     radius, leans = h * 0.026, rng.uniform(-0.075, 0.075, 2) * h
@@ -105,7 +106,7 @@ def broad_tree(
 def conifer(
     b: MeshBuilder, bark: MaterialRef, needles: MaterialRef, size: Vec2, rng: np.random.Generator, bare: float = 0.12
 ) -> None:
-    """Add a conifer of drooping whorls; ``bare`` is the share of the trunk under the lowest bough."""
+    """Add a conifer of drooping whorls; ``size`` is width and height, ``bare`` the share of the trunk below them."""
     w, h = size
     leans, whorls, points = rng.uniform(-0.018, 0.018, 2) * h, 15, 18
     trunk(b, bark, h * 0.95, h * 0.017, leans, rng)
@@ -126,7 +127,7 @@ def conifer(
 
 
 def palm(b: MeshBuilder, bark: MaterialRef, leaf: MaterialRef, size: Vec2, rng: np.random.Generator) -> None:
-    """Add a palm with a bent trunk and drooping fronds."""
+    """Add a palm with a bent trunk and drooping fronds; ``size`` is width and height in metres."""
     w, h = size
     shares, bend = np.linspace(0, 1, 10), w * rng.uniform(0.1, 0.3)
     path = [(bend * (share**1.8 - 0.5), 0, h * 0.9 * share) for share in shares]
@@ -149,7 +150,7 @@ def palm(b: MeshBuilder, bark: MaterialRef, leaf: MaterialRef, size: Vec2, rng: 
 
 
 def bush(b: MeshBuilder, leaf: MaterialRef, size: Vec3, rng: np.random.Generator) -> None:
-    """Add a bush of several clumps."""
+    """Add a bush of several clumps; ``size`` is width, depth and height in metres."""
     w, d, h = size
     for index in range(8):
         angle, reach = index * GOLDEN_TURN, 0.28 * math.sqrt((index + 0.5) / 8)
@@ -158,7 +159,7 @@ def bush(b: MeshBuilder, leaf: MaterialRef, size: Vec3, rng: np.random.Generator
 
 
 def blades(b: MeshBuilder, leaf: MaterialRef, count: int, size: Vec2, width: float, rng: np.random.Generator) -> None:
-    """Add bent blades of grass over a patch of ``size``: its radius and how tall the tallest are."""
+    """Add bent blades of grass; ``size`` is the radius of their patch and the height of the tallest, metres."""
     spread, height = size
     for index in range(count):
         angle, off = index * GOLDEN_TURN, spread * math.sqrt((index + 0.5) / count)
@@ -174,7 +175,7 @@ def blades(b: MeshBuilder, leaf: MaterialRef, count: int, size: Vec2, width: flo
 
 
 def cactus(b: MeshBuilder, skin: MaterialRef, size: Vec2, arms: int, rng: np.random.Generator) -> None:
-    """Add a ribbed columnar cactus; ``size`` is the span of its arms and the height of its column."""
+    """Add a ribbed columnar cactus; ``size`` is the span of its arms and the height of its column, metres."""
     w, h = size
     angle = np.linspace(0, math.tau, 24, endpoint=False)
     ribs = np.c_[np.cos(angle), np.sin(angle)] * (1 + 0.08 * np.sin(8 * angle))[:, None]
@@ -196,15 +197,15 @@ def boulder(
     foot: float = -math.inf,
     top: float = math.inf,
 ) -> None:
-    """Add a boulder with flat faces: a ball pressed by random planes, a quarter of it in the ground.
+    """Add a boulder with flat faces: a ball cut by random planes, a quarter of it in the ground.
 
     Args:
         b: Receives it.
         stone: Its material.
-        size: Half its width and depth, and two thirds of its height over the ground.
-        rng: For everything that varies.
-        foot: What is lower than this is flattened to it; without it the boulder goes on below the ground.
-        top: What is higher than this is flattened to it, to be sat on.
+        size: Half its width and depth, and two thirds of its height above the ground, metres.
+        rng: Random generator.
+        foot: Lowest z; what is lower is flattened. Without it the boulder continues below the ground.
+        top: Highest z; what is higher is flattened, to sit on.
     """
     polar, around = np.meshgrid(
         np.linspace(0.02, math.pi - 0.02, 9), np.linspace(0, math.tau, 14, endpoint=False), indexing="ij"

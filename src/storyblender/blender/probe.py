@@ -1,6 +1,6 @@
-"""``python -m storyblender.blender.probe [PICTURE]``: the doctor's try at importing Blender and drawing.
+"""``python -m storyblender.blender.probe [PICTURE]``: imports Blender and draws, for ``storyblender doctor``.
 
-A process of its own, because without system libraries bpy cannot be imported and without EGL Blender aborts.
+It is a process of its own, because bpy cannot be imported without system libraries, and Blender aborts without EGL.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import bpy
 
 
 def draw(path: str) -> None:
-    """Draw an empty scene with Workbench, 16 pixels square."""
+    """Draw an empty scene with Workbench, 16 pixels square, to a file."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene
     scene.camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))

@@ -1,4 +1,4 @@
-"""Progress from inside a job: MCP's progress notifications, for a client that asked for them."""
+"""Progress of a running job: MCP's progress notifications, for clients that asked for them."""
 
 from __future__ import annotations
 
@@ -7,21 +7,21 @@ from collections.abc import Callable
 from typing import BinaryIO
 
 Report = Callable[[int, int], None]
-"""Called with the steps of the job that are done, and their total."""
+"""Called with the number of steps done and their total."""
 
 
 def ignore(step: int, total: int) -> None:
-    """Report to nobody."""
+    """Ignore progress: the default where nobody listens."""
 
 
 class Progress:
-    """Reports the running job's progress.
+    """Sends the running job's progress to the client.
 
     Args:
-        wire: Where messages to the client go, one a line.
+        wire: Receives the messages, one a line.
 
     Attributes:
-        token: What the client called the running job; None where it did not ask for its progress.
+        token: The client's token of the running job; None if it did not ask for progress.
     """
 
     def __init__(self, wire: BinaryIO) -> None:
@@ -29,7 +29,7 @@ class Progress:
         self.token: str | int | None = None
 
     def __call__(self, step: int, total: int) -> None:
-        """Tell the client that so many steps of the job are done, of so many."""
+        """Report that ``step`` of ``total`` steps are done."""
         if self.token is not None:
             parameters = {"progressToken": self.token, "progress": step, "total": total}
             message = {"jsonrpc": "2.0", "method": "notifications/progress", "params": parameters}

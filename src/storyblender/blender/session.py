@@ -1,6 +1,7 @@
-"""The Blender state of one worker: which pack is open, and what each tool does with it.
+"""The Blender state of one worker: the open pack, and the engine's jobs as tools.
 
-What builds is imported by the tools that build: a worker that only draws is up sooner by a quarter (measured).
+Modules that build are imported by the tools that build, so that a worker that only draws starts a quarter sooner
+(measured).
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from storyblender.blender.cameras import make_camera
 from storyblender.blender.measure.collisions import find_collisions
 from storyblender.blender.measure.drift import spatial_drift
 from storyblender.blender.measure.figures import figures
-from storyblender.blender.measure.view import WIDTH, Sighting, viewfinder
+from storyblender.blender.measure.view import WIDTH, ViewfinderPose, viewfinder
 from storyblender.blender.progress import Report, ignore
 from storyblender.blender.render.frame import FrameRequest, PersonHead, render_frame
 from storyblender.blender.render.motion_frames import GROWN_HEAD, render_motion
@@ -55,8 +56,8 @@ class BlenderSession:
     Args:
         root: The project folder; every path in a job is relative to it and must stay inside.
         models: The user's folders of models.
-        build: Where names below ``build/`` lie instead.
-        report: Hears how far the running job has come.
+        build: Folder for names below ``build/``; None for the project folder.
+        report: Receives the progress of the running job.
     """
 
     def __init__(
@@ -65,20 +66,21 @@ class BlenderSession:
         self._files = Folder(root, build)
         self._models, self._report = models, report
         self._open = ""
-        self._held = ExitStack()
-        self._aside = ThreadPoolExecutor(1)
-        self._see: tuple[tuple[str, int, int], Callable[[Sighting], CameraView]] | None = None
-        """The viewfinder that is held: pack, frame and height, and what looks there."""
+        self._viewfinder_scene = ExitStack()
+        self._background = ThreadPoolExecutor(1)
+        self._viewfinder: tuple[tuple[str, int, int], Callable[[ViewfinderPose], CameraView]] | None = None
+        """The open viewfinder: pack, frame and height, and the function that looks."""
 
     @cached_property
     def _store(self) -> AssetStore:
+        """The canonical assets."""
         from storyblender.blender.asset_store import AssetStore
 
         return AssetStore(self._files, self._models)
 
     @property
     def tools(self) -> list[Callable[..., Any]]:
-        """What a client may ask for, by name; nothing else."""
+        """The functions that a client may call."""
         return [
             self.build_asset,
             self.pack_scene,
@@ -96,14 +98,14 @@ class BlenderSession:
 
     def build_asset(self, job: AssetJob) -> AssetMeasure:
         """Build and measure one asset."""
-        self._put_away()
+        self._close_pack()
         return self._store.measure(job)
 
     def pack_scene(self, job: SceneJob) -> PackRef:
         """Build one scene."""
         from storyblender.blender.pack import ScenePacker, save_pack, shot_starts
 
-        self._put_away()
+        self._close_pack()
         packer = ScenePacker(job, self._store)
         problems = packer.build(self._report)
         with self._files.writing(job.out) as part:
@@ -114,7 +116,7 @@ class BlenderSession:
         )
 
     def read_figures(self, pack: PackRef, frames: Sequence[int]) -> list[list[Figure]]:
-        """Return everybody's faces at frames of the scene's timeline."""
+        """Return the faces of all people at frames of the scene's timeline, frame by frame."""
         scene = self._open_pack(pack)
         return [list(figures(scene, frame)) for frame in frames]
 
@@ -134,20 +136,20 @@ class BlenderSession:
         return find_collisions(scene, bodies, frames)
 
     def measure_drift(self, pack: PackRef) -> float:
-        """Return the Spatial Drift Error of a scene."""
+        """Return the Spatial Drift Error of a scene, metres."""
         return spatial_drift(self._open_pack(pack), [start for _, start in pack.starts])
 
     def look(self, pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> list[CameraView]:
-        """Look through the viewfinder."""
-        self._aside.submit(display_of, AGX_CONTRAST)  # what is framed is drawn next
+        """Return what cameras see through the viewfinder; ``aspect`` is width over height."""
+        self._background.submit(display_of, AGX_CONTRAST)  # needed by the next render
         height = max(2, round(WIDTH / aspect))
         views: list[CameraView] = []
         for request in requests:
             frame = pack.start_of(request.shot_id) + request.frame
-            sighting = Sighting(
+            pose = ViewfinderPose(
                 request.pose, frame, request.sensor_width, request.focus_ids, request.hidden_node_ids, request.other_ids
             )
-            views.append(self._finder(pack, frame, height)(sighting))
+            views.append(self._viewfinder_at(pack, frame, height)(pose))
         return views
 
     def render_frame(self, job: FrameJob) -> FrameReport:
@@ -182,7 +184,7 @@ class BlenderSession:
         )
 
     def render_motion(self, job: MotionJob) -> int:
-        """Render the moving frames of one shot into its folder."""
+        """Render the moving frames of one shot into its folder; return their number."""
         scene = self._open_pack(job.pack)
         start = job.pack.start_of(job.shot.shot_id)
         light_windows(scene, job.lighting.sky)
@@ -206,15 +208,15 @@ class BlenderSession:
         """Compile the .blend of a story or of one sequence."""
         from storyblender.blender.story import compile_story
 
-        self._put_away()
+        self._close_pack()
         compile_story(job, self._files, self._report)
         return job.out
 
     def compile_cut(self, job: CutJob) -> str:
-        """Compile the .blend of a long story."""
+        """Compile the .blend of a long story, which links its scenes."""
         from storyblender.blender.cut import compile_cut
 
-        self._put_away()
+        self._close_pack()
         compile_cut(job, self._files)
         return job.out
 
@@ -222,7 +224,7 @@ class BlenderSession:
         """Write one scene as glTF or USD."""
         from storyblender.blender.export import export_scene
 
-        self._put_away()
+        self._close_pack()
         with self._files.writing(job.out) as part:
             export_scene(self._files.path(job.story), scene_name(job.scene_id), job.format, part)
             for picture in sorted(part.parent.glob("textures/*")):  # equal names, equal pictures, in all scenes
@@ -231,10 +233,10 @@ class BlenderSession:
         return job.out
 
     def portrait(self, job: AssetJob, out: str) -> str:
-        """Render a small picture of one asset."""
+        """Render a small picture of one asset to ``out``."""
         from storyblender.blender.props.portrait import render_portrait
 
-        self._put_away()
+        self._close_pack()
         measure = self._store.measure(job)
         bpy.ops.wm.read_factory_settings(use_empty=True)
         canonical = job.asset.canonical
@@ -248,26 +250,27 @@ class BlenderSession:
             render_portrait(parts, part, head=canonical.key in HAIRSTYLES)
         return out
 
-    def _finder(self, pack: PackRef, frame: int, height: int) -> Callable[[Sighting], CameraView]:
-        """Return what looks at a frame; it is kept, because the Camera Operator comes back to it many times."""
+    def _viewfinder_at(self, pack: PackRef, frame: int, height: int) -> Callable[[ViewfinderPose], CameraView]:
+        """Return the viewfinder at a frame; it is kept, because the Camera Operator returns to it many times."""
         key = (pack.path, frame, height)
-        if self._see is None or self._see[0] != key:
+        if self._viewfinder is None or self._viewfinder[0] != key:
             scene = self._open_pack(pack)
-            self._see = key, self._held.enter_context(viewfinder(scene, frame, WIDTH, height))
-        return self._see[1]
+            self._viewfinder = key, self._viewfinder_scene.enter_context(viewfinder(scene, frame, WIDTH, height))
+        return self._viewfinder[1]
 
-    def _let_go(self) -> None:
-        """End what is held for the viewfinder: the file is as it was."""
-        self._see = None
-        self._held.close()
+    def _release_viewfinder(self) -> None:
+        """Close the viewfinder; the file is as before."""
+        self._viewfinder = None
+        self._viewfinder_scene.close()
 
-    def _put_away(self) -> None:
-        """Make room for a job that opens files of its own."""
-        self._let_go()
+    def _close_pack(self) -> None:
+        """Forget the open pack before a job that opens files of its own."""
+        self._release_viewfinder()
         self._open = ""
 
     def _open_pack(self, pack: PackRef) -> bpy.types.Scene:
-        self._let_go()
+        """Open a pack, unless it is open, and return its scene."""
+        self._release_viewfinder()
         if self._open != pack.path:
             bpy.ops.wm.open_mainfile(filepath=str(self._files.path(pack.path)), load_ui=False, use_scripts=False)
             self._open = pack.path
@@ -277,6 +280,7 @@ class BlenderSession:
 
 
 def _head(figure: Figure, in_frame: Sequence[str]) -> PersonHead:
+    """Return a person's head for the renderer."""
     return PersonHead(
         asset_id=figure.node_id,
         location=figure.face,
@@ -287,6 +291,7 @@ def _head(figure: Figure, in_frame: Sequence[str]) -> PersonHead:
 
 
 def _remove_camera(camera: bpy.types.Object) -> None:
+    """Remove a camera and its actions."""
     data = camera.data
     for block in (camera, data):
         if block.animation_data and block.animation_data.action:

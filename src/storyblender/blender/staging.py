@@ -1,4 +1,4 @@
-"""Scene job to stage plans: who, what and where for every shot, as the motion solver wants it."""
+"""Converts a scene job to the motion solver's stage plans: people, props and obstacles of every shot."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ from storyblender.memory.jobs import SceneJob
 from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import PropState, ShotContext
 
-UNDERFOOT = 0.12
+LOW_TOP = 0.12
 """Metres: what is lower is stepped over (rugs, kerbs)."""
 OVERHEAD = 2.0
 """Metres: what begins higher is walked under (lamps)."""
 
 
-class Stage:
-    """The fixed part of a scene's stage, shared by its shots.
+class StagePlanner:
+    """Makes the stage plans of a scene's shots.
 
     Args:
         job: The scene.
         plan: Its set.
-        bodies: Person's asset id to body.
+        bodies: Measured body by asset id of the person.
     """
 
     def __init__(self, job: SceneJob, plan: SetPlan, bodies: dict[str, RiggedBody]) -> None:
@@ -53,7 +53,7 @@ class Stage:
         self._obstacles = (*self._solid_furniture(), *_solid_set(plan))
 
     def plan(self, shot: ShotContext) -> StagePlan:
-        """Return one shot's stage."""
+        """Return the stage plan of one shot."""
         people = {
             blocking.start.asset_id: StagePerson(
                 self._bodies[blocking.start.asset_id], blocking, self._wears_jacket(blocking.start.asset_id)
@@ -73,10 +73,12 @@ class Stage:
         )
 
     def _wears_jacket(self, asset_id: str) -> bool:
+        """Return whether a person wears something open with breast pockets."""
         look = self._assets[asset_id].look
         return look is not None and any(worn_open(garment.key) for garment in look.garments)
 
     def _props(self, shot: ShotContext) -> dict[str, StageProp]:
+        """Return the movable props of a shot."""
         states = {state.asset_id: state for state in shot.prop_states}
         props: dict[str, StageProp] = {}
         for asset_id in self._movable:
@@ -95,15 +97,16 @@ class Stage:
         return props
 
     def _solid_furniture(self) -> list[Obstacle]:
+        """Return the furniture that people walk around, as boxes."""
         return [
             box_of(node_id, furniture)
             for node_id, furniture in self._furniture.items()
-            if furniture.world[2, 3] < OVERHEAD and furniture.world[2, 3] + furniture.dimensions[2] > UNDERFOOT
+            if furniture.world[2, 3] < OVERHEAD and furniture.world[2, 3] + furniture.dimensions[2] > LOW_TOP
         ]
 
 
 def moved_assets(job: SceneJob) -> list[str]:
-    """Return the ids of objects that people touch or that change place in any shot, in order."""
+    """Return the ids of objects that people touch or that change place in any shot, in order of appearance."""
     objects = {asset.asset_id for asset in job.assets if asset.asset_type == "object"}
     moved: dict[str, None] = {}
     for shot in job.shots:
@@ -121,19 +124,21 @@ def moved_assets(job: SceneJob) -> list[str]:
 
 
 def _furniture(item: LayoutObject, asset: Asset) -> StageFurniture:
+    """Return a layout object as furniture of the stage."""
     assert asset.canonical is not None, f"{asset.asset_id} has not been built"
     world = transform(item.location, item.rotation, 1.0)
     return StageFurniture(world, asset.canonical.dimensions, asset.canonical.anchors, asset.asset_id)
 
 
 def _opening(place: OpeningPlace) -> StageFurniture:
-    """A door or window as a thing that people look at and work on; nobody walks around it."""
+    """Return a door or window as furniture that people look at and operate but do not walk around."""
     handles = (Anchor(kind="handle", location=place.handle),) if place.opening.kind == "door" else ()
     world = transform(place.location, (0.0, 0.0, math.degrees(place.yaw)), 1.0)
     return StageFurniture(world, place.size, handles, place.opening.kind)
 
 
 def _prop_world(item: LayoutObject | None, state: PropState | None) -> np.ndarray:
+    """Return the world matrix (4, 4) of a prop at the start of a shot; below the floor if it has no place."""
     if state is not None and state.location is not None:
         return transform(state.location, state.rotation, 1.0)
     if item is not None:
@@ -142,7 +147,7 @@ def _prop_world(item: LayoutObject | None, state: PropState | None) -> np.ndarra
 
 
 def _solid_set(plan: SetPlan) -> list[Obstacle]:
-    """Walls as boxes, with gaps where a door, an arch or a gap lets people through, and solid pieces."""
+    """Return walls, with gaps for doors and arches, and solid pieces of the set as boxes."""
     boxes = [(wall.node_id, box) for wall in plan.walls for box in wall_boxes(wall)]
     boxes += [(piece.node_id, box) for piece in plan.pieces for box in piece_boxes(piece)]
     return [

@@ -1,4 +1,4 @@
-"""Things that change during a scene: a part for every state, seen from the moment of the change on."""
+"""Things that change during a scene: a part for every state, visible from the moment of the change on."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ Part = tuple[bpy.types.Object, AssetInState]
 
 
 class StateParts:
-    """The parts of the things of a scene that show their states; each goes where its thing goes.
+    """Objects that show the states of a scene's things, parented to them.
 
     Args:
         job: The scene.
-        store: Where the parts are.
+        store: The built parts.
         nodes: The placed objects of each asset, by asset id.
     """
 
@@ -35,23 +35,23 @@ class StateParts:
             for thing in nodes.get(each.asset.asset_id, ()):
                 parts = self._parts.setdefault(thing.name, {}).setdefault(each.condition, [])
                 parts.append((_part(thing, each, store), each))
-        told = {change.asset_id for shot in job.shots for change in shot.asset_modifications if change.state}
-        self._changing = [name for name in nodes if name in told or name in self._found]
+        stated = {change.asset_id for shot in job.shots for change in shot.asset_modifications if change.state}
+        self._changing = [name for name in nodes if name in stated or name in self._found]
 
     @property
     def changing(self) -> Sequence[str]:
-        """Asset ids of what changes, or is not as it was at first."""
+        """Asset ids of things that change, or that begin the scene in a state."""
         return self._changing
 
-    def shown(
+    def visibility(
         self, asset_id: str, seen: Mapping[int, bool], timing: Sequence[PlayedCue]
     ) -> Iterator[tuple[bpy.types.Object, Shown]]:
-        """Yield the objects of a thing and each of their parts with the frames from which on they are seen or not.
+        """Yield a thing's objects and their parts, each with (frame, whether it is visible from there on).
 
         Args:
             asset_id: The thing.
-            seen: First frame of each shot, and whether the thing is seen in it at all.
-            timing: When the cues of the shots were played.
+            seen: First frame of each shot -> whether the thing is visible in it at all.
+            timing: Actual timing of the shots' cues.
         """
         changes = dict(self._changes(asset_id, list(seen), timing)) if asset_id in self._changing else {}
         frames = sorted({*seen, *changes})
@@ -75,7 +75,7 @@ class StateParts:
     def _changes(
         self, asset_id: str, starts: Sequence[int], timing: Sequence[PlayedCue]
     ) -> Iterator[tuple[int, Condition]]:
-        """Yield the frames at which a thing comes into its states: in the middle of the deed that brings it there."""
+        """Yield (frame, condition) for each change of a thing, in the middle of the action that causes it."""
         now = self._found.get(asset_id, ())
         for start, shot in zip(starts, self._job.shots, strict=True):
             for change in shot.asset_modifications:
@@ -84,6 +84,7 @@ class StateParts:
                     yield start + self._moment(shot, asset_id, timing), now
 
     def _moment(self, shot: ShotContext, asset_id: str, timing: Sequence[PlayedCue]) -> int:
+        """Return the frame of a shot at which a thing changes."""
         names = {asset_id, *(str(thing["node_id"]) for thing in self._nodes[asset_id])}
         deeds = {(cue.asset_id, cue.clip, cue.start) for cue in shot.cues if {cue.prop_id, cue.target_id} & names}
         played = [
@@ -97,7 +98,7 @@ class StateParts:
 
 
 def _part(thing: bpy.types.Object, each: AssetInState, store: AssetStore) -> bpy.types.Object:
-    """Return a new object for a state of a thing; what stays level is turned back under a thing on its side."""
+    """Return a new object for a state of a thing; level parts are turned back under a thing on its side."""
     name = f"{thing.name}.{'_'.join(each.condition).replace(' ', '_')[:30]}"
     part = bpy.data.objects.new(name, store.append_mesh(each.asset))
     part.parent = thing

@@ -1,7 +1,7 @@
-"""A moment of a scene held still: people as plain meshes, so that every further picture of it is cheap.
+"""One moment of a scene with people as plain meshes, so that every further picture of it is cheap.
 
 A render evaluates the whole scene again: rigs, garments, keys (measured: 0.13 s of processor for a dozen people, at any
-picture size). A board takes nine renders of one moment and a camera a dozen looks; only the first should pay for it.
+picture size). A board frame takes nine renders of one moment and a camera a dozen looks; only the first pays for it.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ from storyblender.blender.render.session import DRAWN
 
 @contextmanager
 def held_still(scene: bpy.types.Scene, frame: int | None = None) -> Iterator[bpy.types.Scene]:
-    """Give a scene that looks like ``scene`` at one frame, and stands at that frame of the timeline.
+    """Yield a temporary scene that looks like ``scene`` at one frame.
 
-    Objects that neither move nor bend are the same objects; the others are copies, posed. Only what renders is there:
-    no rigs, lamps or cameras. Inside the ``with`` block the window shows ``scene``, at the frame.
+    Objects that neither move nor bend are shared; the others are posed copies. It contains only what renders: no rigs,
+    lamps or cameras. Inside the ``with`` block the window shows ``scene`` at the frame.
 
     Args:
-        scene: With its people and props; it stays at the frame.
-        frame: Timeline frame; None stays where the scene is.
+        scene: The packed scene; it stays at the frame.
+        frame: Timeline frame; None for the current one.
     """
     bpy.context.window.scene = scene
     if frame is not None and frame != scene.frame_current:
@@ -50,7 +50,7 @@ def held_still(scene: bpy.types.Scene, frame: int | None = None) -> Iterator[bpy
 
 
 def _posed(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph, copies: list[bpy.types.ID]) -> bpy.types.Object:
-    """Return a copy as it stands, bent by its modifiers, free of what moved it."""
+    """Return a copy of an object in its evaluated pose, without what moved it; copies are added to ``copies``."""
     evaluated = obj.evaluated_get(depsgraph)
     copy = obj.copy()
     copies.append(copy)

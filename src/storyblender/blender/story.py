@@ -1,7 +1,7 @@
-"""The story's .blend, or that of one sequence: packed scenes with cameras, lights, markers and an EDIT to work in.
+"""The story's .blend, or that of one sequence: packed scenes with cameras, lights, markers and a scene with the cut.
 
-Conventions (design): scenes ``SC010``, cameras and markers ``SC010_SH020``, a library scene with the canonical
-assets marked for the Asset Browser, an EDIT scene with one strip per shot. Nothing is linked from outside.
+Scenes are named ``SC010``, cameras and markers ``SC010_SH020``; a library scene has the canonical assets marked for the
+Asset Browser, the EDIT scene one strip per shot. Nothing is linked from other files.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from storyblender.blender.cut import EDIT, add_edit
 from storyblender.blender.hiding import is_hidden, key_hidden
 from storyblender.blender.library_scene import LIBRARY, add_assets, new_file
 from storyblender.blender.merge import merge_duplicates
-from storyblender.blender.opening import open_on
+from storyblender.blender.opening import show_on_opening
 from storyblender.blender.pack import save_pack
 from storyblender.blender.progress import Report, ignore
 from storyblender.blender.story_light import light_scene
-from storyblender.blender.tidying import say_version, set_render, tidy
+from storyblender.blender.tidying import set_render_defaults, tidy, write_version_note
 from storyblender.folder import Folder
 from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.jobs import PackRef, StoryJob
@@ -28,12 +28,12 @@ from storyblender.memory.shot_context import ShotContext
 
 
 def compile_story(job: StoryJob, files: Folder, report: Report = ignore) -> None:
-    """Compile and save the file, or put the changed scenes into it anew.
+    """Compile and save the file, or replace the changed scenes in it.
 
     Args:
-        job: The story and its packs; the .blend is there already where only some scenes changed.
-        files: The project folder, which the paths are relative to.
-        report: Hears how many scenes are done.
+        job: The story and its packs; if only some scenes changed, the .blend exists already.
+        files: The project folder.
+        report: Receives the number of scenes added.
     """
     changed = job.changed
     if changed is None:
@@ -49,9 +49,9 @@ def compile_story(job: StoryJob, files: Folder, report: Report = ignore) -> None
             _add_scene(job, pack, scenes[pack.scene_id], shots, files)
     if changed is None:
         add_assets(job.assets, AssetStore(files))
-    say_version()
+    write_version_note()
     add_edit(job.format, job.packs, job.shots)
-    open_on(bpy.data.scenes[scene_name(job.packs[0].scene_id)])
+    show_on_opening(bpy.data.scenes[scene_name(job.packs[0].scene_id)])
     bpy.data.orphans_purge(do_recursive=True)
     with files.writing(job.out) as part:
         save_pack(part)
@@ -70,12 +70,13 @@ def _take_out(names: list[str]) -> None:
 def _add_scene(
     job: StoryJob, pack: PackRef, context: SceneContext, shots: tuple[ShotContext, ...], files: Folder
 ) -> None:
+    """Append one packed scene and add its cameras, lights, markers and wild walls."""
     name = scene_name(pack.scene_id)
     (scene,) = append(files.path(pack.path), "scenes", [name])
     bpy.context.window.scene = scene
     merge_duplicates()  # scene by scene: the fewer data-blocks there are, the less the next one costs
     tidy(scene.objects)
-    set_render(scene)
+    set_render_defaults(scene)
     scene.render.resolution_x, scene.render.resolution_y = job.format.width, job.format.height
     scene.render.resolution_percentage = 100
     scene.render.fps = job.format.fps
@@ -103,6 +104,7 @@ def _add_scene(
 
 
 def _child(scene: bpy.types.Scene, part: str) -> bpy.types.Collection:
+    """Create and link a collection of a scene."""
     collection = bpy.data.collections.new(f"{scene.name}_{part}")
     scene.collection.children.link(collection)
     return collection

@@ -1,4 +1,4 @@
-"""The light of a scene in the story's file: lamps that burn when they should, and the sky, bright as on the board."""
+"""The light of a scene in the story's file: lamps keyed by shot, and the sky, as bright as on the board."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _SIDES = {
     "left": ((-1.0, 0.0, 0.0), 0.55),
     "right": ((1.0, 0.0, 0.0), 0.55),
 }
-"""Where ambient light under a roof comes from, and its shares: a little more from above, less in sum for corners."""
+"""Directions of ambient light under a roof and their shares: a little more from above, less in sum for corners."""
 
 
 def light_scene(
@@ -35,14 +35,14 @@ def light_scene(
     shots: Sequence[ShotContext],
     pack: PackRef,
 ) -> None:
-    """Give a scene the lamps and the sky of its light plans, metered as for the board, and the lamps of its shots.
+    """Add the lamps and the sky of a scene's light plans, metered as for the board, and the lamps of its shots.
 
     Args:
-        scene: The context's scene, with set and people.
+        scene: The Blender scene, with set and people.
         collection: Receives the lamps.
-        context: With the plan that the scene begins with.
-        shots: Of the scene, in order; one may bring a plan that holds from there on.
-        pack: Says when shots begin.
+        context: Has the light plan that the scene begins with.
+        shots: Of the scene, in order; a shot may bring a plan that applies from there on.
+        pack: Has the first frames of the shots.
     """
     starts = [pack.start_of(shot.shot_id) for shot in shots]
     plans = _plans(context, shots)
@@ -69,7 +69,7 @@ def light_scene(
 
 
 def _ambient(plan: Lighting, roofed: float) -> list[Light]:
-    """Return suns without shadows from all sides: the light between the walls of a room, which no sky gives."""
+    """Return shadowless suns from all sides for the ambient light of a room, which no sky gives."""
     level = max(plan.ambient) * roofed
     if level <= 0:
         return []
@@ -97,7 +97,7 @@ def _plans(context: SceneContext, shots: Sequence[ShotContext]) -> list[tuple[Li
 
 
 def _key_sky(world: bpy.types.World, sky: Sky, frame: int) -> None:
-    """Let the dome of the world have a sky's colours from a frame on."""
+    """Key the sky's colours on the world's dome from a frame on."""
     ramp = next(node for node in world.node_tree.nodes if node.type == "VALTORGB").color_ramp
     for stop, color in zip(ramp.elements, sky_colors(sky), strict=True):
         stop.color = (*(float(channel) for channel in color), 1.0)

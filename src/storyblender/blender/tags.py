@@ -1,4 +1,4 @@
-"""The custom properties on every object: the contract with the ID mask, the compositor and other tools."""
+"""The custom properties on every object, read by the ID mask, the compositor and other tools."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ def tag(
     surface: Surface = Surface.PROP,
     ink_group: str = "",
 ) -> bpy.types.Object:
-    """Write the custom properties on ``obj`` and return it.
+    """Write the custom properties on an object and return it.
 
     Args:
         obj: Any object of the scene.
-        kind: What it is.
+        kind: Its kind.
         node_id: The graph node it came from; parts of one person share it.
         asset_id: The asset it shows; empty for set pieces, lights and cameras.
-        surface: How ink and light treat it.
-        ink_group: Objects of one group get no line between them; defaults to the object itself.
+        surface: Treatment by ink and light.
+        ink_group: Objects of one group get no line between them; empty for the object alone.
     """
     obj["kind"] = kind
     obj["node_id"] = node_id
@@ -42,7 +42,7 @@ def tag(
 
 
 def surface_of(obj: bpy.types.Object) -> Surface:
-    """Return the surface of a prop by its materials: plants get the ink of foliage, smoke is drawn as air."""
+    """Return the surface of a prop by its materials: foliage for plants, smoke for smoke, else prop."""
     names = {material.name.split(".")[0] for material in obj.data.materials if material}
     if any(name.startswith("MT_smoke") for name in names):
         return Surface.SMOKE

@@ -1,4 +1,4 @@
-"""The painted patterns as packed Blender images, made once per colour and found again by name."""
+"""Painted patterns as packed Blender images, made once per colour and reused by name."""
 
 from __future__ import annotations
 
@@ -12,18 +12,13 @@ from storyblender.memory.base import Color, content_hash
 
 
 def paint(entry: MaterialEntry, color: Color) -> Floats:
-    """Return the (pixels, pixels, 3) scene-linear picture of a material in ``color``; its pattern must not be empty."""
+    """Return the (pixels, pixels, 3) scene-linear picture of a patterned material in ``color``."""
     seed = int(content_hash(entry.key)[:8], 16)
     return np.clip(PATTERNS[entry.pattern](entry.pixels, color, entry.accent, seed, **entry.params), 0, 1)
 
 
 def image(name: str, picture: Floats) -> bpy.types.Image:
-    """Return the packed sRGB image called ``name``, painted now if the file does not have it.
-
-    Args:
-        name: Data-block name.
-        picture: (h, w, 3) scene-linear, row 0 at the bottom.
-    """
+    """Return the packed sRGB image of that name, created from ``picture`` (h, w, 3), scene-linear, bottom row first."""
     found = bpy.data.images.get(name)
     if found is not None:
         return found

@@ -1,4 +1,4 @@
-"""What makes a compiled scene good to work in: names that speak, bones in groups, render settings."""
+"""Makes a compiled scene pleasant to work in: readable names, bones in groups, render settings."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from storyblender.look.grade import AGX_CONTRAST
 _COLORED = re.compile(r"_[0-9a-f]{6}(?=_|$)")
 _COPY = re.compile(r"\.(\d{3,})$")
 _PAINT = re.compile(r"(\w+) [\d.]+ [\d.]+ [\d.]+ \((painted|alpha [\d.e-]+)\)")
-"""How people's materials are called in a pack: finish, colour and how (``people.parts``)."""
+"""Names of people's materials in a pack: finish, colour and kind of colouring (``people.parts``)."""
 _GROUPS = {
     "Face": ("eye", "jaw"),
     "Head": ("neck", "head"),
@@ -32,11 +32,7 @@ actions, one slot a person, which came with Blender 4.4.
 
 
 def tidy(objects: Collection[bpy.types.Object]) -> None:
-    """Give materials, objects and what is theirs names that speak, and group the bones of rigs.
-
-    Args:
-        objects: Those that came into the file last.
-    """
+    """Give objects added last, their data and materials readable names, and group the bones of rigs."""
     for obj in objects:
         _name_object(obj)
         if obj.type == "ARMATURE":
@@ -44,11 +40,11 @@ def tidy(objects: Collection[bpy.types.Object]) -> None:
     for material in bpy.data.materials:
         if IDENTITY not in material:
             material[IDENTITY] = identity_of(material)
-            material.name = _free(readable(material), bpy.data.materials)
+            material.name = _unused_name(readable_name(material), bpy.data.materials)
 
 
-def readable(material: bpy.types.Material) -> str:
-    """Return a speaking name for a material of a pack: ``Cloth navy``, ``Wood dark``, ``Leather brown``."""
+def readable_name(material: bpy.types.Material) -> str:
+    """Return a readable name for a material of a pack: ``Cloth navy``, ``Wood dark``, ``Leather brown``."""
     name = identity_of(material)
     color = color_word(tuple(material.diffuse_color[:3]))
     paint = _PAINT.fullmatch(name)
@@ -60,8 +56,8 @@ def readable(material: bpy.types.Material) -> str:
     return (plain[:1].upper() + plain[1:]) + (f" {color}" if _COLORED.search(name) else "")
 
 
-def set_render(scene: bpy.types.Scene) -> None:
-    """Set what a first render needs: samples and denoising of both engines, and the colours of the board."""
+def set_render_defaults(scene: bpy.types.Scene) -> None:
+    """Set samples and denoising of both engines, and the board's colour management."""
     scene.render.engine = "BLENDER_EEVEE_NEXT"
     scene.eevee.taa_render_samples, scene.eevee.use_raytracing = 64, True
     scene.cycles.samples, scene.cycles.use_adaptive_sampling, scene.cycles.adaptive_threshold = 128, True, 0.02
@@ -70,8 +66,8 @@ def set_render(scene: bpy.types.Scene) -> None:
     scene.view_settings.view_transform, scene.view_settings.look = "AgX", AGX_CONTRAST
 
 
-def say_version() -> None:
-    """Leave word in the file which Blender it needs."""
+def write_version_note() -> None:
+    """Add a text to the file that says which Blender it needs."""
     name = "READ ME"
     text = bpy.data.texts.get(name) or bpy.data.texts.new(name)
     text.from_string(_VERSION)
@@ -79,10 +75,10 @@ def say_version() -> None:
 
 
 def _name_object(obj: bpy.types.Object) -> None:
-    """Take the number of a copy from an object's name, and call after it what is its own."""
+    """Remove a copy's number from an object's name, and name its own data after it."""
     copy = _COPY.search(obj.name)
     if copy is not None:
-        obj.name = _free(obj.name[: copy.start()], bpy.data.objects, "_")
+        obj.name = _unused_name(obj.name[: copy.start()], bpy.data.objects, "_")
     data = obj.data
     if obj.type == "ARMATURE":
         data.name = obj.name
@@ -93,6 +89,7 @@ def _name_object(obj: bpy.types.Object) -> None:
 
 
 def _group_bones(rig: bpy.types.Armature) -> None:
+    """Sort the bones of a rig into collections."""
     for group, stems in _GROUPS.items():
         for bone in rig.bones:
             stem, _, side = bone.name.partition(".")
@@ -101,8 +98,8 @@ def _group_bones(rig: bpy.types.Armature) -> None:
                 (rig.collections.get(name) or rig.collections.new(name)).assign(bone)
 
 
-def _free(name: str, taken: bpy.types.bpy_prop_collection, between: str = " ") -> str:
-    """Return the name, with a number from 2 on where it is taken."""
+def _unused_name(name: str, taken: bpy.types.bpy_prop_collection, between: str = " ") -> str:
+    """Return the name, with a number from 2 on if it is taken."""
     found, number = name, 1
     while found in taken:
         number += 1

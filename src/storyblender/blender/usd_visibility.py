@@ -17,7 +17,7 @@ def hide_prims(part: Path, frames: Sequence[int], shown: Mapping[str, Sequence[b
     Args:
         part: A file of Blender's exporter; it is rewritten.
         frames: First frame of each shot, in order.
-        shown: Name of the object and whether it is seen, shot by shot; all others are always seen.
+        shown: Object name -> whether it is visible, shot by shot; all others are always visible.
     """
     Usd, UsdGeom = _library()
     stage = Usd.Stage.Open(str(part))
@@ -32,7 +32,7 @@ def hide_prims(part: Path, frames: Sequence[int], shown: Mapping[str, Sequence[b
 
 
 def _library():
-    """Return the modules Usd and UsdGeom of the OpenUSD that comes with Blender, whose folder is in no search path."""
+    """Return the modules Usd and UsdGeom of Blender's OpenUSD, whose folder is on no search path."""
     version = f"python{sys.version_info.major}.{sys.version_info.minor}"
     folder = Path(bpy.utils.resource_path("LOCAL")) / "python" / "lib" / version / "site-packages"
     if str(folder) not in sys.path:

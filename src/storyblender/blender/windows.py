@@ -1,6 +1,6 @@
-"""Windows follow the daylight: lit at night; by day dark glass, or bright with what is seen through them.
+"""Windows follow the daylight: lit at night; by day dark glass, or bright with the view through them.
 
-A material that follows it carries both of its lights as custom properties, so that whoever draws needs no catalog:
+A material that follows it carries both of its lights as custom properties, so that renderers need no catalog:
 ``follows`` (name of the scene), ``day_color``, ``night_color``, ``day_emit`` and ``night_emit``.
 """
 
@@ -13,19 +13,19 @@ from storyblender.memory.base import Color
 from storyblender.memory.scene_context import Sky
 
 _DARK, _BRIGHT = 0.08, 0.5
-"""Luminance of the sky between which windows light up: full night, full day."""
+"""Luminance of the sky at full night and at full day."""
 
 
-def follow_daylight(
+def set_daylight_material(
     block: bpy.types.Material, scene: bpy.types.Scene, day: tuple[Color, float], night: tuple[Color, float]
 ) -> None:
-    """Let a material follow the daylight of a scene; it is as at night until ``light_windows`` is called.
+    """Make a material follow the daylight of a scene; it shows night until ``light_windows`` is called.
 
     Args:
-        block: With nodes.
-        scene: Scenes of one file have different times of day, so each has materials of its own.
+        block: A material with nodes.
+        scene: The scene; scenes of one file have different times of day, so each has materials of its own.
         day: Colour and emission by day.
-        night: The same at night.
+        night: Colour and emission at night.
     """
     block["follows"] = scene.name
     (block["day_color"], block["day_emit"]), (block["night_color"], block["night_emit"]) = day, night
@@ -33,7 +33,7 @@ def follow_daylight(
 
 
 def light_windows(scene: bpy.types.Scene, sky: Sky) -> None:
-    """Light the windows of a scene's set, and what is seen through them, as its sky wants it."""
+    """Set the windows of a scene's set, and the view through them, to the brightness of its ``sky``."""
     night = night_of(sky)
     for block in bpy.data.materials:
         if block.get("follows") == scene.name:
@@ -48,6 +48,7 @@ def night_of(sky: Sky) -> float:
 
 
 def _light(block: bpy.types.Material, night: float) -> None:
+    """Set a material to a share of ``night``, 0..1."""
     lamp, by_day = tuple(block["night_color"]), float(block["day_emit"])
     shown = tuple(a + (b - a) * night for a, b in zip(block["day_color"], lamp, strict=True))
     strength = by_day * (1 - night) + float(block["night_emit"]) * night

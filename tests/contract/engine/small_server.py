@@ -6,7 +6,7 @@ import os
 import sys
 
 from storyblender.blender.progress import Progress
-from storyblender.blender.server import serve, take_wire
+from storyblender.blender.server import claim_standard_output, serve
 from storyblender.memory.base import Frozen
 
 
@@ -34,6 +34,6 @@ def count(steps: int) -> int:
 
 
 if __name__ == "__main__":
-    wire = take_wire()
+    wire = claim_standard_output()
     progress = Progress(wire)
     serve([scale, refuse, count], sys.stdin.buffer, wire, progress)

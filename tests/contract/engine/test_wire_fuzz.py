@@ -13,7 +13,7 @@ import pytest
 from tests.contract.engine.noise import lines
 from tests.contract.engine.small_server import refuse, scale
 
-from storyblender.blender.server import lines_of, serve
+from storyblender.blender.server import read_lines, serve
 from storyblender.engine import wire, worker
 from storyblender.engine.wire import Lost, Refused, answer_in, value_in
 from storyblender.engine.worker import Worker
@@ -81,7 +81,7 @@ def test_what_is_no_request_is_refused_by_its_code(line: bytes, code: int) -> No
 
 def test_a_line_without_end_is_passed_over_and_not_held() -> None:
     stream = io.BytesIO(b"x" * 10_000 + b"\n" + LIVE + b"y" * 5000)
-    assert list(lines_of(stream, 1000)) == [b"", LIVE, b""]
+    assert list(read_lines(stream, 1000)) == [b"", LIVE, b""]
 
 
 def test_the_client_reads_any_line_as_an_answer_a_refusal_or_a_loss() -> None:

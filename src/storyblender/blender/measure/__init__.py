@@ -1,1 +1,1 @@
-"""Measures built geometry: hashes, tops, views."""
+"""Measures built geometry and scenes: hashes, tops, collisions, faces, camera views."""

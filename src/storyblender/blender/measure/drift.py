@@ -1,4 +1,4 @@
-"""Spatial Drift Error (paper, section 4.4): how far static things move between consecutive shots of a scene."""
+"""Spatial Drift Error (paper, section 4.4): how far static objects move between consecutive shots of a scene."""
 
 from __future__ import annotations
 
@@ -10,10 +10,11 @@ from mathutils import Vector
 
 
 def spatial_drift(scene: bpy.types.Scene, frames: Sequence[int]) -> float:
-    """Return the SDE in metres: mean distance that the 8 box corners of the static things travel from shot to shot.
+    """Return the Spatial Drift Error in metres: the mean distance that the box corners of static objects move between
+    shots.
 
-    Static is what no person handles: set pieces other than door leaves, and things without a motion of their own. They
-    are measured on the built scene, not taken from the plan.
+    Static objects are set pieces other than door leaves, and props without motion of their own, measured on the built
+    scene.
 
     Args:
         scene: The packed scene, in the window.
@@ -31,4 +32,5 @@ def spatial_drift(scene: bpy.types.Scene, frames: Sequence[int]) -> float:
 
 
 def _handled(obj: bpy.types.Object) -> bool:
+    """Return whether an object is a door leaf or has baked motion."""
     return "swing" in obj or (obj.animation_data is not None and bool(obj.animation_data.nla_tracks))

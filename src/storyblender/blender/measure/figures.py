@@ -1,4 +1,4 @@
-"""Where people's faces are, read from their rigs: what the Camera Operator frames."""
+"""Faces of people, read from their rigs; the Camera Operator frames them."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from mathutils import Matrix, Vector
 from storyblender.geometry.framing import Figure
 
 _BROW = 1.1
-"""Crown above the eyes / eyes above the chin, in the body pack."""
+"""Ratio in the body pack: crown above eyes to eyes above chin."""
 _SHARE = 0.13
-"""Head height / stature, for characters without a rig."""
+"""Head height over stature, for characters without a rig."""
 
 
 def figures(scene: bpy.types.Scene, frame: int | None = None) -> tuple[Figure, ...]:
-    """Return the faces of everybody who is drawn, in the scene's order.
+    """Return the faces of all visible people, in the scene's order.
 
     Args:
-        scene: Evaluated as it is if it is the window's scene.
-        frame: Timeline frame to go to first; the scene stays there.
+        scene: The scene; at its current evaluation if it is the window's scene.
+        frame: Timeline frame to go to first, where the scene stays; None for the current one.
     """
     if frame is not None:
         scene.frame_set(frame)
@@ -38,7 +38,7 @@ def figures(scene: bpy.types.Scene, frame: int | None = None) -> tuple[Figure, .
 
 
 def _of_rig(node_id: str, rig: bpy.types.Object) -> Figure:
-    """Eyes give the middle of the face, the jaw its chin, the head bone where it looks."""
+    """Return a figure from a rig: the eyes give the face's middle, the jaw its chin, the head bone its direction."""
     bones, world = rig.pose.bones, rig.matrix_world
     head = bones["head"]
     turned = world.to_3x3() @ head.matrix.to_3x3() @ head.bone.matrix_local.to_3x3().inverted()
@@ -59,7 +59,7 @@ def _of_rig(node_id: str, rig: bpy.types.Object) -> Figure:
 
 
 def _of_box(node_id: str, parts: list[bpy.types.Object]) -> Figure:
-    """Take the top of the parts for the head: animals and stand-ins without a rig face their -Y."""
+    """Return a figure from bounding boxes, for animals and stand-ins without a rig: the top is the head, facing -Y."""
     corners = np.array([part.matrix_world @ Vector(corner) for part in parts for corner in part.bound_box])
     low, high = corners.min(0), corners.max(0)
     head = _SHARE * float(high[2] - low[2])

@@ -1,4 +1,4 @@
-"""A hash of built geometry, equal across runs and machines: the proof of determinism."""
+"""A hash of built geometry, equal across runs and machines."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Finds where things can be put on a mesh: level faces with room above them, as rectangles (notes: engine, section 2).
 
-Rays fall on a grid and are peeled layer by layer, so a shelf has as many tops as boards, and a dressing table gives
-its desk, not the upper edge of its mirror.
+Rays fall on a grid and are peeled layer by layer, so every board of a shelf is a top, and a dressing table gives its
+desk, not the upper edge of its mirror.
 """
 
 from __future__ import annotations
@@ -20,12 +20,15 @@ from storyblender.geometry.solids import Floats
 from storyblender.memory.asset_sheet import Anchor
 
 LEVEL = 0.8
-"""Least z of the normal of a face that things stand on."""
+"""Least z of the normal of a level face."""
 ROOM = 0.07
-"""Metres of free height under which nothing fits."""
+"""Least free height above a top, metres."""
 RAYS = 2600
 """Rays over the footprint, whatever its size."""
 LAYERS = 24
+"""Most surfaces that a ray crosses."""
+"""Most surfaces that a ray crosses."""
+"""Most surfaces that a ray crosses."""
 SPREAD = 0.035
 """Metres of height that one top may vary: cushions and blankets are not flat."""
 LEAST_AREA = 0.006
@@ -37,9 +40,14 @@ SEAM = 0.025
 
 @dataclass(frozen=True)
 class _Hits:
-    """Level, uncovered points: grid cell, height, free height above (inf if open); and what is solid anywhere.
+    """Level, uncovered points of a mesh.
 
-    ``solid`` has a row for each piece of matter that a ray goes through: grid row and column, upper and lower end.
+    Attributes:
+        row: Grid row of each point.
+        column: Grid column of each point.
+        z: Height, metres.
+        room: Free height above, inf if open.
+        solid: (N, 4) each piece of matter that a ray crosses: grid row and column, upper and lower end.
     """
 
     row: NDArray[np.int64]
@@ -49,7 +57,7 @@ class _Hits:
     solid: Floats
 
     def is_blocked(self, shape: tuple[int, int], z: float) -> NDArray[np.bool_]:
-        """Return the cells in which something stands on a level."""
+        """Return the cells of a grid of ``shape`` in which something stands on a level at height ``z``."""
         _, _, upper, lower = self.solid.T
         rows, columns, *_ = self.solid[(upper > z + SPREAD) & (lower < z + ROOM)].T.astype(int)
         blocked = np.zeros(shape, bool)
@@ -97,7 +105,7 @@ def _grid(mesh: bpy.types.Mesh) -> tuple[float, Floats, tuple[int, int]]:
 
 
 def _fall(mesh: bpy.types.Mesh, cell: float, origin: Floats, shape: tuple[int, int]) -> _Hits:
-    """Drop one ray through every cell and keep the level faces that are entered from outside."""
+    """Drop one ray through every cell and return the level faces that are entered from outside."""
     solid = bmesh.new()
     solid.from_mesh(mesh)
     tree = BVHTree.FromBMesh(solid)
@@ -130,11 +138,7 @@ def _fall(mesh: bpy.types.Mesh, cell: float, origin: Floats, shape: tuple[int, i
 
 
 def level_field(mesh: bpy.types.Mesh) -> LevelGrid:
-    """Return the level places of a mesh from any modeller: nothing is taken for granted about where its faces face.
-
-    Args:
-        mesh: In metres, Z up.
-    """
+    """Return the level places of a mesh (metres, Z up) from any modeller, whichever way its faces point."""
     cell, origin, shape = _grid(mesh)
     solid = bmesh.new()
     solid.from_mesh(mesh)
@@ -160,7 +164,7 @@ def level_field(mesh: bpy.types.Mesh) -> LevelGrid:
 
 
 def _levels(heights: Floats) -> list[NDArray[np.int64]]:
-    """Return groups of hits that lie within ``SPREAD`` of each other: the fullest level first, then what is left."""
+    """Return groups of hits within ``SPREAD`` of each other, the largest first."""
     left = np.argsort(heights, kind="stable")
     groups = []
     while len(left):

@@ -1,11 +1,11 @@
-"""The viewfinder: draw an ID mask from a camera pose and say in numbers what it shows (notes: engine, section 3).
+"""The viewfinder: draws an ID mask from a camera pose and measures what it shows (notes: engine, section 3).
 
-A look costs one flat Workbench picture of 320 pixels' width. Colours are node ids, the depth pass gives the rest.
+A look costs one flat Workbench picture, 320 pixels wide. Colours are node numbers; the depth pass gives the rest. A
+scene with the custom property ``open_sky`` shows sky above the horizon where nothing is drawn.
 """
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
@@ -31,29 +31,32 @@ from storyblender.memory.measure import CameraView, SubjectView
 from storyblender.memory.shot_context import CameraPose
 
 WIDTH = 320
+"""Pixels of the viewfinder's picture."""
+"""Pixels of the viewfinder's picture."""
+"""Pixels of the viewfinder's picture."""
 _SAMPLES = 400
-"""Vertices of one object that stand for it."""
+"""Sample vertices of one object."""
 _NEAR_PROP, _NEAR_WALL = 0.25, 0.12
-"""Metres a camera body needs."""
+"""Least metres between the camera and props, and walls."""
 _FLOOR = 0.08
-"""Metres above the floor at which a camera still stands."""
+"""Least height of a camera above the floor, metres."""
 _CROWN = 0.58
-"""Hair and skull above the face's centre, in head heights."""
+"""Head heights from the face's centre to the crown."""
 
 Ints = NDArray[np.int32]
 
 
 @dataclass(frozen=True)
-class Sighting:
-    """One view to measure.
+class ViewfinderPose:
+    """One camera pose to measure.
 
     Attributes:
         pose: Camera.
-        frame: Timeline frame; None stays where the scene is.
-        sensor_width: mm.
-        focus_ids: node_ids of the subjects of the shot.
+        frame: Timeline frame; None for the current one.
+        sensor_width: Millimetres.
+        focus_ids: node_ids of the shot's subjects.
         hidden: node_ids left out of the picture.
-        other_ids: node_ids that are measured as well but are not subjects of the shot.
+        other_ids: node_ids that are also measured but are not subjects of the shot.
     """
 
     pose: CameraPose
@@ -64,46 +67,15 @@ class Sighting:
     other_ids: tuple[str, ...] = ()
 
 
-def view(
-    scene: bpy.types.Scene,
-    pose: CameraPose,
-    sensor_width: float = 36.0,
-    width: int = WIDTH,
-    height: int = WIDTH * 9 // 16,
-    focus_ids: Sequence[str] = (),
-    hidden: Sequence[str] = (),
-) -> CameraView:
-    """Return what one camera pose sees at the scene's current frame."""
-    sighting = Sighting(pose, None, sensor_width, tuple(focus_ids), tuple(hidden))
-    return look(scene, [sighting], width, height)[0]
-
-
-def look(
-    scene: bpy.types.Scene, sightings: Sequence[Sighting], width: int = WIDTH, height: int = WIDTH * 9 // 16
-) -> list[CameraView]:
-    """Return what each camera sees, in order; the file is as it was afterwards.
-
-    Looks of one frame share their set-up, so order them by frame. The frame's aspect is width / height. A scene with
-    the custom property ``open_sky`` shows sky above the horizon where it shows nothing.
-    """
-    results: list[CameraView] = []
-    before = scene.frame_current
-    for frame, batch in itertools.groupby(sightings, key=lambda sighting: sighting.frame):
-        with viewfinder(scene, frame, width, height) as see:
-            results += [see(sighting) for sighting in batch]
-    scene.frame_set(before)
-    return results
-
-
 @contextmanager
 def viewfinder(
     scene: bpy.types.Scene, frame: int | None = None, width: int = WIDTH, height: int = WIDTH * 9 // 16
-) -> Iterator[Callable[[Sighting], CameraView]]:
-    """Give what looks at one frame; holding the scene for it costs more than two looks.
+) -> Iterator[Callable[[ViewfinderPose], CameraView]]:
+    """Yield a function that measures camera poses at one frame; opening it costs more than two looks.
 
     Args:
         scene: It stays at the frame.
-        frame: Timeline frame; None stays where the scene is. Sightings are taken there, whatever frame they name.
+        frame: Timeline frame; None for the current one. The frames of poses are ignored.
         width: Pixels.
         height: Pixels.
     """
@@ -115,7 +87,7 @@ def viewfinder(
     ):
         people = figures(scene)
         with RenderSession(still, camera, smoke=True) as session:
-            stage = _Stage(session, people)
+            stage = _ViewfinderScene(session, people)
             with _numbered(stage.objects, stage.numbers):
                 yield partial(stage.see, width=width, height=height)
 
@@ -132,11 +104,12 @@ def _numbered(objects: Sequence[bpy.types.Object], numbers: dict[str, int]) -> I
 
 
 def _node_id(obj: bpy.types.Object) -> str:
+    """Return the node id of an object."""
     return str(obj.get("node_id", obj.name))
 
 
-class _Stage:
-    """What is drawn at one frame: objects, their sample points, faces. Shared by all looks of that frame."""
+class _ViewfinderScene:
+    """The visible objects of one frame, their sample points and faces, shared by all looks."""
 
     def __init__(self, session: RenderSession, people: Sequence[Figure]) -> None:
         self.session = session
@@ -149,13 +122,14 @@ class _Stage:
         self._corners = np.array([_corners(obj) for obj in self.objects]).reshape(-1, 8, 3)
 
     def points(self, node_id: str) -> Floats:
-        """Return (n, 3) sample points of a node, sampled at the first asking."""
+        """Return sample points of a node (N, 3), world metres; cached."""
         if node_id not in self._points:
             clouds = [self._vertices(obj) for obj in self.objects if _node_id(obj) == node_id]
             self._points[node_id] = np.concatenate(clouds) if clouds else np.zeros((0, 3))
         return self._points[node_id]
 
     def _vertices(self, obj: bpy.types.Object) -> Floats:
+        """Return sample vertices of an object (N, 3), world metres."""
         evaluated = obj.evaluated_get(self.depsgraph)
         mesh = evaluated.to_mesh()
         local = np.empty(len(mesh.vertices) * 3, np.float32)
@@ -166,39 +140,39 @@ class _Stage:
         world = np.array(evaluated.matrix_world)
         return points @ world[:3, :3].T + world[:3, 3]
 
-    def see(self, sighting: Sighting, width: int, height: int) -> CameraView:
-        """Render one pose and measure it."""
-        pose = sighting.pose
-        orbit = Orbit(pose.pivot, pose.rotation, pose.distance, pose.lens, sighting.sensor_width, width / height)
+    def see(self, view: ViewfinderPose, width: int, height: int) -> CameraView:
+        """Return the measured view of one camera pose, from a picture of ``width`` x ``height`` pixels."""
+        pose = view.pose
+        orbit = Orbit(pose.pivot, pose.rotation, pose.distance, pose.lens, view.sensor_width, width / height)
         camera = self.session.camera
-        camera.data.lens, camera.data.sensor_width = pose.lens, sighting.sensor_width
+        camera.data.lens, camera.data.sensor_width = pose.lens, view.sensor_width
         camera.matrix_world = Matrix(orbit.world.tolist())
-        with out_of_picture(self._unseen(orbit, sighting.hidden)):
+        with out_of_picture(self._unseen(orbit, view.hidden)):
             channels = self.session.exr(width, height, depth=True)
         red, green, blue = (np.rint(channels[f"Combined.{name}"] * 255).astype(np.int32) for name in "RGB")
         ids, depth = red + 256 * green, channels["Depth.Z"]
         sky = self._sky(ids, blue, orbit)
-        wanted = dict.fromkeys((*self.faces, *sighting.focus_ids, *sighting.other_ids))
-        shown = [node for node in wanted if node in self.numbers and node not in sighting.hidden]
+        wanted = dict.fromkeys((*self.faces, *view.focus_ids, *view.other_ids))
+        shown = [node for node in wanted if node in self.numbers and node not in view.hidden]
         subjects = tuple(self._subject(node, orbit, ids) for node in shown)
         return CameraView(
             subjects=subjects,
             void=float(((ids == 0) & ~sky).mean()),
             sky=float(sky.mean()),
-            foreground=self._foreground(sighting, orbit, ids, depth),
+            foreground=self._foreground(view, orbit, ids, depth),
             nearest=float(depth[ids > 0].min()) if (ids > 0).any() else 1e9,
-            inside=self._inside(orbit.position, sighting.hidden),
+            inside=self._inside(orbit.position, view.hidden),
             below_floor=float(orbit.position[2]) < _FLOOR,
         )
 
     def _unseen(self, orbit: Orbit, hidden: Sequence[str]) -> list[bpy.types.Object]:
-        """Return what need not be drawn: what is hidden, and what lies outside the picture by its box."""
-        view = View(orbit.position, orbit.axes, 1, 1, orbit.tangent * orbit.aspect, orbit.tangent)
-        gone = view.misses(self._corners)
+        """Return the objects that need not be drawn: hidden, or outside the picture by their boxes."""
+        frustum = View(orbit.position, orbit.axes, 1, 1, orbit.tangent * orbit.aspect, orbit.tangent)
+        gone = frustum.misses(self._corners)
         return [obj for obj, out in zip(self.objects, gone, strict=True) if out or _node_id(obj) in hidden]
 
     def _sky(self, ids: Ints, blue: Ints, orbit: Orbit) -> NDArray[np.bool_]:
-        """Cards are sky; where nothing is drawn there is sky above the horizon, if the scene has one."""
+        """Return the pixels that show sky: cards, and empty pixels above the horizon of an open scene."""
         sky = (blue > 0) & (ids > 0)
         if self.session.scene.get("open_sky"):
             height, width = ids.shape
@@ -208,15 +182,17 @@ class _Stage:
             sky |= (ids == 0) & (x * right + y * up - back > -0.02)
         return sky
 
-    def _foreground(self, sighting: Sighting, orbit: Orbit, ids: Ints, depth: NDArray[np.float32]) -> float:
-        clouds = [cloud for node in sighting.focus_ids if len(cloud := self.points(node))]
+    def _foreground(self, view: ViewfinderPose, orbit: Orbit, ids: Ints, depth: NDArray[np.float32]) -> float:
+        """Return the share of pixels nearer than half the subjects' distance."""
+        clouds = [cloud for node in view.focus_ids if len(cloud := self.points(node))]
         away = orbit.distance
         if clouds:
             away = min(float(np.median(project(orbit, cloud)[1])) for cloud in clouds)
-        own = [self.numbers[node] for node in sighting.focus_ids if node in self.numbers]
+        own = [self.numbers[node] for node in view.focus_ids if node in self.numbers]
         return float(((ids > 0) & (depth < away / 2) & ~np.isin(ids, own)).mean())
 
     def _subject(self, node_id: str, orbit: Orbit, ids: Ints) -> SubjectView:
+        """Return how one node is seen."""
         mine = ids == self.numbers[node_id]
         rows, columns = np.nonzero(mine)
         height, width = ids.shape
@@ -242,7 +218,7 @@ class _Stage:
         return _with_face(subject, self.faces[node_id], orbit, mine) if node_id in self.faces else subject
 
     def _inside(self, position: Floats, hidden: Sequence[str]) -> tuple[str, ...]:
-        """Return the solids the camera is in, or too close to."""
+        """Return the node ids of solids that the camera is in, or too close to."""
         point = Vector(position.tolist())
         found: dict[str, None] = {}
         for obj in self.objects:
@@ -262,11 +238,12 @@ class _Stage:
 
 
 def _corners(obj: bpy.types.Object) -> list[Vector]:
+    """Return the world corners of an object's bounding box."""
     return [obj.matrix_world @ Vector(corner) for corner in obj.bound_box]
 
 
 def _hit(screen: Floats, mine: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return which screen points fall on own pixels or beside them: outlines are a pixel wide."""
+    """Return which screen points (N, 2) fall on a node's pixels or beside them."""
     height, width = mine.shape
     wide = np.pad(mine, 1)
     wide = wide[1:-1, 1:-1] | wide[:-2, 1:-1] | wide[2:, 1:-1] | wide[1:-1, :-2] | wide[1:-1, 2:]
@@ -276,7 +253,7 @@ def _hit(screen: Floats, mine: NDArray[np.bool_]) -> NDArray[np.bool_]:
 
 
 def _with_face(subject: SubjectView, figure: Figure, orbit: Orbit, mine: NDArray[np.bool_]) -> SubjectView:
-    """Add the face: where, how large, turned how far away, how much of it hidden."""
+    """Return a subject view with its face: position, size, angle to the camera and visible share."""
     centre, up = np.asarray(figure.face), orbit.axes[:, 1]
     crown, chin = centre + up * _CROWN * figure.head, centre - up * 0.5 * figure.head
     screen, depth = project(orbit, [centre, crown, chin])

@@ -71,12 +71,9 @@ def remove(name: str) -> None:
 
 
 def reduce_keys(frames: Floats, values: Floats, tolerance: float) -> NDArray[np.int_]:
-    """Return the indices of the samples to keep for linear interpolation within a tolerance (Ramer-Douglas-Peucker).
+    """Return the indices of the samples to keep (Ramer-Douglas-Peucker).
 
-    Args:
-        frames: (N,) frame numbers.
-        values: (N, C) channels, reduced together.
-        tolerance: Largest allowed error of any channel, in its unit.
+    Linear interpolation between them stays within ``tolerance`` of all ``values`` (N, C) at the ``frames`` (N,).
     """
     keep = np.zeros(len(frames), bool)
     keep[[0, -1]] = True

@@ -83,12 +83,8 @@ class Channel:
     ) -> float:
         """Add a key and return the second at which its target is reached.
 
-        Args:
-            start: Second at which the blend begins.
-            duration: Seconds of the blend.
-            target: Values, or a function from seconds to values.
-            ease: Easing of the blend.
-            bump: Added to the first three values along a half sine; None for a straight blend.
+        The blend begins at ``start`` and takes ``duration`` seconds. ``bump`` is added to the first three values along
+        a half sine, so that a hand goes around something.
         """
         key = Key(start, duration, target, ease, None if bump is None else np.asarray(bump, float))
         insort(self.keys, key, key=lambda each: each.start)

@@ -52,12 +52,7 @@ class TravelStyle:
     stoop: float = 0.0
 
     def slowed(self, speed: float, k: float) -> TravelStyle:
-        """Return the same style at another speed; slower steps take longer.
-
-        Args:
-            speed: Metres per second.
-            k: Scale of the person.
-        """
+        """Return the style at ``speed`` metres per second for a person of scale ``k``; slower steps take longer."""
         ratio = clamp(speed / (self.speed * math.sqrt(k)), 0.35, 1.6)
         step = self.step if self.running else self.step * ratio**-0.45
         return TravelStyle(**{**vars(self), "speed": self.speed * ratio, "step": step})

@@ -40,13 +40,7 @@ def hand(palm: Vector, fingers: Vector, normal: Vector, pole: Vector, curl: Trip
 
 
 def blend_hands(a: Floats, b: Floats, w: float) -> Floats:
-    """Return the blend of two hand targets: palm in a straight line, hand and elbow along the shorter rotation.
-
-    Args:
-        a: (15,) target at ``w`` = 0.
-        b: (15,) target at ``w`` = 1.
-        w: Share of ``b``, 0..1.
-    """
+    """Return the blend of two hand targets (15,), ``w`` of ``b``; hand and elbow take the shorter turn."""
     mixed = a * (1 - w) + b * w
     if w <= 0 or w >= 1:
         return mixed
@@ -219,21 +213,3 @@ def fixed_hand(palm: Vector, fingers: Vector, normal: Vector, pole: Vector, curl
     """Return a hand target that stays at one place in the world; arguments as in ``hand``."""
     values = hand(palm, fingers, normal, pole, curl)
     return lambda t: values
-
-
-def offset_hand(target: TargetOf, by: Vector, opening: float = 1.0) -> TargetOf:
-    """Return a hand target moved by a vector.
-
-    Args:
-        target: The target to move.
-        by: World vector, metres.
-        opening: Factor for the curl of the fingers: 1 keeps it, 0 stretches them.
-    """
-
-    def moved(t: float) -> Floats:
-        values = np.array(target(t), float)
-        values[:3] += by
-        values[12:15] *= opening
-        return values
-
-    return moved

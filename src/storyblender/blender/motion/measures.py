@@ -136,13 +136,7 @@ def measure(body: RiggedBody) -> Measures:
 
 
 def skin_of(body: RiggedBody, bones: Skeleton, rows: NDArray[np.intp] | slice = slice(None)) -> Floats:
-    """Return the skin in the skeleton's pose, (V, 3) metres in armature space, by linear blend skinning.
-
-    Args:
-        body: Rest skin and weights.
-        bones: The posed skeleton.
-        rows: Vertices to return; all by default.
-    """
+    """Return the skin of ``rows`` in the skeleton's pose, (V, 3) metres in armature space, linearly blended."""
     move = np.zeros((len(bones.names), 3, 4))
     for index, name in enumerate(bones.names):
         orient = bones.orient[name]

@@ -135,26 +135,11 @@ class MotionStage:
         return next((each for each in self.plan.furniture.values() if each.asset_id == name), None)
 
     def report(self, kind: str, who: Performer, cue: StagedCue, message: str, amount: float = 0.0) -> None:
-        """Record something that cannot be staged as planned.
-
-        Args:
-            kind: A kind of ``Problem``.
-            who: The person concerned.
-            cue: The cue.
-            message: One sentence for the director.
-            amount: Metres or seconds, where there is a number.
-        """
+        """Record that a cue cannot be staged: kind of ``Problem``, sentence for the director, metres or seconds."""
         self.problems.append(Problem(kind, who.asset_id, cue.frame, message, amount))
 
     def expect_contact(self, who: Performer, side: str, t: float, cue: StagedCue) -> None:
-        """Check later that a hand reached its target; a miss is reported.
-
-        Args:
-            who: The person.
-            side: ``L`` or ``R``.
-            t: Second at which the hand must be there.
-            cue: The cue to report.
-        """
+        """Check at ``t`` seconds that the hand ``side`` reached its target; report a miss on the cue."""
         self.contacts.append((t, who, side, cue))
 
     def look_point(self, subject: Performer | StagedProp | StageFurniture) -> PointOf:
@@ -185,13 +170,7 @@ class MotionStage:
         return found if isinstance(found, StageFurniture) else None
 
     def find_anchor(self, furniture: StageFurniture, kinds: tuple[str, ...], mark: Mark | None) -> Anchor | None:
-        """Return the anchor that a mark names, else the nearest of a kind to the mark; None if there is none.
-
-        Args:
-            furniture: The piece with the anchors.
-            kinds: Kinds of anchors to consider.
-            mark: A mark with an anchor's name or a location; None takes the first anchor.
-        """
+        """Return the anchor of ``kinds`` that a mark names, else the nearest to it; the first without a mark, or None."""
         fitting = [a for a in furniture.anchors if a.kind in kinds]
         if mark is not None and mark.anchor_name:
             fitting = [a for a in fitting if a.name == mark.anchor_name] or fitting
@@ -204,12 +183,7 @@ class MotionStage:
         return min(fitting, key=lambda a: ((world @ Vector(a.location)).xy - spot).length)
 
     def find_seat(self, node_id: str | None, mark: Mark | None) -> Seat | None:
-        """Return the seat of a mark, at the mark's place along the seat's edge; None if there is nothing to sit on.
-
-        Args:
-            node_id: Furniture by node id or asset id.
-            mark: Where on it; None takes the middle.
-        """
+        """Return the seat on furniture (node or asset id), at the mark's place along its edge; None if it has none."""
         furniture = self.find_furniture(node_id)
         anchor = None
         if furniture is not None:
@@ -250,12 +224,10 @@ class MotionStage:
         return Vector(find_seat_access(tuple(seat.edge), seat.yaw, seat.width, who.scale, boxes, seat.node_id))
 
     def footprints(self, who: Performer, skip: tuple[str, ...] = (), girth: float = GIRTH) -> list[Footprint]:
-        """Return the boxes and people that a person walks around.
+        """Return the boxes and people that a walker goes around.
 
-        Args:
-            who: The walker.
-            skip: Node ids and asset ids to leave out.
-            girth: Share of their radius that other people take up.
+        ``skip`` has node ids and asset ids to leave out; ``girth`` is the share of their radius that other people take
+        up.
         """
         boxes = [
             Footprint(box.centre[:2], box.size[:2], box.yaw, name=box.node_id)
@@ -272,12 +244,9 @@ class MotionStage:
         return boxes + others
 
     def path_to(self, who: Performer, goal: Vec2, skip: tuple[str, ...] = ()) -> list[Vec2] | None:
-        """Return a path around obstacles, or None if there is none; narrow gaps are squeezed through only where needed.
+        """Return a path from the planned position to ``goal`` around obstacles but ``skip``; None if there is none.
 
-        Args:
-            who: The walker, from the planned position.
-            goal: x and y, metres.
-            skip: Node ids and asset ids of obstacles to ignore.
+        Narrow gaps are only used where needed.
         """
         start = tuple(who.position)
         ways = (
@@ -298,12 +267,9 @@ class MotionStage:
         return None
 
     def tracks_of_others(self, who: Performer, partner: Performer | None, goal: Vec2) -> list[tuple[Track, float]]:
-        """Return the planned tracks of everybody else with the metres to keep from each.
+        """Return the planned tracks of everybody but the walker and a ``partner``, with the metres to keep from each.
 
-        Args:
-            who: The walker.
-            partner: The person walked to, who is left out.
-            goal: End of the walk; people beside it may be nearer.
+        People beside the ``goal`` of the walk may be nearer.
         """
         tracks = []
         for each in self.people.values():
@@ -323,12 +289,7 @@ class MotionStage:
         return drops
 
     def pose(self, t: float, drops: dict[str, float]) -> None:
-        """Pose everybody and everything at a moment; hands that follow others come last.
-
-        Args:
-            t: Seconds.
-            drops: Metres by which each person's pelvis is lowered.
-        """
+        """Pose everybody at ``t`` seconds, pelvises lowered by ``drops`` metres; hands that follow others come last."""
         for name, who in self.people.items():
             who.pose_trunk(t, drops.get(name, 0.0))
             who.pose_legs(t)

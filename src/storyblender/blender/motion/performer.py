@@ -107,22 +107,13 @@ class Performer:
         self.heading = 0.0
         self.missed = {side: 0.0 for side in SIDES}
 
-    # --- planning -------------------------------------------------------------------------------------------------
-
     @property
     def standing_height(self) -> float:
         """Height of the hip joints while standing at ease, metres."""
         return self.measures.hip_height - 0.006 * self.scale
 
     def place_at_start(self, x: float, y: float, yaw: float, level: float = 0.0) -> None:
-        """Place the person for the whole time before the first cue.
-
-        Args:
-            x: Metres.
-            y: Metres.
-            yaw: Radians.
-            level: Height of the ground, metres.
-        """
+        """Stand at ``x``, ``y`` (metres) with ``yaw`` (radians), ground ``level`` metres high, before the first cue."""
         self.level, self.ground = Channel(level), level
         self.position, self.yaw = Vector((x, y)), yaw
         self.root = Channel((x, y, yaw))
@@ -183,13 +174,10 @@ class Performer:
         return self.plant(side, place.x, place.y, yaw, width=width, splay=splay, back=back)
 
     def rolled_ankle(self, side: str, ankle: Floats, yaw: float, pitch: float) -> Vector:
-        """Return the ankle of a planted foot that rolls on its heel or its toe joint.
+        """Return the ankle of a planted foot that is rolled by ``pitch`` degrees: above 0 about its heel, below 0 about
+        its toes.
 
-        Args:
-            side: ``L`` or ``R``.
-            ankle: Foot target while flat; its first three values are the ankle, metres.
-            yaw: Of the foot, radians.
-            pitch: Degrees: above 0 about the heel, below 0 about the toe joint.
+        ``ankle`` is the target of the flat foot and ``yaw`` its yaw in radians.
         """
         flat = about("Z", math.degrees(yaw - self.measures.toe_out[side]))
         tilted = flat @ self.bones.pitch(side, pitch)
@@ -211,8 +199,6 @@ class Performer:
         self.gaze.set(t, 0.5, self.ahead)
         self.nod.set(t, 0.5, (0, 0, 0))
 
-    # --- posing ---------------------------------------------------------------------------------------------------
-
     def to_body(self, point: Vector) -> Vector:
         """Convert a world point to armature space, in the current pose."""
         return self.facing_inverse @ (point - self.place)
@@ -222,12 +208,7 @@ class Performer:
         return self.facing @ point + self.place
 
     def point(self, bone: str, offset: tuple[float, float, float] | Vector = (0, 0, 0)) -> Vector:
-        """Return the world point fixed to a bone, in the current pose.
-
-        Args:
-            bone: Name of the bone.
-            offset: Metres from the bone's joint, along the axes of the rest pose.
-        """
+        """Return the world point ``offset`` metres (rest axes) from a bone's joint, in the current pose."""
         return self.to_world(self.bones.point(bone, Vector(offset)))
 
     def eyes_point(self) -> Vector:
@@ -256,12 +237,7 @@ class Performer:
         return 0.0, 0.0, None
 
     def pose_trunk(self, t: float, drop: float = 0.0) -> None:
-        """Pose root, pelvis and spine.
-
-        Args:
-            t: Seconds.
-            drop: Metres by which the pelvis is lowered, so that the legs reach the feet.
-        """
+        """Pose root, pelvis and spine at ``t`` seconds, the pelvis lowered by ``drop`` metres to reach the feet."""
         swing, phase, gait, sway = self._pose_pelvis(t, drop)
         self._pose_spine(t, swing, phase, gait, sway)
         self.bones.update_all()
@@ -348,12 +324,7 @@ class Performer:
             bones.update(f"toe.{side}")
 
     def pose_arms(self, t: float, sides: str = "LR") -> None:
-        """Solve arms to their hand targets; the trunk leans once after a hand that cannot reach.
-
-        Args:
-            t: Seconds.
-            sides: Which arms: ``L``, ``R`` or ``LR``.
-        """
+        """Solve the arms of ``sides`` to their targets at ``t`` seconds; the trunk leans once if one falls short."""
         for attempt in (0, 1):
             worst, missing = 0.0, Vector((0, 0, 0))
             for side in sides:

@@ -177,13 +177,7 @@ class Performance:
 
 
 def box_of(node_id: str, furniture: StageFurniture, soft: float = 0.0) -> Obstacle:
-    """Return the bounding box of an upright piece of furniture as an obstacle.
-
-    Args:
-        node_id: Its node.
-        furniture: Its place and size.
-        soft: Metres that a body may sink in.
-    """
+    """Return the bounding box of upright furniture as an obstacle; bodies may sink ``soft`` metres into it."""
     width, depth, height = furniture.dimensions
     x, y, z = (float(value) for value in furniture.world[:3, 3])
     yaw = math.atan2(furniture.world[1, 0], furniture.world[0, 0])

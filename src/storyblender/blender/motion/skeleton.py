@@ -111,14 +111,7 @@ class Skeleton:
         self.update("upper_arm.L", "upper_arm.R", "eye.L", "eye.R")
 
     def rotate(self, bone: str, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> None:
-        """Turn a bone further, X first, then Y, then Z.
-
-        Args:
-            bone: Name.
-            x: Degrees about the armature's X axis.
-            y: Degrees about Y.
-            z: Degrees about Z.
-        """
+        """Turn a bone further by degrees about the armature's axes, X first, then Y, then Z."""
         self.turn[bone] = about("Z", z) @ about("Y", y) @ about("X", x) @ self.turn[bone]
 
     def set_orient(self, bone: str, orient: Matrix) -> None:
@@ -132,7 +125,8 @@ class Skeleton:
         return self.joint[bone] + self.orient[bone] @ offset
 
     def reach(self, upper: str, lower: str, end: str, target: Vector, pole: Vector) -> float:
-        """Bend a two-bone limb so that its end reaches a target; return the metres by which it falls short.
+        """Bend a two-bone limb so that its end reaches a target; return by how many metres it falls short (0 or less:
+        reached).
 
         Args:
             upper: Thigh or upper arm.
@@ -140,9 +134,6 @@ class Skeleton:
             end: Foot or hand.
             target: Armature space, metres.
             pole: Direction the knee or elbow points in.
-
-        Returns:
-            Metres from full stretch to the target; below 0 where it is reached.
         """
         self.update(upper)
         start = self.joint[upper]
@@ -197,14 +188,7 @@ class Skeleton:
         self.set_orient(f"hand.{side}", frame(fingers, palm) @ frame(rest_fingers, rest_palm).transposed())
 
     def curl(self, side: str, index: float, fingers: float, thumb: float) -> None:
-        """Close the fingers of a hand.
-
-        Args:
-            side: ``L`` or ``R``.
-            index: Degrees of each joint of the index finger.
-            fingers: Degrees of each joint of the other fingers.
-            thumb: Degrees of the thumb.
-        """
+        """Close the fingers of a hand by degrees: each joint of ``index`` and other ``fingers``, and the thumb."""
         across = (self.head[f"fingers1.{side}"] - self.head[f"index1.{side}"]).normalized() * sign(side)
         for bone, degrees in (("index", index), ("fingers", fingers)):
             self.turn[f"{bone}1.{side}"] = about(across, degrees)

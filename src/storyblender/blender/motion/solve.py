@@ -73,13 +73,7 @@ def solve_shot(plan: StagePlan, fps: int, step: int = 1) -> Performance:
 
 
 def take_start_mark(stage: MotionStage, who: Performer, mark: Mark) -> None:
-    """Put a person into place, posture and held props of a mark, from long before the shot.
-
-    Args:
-        stage: The stage.
-        who: The person.
-        mark: Their mark at the start of the shot.
-    """
+    """Put a person into place, posture and held props of a ``mark``, from long before the shot."""
     x, y, z = mark.location
     who.place_at_start(x, y, math.radians(mark.yaw), z)
     staged = StagedCue(LONG_BEFORE, mark=mark)

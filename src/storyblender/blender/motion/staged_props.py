@@ -114,12 +114,7 @@ class StagedProp:
         return self.matrix @ Vector((0, 0, self.size.z / 2))
 
     def grip(self, side: str, name: str = "") -> Grip:
-        """Return the grip of a hand; the fingers lie flat on a sheet, or they would come through it.
-
-        Args:
-            side: ``L`` or ``R``.
-            name: Name of a grip anchor; empty for the one of that side.
-        """
+        """Return the grip of a hand, at the anchor ``name`` if given; on a sheet the fingers lie flat."""
         grip = self._grip(side, name)
         flat = self.is_sheet and grip.normal.z > 0.7
         return replace(grip, curl=(1.0, 2.0, min(grip.curl[2], 0.0))) if flat else grip
@@ -155,25 +150,11 @@ class StagedProp:
         insort(self._events, (t, _still(matrix), 0.12), key=lambda event: event[0])
 
     def follow(self, t: float, matrix: MatrixOf, settle: float = SETTLE) -> None:
-        """Let it follow a moving matrix.
-
-        Args:
-            t: Second from which it follows.
-            matrix: Function from seconds to its world matrix.
-            settle: Seconds of the blend from its former movement.
-        """
+        """Follow a ``matrix`` by seconds from ``t`` on, blending from the former movement for ``settle`` seconds."""
         insort(self._events, (t, matrix, settle), key=lambda event: event[0])
 
     def hold(self, t: float, who: Performer, side: str, grip: Grip, settle: float = SETTLE) -> None:
-        """Let it follow a hand.
-
-        Args:
-            t: Second from which it follows.
-            who: The holder.
-            side: ``L`` or ``R``.
-            grip: How the hand holds it.
-            settle: Seconds of the blend from its former movement.
-        """
+        """Follow the hand ``side`` of ``who`` from ``t`` seconds on, after ``settle`` seconds of blending."""
         self.holder = who
         self.follow(t, lambda _: matrix_in_hand(who, side, grip), settle)
 
@@ -201,11 +182,6 @@ def carrying_hand(who: Performer, side: str, prop: StagedProp) -> TargetOf:
 
     Upright before the body; bags from a straight arm; large props in both hands; a person who sits at a table has a cup
     stand on it, and holds a letter above it.
-
-    Args:
-        who: The holder.
-        side: ``L`` or ``R``.
-        prop: The prop.
     """
     grip = prop.grip(side)
     s, m = sign(side), who.measures
@@ -256,16 +232,7 @@ def carrying_hand(who: Performer, side: str, prop: StagedProp) -> TargetOf:
 def gripping_hand(
     who: Performer, side: str, prop: StagedProp, grip: Grip, opening: float = 1.0, lift: float = 0.0
 ) -> TargetOf:
-    """Return the target of a hand on a prop that moves by itself or in another hand.
-
-    Args:
-        who: The person.
-        side: ``L`` or ``R``.
-        prop: The prop.
-        grip: Grip on the prop.
-        opening: Factor for the curl of the fingers, 0..1.
-        lift: Metres of the palm above the grip.
-    """
+    """Return the target of a hand on a moving prop: curl times ``opening``, palm ``lift`` metres above the grip."""
 
     def target(t: float) -> Floats:
         values = grip.hand_target(prop.matrix, who.facing @ Vector((sign(side) * 0.5, 0.4, -0.85)))

@@ -95,13 +95,7 @@ def _painted(figure: BodyFigure, species: Species, coat: Color, sheet: Sheet) ->
 
 
 def build_tail(figure: BodyFigure, species: Species, coat: Color) -> tuple[Sheet, Floats] | None:
-    """Return the tail and its vertex colours (V, 3), or None for an animal without one.
-
-    Args:
-        figure: Body of the animal.
-        species: Species of the animal.
-        coat: Colour of its coat.
-    """
+    """Return the tail and its vertex colours (V, 3), or None for an animal without one."""
     if species.tail == "none":
         return None
     scale = figure.scale * (1.15 if species.height < 1.0 else 0.95)

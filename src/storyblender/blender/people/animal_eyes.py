@@ -24,22 +24,12 @@ LID_KEYS: dict[str, tuple[float, float]] = {
 
 
 def eyeballs(centers: dict[str, Floats], radius: float) -> Sheet:
-    """Return both eyeballs; slots: 0 pupil, 1 iris, 2 rim, 3 white, 4 glint.
-
-    Args:
-        centers: Eye centre of each side, metres.
-        radius: Radius of the eyeballs, metres.
-    """
+    """Return both eyeballs of ``radius`` metres; slots: 0 pupil, 1 iris, 2 rim, 3 white, 4 glint."""
     return join([eyeball(centers[side], [radius] * len(_RINGS), side, _RINGS, _AROUND, _GLINT) for side in "LR"])
 
 
 def eyelids(center: Floats, radius: float) -> tuple[Sheet, dict[str, Floats]]:
-    """Return the lids of one eye and the offsets (V, 3) of their shape keys.
-
-    Args:
-        center: Centre of the eyeball, metres.
-        radius: Radius of the eyeball, metres.
-    """
+    """Return the lids of an eyeball (metres) and the offsets (V, 3) of their shape keys."""
     sheets, moves = [], []
     for number, lid in enumerate((_UPPER, _LOWER)):
         open_, shut = _shell(lid, 0.0) * radius * 1.08, _shell(lid, 1.0) * radius * 1.08

@@ -142,12 +142,7 @@ class Skull:
         return float(self.cast_ray((x, -3.2, z), (0, 1, 0))[1])
 
     def cast_ray(self, start: ArrayLike, way: ArrayLike) -> Floats:
-        """Return the first point of a ray on the head, or its point nearest to the head if it misses.
-
-        Args:
-            start: Origin of the ray.
-            way: Unit direction.
-        """
+        """Return the first point of a ray (unit direction ``way``) on the head, or its nearest point if it misses."""
         at, step = np.array(start, float), np.asarray(way, float)
         nearest, least = at, np.inf
         for _ in range(60):

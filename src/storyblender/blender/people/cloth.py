@@ -42,9 +42,6 @@ def single_bolt(piece: Piece, sheet: Sheet) -> list[Bolt]:
     return [Bolt(sheet, piece.tint, piece.fabric)]
 
 
-# ---------------------------------------------------------------------- trunk and arms
-
-
 def cover_top(cut: Top, figure: BodyFigure, sheet: Sheet) -> Floats:
     """Return the cover field (V,) of a top on the vertices of ``sheet``."""
     field = np.minimum(figure.inside_sleeve(sheet, cut.sleeve), figure.above(sheet, figure.height(cut.hem)))
@@ -127,9 +124,6 @@ def build_collar(cut: Collar, figure: BodyFigure, layers: WornLayers) -> list[Bo
     return single_bolt(cut, sheet.moved(sheet.points + normals(sheet) * stand[:, None]))
 
 
-# ---------------------------------------------------------------------- hips and legs
-
-
 def cover_legs(cut: Legs, figure: BodyFigure, sheet: Sheet) -> Floats:
     """Return the cover field (V,) of trousers on the vertices of ``sheet``."""
     return np.minimum(figure.below(sheet, figure.height(cut.waist)), sheet.skin[:, 2] - figure.height(cut.hem))
@@ -208,9 +202,6 @@ def build_band(cut: Band, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
     sheet = clip(sheet, figure.below(sheet, figure.height(cut.high)))
     sheet = loosened(sheet, cut.ease * figure.scale, 4)
     return single_bolt(cut, layers.push_out(sheet, 0.005 * figure.scale))
-
-
-# ---------------------------------------------------------------------- feet
 
 
 def cover_footwear(cut: Footwear, figure: BodyFigure, sheet: Sheet) -> Floats:

@@ -114,13 +114,7 @@ class Pin:
 
 
 def brows(figure: BodyFigure, height: float, keys: dict[str, Floats]) -> tuple[Sheet, dict[str, Floats]]:
-    """Return both eyebrows and the offsets (V, 3) of their shape keys.
-
-    Args:
-        figure: The person.
-        height: Half height in decimetres on the base mesh.
-        keys: Shape keys of the whole base mesh.
-    """
+    """Return both eyebrows, of half ``height`` in decimetres on the base mesh, and the offsets of their shape keys."""
     pins: list[tuple[Pin, float]] = []
     faces: list[tuple[int, int, int, int]] = []
     columns = 10

@@ -94,8 +94,6 @@ class BodyFigure:
         )
         return sheet.keep_faces(np.ones(len(faces), bool))
 
-    # ------------------------------------------------------------------ limbs
-
     def arm_share(self, sheet: Sheet) -> Floats:
         """Return the share of each vertex's weights on the arms, (V,) 0..1."""
         limbs = columns("upper_arm", "forearm", "hand", "thumb", "index1", "index2", "fingers1", "fingers2")
@@ -133,8 +131,6 @@ class BodyFigure:
             axis = np.where(mine[:, None], line, axis)
         axis[:, 2] = z
         return place, axis
-
-    # ------------------------------------------------------------------ fields
 
     def inside_sleeve(self, sheet: Sheet, end: float) -> Floats:
         """Return the field of the trunk, and of the arms down to ``end`` (0 shoulder, 1 elbow, 2 wrist)."""

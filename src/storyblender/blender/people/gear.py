@@ -20,9 +20,6 @@ from storyblender.geometry.solids import Floats, skin_faces
 BUCKLE, DARK = "#8a8d92", "#1b1b1e"
 
 
-# ---------------------------------------------------------------------- head cloths
-
-
 def _face(base: Floats, width: float, low: float, high: float) -> Floats:
     """Return the field (V,) outside an oval of the face; lengths in decimetres on the base mesh."""
     middle, tall = (low + high) / 2, (high - low) / 2
@@ -52,9 +49,6 @@ def build_head_cloth(cut: HeadCloth, figure: BodyFigure, layers: WornLayers) -> 
     rounds = {"hood": 14, "scarf": 16, "balaclava": 6}.get(cut.region, 8)
     sheet = loosened(sheet, cut.ease * figure.head_scale, rounds)
     return single_bolt(cut, sheet)
-
-
-# ---------------------------------------------------------------------- on the body
 
 
 def build_gear(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:

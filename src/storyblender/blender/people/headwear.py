@@ -91,13 +91,7 @@ class _HatForm:
         self.center: Floats = np.array((0.0, (low[1] + high[1]) / 2, high[2] - 0.082 * self.scale), float)
 
     def _place(self, turn: float, radius: float, height: float) -> Floats:
-        """Return a point of a hat, metres.
-
-        Args:
-            turn: Angle in radians: 0 is left, -pi / 2 in front.
-            radius: Share of the ellipse's radius.
-            height: Metres above the brim line, on an adult's head.
-        """
+        """Return a point in metres: angle in radians (0 left, -pi / 2 front), share of the radius, metres up."""
         x, y = self.rx * radius * math.cos(turn), self.ry * radius * math.sin(turn)
         offset: Floats = np.array((x, y, height * self.scale - 0.16 * y), float)
         return self.center + offset

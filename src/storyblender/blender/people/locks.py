@@ -93,14 +93,7 @@ def hair_weights(figure: BodyFigure, points: Floats) -> Floats:
 
 
 def flat_lock(figure: BodyFigure, strand: Strand, spec: HairSpec, width: float) -> Sheet:
-    """Return a lock as a strip with a raised middle that tapers to its tip.
-
-    Args:
-        figure: The body.
-        strand: Middle line.
-        spec: Hairstyle; shapes the tip.
-        width: Metres on an adult's head.
-    """
+    """Return a lock along a strand: a strip ``width`` metres wide on an adult that tapers to its tip."""
     count = ROWS
     at = np.linspace(0, len(strand.points) - 1, count)
     index = np.arange(len(strand.points))
@@ -121,16 +114,7 @@ def flat_lock(figure: BodyFigure, strand: Strand, spec: HairSpec, width: float) 
 
 
 def ball(figure: BodyFigure, center: Floats, radii: Floats, spin: Floats, segments: int = 7, rings: int = 5) -> Sheet:
-    """Return a small ellipsoid of hair.
-
-    Args:
-        figure: The body.
-        center: Metres.
-        radii: (3,) metres.
-        spin: (3, 3) rotation.
-        segments: Corners around.
-        rings: Bands from pole to pole.
-    """
+    """Return a small ellipsoid of hair with ``radii`` (3,) in metres, turned by ``spin`` (3, 3)."""
     points, faces = _unit_ball(segments, rings)
     placed = center + (points * radii) @ spin.T
     return rigid_sheet(placed, list(faces), hair_weights(figure, placed))

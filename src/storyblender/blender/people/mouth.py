@@ -25,12 +25,7 @@ _SHALLOW, _DEEP = 0.01, 0.06
 
 
 def mouth_depth(pack: BodyPack, base: Floats) -> Floats:
-    """Return how far inside the mouth skin vertices lie, (V,): 0 on the face and lips, 1 behind the lips.
-
-    Args:
-        pack: The body data; its mouth is shut.
-        base: (V, 3) positions on the base mesh, decimetres.
-    """
+    """Return how far inside the mouth base mesh points (V, 3) lie, (V,): 0 on the face and lips, 1 behind the lips."""
     tree, _ = base_tree(pack)
     inside = np.zeros(len(base))
     near = (np.abs(base[:, 0]) < 0.36) & (np.abs(base[:, 1] - 6.6) < 0.26) & (base[:, 2] > 0.5)
@@ -43,11 +38,7 @@ def mouth_depth(pack: BodyPack, base: Floats) -> Floats:
 
 
 def paint_teeth(base: Floats) -> Floats:
-    """Return the vertex colours (V, 3) of both rows of teeth: the upper one light in front, the rest in shade.
-
-    Args:
-        base: (V, 3) positions on the base mesh, decimetres; the lower row first, as in the body data.
-    """
+    """Return the colours (V, 3) of teeth at base mesh points, lower row first: light upper front, rest in shade."""
     light = np.interp(base[:, 2], (_BACK, _FRONT), (0.1, 1.0))
     light[: len(base) // 2] *= _LOWER
     return light[:, None] * np.array(TOOTH)

@@ -19,12 +19,7 @@ STUB = Vector((0.0, -0.03, 0.0))
 
 
 def build_armature(name: str, joints: Joints) -> bpy.types.Object:
-    """Return an armature object at the origin with the 35 bones of the skeleton.
-
-    Args:
-        name: Of the object and its data.
-        joints: Positions of the joints that the skeleton names, metres.
-    """
+    """Return an armature object at the origin with the 35 bones of the skeleton, at ``joints`` (metres)."""
     data = bpy.data.armatures.new(name)
     armature = bpy.data.objects.new(name, data)
     bpy.context.scene.collection.objects.link(armature)

@@ -97,12 +97,7 @@ def join(sheets: Sequence[Sheet]) -> Sheet:
 
 
 def clip(sheet: Sheet, field: Floats) -> Sheet:
-    """Return the part of a sheet where a field is not negative.
-
-    Args:
-        sheet: The sheet.
-        field: (V,) values; faces across their zero line are cut along it.
-    """
+    """Return the part of a sheet where ``field`` (V,) is not negative, with faces cut along its zero line."""
     inside = field >= 0
     real = sheet.faces >= 0
     corner_in = inside[sheet.faces] & real
@@ -177,13 +172,7 @@ def normals(sheet: Sheet) -> Floats:
 
 
 def smoothed(sheet: Sheet, rounds: int, strength: float | Floats = 0.5) -> Floats:
-    """Return the points (V, 3) after Laplacian smoothing; vertices on hems stay.
-
-    Args:
-        sheet: The sheet.
-        rounds: Number of passes.
-        strength: Share of the way to the neighbours' mean, one value or (V,).
-    """
+    """Return the points (V, 3) after Laplacian smoothing; hems stay. ``strength`` is one value or (V,)."""
     pairs, counts = edges(sheet)
     amount = np.broadcast_to(strength, len(sheet.points)).copy()
     amount[pairs[counts == 1]] = 0
@@ -197,13 +186,7 @@ def smoothed(sheet: Sheet, rounds: int, strength: float | Floats = 0.5) -> Float
 
 
 def loosened(sheet: Sheet, ease: float | Floats, rounds: int) -> Sheet:
-    """Return a sheet smoothed to cloth that keeps a distance from the original surface.
-
-    Args:
-        sheet: The sheet, on the skin.
-        ease: Least distance along the normal in metres, one value or (V,).
-        rounds: Passes of smoothing.
-    """
+    """Return a sheet smoothed to cloth that keeps ``ease`` metres (one value or (V,)) from the surface it lay on."""
     outward = normals(sheet)
     points = smoothed(sheet, rounds)
     clearance = ((points - sheet.points) * outward).sum(1)
@@ -211,12 +194,7 @@ def loosened(sheet: Sheet, ease: float | Floats, rounds: int) -> Sheet:
 
 
 def hemmed(sheet: Sheet, thickness: float) -> Sheet:
-    """Return a sheet with its hems folded inwards, so that the cloth shows its thickness.
-
-    Args:
-        sheet: The sheet.
-        thickness: Width of the fold, metres.
-    """
+    """Return a sheet with its hems folded inwards by ``thickness`` metres, so that the cloth shows its thickness."""
     pairs = half_edges(sheet)
     count = len(sheet.points)
     keys = pairs.min(1) * count + pairs.max(1)

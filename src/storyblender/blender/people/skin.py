@@ -27,12 +27,7 @@ def expression_offsets(pack: BodyPack) -> dict[str, Floats]:
 
 
 def shape_keys_of(sheet: Sheet, every: Mapping[str, Floats]) -> dict[str, Floats]:
-    """Return the shape keys of a sheet whose vertices all come from the base mesh.
-
-    Args:
-        sheet: The sheet.
-        every: Offsets (V, 3) of each key for the whole base mesh.
-    """
+    """Return the shape keys of a sheet that comes from the base mesh, given the offsets (V, 3) of ``every`` key."""
     return {key: offsets[sheet.source] for key, offsets in every.items()}
 
 

@@ -34,29 +34,14 @@ def skinned(rings: Sequence[ArrayLike], weights: Floats, *, caps: bool = True) -
 def ball(
     center: ArrayLike, half: ArrayLike, weights: Floats, *, softness: float = 1.0, rotation: ArrayLike = (0, 0, 0)
 ) -> Sheet:
-    """Return a superellipsoid.
-
-    Args:
-        center: Metres.
-        half: Semi-axes, metres.
-        weights: (35,) bone weights.
-        softness: 1 is an ellipsoid, 0.3 a cushion.
-        rotation: Degrees about X, then Y, then Z.
-    """
+    """Return a superellipsoid with semi-axes ``half``, turned by degrees; softness 1 is an ellipsoid, 0.3 a cushion."""
     matrix = solids.transform(center, rotation, 1.0)
     rings = solids.superellipsoid_rings(np.asarray(half, float), softness, 18, 10)
     return skinned([ring @ matrix[:3, :3].T + matrix[:3, 3] for ring in rings], weights)
 
 
 def bar(points: ArrayLike, radius: float | Sequence[float], weights: Floats, *, closed: bool = False) -> Sheet:
-    """Return a round bar along a path.
-
-    Args:
-        points: (N, 3) path, metres.
-        radius: Metres, one value or one per point.
-        weights: (35,) bone weights.
-        closed: Join the last point to the first.
-    """
+    """Return a round bar along a path (N, 3); ``radius`` in metres is one value or one per point."""
     rings = solids.tube_rings(np.asarray(points, float), radius, 8, closed)
     if not closed:
         return skinned(rings, weights)

@@ -73,13 +73,7 @@ class Worn:
 
 
 def dress_figure(figure: BodyFigure, outfit: Sequence[Garment], seed: int) -> list[Worn]:
-    """Return garments fitted to a figure, with hidden faces removed.
-
-    Args:
-        figure: The body.
-        outfit: Garments from the inside out.
-        seed: Picks the colour of garments without one.
-    """
+    """Return the garments of an outfit (innermost first), fitted, with hidden faces removed; ``seed`` picks colours."""
     rng = np.random.default_rng(seed + 3)
     layers = WornLayers(float(figure.joint("neck")[1]) - 0.01 * figure.scale)
     wardrobe: list[Worn] = []

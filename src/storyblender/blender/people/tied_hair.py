@@ -34,12 +34,7 @@ _STAYS = 0.95
 
 
 def tied_hair(scalp: Scalp, body: HairSupport) -> list[Sheet]:
-    """Return what hangs from the knot, a ponytail or a braid, and the band that holds it.
-
-    Args:
-        scalp: Head and hairstyle.
-        body: What it lies on.
-    """
+    """Return what hangs from the knot, a ponytail or a braid lying on ``body``, and the band that holds it."""
     figure, scale = scalp.figure, scalp.figure.head_scale
     braided = scalp.spec.knot == "braid"
     spine, outward = _spine(scalp, body)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import bpy
 
 from storyblender.blender.materials import material
-from storyblender.blender.windows import follow_daylight
+from storyblender.blender.windows import set_daylight_material
 from storyblender.catalog.materials import hex_color
 from storyblender.catalog.sets.finishes import finish_of
 from storyblender.memory.base import Color
@@ -53,7 +53,7 @@ def pane(key: str, scene: bpy.types.Scene, *, from_room: bool = False) -> bpy.ty
     block.use_nodes = True
     block["key"], block["tile"], block["grain"] = key, 1.0, False
     block.node_tree.nodes["Principled BSDF"].inputs["Roughness"].default_value = 0.15
-    follow_daylight(block, scene, (_FAR_GLASS, DAYLIGHT) if from_room else (_GLASS, 0.0), PANES[key])
+    set_daylight_material(block, scene, (_FAR_GLASS, DAYLIGHT) if from_room else (_GLASS, 0.0), PANES[key])
     return block
 
 
@@ -73,5 +73,5 @@ def view_outside(key: str, color: Color, scene: bpy.types.Scene) -> bpy.types.Ma
     block.use_nodes = True
     block["key"], block["tile"], block["grain"] = key, 1.0, False
     block.node_tree.nodes["Principled BSDF"].inputs["Roughness"].default_value = 1.0
-    follow_daylight(block, scene, (color, DAYLIGHT), (color, 0.0))
+    set_daylight_material(block, scene, (color, DAYLIGHT), (color, 0.0))
     return block

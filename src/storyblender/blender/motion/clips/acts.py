@@ -1,4 +1,4 @@
-"""Plays the acts of the catalogue: turns rows of key poses into keys on the channels of a person."""
+"""Plays the acts of the catalogue: turns rows of key poses into keys on a person's channels."""
 
 from __future__ import annotations
 
@@ -48,6 +48,8 @@ def _uses(act: Act) -> tuple[str, ...]:
 
 
 def _play_of(act: Act) -> Play:
+    """Return the clip function of an act."""
+
     def play(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
         return _Playing(stage, who, cue, act).run()
 
@@ -55,7 +57,7 @@ def _play_of(act: Act) -> Play:
 
 
 class _Playing:
-    """Performance of one act.
+    """The performance of one act.
 
     Args:
         stage: The stage.
@@ -130,6 +132,7 @@ class _Playing:
         return max(t, end) if self.act.stretches else t
 
     def _key(self, key: Key, t: float) -> None:
+        """Set the keys of one key pose at ``t`` seconds."""
         who, s = self.who, sign(self.lead)
         for side, pose in ((self.lead, key.lead), (other(self.lead), key.far)):
             if pose is not None and self._may_move(side):
@@ -180,8 +183,6 @@ class _Playing:
             look_at(who, t, who.ahead)
         who.lean_after.set(t + HOME_SECONDS, 0, 1.0)
 
-    # --- hands ----------------------------------------------------------------------------------------------------
-
     def _acting_hand(self) -> str:
         """Return the acting hand: the cue's, or the other one if that hand holds an unrelated prop."""
         side, prop = self.cue.side, prop_of(self.cue)
@@ -223,6 +224,7 @@ class _Playing:
         self.stage.following_hands.append((self.who, far, t, end + HOME_SECONDS))
 
     def _target(self, side: str, pose: HandPose) -> TargetOf:
+        """Return the target of a hand in a hand pose; the tool, if the pose aims one, decides how the hand turns."""
         who = self.who
 
         def flip(v: Triple) -> Vector:
@@ -259,7 +261,7 @@ class _Playing:
                 return self._of_partner(side, pose.frame), who.facing, k
 
     def _of_partner(self, side: str, part: str) -> Vector:
-        """Return a place on the partner; without a partner, a place in front of the actor's face or chest."""
+        """Return a place on the partner; without one, a place in front of the actor's face or chest."""
         them = self.partner
         if them is None:
             ahead = 0.45 if part == "their_hand" else 0.6
@@ -276,9 +278,8 @@ class _Playing:
             return min(places, key=lambda place: (place - near).length)
         return them.point("upper_chest", (0, -them.measures.chest_front, 0))
 
-    # --- feet and eyes --------------------------------------------------------------------------------------------
-
     def _planted(self, side: str, pose: FootPose) -> Floats:
+        """Return the target of a foot in a foot pose."""
         who, k = self.who, self.who.scale
         left = who.left
         spot = who.position + who.forward * (pose.ahead * k) + left * (sign(side) * pose.aside * k)
@@ -288,6 +289,7 @@ class _Playing:
         return foot
 
     def _look(self, gaze: Gaze, t: float, seconds: float) -> None:
+        """Look where a gaze says, from ``t`` on."""
         who = self.who
         if gaze == "target":
             look_at_subject(self.stage, who, t, self.cue)
@@ -295,6 +297,7 @@ class _Playing:
             look_at(who, t, self._point(gaze), min(0.5, seconds))
 
     def _point(self, gaze: Gaze) -> Target:
+        """Return the point of a gaze."""
         who, k, s = self.who, self.who.scale, sign(self.lead)
         match gaze:
             case "hands":

@@ -1,4 +1,4 @@
-"""Weapons: aiming and firing."""
+"""Guns: aiming and firing."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ LONG_GUN = 0.6
 
 @clip("aim", "body", "hands", "head")
 def aim(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Level a gun at the target with both hands, in a wide stance."""
+    """Aim a gun at the target with both hands, in a wide stance. Return the end in seconds."""
     t, k, side = cue.start, who.scale, cue.side
     far = other(side)
     prop = prop_of(cue) or stage.props.get(who.held.get(side, ""))
@@ -79,7 +79,7 @@ def aim(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def wide_stance(who: Performer, t: float, lead: str) -> None:
-    """One foot forward, one back, knees soft."""
+    """Put the ``lead`` foot forward and the other back, knees soft, from ``t`` seconds on."""
     k = who.scale
     for side, ahead, splay, delay in ((lead, 0.16, 10, 0.0), (other(lead), -0.14, 24, 0.3)):
         spot = who.position + who.forward * (ahead * k)
@@ -89,7 +89,7 @@ def wide_stance(who: Performer, t: float, lead: str) -> None:
 
 @clip("shoot", "body", "hands", "head")
 def shoot(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Aim and fire once: the arms kick back."""
+    """Aim and fire once; the arms kick back. Return the end in seconds."""
     t = aim(stage, who, cue)
     who.accent.set(t + 0.15, 0.06, (-6, 0, 0))
     who.accent.set(t + 0.22, 0.35, (5, 0, 0))

@@ -1,4 +1,4 @@
-"""Taking things out: of bags and boxes in one's hands, which are opened, and of one's clothes."""
+"""Taking props out of bags, boxes and clothes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from storyblender.blender.motion.skeleton import UP, other, rigid_matrix, sign
 from storyblender.blender.motion.staged_props import StagedProp, carrying_hand
 
 ChestPose = tuple[Triple, Triple, Triple]
-"""Palm from the shoulder in arm lengths, fingers, palm's normal: outwards, forwards, up."""
+"""Palm from the shoulder in arm lengths, finger direction, palm normal: (outwards, forwards, up) each."""
 _BREAST: tuple[ChestPose, ChestPose, ChestPose] = (
     ((-0.22, 0.36, -0.30), (-0.9, 0.2, 0.1), (-0.2, -1, 0)),
     ((-0.42, 0.23, -0.28), (-0.95, -0.15, -0.1), (-0.1, -1, 0)),
@@ -26,13 +26,13 @@ _HIP: tuple[ChestPose, ChestPose, ChestPose] = (
     ((0.06, -0.24, -0.86), (-0.5, -0.3, -0.8), (-0.7, 0.7, 0)),
     ((0.24, 0.12, -0.72), (0, 0.4, -0.9), (-1, 0, 0)),
 )
-"""Where the hand goes: before the place, into it, out of it."""
+"""Three poses of the hand: before the place, in it, and out of it again."""
 RAISED = 0.26
-"""Metres, times the scale, of a bag's opening below the breast."""
+"""Metres, times the scale, of a raised bag's opening below the breast."""
 
 
 def open_held_bag(stage: MotionStage, who: Performer, cue: StagedCue, bag: StagedProp) -> float:
-    """Hold a bag before one and open it with the other hand."""
+    """Hold a bag in front and open it with the other hand; return the end in seconds."""
     t, side = cue.start, _holding(who, bag)
     free = other(side)
     _raise(stage, who, side, bag, t)
@@ -44,7 +44,7 @@ def open_held_bag(stage: MotionStage, who: Performer, cue: StagedCue, bag: Stage
 
 
 def take_from_bag(stage: MotionStage, who: Performer, cue: StagedCue, prop: StagedProp, bag: StagedProp) -> float:
-    """Take a thing out of a bag that the other hand holds, or out of a box that stands there; it has been in there."""
+    """Take a prop, hidden until then, out of a held bag or a standing box; return the end in seconds."""
     t, side, held = cue.start, _holding(who, bag), bag.holder is who
     free = other(side) if held else cue.side
     if free in who.held:
@@ -68,7 +68,7 @@ def take_from_bag(stage: MotionStage, who: Performer, cue: StagedCue, prop: Stag
 
 
 def draw_from_clothes(stage: MotionStage, who: Performer, cue: StagedCue, prop: StagedProp) -> float:
-    """Take a thing out of the clothes it has been in: at the breast of a jacket, else behind the hip."""
+    """Take a prop, hidden until then, out of a jacket's breast, else from behind the hip; return the end."""
     t, side = cue.start, cue.side
     breast = stage.plan.people[who.asset_id].jacket
     bone, ways = ("upper_chest", _BREAST) if breast else ("hips", _HIP)
@@ -92,17 +92,19 @@ def draw_from_clothes(stage: MotionStage, who: Performer, cue: StagedCue, prop: 
 
 
 def _on_edge(prop: StagedProp) -> Matrix:
-    """Return the turn that puts the longest side of a thing upright and the shortest to the front."""
+    """Return the rotation that puts the longest side of a prop upright and the shortest to the front."""
     thin, _, long = sorted(range(3), key=lambda axis: prop.size[axis])
     up, ahead = Vector(np.eye(3)[long]), Vector(np.eye(3)[thin])
     return Matrix((up.cross(ahead), ahead, up)).to_4x4()
 
 
 def _holding(who: Performer, bag: StagedProp) -> str:
+    """Return the hand that holds a bag; ``R`` if none does."""
     return next((side for side, held in who.held.items() if held == bag.asset_id), "R")
 
 
 def _raise(stage: MotionStage, who: Performer, side: str, bag: StagedProp, t: float) -> None:
+    """Hold a bag up in front and look at it."""
     grip = bag.grip(side)
 
     def before_one(now: float) -> Floats:
@@ -118,13 +120,14 @@ def _raise(stage: MotionStage, who: Performer, side: str, bag: StagedProp, t: fl
 
 
 def _lower(who: Performer, side: str, bag: StagedProp, t: float) -> float:
+    """Lower a bag again and look ahead; return the end in seconds."""
     who.hands[side].set(t, 0.7, carrying_hand(who, side, bag))
     look_at(who, t + 0.2, who.ahead)
     return t + 0.6
 
 
 def _at_opening(who: Performer, side: str, bag: StagedProp, above: float) -> TargetOf:
-    """Where the hand is at the opening of a bag, ``above`` metres over it, fingers down."""
+    """Return the target of a hand ``above`` metres over the opening of a bag, fingers down."""
     s, k = sign(side), who.scale
 
     def target(now: float) -> Floats:

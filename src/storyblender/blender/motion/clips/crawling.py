@@ -1,4 +1,4 @@
-"""On all fours: down on hands and knees, along the way, and up again."""
+"""Crawling on hands and knees: down, along a path, and up again."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ from storyblender.geometry.boxes import shortest_turn
 SPEED = 0.55
 """Metres per second at scale 1."""
 CYCLE = 1.1
-"""Seconds in which every limb moves once: a hand with the knee across."""
+"""Seconds of a cycle, in which every limb moves once: a hand with the opposite knee."""
 DOWN, UP = 0.9, 1.0
-"""Seconds to get on all fours, and to stand up."""
+"""Seconds to get on all fours, and to stand up again."""
 KNEES_BACK, HANDS_AHEAD = 0.30, 0.24
 """Metres, times the scale, from the middle of the body on the floor."""
 FLAT = 78.0
@@ -34,13 +34,13 @@ FLAT = 78.0
 
 @dataclass(frozen=True)
 class CrawlPath:
-    """The way of a body on all fours: how far it has come at a second, and where its limbs are down.
+    """The movement of a body on all fours.
 
     Attributes:
-        way: On the floor.
-        base_yaw: Added to the way's headings.
+        way: Path on the floor.
+        base_yaw: Radians added to the path's headings.
         start: Second at which it sets out.
-        seconds: It is on the way.
+        seconds: Duration.
     """
 
     way: WalkPath
@@ -49,16 +49,20 @@ class CrawlPath:
     seconds: float
 
     def root(self, t: float) -> tuple[float, float, float]:
-        """Return x, y and yaw of the body."""
+        """Return x, y and yaw of the body at ``t`` seconds."""
         return self.at(self.way.length * smoothstep(clamp((t - self.start) / self.seconds)))
 
     def at(self, gone: float) -> tuple[float, float, float]:
-        """Return x, y and yaw after some metres."""
+        """Return x, y and yaw of the body after ``gone`` metres."""
         place = self.way.place(gone)
         return place.x, place.y, self.way.heading(gone) + self.base_yaw
 
     def limb(self, t: float, phase: float, ahead: float, aside: float) -> tuple[Vector, float, float]:
-        """Return where a limb is on the floor plan, the yaw it was put down with, and how far it is lifted (0..1)."""
+        """Return position (x, y) and yaw of a limb at ``t`` seconds, and how far it is lifted, 0..1.
+
+        ``phase`` is its place in the cycle, 0..1; ``ahead`` and ``aside`` are metres from the body's middle, forwards
+        and left.
+        """
         turns = (t - self.start) / CYCLE + phase
         swing = turns - math.floor(turns)
         last, after = (self._put_down(math.floor(turns) + step, phase, ahead, aside) for step in (-1, 0))
@@ -68,7 +72,7 @@ class CrawlPath:
         return spot, last[1] + (after[1] - last[1]) * share, math.sin(math.pi * clamp(2 * swing)) * clamp(8 * moved)
 
     def _put_down(self, turn: int, phase: float, ahead: float, aside: float) -> tuple[Vector, float]:
-        """A limb is down where it is under the body in the middle of its rest."""
+        """Return where a limb is put down in a cycle, and its yaw: below the body in the middle of its rest."""
         x, y, yaw = self.root(self.start + (turn + 0.75 - phase) * CYCLE)
         forward, left = Vector((math.sin(yaw), -math.cos(yaw))), Vector((math.cos(yaw), math.sin(yaw)))
         return Vector((x, y)) + forward * ahead + left * aside, yaw
@@ -76,7 +80,7 @@ class CrawlPath:
 
 @clip("crawl", "body", "hands")
 def crawl(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Get down on hands and knees, crawl to the mark and stand up there."""
+    """Get down on hands and knees, crawl to the mark and stand up there. Return the end in seconds."""
     goal, yaw = find_goal(stage, who, cue)
     if math.dist(who.position, goal) < NEAR:
         return cue.start
@@ -99,7 +103,7 @@ def crawl(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def get_on_all_fours(who: Performer, path: CrawlPath, t: float) -> None:
-    """Knees, then hands to the floor; from then on they follow the way."""
+    """Put knees, then hands on the floor from ``t`` seconds on; from then on they follow ``path``."""
     m, k = who.measures, who.scale
     on_knees = 0.075 * k + 0.97 * m.thigh
 
@@ -120,7 +124,7 @@ def get_on_all_fours(who: Performer, path: CrawlPath, t: float) -> None:
 
 
 def _get_up(stage: MotionStage, who: Performer, t: float) -> float:
-    """Hands off the floor, one foot under the body, then the other; return the end."""
+    """Stand up from all fours from ``t`` seconds on; return the end."""
     stand = who.standing_height
     who.hips.set(t, 0.5 * UP, (0, 0.10 * who.scale, 0.62 * stand, 40, 0, 0))
     who.hips.set(t + 0.4 * UP, 0.6 * UP, (0, 0, stand, 0, 0, 0))
@@ -136,7 +140,7 @@ def _get_up(stage: MotionStage, who: Performer, t: float) -> float:
 
 
 def _knee(who: Performer, path: CrawlPath, side: str) -> Callable[[float], Floats]:
-    """The foot of a knee that is down: the shin behind it, the toes on the floor."""
+    """Return the target of the foot behind a knee on the floor."""
     m, k = who.measures, who.scale
     ankle = 0.125 * k
     shin = math.sqrt(m.shin**2 - (ankle - 0.075 * k) ** 2)
@@ -152,7 +156,7 @@ def _knee(who: Performer, path: CrawlPath, side: str) -> Callable[[float], Float
 
 
 def _palm(who: Performer, path: CrawlPath, side: str) -> Callable[[float], Floats]:
-    """A palm on the floor, or on its way to the next place; it moves with the knee across."""
+    """Return the target of a palm on the floor, or on its way to the next place."""
     k, s = who.scale, sign(side)
 
     def target(t: float) -> Floats:

@@ -1,4 +1,4 @@
-"""Dancing: alone, from side to side, or in each other's arms, round and round."""
+"""Dancing: alone, from side to side, or in couples, turning."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ from storyblender.geometry.paths import clearance
 PULSE = 0.52
 """Seconds of a step."""
 BETWEEN = 0.16
-"""Metres between the bodies of a couple, times the scale."""
+"""Metres, times the scale, between the bodies of a couple."""
 ROUND = 8.0
-"""Seconds of a whole turn of a couple; faster, and they step on each other's feet."""
+"""Seconds of a full turn of a couple."""
 ROCKING, SWING = math.radians(18), 4.0
-"""How far a couple turns to and fro where there is no time or room to go round, and in how many seconds."""
+"""Radians and seconds of a couple's turns to and fro, where there is no time or room for full turns."""
 Place = Callable[[float], tuple[float, float, float]]
 
 
 @clip("dance", "body", "hands", "head")
 def dance(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Dance with the target, if that is somebody who stands, else alone."""
+    """Dance with the target if they stand, else alone. Return the end in seconds."""
     partner = partner_of(cue)
     if partner is None or partner.posture != "stand":
         return _alone(who, cue)
@@ -64,7 +64,7 @@ def dance(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def _turned(stage: MotionStage, lead: Performer, follow: Performer, t: float, end: float) -> Callable[[float], float]:
-    """Return how far the couple has turned over time: round and round where there is room, else to and fro."""
+    """Return the angle of a couple by seconds, radians: full turns where there is room, else to and fro."""
     middle, arm = (lead.position + follow.position) / 2, (lead.position - follow.position).length / 2
     circle = [(middle.x + arm * math.sin(a), middle.y + arm * math.cos(a)) for a in np.linspace(0, 2 * math.pi, 12)]
     others = stage.footprints(lead, (follow.asset_id,))
@@ -77,7 +77,7 @@ def _turned(stage: MotionStage, lead: Performer, follow: Performer, t: float, en
 
 
 def _around(who: Performer, middle: Vector, turned: Callable[[float], float]) -> Place:
-    """Return the way around a point, the face to it."""
+    """Return x, y and yaw of a dancer around ``middle`` by seconds."""
     arm, yaw = who.position - middle, who.yaw
 
     def place(now: float) -> tuple[float, float, float]:
@@ -89,7 +89,7 @@ def _around(who: Performer, middle: Vector, turned: Callable[[float], float]) ->
 
 
 def _go_round(who: Performer, place: Place, t: float, end: float, first: str) -> None:
-    """Follow a way in small steps, the trunk rising and falling with them."""
+    """Follow ``place`` in small steps from ``t`` to ``end`` seconds, the trunk rising and falling."""
     pulse, k, stand = PULSE, who.scale, who.standing_height
     who.root.set(t, 0, place)
     who.hips.set(
@@ -108,7 +108,7 @@ def _go_round(who: Performer, place: Place, t: float, end: float, first: str) ->
 
 
 def _on_back(who: Performer, partner: Performer) -> TargetOf:
-    """The leading right hand, on the partner's shoulder blade."""
+    """Return the target of the leading right hand, on the partner's shoulder blade."""
     k = partner.scale
     back = partner.measures.chest_back + 0.014 * k - partner.bones.head["upper_chest"].y
 
@@ -122,7 +122,7 @@ def _on_back(who: Performer, partner: Performer) -> TargetOf:
 
 
 def _on_shoulder(who: Performer, partner: Performer) -> TargetOf:
-    """The following left hand, on the partner's right shoulder."""
+    """Return the target of the following left hand, on the partner's right shoulder."""
     k = partner.scale
 
     def target(t: float) -> Floats:
@@ -134,7 +134,7 @@ def _on_shoulder(who: Performer, partner: Performer) -> TargetOf:
 
 
 def _clasped(lead: Performer, follow: Performer, who: Performer) -> TargetOf:
-    """The hands held out to the leader's left, palm to palm, at the height of the shoulders."""
+    """Return the target of a dancer's clasped hand, held out to the leader's left at shoulder height."""
     side = "L" if who is lead else "R"
 
     def target(t: float) -> Floats:
@@ -150,7 +150,7 @@ def _clasped(lead: Performer, follow: Performer, who: Performer) -> TargetOf:
 
 
 def _alone(who: Performer, cue: StagedCue) -> float:
-    """Step from side to side in rhythm, arms swinging."""
+    """Step from side to side in rhythm, arms swinging; return the end in seconds."""
     t, k = cue.start, who.scale
     end = t + max(2.0, cue.duration or 4.0)
     x, y = who.position
@@ -176,6 +176,7 @@ def _alone(who: Performer, cue: StagedCue) -> float:
 
 
 def _swing(who: Performer, side: str, start: float, pulse: float) -> Channel:
+    """Return the targets of an arm that swings with the steps."""
     low = by_chest(who, side, (0.10, 0.45, -0.42), (-0.4, 0.8, 0.3), (-0.9, 0, -0.4), curl=(40, 48, 10))
     high = by_chest(who, side, (0.30, 0.50, -0.05), (-0.3, 0.6, 0.7), (-0.9, 0.2, -0.2), curl=(30, 36, 10))
     channel = Channel(low, blend_hands)

@@ -1,4 +1,4 @@
-"""In each other's arms: hugging and kissing."""
+"""Embraces: hugging and kissing."""
 
 from __future__ import annotations
 
@@ -21,22 +21,29 @@ from storyblender.blender.motion.skeleton import SIDES, sign
 CLOSING = 0.9
 """Seconds in which arms open and close."""
 HOLDING = 1.2
-"""Seconds of an embrace whose length nobody has chosen."""
+"""Seconds of an embrace without a duration."""
 LIPS = Vector((0, -0.028, -0.065))
-"""From the middle of the eyes, times the scale."""
+"""From the middle of the eyes to the lips in metres, times the scale."""
 APART = 0.004
 """Metres between lips that touch."""
 TILT = 18.0
 """Degrees both heads tilt to their right in a kiss, so that the noses pass."""
 IN_THE_WAY = 0.25
-"""Metres; a hand that holds something longer is not laid around anybody."""
+"""Metres; a hand with a longer prop does not embrace."""
 DEEPEST = 0.10
-"""Metres, times the scale, that the taller one gives way in the knees for a kiss."""
+"""Metres, times the scale, by which the taller one's knees may bend for a kiss."""
 
 
 @dataclass(frozen=True)
 class Embrace:
-    """The seconds of an embrace: arms open, are closed, let go, hang again."""
+    """The seconds of an embrace.
+
+    Attributes:
+        start: The arms open.
+        closed: They are closed.
+        apart: They let go.
+        end: They hang again.
+    """
 
     start: float
     closed: float
@@ -46,14 +53,14 @@ class Embrace:
 
 @clip("hug", "body", "hands", "head")
 def hug(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Embrace; step back to the mark afterwards, if there is one."""
+    """Embrace the target; step back to the mark afterwards, if there is one. Return the end in seconds."""
     partner = partner_of(cue)
     return cue.start if partner is None else embrace(stage, who, partner, cue).end
 
 
 @clip("kiss", "body", "hands", "head")
 def kiss(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Embrace and kiss: heads tilt, and trunks and knees bring the lips together."""
+    """Embrace and kiss: heads tilt, trunks and knees bring the lips together. Return the end in seconds."""
     partner = partner_of(cue)
     if partner is None:
         return cue.start
@@ -69,7 +76,10 @@ def kiss(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def embrace(stage: MotionStage, who: Performer, partner: Performer, cue: StagedCue) -> Embrace:
-    """Go to each other and embrace: the taller goes over the shoulders and bends, the shorter around the ribs."""
+    """Bring two people together in an embrace: the taller over the shoulders and bent, the shorter around the ribs.
+
+    The cue gives start, duration and the mark to step back to.
+    """
     distance = who.measures.front + partner.measures.front + 0.035 * (who.scale + partner.scale) / 2
     t = meet(stage, who, partner, cue, distance, 0.03)
     closed = t + 1.2 * CLOSING
@@ -90,6 +100,7 @@ def embrace(stage: MotionStage, who: Performer, partner: Performer, cue: StagedC
 def _close_arms(
     stage: MotionStage, who: Performer, other: Performer, over: bool, difference: float, t: float, apart: float
 ) -> None:
+    """Embrace ``other`` with both free arms, ``over`` their shoulders or around the ribs, until ``apart`` seconds."""
     k = who.scale
     bend = 24 * clamp(difference / 0.5) if over else 0.0
     who.accent.set(t, CLOSING, (3 + bend, -5, 0))
@@ -118,6 +129,7 @@ def _close_arms(
 
 
 def _open_arms(who: Performer, side: str, over: bool) -> TargetOf:
+    """Return the target of an arm that opens for an embrace."""
     return by_chest(
         who, side, (0.22, 0.80, -0.10 if over else -0.38), (-0.15, 1, 0.1), (-1, 0, 0), pole=(1, -0.2, -0.4),
         curl=(6, 8, 0),
@@ -125,7 +137,7 @@ def _open_arms(who: Performer, side: str, over: bool) -> TargetOf:
 
 
 def _around(who: Performer, other: Performer, side: str, over: bool) -> TargetOf:
-    """Palm on the other's back: around the ribs a little across the spine, over the shoulders not so far."""
+    """Return the target of a palm on the other's back: around the ribs, or over the shoulders."""
     s, k = sign(side), other.scale
     height = ((0.10 if side == "R" else -0.02) if over else (-0.10 if side == "R" else -0.02)) * k
     back = other.measures.chest_back + 0.014 * k - other.bones.head["upper_chest"].y
@@ -141,12 +153,12 @@ def _around(who: Performer, other: Performer, side: str, over: bool) -> TargetOf
 
 
 def _lips(who: Performer) -> Vector:
-    """Where the lips are at the moment being posed, world."""
+    """Return the world point of the lips, in the current pose."""
     return who.point("head", who.eye_offset + LIPS * who.scale)
 
 
 def _bring_lips_together(who: Performer, partner: Performer, held: Embrace) -> None:
-    """Bend both trunks, shift both hips and bend the taller one's knees until the lips meet; found by posing them."""
+    """Bend trunks, shift hips and bend the taller one's knees until the lips meet, by posing both repeatedly."""
     pair = (who, partner)
     moves = {each.asset_id: np.zeros(3) for each in pair}
     start, at = held.closed - 0.6, held.closed + 0.2
@@ -171,7 +183,7 @@ def _bring_lips_together(who: Performer, partner: Performer, held: Embrace) -> N
 
 
 def _follow(who: Performer, move: Floats, start: float) -> None:
-    """Let trunk and hips do from ``start`` on what ``move`` says: degrees bent, metres to the left, metres down."""
+    """Apply ``move`` from ``start`` seconds on: degrees of bend, metres to the left, metres down."""
     height = who.standing_height - 0.01 * who.scale
     who.accent.set(start, 0.7, lambda now: (move[0], 0, 0))
     who.hips.set(start, 0.7, lambda now: (move[1], 0, height - move[2], 0, 0, 0))

@@ -21,7 +21,7 @@ from storyblender.geometry.boxes import shortest_turn
 
 
 def go_to_mark(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Go to the cue's mark if it has one; before the shot starts, stand there already."""
+    """Go to the cue's mark, if it has one; before the shot starts, stand there. Return the second of arrival."""
     if cue.mark is None:
         return cue.start
     x, y, _ = cue.mark.location
@@ -34,7 +34,7 @@ def go_to_mark(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("kneel", "body", "hands")
 def kneel(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """One knee on the floor, the other foot flat in front."""
+    """Kneel on one knee, the other foot flat in front. Return the end in seconds."""
     t = go_to_mark(stage, who, cue)
     m, k = who.measures, who.scale
     knee, front = cue.side, other(cue.side)
@@ -59,7 +59,7 @@ def kneel(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("crouch", "body", "hands")
 def crouch(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Squat with knees apart, arms on them."""
+    """Squat with knees apart, arms on them. Return the end in seconds."""
     t = go_to_mark(stage, who, cue)
     m, k = who.measures, who.scale
     whole = 0.8 * math.sqrt(k)
@@ -83,14 +83,14 @@ def crouch(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("hide", "body", "hands")
 def hide(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Go to cover and crouch there, afraid."""
+    """Go to cover and crouch there, afraid. Return the end in seconds."""
     show_mood(who, cue.start, "afraid")
     return crouch(stage, who, cue)
 
 
 @clip("lie_down", "body", "hands")
 def lie_down(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Lie down on the bed of the mark by way of sitting on its edge, or on the floor."""
+    """Lie down on the bed of the mark, by way of sitting on its edge, or on the floor. Return the end in seconds."""
     support = (cue.mark.support_id if cue.mark else None) or getattr(cue.target, "asset_id", None)
     furniture = stage.find_furniture(support)
     bed = stage.find_anchor(furniture, ("bed",), cue.mark) if furniture is not None else None
@@ -113,7 +113,7 @@ def lie_down(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def _lie_on_floor(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Sit down on the ground and lie back, head where the mark's back is."""
+    """Sit down on the ground and lie back; return the end in seconds."""
     t = go_to_mark(stage, who, cue)
     if t < 0:
         t = min(t, -8.0)
@@ -129,16 +129,16 @@ def _lie_on_floor(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 def recline(
     stage: MotionStage, who: Performer, t: float, head: Vector, feet: Vector, height: float, rise: float = 8
 ) -> float:
-    """Swing the legs up and lower the back; return the end.
+    """Swing the legs up and lower the back; return the end in seconds.
 
     Args:
         stage: The stage.
-        who: Sitting or crouching.
-        t: Start.
+        who: A person who sits or crouches.
+        t: Second at which they begin.
         head: Where the crown of the head goes, on the floor plan.
-        feet: Unit vector from head to feet.
-        height: Of the surface.
-        rise: Degrees the back stays raised (pillow).
+        feet: Unit vector from head to feet, on the floor plan.
+        height: Of the surface, metres.
+        rise: Degrees by which the back stays raised, for a pillow.
     """
     m, k = who.measures, who.scale
     whole = 2.2
@@ -156,6 +156,7 @@ def recline(
     who.lean_after.set(t, 0, 0.0)
 
     def over_the_feet(now: float) -> tuple[float, float, float]:
+        """Return a world point above the feet to look at."""
         return tuple(who.point("upper_chest", (0, -1.2 * k, 0.75 * k)))
 
     look_at(who, t + 0.3 * whole, over_the_feet, 0.6)
@@ -186,6 +187,7 @@ def recline(
 
 
 def _propping(who: Performer, side: str, height: float) -> TargetOf:
+    """Return the target of a hand that props up a reclining person."""
     s, k = sign(side), who.scale
 
     def target(t: float) -> Floats:
@@ -201,7 +203,7 @@ def _propping(who: Performer, side: str, height: float) -> TargetOf:
 
 @clip("sleep", "body", "hands", "head")
 def sleep(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Close the eyes; the head sinks. Lies down first if there is a bed."""
+    """Close the eyes, the head sinking; lie down first if there is a bed. Return the end in seconds."""
     t = cue.start
     if who.posture in ("stand", "lean") and (cue.mark is not None or cue.target is not None):
         t = lie_down(stage, who, cue)
@@ -214,7 +216,7 @@ def sleep(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("wake", "head")
 def wake(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Open the eyes, raise the head."""
+    """Open the eyes and raise the head. Return the end in seconds."""
     t = cue.start
     show_mood(who, t, "tired", 0.35)
     who.nod.set(t + 0.1, 0.5, (-6, 0, 0))
@@ -225,13 +227,13 @@ def wake(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("get_up", "body", "hands")
 def get_up(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Get up from bed or floor."""
+    """Get up from bed or floor. Return the end in seconds."""
     return stand_up(stage, who, cue.start)
 
 
 @clip("fall", "body", "hands", "head")
 def fall(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Collapse: the knees give way, the body goes back, the head last."""
+    """Collapse backwards: knees, body, head. Return the end in seconds."""
     t, m, k = cue.start, who.measures, who.scale
     if t < 0:
         return _lie_on_floor(stage, who, cue)
@@ -275,6 +277,7 @@ def fall(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def _flung_out(who: Performer, side: str) -> TargetOf:
+    """Return the target of an arm flung out on the floor."""
     s, k = sign(side), who.scale
 
     def target(t: float) -> Floats:

@@ -15,14 +15,7 @@ from storyblender.catalog.expressions import EXPRESSIONS, OF_MOOD, values_of
 
 
 def look_at(who: Performer, t: float, point: Target, duration: float = 0.4) -> float:
-    """Look at a point: eyes lead the head, and a blink hides the jump. Return the second at which the head is there.
-
-    Args:
-        who: The person.
-        t: Second at which the eyes move.
-        point: World point, or a function from seconds to one.
-        duration: Seconds of the head's turn.
-    """
+    """Look at a world ``point`` from ``t`` on: eyes, a blink, then the head in ``duration`` seconds; return the end."""
     who.eyes.set(t, 0.08, point)
     who.gaze.set(t + 0.06, duration, point)
     who.blinks.append(t + 0.05)
@@ -30,26 +23,12 @@ def look_at(who: Performer, t: float, point: Target, duration: float = 0.4) -> f
 
 
 def show_expression(who: Performer, t: float, duration: float, **units: float) -> None:
-    """Blend to a facial expression.
-
-    Args:
-        who: The person.
-        t: Second at which the blend begins.
-        duration: Seconds.
-        units: Amounts by unit of ``FACE``; without any, the person's base expression in this shot.
-    """
+    """Blend in ``duration`` seconds to amounts of ``FACE`` units; without any, to the person's base expression."""
     who.face.set(t, duration, values_of(units or EXPRESSIONS[who.expression]))
 
 
 def show_mood(who: Performer, t: float, name: str, duration: float = 0.3) -> None:
-    """Blend to the expression of a mood.
-
-    Args:
-        who: The person.
-        t: Second at which the blend begins.
-        name: A mood or expression; ``neutral`` is the person's base expression in this shot.
-        duration: Seconds.
-    """
+    """Blend in ``duration`` seconds to a mood's or expression's face; ``neutral`` is the person's base expression."""
     expression = next((face for each, face in OF_MOOD.items() if each == name), name)
     show_expression(who, t, duration, **EXPRESSIONS[expression])
 
@@ -171,13 +150,7 @@ def think(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def point_aside(who: Performer, degrees: float, height: float = 0.95) -> PointOf:
-    """Return a function from seconds to a point 5 m away, turned from straight ahead.
-
-    Args:
-        who: The person.
-        degrees: Turn to the left.
-        height: Share of the eyes' height.
-    """
+    """Return a point 5 m away by seconds, turned left by ``degrees``, at a share ``height`` of the eyes' height."""
 
     def point(t: float) -> Vector:
         x, y, yaw = who.root(t)

@@ -15,12 +15,12 @@ from storyblender.blender.motion.skeleton import SIDES, UP, other, sign
 from storyblender.blender.motion.staged_props import StagedProp
 
 RING = 0.06
-"""Metres: what is smaller is put on a finger."""
+"""Metres; smaller props are put on a finger."""
 
 
 @clip("point", "hand", "head")
 def point(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Stretch the arm and the forefinger towards the target."""
+    """Point at the target with the forefinger. Return the end in seconds."""
     t, side = cue.start, cue.side
     stay = max(0.8, (cue.duration or 2.0) - 1.2)
     goal = stage.look_point(cue.target) if cue.target is not None else who.ahead
@@ -44,7 +44,7 @@ def point(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("wave", "hand", "head")
 def wave(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Wave beside the head."""
+    """Wave beside the head. Return the end in seconds."""
     t, side = cue.start, cue.side
     look_at_subject(stage, who, t, cue)
     show_mood(who, t, "happy" if cue.mood == "neutral" else cue.mood)
@@ -66,7 +66,7 @@ def wave(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("shrug", "hands", "head")
 def shrug(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Raise shoulders and palms."""
+    """Raise shoulders and palms. Return the end in seconds."""
     t = cue.start
     if cue.target is not None:
         look_at_subject(stage, who, t, cue)
@@ -92,7 +92,7 @@ def shrug(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("salute", "hand", "head")
 def salute(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Stand straight, hand to the temple."""
+    """Stand straight, a hand to the temple. Return the end in seconds."""
     t, side = cue.start, cue.side
     look_at_subject(stage, who, t, cue)
     temple = by_head(
@@ -114,7 +114,7 @@ def salute(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("clap", "hands", "head")
 def clap(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Applaud."""
+    """Applaud. Return the end in seconds."""
     t, end = cue.start, cue.start + (cue.duration or 2.2)
     look_at_subject(stage, who, t, cue)
     show_mood(who, t, "happy")
@@ -133,7 +133,7 @@ def clap(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("pray", "hands", "head")
 def pray(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Palms together before the chest, head bowed."""
+    """Pray: palms together before the chest, head bowed. Return the end in seconds."""
     t, end = cue.start, cue.start + (cue.duration or 3.0)
     for side in SIDES:
         folded = by_chest(who, side, (-0.335, 0.50, -0.15), (-0.05, 0.55, 0.85), (-1, 0, 0), curl=(2, 3, 0))
@@ -149,7 +149,7 @@ def pray(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("bow", "body", "head")
 def bow(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Bow from the hips."""
+    """Bow from the hips. Return the end in seconds."""
     t, k = cue.start, who.scale
     who.look_freely(t)
     who.hips.set(t, 0.7, (0, 0.07 * k, who.standing_height - 0.01 * k, 22, 0, 0))
@@ -163,7 +163,7 @@ def bow(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("dress", "hands")
 def dress(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Pull a garment up over the shoulders or off them, and smooth it down; put a ring on a finger."""
+    """Pull a garment over the shoulders or off them; put a ring on a finger. Return the end in seconds."""
     t, prop = cue.start, prop_of(cue)
     if prop is not None and prop.holder is who and max(prop.size) < RING:
         return _put_on_finger(stage, who, cue, prop)
@@ -180,7 +180,7 @@ def dress(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def _put_on_finger(stage: MotionStage, who: Performer, cue: StagedCue, ring: StagedProp) -> float:
-    """Push a ring on a finger of the hand that does not hold it, before the chest; it stays there."""
+    """Push a ring on a finger of the other hand, before the chest; return the end in seconds."""
     t, side = cue.start, who.hand_holding(ring.asset_id) or cue.side
     far = other(side)
     offered = by_chest(who, far, (-0.16, 0.50, -0.40), (-0.9, 0.35, 0.15), (0, -0.5, -0.8), curl=(4, 8, 0))
@@ -199,7 +199,7 @@ def _put_on_finger(stage: MotionStage, who: Performer, cue: StagedCue, ring: Sta
 
 @clip("kick", "body")
 def kick(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Swing one foot against what is in front."""
+    """Kick with one foot at what is in front. Return the end in seconds."""
     t, k, foot = cue.start, who.scale, cue.side
     behind = who.plant_at(foot, (who.position - who.forward * 0.28 * k), who.yaw)
     behind[2], behind[4] = behind[2] + 0.14 * k, -50

@@ -44,17 +44,9 @@ def prop_of(cue: StagedCue) -> StagedProp | None:
 
 
 def approach(stage: MotionStage, who: Performer, cue: StagedCue, place: Vector, reach: float) -> float:
-    """Walk to where a hand can reach a point, and face it; seated, kneeling and lying people stay.
+    """Walk to within ``reach`` metres (on the floor) of a world point and face it; return the second of arrival.
 
-    Args:
-        stage: The stage.
-        who: The person.
-        cue: Gives the start; a failure is reported on it.
-        place: World point.
-        reach: Metres on the floor from which it can be reached.
-
-    Returns:
-        Second of arrival.
+    Seated, kneeling and lying people stay. A failure is reported on the cue.
     """
     toward = place.xy - who.position
     if who.posture in ("sit", "lie", "asleep", "kneel"):
@@ -88,16 +80,7 @@ def _standing_spot(stage: MotionStage, who: Performer, place: Vector, reach: flo
 def take_in_hand(
     stage: MotionStage, who: Performer, side: str, prop: StagedProp, t: float, settle: float = SETTLE
 ) -> None:
-    """Let a prop follow a hand, and note the person as its holder.
-
-    Args:
-        stage: The stage.
-        who: The holder.
-        side: ``L`` or ``R``.
-        prop: The prop.
-        t: Second from which it follows.
-        settle: Seconds of the blend into the hand.
-    """
+    """Let a prop follow a hand from ``t`` on, blending for ``settle`` seconds, and note the person as its holder."""
     release_prop(stage, prop)
     prop.hold(t, who, side, prop.grip(side), settle)
     for hand in SIDES if prop.two_handed else (side,):
@@ -111,17 +94,7 @@ def release_prop(stage: MotionStage, prop: StagedProp) -> None:
 
 
 def bend_to_reach(who: Performer, t: float, duration: float, place: Vector) -> float:
-    """Bend hips and spine so that a standing person reaches a low or far point.
-
-    Args:
-        who: The person.
-        t: Second at which the bend begins.
-        duration: Seconds.
-        place: World point.
-
-    Returns:
-        Depth of the bend, 0..1; 0 if none is needed.
-    """
+    """Bend in ``duration`` seconds to reach a low or far world point; return the depth 0..1, 0 if not needed."""
     m, k = who.measures, who.scale
     if who.posture != "stand":
         return 0.0

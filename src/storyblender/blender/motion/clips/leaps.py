@@ -1,4 +1,4 @@
-"""Off the ground: jumping, and getting over or up things."""
+"""Off the ground: jumping, and getting over or up obstacles."""
 
 from __future__ import annotations
 
@@ -19,20 +19,20 @@ from storyblender.blender.motion.plan import StageFurniture
 from storyblender.blender.motion.skeleton import SIDES, other, sign
 
 HANDS_FREE = 0.55
-"""Metres, times the scale: lower things are leapt over without a hand on them."""
+"""Metres, times the scale; lower obstacles are leapt without a hand on them."""
 SEATED_OVER = 0.40
-"""Metres, times the scale, of the hip joints over what one swings across."""
+"""Metres, times the scale, of the hip joints above an obstacle."""
 STRAIGHT = 3.5
-"""Metres; a mark farther away is walked towards first."""
+"""Metres; a farther mark is approached first."""
 AIR = 0.57
 """Seconds off the ground of a jump on the spot."""
 RUNG = 0.28
-"""Metres, times the scale, between the holds of somebody who climbs up."""
+"""Metres, times the scale, between the holds of a climb."""
 
 
 @clip("jump", "body", "hands")
 def jump(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Jump over a thing to the mark behind it; else up on the spot, or forward to a mark that is near."""
+    """Jump over the target to the mark behind it, on the spot, or forward to a near mark. Return the end in seconds."""
     if cue.mark is not None and isinstance(cue.target, StageFurniture):
         return _get_over(stage, who, cue, cue.target, 0.70)
     t, k = cue.start, who.scale
@@ -47,14 +47,14 @@ def jump(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("climb", "body", "hands")
 def climb(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Climb over a thing to the mark behind it, or up a thing that is higher."""
+    """Climb over the target to the mark behind it, or up the target. Return the end in seconds."""
     if cue.mark is not None and isinstance(cue.target, StageFurniture):
         return _get_over(stage, who, cue, cue.target, 1.5)
     return _climb_up(stage, who, cue)
 
 
 def _get_over(stage: MotionStage, who: Performer, cue: StagedCue, thing: StageFurniture, air: float) -> float:
-    """Swing across a thing, a hand on it where it is high; ``air`` seconds off the ground."""
+    """Swing across a piece of furniture, a hand on it if it is high, in ``air`` seconds; return the end in seconds."""
     k = who.scale
     assert cue.mark is not None, "the mark is behind the thing"
     goal = Vector(cue.mark.location).xy
@@ -82,7 +82,7 @@ def _get_over(stage: MotionStage, who: Performer, cue: StagedCue, thing: StageFu
 
 
 def _nearest_on_top(who: Performer, thing: StageFurniture, top: float) -> Vector:
-    """The point of a box's upper face that is nearest to a person, a palm's breadth in."""
+    """Return the point on a box's upper face nearest to a person, a palm's breadth in."""
     world = Matrix(thing.world.tolist())
     local = world.inverted() @ Vector((*who.position, 0))
     half = [max(0.0, size / 2 - 0.05) for size in thing.dimensions[:2]]
@@ -92,12 +92,12 @@ def _nearest_on_top(who: Performer, thing: StageFurniture, top: float) -> Vector
 
 
 def _fly(who: Performer, off: float, goal: Vector, air: float, rise: float, lift: float, stride: float) -> float:
-    """Crouch, leave the ground at ``off`` and come down at ``goal``; return the second of landing.
+    """Crouch, leave the ground and land; return the second of landing.
 
     Args:
-        who: Standing.
+        who: A standing person.
         off: Second at which the crouch is deepest.
-        goal: On the floor.
+        goal: Landing position (x, y).
         air: Seconds from the crouch to the landing.
         rise: Metres by which the hips rise.
         lift: Metres by which the feet are lifted.
@@ -132,7 +132,7 @@ def _fly(who: Performer, off: float, goal: Vector, air: float, rise: float, lift
 
 
 def _swing_arms(who: Performer, off: float, air: float) -> None:
-    """Swing the free arms back, then up and forward off the ground at ``off``, whatever the hands did at rest."""
+    """Swing the free arms back, then up and forward as the feet leave the ground at ``off`` seconds."""
     for side in SIDES:
         if who.is_free(side):
             back = by_chest(who, side, (0.15, -0.40, -0.75), (0.1, -0.6, -0.8), (-1, 0, 0), upright=True)
@@ -166,7 +166,7 @@ def _foot_in_flight(
 
 
 def _land(who: Performer, down: float) -> float:
-    """Give way to the landing and stand; return the end."""
+    """Absorb a landing at ``down`` seconds and stand; return the end in seconds."""
     k, stand = who.scale, who.standing_height
     who.hips.set(down, 0.14, (0, 0.04 * k, stand - 0.16 * k, 14, 0, 0))
     who.spine.set(down, 0.16, (16, 0, 0))
@@ -176,7 +176,7 @@ def _land(who: Performer, down: float) -> float:
 
 
 def _climb_up(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Hand over hand up a ladder or a wall; come down again if the shot goes on."""
+    """Climb a ladder or a wall hand over hand; come down again if the shot goes on. Return the end in seconds."""
     t, k = cue.start, who.scale
     height = 3 * RUNG * k
     if isinstance(cue.target, StageFurniture):
@@ -197,7 +197,7 @@ def _climb_up(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def _pull(who: Performer, t: float, pulse: float, side: str, level: float) -> float:
-    """One hold up or down: a hand reaches, the other foot follows, the body is carried to ``level`` metres."""
+    """Climb one hold up or down, until the body is at ``level`` metres; return the end in seconds."""
     k = who.scale
     for each, high in ((side, 0.70), (other(side), 0.15)):
         rung = by_chest(

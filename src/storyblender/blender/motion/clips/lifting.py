@@ -1,4 +1,4 @@
-"""Lifting somebody small into the air, and putting them down."""
+"""Lifting a small person into the air, and putting them down."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import SIDES, sign
 
 APART = 0.40
-"""Metres, times the scale, between who lifts and who is lifted."""
+"""Metres, times the scale, between the two people."""
 RAISED = 0.7
-"""Seconds of the way up, and of the way down."""
+"""Seconds of the way up, and again of the way down."""
 
 
 @clip("lift", "body", "hands", "head")
 def lift(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Take the target under the arms, lift them eye to eye, put them down."""
+    """Lift the target by the arms to eye level, and put them down. Return the end in seconds."""
     partner = partner_of(cue)
     if partner is None or partner.posture != "stand":
         return cue.start
@@ -56,7 +56,7 @@ def lift(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def _carry(who: Performer, up: float, down: float, height: float) -> None:
-    """Rise by a height and come down again, the feet hanging."""
+    """Raise a person by ``height`` metres at ``up`` seconds and lower them at ``down``, the feet hanging."""
     stand = who.standing_height
     who.hips.set(up, RAISED, (0, 0, stand + height, 4, 0, 0))
     who.hips.set(down, RAISED, (0, 0, stand, 0, 0, 0))
@@ -72,7 +72,7 @@ def _carry(who: Performer, up: float, down: float, height: float) -> None:
 
 
 def _ribs(who: Performer, other: Performer, side: str) -> TargetOf:
-    """Palm at the ribs of somebody who faces one, under the arm."""
+    """Return the target of a palm at the other's ribs, under the arm."""
     s, k = sign(side), other.scale
 
     def target(t: float) -> Floats:
@@ -84,7 +84,7 @@ def _ribs(who: Performer, other: Performer, side: str) -> TargetOf:
 
 
 def _shoulder(who: Performer, other: Performer, side: str) -> TargetOf:
-    """Palm on the upper arm of somebody who faces one."""
+    """Return the target of a palm on the other's upper arm."""
     s, k = sign(side), other.scale
 
     def target(t: float) -> Floats:

@@ -31,15 +31,9 @@ NEAR = 0.06
 
 
 def step_to(who: Performer, side: str, t: float, duration: float, pose: Floats, lift: float | None = None) -> float:
-    """Move one foot in an arc; return the second at which it is down.
+    """Move one foot in an arc to a target ``pose`` (see ``Performer.plant``); return the second at which it is down.
 
-    Args:
-        who: The person.
-        side: ``L`` or ``R``.
-        t: Second at which it leaves the floor.
-        duration: Seconds.
-        pose: (9,) foot target; see ``Performer.plant``.
-        lift: Height of the arc in metres; None for the usual one.
+    ``lift`` is the height of the arc in metres, None for the usual one.
     """
     start, goal = np.array(who.feet[side](t), float), np.array(pose, float)
     turn = shortest_turn(start[3], goal[3])

@@ -1,4 +1,4 @@
-"""Instruments that are carried: a guitar held across the body, one hand on the neck, one at the strings."""
+"""Carried string instruments: held across the body, one hand on the neck, one at the strings."""
 
 from __future__ import annotations
 
@@ -16,19 +16,20 @@ from storyblender.blender.motion.skeleton import SIDES
 from storyblender.blender.motion.staged_props import StagedProp, carrying_hand
 
 NECK_RAISED = math.radians(18)
+"""Radians by which the neck points upwards."""
 STRUMS = 2.2
 """Strokes a second."""
 
 
 def strum(stage: MotionStage, who: Performer, cue: StagedCue, prop: StagedProp) -> float:
-    """Play a stringed instrument that stands upright in its own frame, strings to the front; return the end."""
+    """Play a string instrument whose own frame is upright, strings to the front; return the end in seconds."""
     t, end, k = cue.start, cue.start + (cue.duration or 3.0), who.scale
     tall, deep = prop.size.z, prop.size.y
     if prop.holder is not who:
         take_in_hand(stage, who, "R", prop, t)
 
     def body() -> Matrix:
-        """Strings away from the chest, the neck to the left and a little up."""
+        """Return the instrument's matrix: strings away from the chest, the neck to the left and a little up."""
         turn = who.facing @ Matrix.Rotation(chest_yaw(who), 3, "Z")
         neck = Vector((math.cos(NECK_RAISED), 0, math.sin(NECK_RAISED)))
         back = Vector((0, 1, 0))

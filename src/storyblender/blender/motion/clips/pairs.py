@@ -1,4 +1,4 @@
-"""Motions of two: meeting, giving, taking, shaking hands, touching, hitting."""
+"""Motions of two people: meeting, giving, taking, shaking hands, touching, hitting."""
 
 from __future__ import annotations
 
@@ -23,24 +23,27 @@ from storyblender.catalog.carrying import hand_towards
 
 SEATED = ("sit", "lie", "asleep")
 SHUFFLE = 0.45
-"""Metres that are not walked but stepped, forwards or back, the face to the other."""
+"""Metres; shorter distances are stepped without turning."""
 BY_KNEES = 1.1
-"""Metres from which who kneels stays there."""
+"""Metres within which a kneeling person stays where they are."""
 BEHIND_FEET = 0.4
-"""Metres, times the scale, that the breast of somebody who sits is behind where their feet are."""
+"""Metres, times the scale, from the feet of a seated person back to their breast."""
 BEFORE_SITTER = 0.45
-"""Metres between who stands and the feet of who sits, at least."""
+"""Least metres between a standing person and the feet of a seated one."""
 
 
 def partner_of(cue: StagedCue) -> Performer | None:
-    """Return the other person of a cue."""
+    """Return the other person of a cue, or None."""
     return cue.target if isinstance(cue.target, Performer) else None
 
 
 def meet(
     stage: MotionStage, who: Performer, partner: Performer, cue: StagedCue, distance: float, slack: float = 0.25
 ) -> float:
-    """Bring two people face to face at a distance; the first walks, whoever sits stays. Return the second."""
+    """Bring two people face to face at ``distance`` metres, give or take ``slack``; return the end in seconds.
+
+    ``who`` walks; seated people stay.
+    """
     t = max(cue.start, *(partner.free[part] for part in ("L", "R")))
     gap = (partner.position - who.position).length
     if partner.posture in ("lie", "asleep") or (who.posture in ("kneel", "crouch") and gap < BY_KNEES):
@@ -65,12 +68,12 @@ def meet(
 
 
 def free_hand(who: Performer, preferred: str = "R") -> str | None:
-    """Return a hand that holds nothing."""
+    """Return a hand that holds nothing, ``preferred`` first; None if both are full."""
     return next((side for side in (preferred, "L" if preferred == "R" else "R") if side not in who.held), None)
 
 
 def reserve_hands(who: Performer, sides: tuple[str, ...], start: float, end: float) -> None:
-    """Reserve a partner's hands, and drop what was planned for them."""
+    """Keep a partner's hands from ``start`` to ``end`` seconds, and cancel what was planned for them."""
     for side in sides:
         who.hands[side].remove_from(start)
         who.free[side] = max(who.free[side], end)
@@ -78,7 +81,7 @@ def reserve_hands(who: Performer, sides: tuple[str, ...], start: float, end: flo
 
 @clip("give", "body", "hand", "head")
 def give(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Hand a prop over: meet at chest height, let go when the other has it."""
+    """Hand a prop over: meet, hold it out at chest height, let go when the other has it. Return the end in seconds."""
     partner, prop = partner_of(cue), prop_of(cue)
     prop = prop or stage.props.get(who.held.get(cue.side, ""))
     if partner is None or prop is None:
@@ -91,7 +94,7 @@ def give(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("take", "body", "hand", "head")
 def take(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Take a prop: out of the target's hand or one's own clothes, out of the bag one holds, or from where it lies."""
+    """Take a prop from a person, from one's clothes, from a bag, or from where it lies. Return the end in seconds."""
     prop = prop_of(cue)
     partner = partner_of(cue) or (prop.holder if prop else None)
     if prop is None:
@@ -116,6 +119,7 @@ def _hand_over(
     start: float,
     mover: Performer | None = None,
 ) -> float:
+    """Pass a prop from giver to taker after ``start`` seconds, ``mover`` walking; return the end in seconds."""
     mover = mover or giver
     reach = 0.72 * (giver.measures.arm + taker.measures.arm)
     t = meet(stage, mover, taker if mover is giver else giver, replace(cue, start=start), reach)
@@ -152,13 +156,14 @@ def _hand_over(
 
 
 def _open_hand(target: TargetOf, t: float) -> Floats:
+    """Return a hand target at ``t`` seconds with nearly stretched fingers."""
     values = target(t)
     values[12:15] *= 0.2
     return values
 
 
 def _offered(giver: Performer, taker: Performer, side: str, grip: Grip) -> TargetOf:
-    """Where the giver holds the prop out: between both, at the lower of the two chests."""
+    """Return the target of a giver's hand: between both people, at the lower of the two chests."""
 
     def target(t: float) -> Floats:
         share = giver.measures.arm / (giver.measures.arm + taker.measures.arm)
@@ -175,7 +180,7 @@ def _offered(giver: Performer, taker: Performer, side: str, grip: Grip) -> Targe
 
 @clip("shake_hands", "body", "hand", "head")
 def shake_hands(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Shake the target's right hand: three cycles."""
+    """Shake the target's right hand three times. Return the end in seconds."""
     partner = partner_of(cue)
     if partner is None:
         return cue.start
@@ -192,7 +197,7 @@ def shake_hands(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     reserve_hands(partner, ("R",), t, shaken + 0.8)
     for one, two in ((who, partner), (partner, who)):
         if "R" in one.held:
-            stage.report("unreachable", one, cue, f"{one.asset_id} has the right hand full")
+            stage.report("unreachable", one, cue, f"{one.asset_id} has no free right hand")
             continue
 
         def target(now: float, one: Performer = one, two: Performer = two) -> Floats:
@@ -215,7 +220,7 @@ def shake_hands(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("touch", "body", "hand", "head")
 def touch(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Lay a hand on the target's shoulder, or on a thing."""
+    """Lay a hand on the target's shoulder, or on a prop. Return the end in seconds."""
     partner = partner_of(cue)
     if partner is None:
         return press(stage, who, cue)
@@ -247,12 +252,13 @@ def touch(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def _nearer_shoulder(who: Performer, partner: Performer) -> str:
+    """Return the side of the partner's shoulder that is nearer."""
     return "L" if (who.position - partner.position).dot(partner.left) > 0 else "R"
 
 
 @clip("hit", "body", "hand", "head")
 def hit(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Strike the target's face; the head gives way."""
+    """Strike the target's face; their head gives way. Return the end in seconds."""
     partner = partner_of(cue)
     if partner is None:
         return cue.start
@@ -286,6 +292,8 @@ def hit(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def _cheek(who: Performer, partner: Performer, side: str) -> TargetOf:
+    """Return the target of a fist at the partner's cheek."""
+
     def target(t: float) -> Floats:
         face_point = partner.point("head", Vector((-sign(side) * 0.02, -0.09, 0.02)) * partner.scale)
         along = (face_point - who.point(f"upper_arm.{side}")).normalized()

@@ -1,4 +1,4 @@
-"""What hands say while somebody talks: a vocabulary of gestures, phrase by phrase, with rests between."""
+"""Gestures of speech: a vocabulary of hand gestures, and phrases with their gestures, stresses and rests."""
 
 from __future__ import annotations
 
@@ -12,18 +12,25 @@ from storyblender.blender.motion.hands import Triple, by_chest
 from storyblender.blender.motion.performer import Performer
 
 LOW: Triple = (0.02, 0.34, -0.56)
-"""Where small gestures stay: before the belly; outwards, forwards, up from the shoulder in arm lengths."""
+"""Place of small gestures, before the belly: outwards, forwards, up from the shoulder in arm lengths."""
 OVER_TABLE = 0.10
-"""Arm lengths that who sits gestures higher."""
+"""Arm lengths by which a seated person gestures higher."""
 PREPARED, STRUCK = 0.36, 0.17
 """Seconds to raise a hand, and of the stroke that carries the stress."""
 ONE_HANDED = 0.68
-"""Share of the gestures, but the wide ones, that one hand makes alone."""
+"""Share of the gestures that one hand makes, unless they need both."""
 
 
 @dataclass(frozen=True)
 class GesturePose:
-    """A hand in a gesture: place, fingers and palm in the chest's frame, and how the fingers are bent."""
+    """A hand in a gesture; vectors are (outwards, forwards, up) in the chest's frame.
+
+    Attributes:
+        at: Palm from the shoulder, in arm lengths.
+        fingers: Direction of the fingers.
+        palm: Direction out of the palm.
+        curl: Degrees of index finger, other fingers and thumb.
+    """
 
     at: Triple
     fingers: Triple
@@ -33,7 +40,14 @@ class GesturePose:
 
 @dataclass(frozen=True)
 class Gesture:
-    """A hand is raised to ``ready`` and moves to ``shown`` on the stress; ``both`` hands make it, or one ``alone``."""
+    """A gesture: the hand is raised and strikes on the stress.
+
+    Attributes:
+        ready: Pose before the stroke.
+        shown: Pose after it.
+        both: Whether both hands always make it.
+        alone: Whether only one hand ever makes it.
+    """
 
     ready: GesturePose
     shown: GesturePose
@@ -78,14 +92,22 @@ GESTURES: dict[str, Gesture] = {
         GesturePose((-0.02, 0.68, -0.38), (-0.1, 1, -0.2), (-0.95, 0, -0.3), (4, 6, 0)),
     ),
 }
-"""By name. Strokes go down or out, as stress does."""
+"""Gestures by name."""
 REST = "rest"
-"""The hands go home for a phrase."""
+"""Stands for no gesture: the hands rest during a phrase."""
 
 
 @dataclass(frozen=True)
 class SpokenPhrase:
-    """Some words on one breath: from ``start`` to ``end`` seconds, what is gestured, and when the stress falls."""
+    """Words on one breath.
+
+    Attributes:
+        start: Seconds.
+        end: Seconds.
+        gesture: Key of ``GESTURES``, or ``REST``.
+        both: Whether both hands make it.
+        stresses: Seconds of the stresses.
+    """
 
     start: float
     end: float
@@ -97,14 +119,14 @@ class SpokenPhrase:
 def phrases(
     start: float, end: float, shares: Mapping[str, float], pace: float, rng: np.random.Generator
 ) -> list[SpokenPhrase]:
-    """Cut a speech into phrases, no gesture twice in a row, not even after a rest.
+    """Divide a speech into phrases; no gesture comes twice in a row, not even after a rest.
 
     Args:
         start: Seconds.
         end: Seconds.
-        shares: How often each gesture is made, and how often the hands rest.
-        pace: Seconds of a phrase, before chance.
-        rng: For the choices.
+        shares: Frequency of each gesture, and of resting hands.
+        pace: Mean seconds of a phrase.
+        rng: Random generator.
     """
     found: list[SpokenPhrase] = []
     t, last, gestured = start, "", ""
@@ -133,16 +155,16 @@ def gesticulate(
     room: float,
     rng: np.random.Generator,
 ) -> None:
-    """Give the free hands what the phrases say; who does nothing goes home.
+    """Set the gestures of phrases on a speaker's free hands; hands without a gesture return to rest.
 
     Args:
         who: The speaker.
-        hands: The free ones.
-        lead: The one that makes most gestures.
+        hands: Free hands.
+        lead: The hand that makes most gestures.
         spoken: The phrases.
-        size: Of the gestures, 0..1.
-        room: Share of a full gesture there is room for before the listener.
-        rng: For small differences.
+        size: Size of the gestures, 0..1.
+        room: Share of a full gesture that fits before the listener.
+        rng: Random generator, for small differences.
     """
     away: set[str] = set()
     for phrase in spoken:
@@ -164,13 +186,14 @@ def gesticulate(
 
 
 def _between(who: Performer, side: str, shape: Gesture, size: float, room: float, shift: np.ndarray) -> TargetOf:
+    """Return the target halfway between a gesture's two poses."""
     at = tuple(0.5 * (a + b) for a, b in zip(shape.ready.at, shape.shown.at, strict=True))
     pose = GesturePose((at[0], at[1], at[2]), shape.shown.fingers, shape.shown.palm, shape.shown.curl)
     return _hand(who, side, pose, size, room, shift)
 
 
 def _hand(who: Performer, side: str, pose: GesturePose, size: float, room: float, shift: np.ndarray) -> TargetOf:
-    """A pose made smaller towards the belly, and nearer where there is little room."""
+    """Return the target of a gesture's pose: smaller towards the belly, nearer where there is little room."""
     share = 0.45 + 0.55 * size
     out, ahead, up = (low + (full - low) * share for low, full in zip(LOW, pose.at, strict=True))
     over = OVER_TABLE if who.posture == "sit" else 0.0

@@ -29,7 +29,7 @@ GRIP = (58.0, 64.0, 24.0)
 
 @clip("hang", "body", "hands")
 def hang(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Hang by both hands, feet off the ground."""
+    """Hang by both hands, feet off the ground. Return the end in seconds."""
     t, k = go_to_mark(stage, who, cue), who.scale
     _raise(who, t, CLEAR)
     _held_up(who, t, "hang")
@@ -48,7 +48,7 @@ def hang(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("upside_down", "body", "hands")
 def upside_down(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Hang upside down by the feet, arms dangling."""
+    """Hang upside down by the feet, arms dangling. Return the end in seconds."""
     t, m, k = go_to_mark(stage, who, cue), who.measures, who.scale
     height = 1.42 * k
     _held_up(who, t, "upside_down")
@@ -66,7 +66,7 @@ def upside_down(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("float", "body", "hands")
 def float_(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Float with the body tilted forward, legs trailing, arms spread."""
+    """Float with the body tilted forward, legs trailing, arms spread. Return the end in seconds."""
     t, m, k = go_to_mark(stage, who, cue), who.measures, who.scale
     _raise(who, t, CLEAR)
     _held_up(who, t, "float")
@@ -85,7 +85,7 @@ def float_(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("ride", "body", "hands")
 def ride(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Ride the mark's or the target's object: sit astride, feet at its sides, hands in front."""
+    """Ride the mark's support or the target: astride, feet at its sides, hands in front. Return the end in seconds."""
     t, m, k = cue.start, who.measures, who.scale
     mount = stage.find_subject(cue.mark.support_id if cue.mark else None) or cue.target
     height, place, yaw = _saddle(who, mount)
@@ -128,7 +128,7 @@ def ride(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("on_all_fours", "body", "hands")
 def on_all_fours(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Get down on hands and knees."""
+    """Get down on hands and knees. Return the end in seconds."""
     t = go_to_mark(stage, who, cue)
     x, y = who.position
     ahead = who.position + who.forward * 0.01
@@ -168,14 +168,14 @@ def _handlebars(mount: object) -> dict[str, Vector]:
 
 
 def _raise(who: Performer, t: float, height: float) -> None:
-    """Lift the whole body off the floor, unless the script gives its height."""
+    """Lift the whole body by ``height`` metres times the scale, unless the mark already gives a height."""
     if who.ground <= 0.05:
         who.ground = height * who.scale
         who.level.set(t if t >= 0 else LONG_AGO, 0.6, who.ground)
 
 
 def _held_up(who: Performer, t: float, posture: str) -> None:
-    """Hold the body up without contact to the floor, in a posture."""
+    """Hold the body up without contact to the floor, and set its posture."""
     who.pinned.set(t, 0.3, 1.0)
     who.life.set(t, 0.3, 0.2)
     who.lean_after.set(t, 0, 0.0)

@@ -40,12 +40,7 @@ CLIPS: dict[str, Clip] = {}
 
 
 def clip(key: str, *uses: str) -> Callable[[Play], Play]:
-    """Return a decorator that registers a function as a clip.
-
-    Args:
-        key: Name in ``catalog.motions``.
-        uses: Parts of the body it uses; see ``Clip``.
-    """
+    """Return a decorator that registers a clip by its key in ``catalog.motions`` and what it uses; see ``Clip``."""
 
     def register(play: Play) -> Play:
         CLIPS[key] = Clip(key, uses, play)
@@ -55,16 +50,9 @@ def clip(key: str, *uses: str) -> Callable[[Play], Play]:
 
 
 def play(stage: MotionStage, who: Performer, key: str, cue: StagedCue) -> float:
-    """Play a clip as soon as the parts it uses are free, and keep them until it is over.
+    """Play the clip ``key`` for a cue as soon as the parts it uses are free, and keep them until it is over.
 
-    Args:
-        stage: The stage.
-        who: The performer.
-        key: Key of the clip.
-        cue: Its earliest start, target and prop.
-
-    Returns:
-        Second at which it is over.
+    Return the second at which it is over.
     """
     chosen = CLIPS[key]
     parts = chosen.parts(cue.side)

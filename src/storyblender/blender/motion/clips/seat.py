@@ -1,4 +1,4 @@
-"""Sitting down, and standing up from whatever posture one is in."""
+"""Sitting down, and standing up from any posture."""
 
 from __future__ import annotations
 
@@ -24,18 +24,18 @@ from storyblender.memory.shot_context import Mark
 OFF_THE_FLOOR = ("hang", "upside_down", "float", "ride", "crawl")
 """Postures in which the feet carry no weight."""
 ASIDE = 0.12
-"""Metres; who stands farther from the spot before a seat comes to it, or leaves it, sideways."""
+"""Metres; a person farther from the position before a seat reaches or leaves it sideways."""
 FLOOR_SEAT = 0.30
-"""Seats lower than this are sat on with the feet stretched out."""
+"""Metres; on lower seats the legs are stretched out."""
 
 
 def feet_before_seat(who: Performer, seat: Seat) -> Vector:
-    """Return where the feet of a sitter are: in front of the seat's edge."""
+    """Return the position (x, y) of a sitter's feet, in front of the seat's edge."""
     return seat.edge + seat.before * (BEFORE_SEAT * who.scale)
 
 
 def seat_of_cue(stage: MotionStage, who: Performer, cue: StagedCue) -> Seat | None:
-    """Return the seat of a cue's mark or target; the floor where a mark names no support."""
+    """Return the seat of a cue's mark or target; a seat on the floor where the mark names no support; else None."""
     support = cue.mark.support_id if cue.mark else None
     seat = stage.find_seat(support, cue.mark)
     if seat is None and cue.target is not None:
@@ -48,7 +48,7 @@ def seat_of_cue(stage: MotionStage, who: Performer, cue: StagedCue) -> Seat | No
 
 
 def return_hands(stage: MotionStage, who: Performer, t: float, duration: float) -> None:
-    """Bring both hands to where the posture wants them: home, or carrying."""
+    """Bring both hands back to rest, or to carrying what they hold, from ``t`` on in ``duration`` seconds."""
     for side in SIDES:
         held = who.held.get(side)
         target = carrying_hand(who, side, stage.props[held]) if held in stage.props else who.home[side]
@@ -57,7 +57,7 @@ def return_hands(stage: MotionStage, who: Performer, t: float, duration: float) 
 
 @clip("sit", "body", "hands")
 def sit(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Sit down on the seat of the mark; walks to it first where needed."""
+    """Sit down on the seat of the mark or target, walking to it first. Return the end in seconds."""
     seat = seat_of_cue(stage, who, cue)
     if seat is None:
         stage.report("no_support", who, cue, f"{who.asset_id} has nothing to sit on")
@@ -71,7 +71,7 @@ def sit(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def go_to_seat(stage: MotionStage, who: Performer, cue: StagedCue, seat: Seat) -> float | None:
-    """Walk to a seat and turn the back to it; before the shot, be there. Return the end, None where there is no way."""
+    """Walk to a seat and turn the back to it; before the shot, be there. Return the end; None without a path."""
     if cue.start < 0:
         before = feet_before_seat(who, seat)
         who.place_at_start(before.x, before.y, seat.yaw)
@@ -82,7 +82,7 @@ def go_to_seat(stage: MotionStage, who: Performer, cue: StagedCue, seat: Seat) -
 
 
 def lower_onto_seat(stage: MotionStage, who: Performer, seat: Seat, t: float) -> float:
-    """Lower oneself onto a seat from the spot before it, and return the end."""
+    """Sit down at ``t`` seconds from the position before a seat; return the end in seconds."""
     m, k = who.measures, who.scale
     forward = who.forward
     depth = min(0.80 * m.thigh, max(0.08, seat.depth - m.seat_back - 0.02))
@@ -112,7 +112,7 @@ def lower_onto_seat(stage: MotionStage, who: Performer, seat: Seat, t: float) ->
 
 
 def _slide(who: Performer, t: float, place: Vector, hips: tuple[float, ...]) -> float:
-    """Move sideways between chair and table, half up; return the end."""
+    """Move sideways between chair and table, half up, to ``place`` (x, y); return the end in seconds."""
     k = who.scale
     way = place - who.position
     lead = "R" if way.dot(who.left) < 0 else "L"
@@ -127,7 +127,7 @@ def _slide(who: Performer, t: float, place: Vector, hips: tuple[float, ...]) -> 
 
 
 def _seat_foot(who: Performer, side: str, t: float, whole: float, height: float, hips: Vector, forward: Vector) -> None:
-    """Feet of somebody sitting: dangling from high seats, stretched out on low ones, else tucked in one step."""
+    """Place a seated person's foot: hanging from a high seat, stretched out on a low one, else flat on the floor."""
     m, k = who.measures, who.scale
     if height - m.ankle > m.shin + 0.02 * k + 0.05:
         knee = hips + forward * (0.97 * m.thigh - 0.02) + who.left * (sign(side) * 0.09 * k)
@@ -147,12 +147,12 @@ def _seat_foot(who: Performer, side: str, t: float, whole: float, height: float,
 
 @clip("rise", "body", "hands")
 def rise(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Stand up from any posture."""
+    """Stand up from any posture. Return the end in seconds."""
     return stand_up(stage, who, cue.start)
 
 
 def stand_up(stage: MotionStage, who: Performer, t: float) -> float:
-    """Stand up from the planned posture, and return the end; nothing happens to who stands."""
+    """Stand up from the planned posture from ``t`` seconds on; return the end, ``t`` itself for a standing person."""
     if who.posture == "stand":
         return t
     if who.posture in ("lie", "asleep"):
@@ -164,7 +164,7 @@ def stand_up(stage: MotionStage, who: Performer, t: float) -> float:
 
 
 def _leave_seat(stage: MotionStage, who: Performer, t: float, place: Vector) -> float:
-    """Stand up in front of the seat, or, where there is no room, beside it."""
+    """Stand up in front of the seat, or beside it at ``place`` if there is no room; return the end in seconds."""
     k = who.scale
     whole = 1.1 * math.sqrt(k)
     now = who.hips(t)
@@ -188,7 +188,7 @@ def _leave_seat(stage: MotionStage, who: Performer, t: float, place: Vector) -> 
 
 
 def _straighten(stage: MotionStage, who: Performer, t: float) -> float:
-    """Stand up from kneeling, crouching, leaning or all fours, or get down from hanging or riding."""
+    """Stand up from kneeling, crouching, leaning or all fours, or get down from hanging or riding; return the end."""
     k, x, y = who.scale, *who.position
     whole = 0.9 * math.sqrt(k)
     low = who.hips(t)[2] < 0.75 * who.standing_height
@@ -208,6 +208,7 @@ def _straighten(stage: MotionStage, who: Performer, t: float) -> float:
 
 
 def _release(stage: MotionStage, who: Performer, t: float, whole: float) -> None:
+    """Return pelvis, sway, trunk and hands to standing, over ``whole`` seconds."""
     who.pinned.set(t + 0.5 * whole, 0.4 * whole, 0.0)
     who.life.set(t + whole, 0.5, 1.0)
     who.lean_after.set(t + whole, 0, 1.0)
@@ -219,7 +220,7 @@ def _release(stage: MotionStage, who: Performer, t: float, whole: float) -> None
 
 
 def _sit_up(stage: MotionStage, who: Performer, t: float) -> float:
-    """From lying: on a bed to its edge, on the floor to a kneel."""
+    """Sit up from lying: on a bed to its edge, on the floor to a crouch; return the end in seconds."""
     k = who.scale
     whole = 1.6 * math.sqrt(k)
     seat = who.bedside if isinstance(who.bedside, Seat) else None
@@ -259,8 +260,10 @@ def _sit_up(stage: MotionStage, who: Performer, t: float) -> float:
 
 
 def _here(who: Performer) -> Mark:
+    """Return a mark at the person's planned position."""
     return Mark(asset_id=who.asset_id, location=(who.position.x, who.position.y, 0.0), yaw=math.degrees(who.yaw))
 
 
 def _forward(yaw: float) -> Vector:
+    """Return the unit vector (x, y) of a yaw in radians."""
     return Vector((math.sin(yaw), -math.cos(yaw)))

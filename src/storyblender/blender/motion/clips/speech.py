@@ -1,4 +1,4 @@
-"""Talking and the sounds of feeling: gesture beats, mouth, face."""
+"""Talking, laughing, crying: gestures, mouth movement and face."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ from storyblender.blender.motion.skeleton import SIDES, other
 LONG_LAUGH = 1.4
 """Seconds; in a shorter laugh no hand has time to move."""
 LOOKS_AWAY = 0.45
-"""Share of the phrases before which a speaker looks aside."""
+"""Probability that a speaker looks aside before a phrase."""
 
 
 @dataclass(frozen=True)
 class Manner:
-    """How somebody talks.
+    """A way of talking.
 
     Attributes:
-        size: Of the gestures.
-        pace: Seconds of a phrase, before chance.
-        lean: Degrees of bent trunk.
-        shares: How often each gesture is made, and how often the hands rest.
-        mouth: How wide it opens.
+        size: Size of the gestures, 0..1.
+        pace: Mean seconds of a phrase.
+        lean: Degrees by which the trunk is bent.
+        shares: Frequency of each gesture, and of resting hands.
+        mouth: Opening of the mouth, 0..1.
         rate: Syllables per second.
     """
 
@@ -65,23 +65,24 @@ MANNERS: dict[str, Manner] = {
 
 @clip("talk")
 def talk(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Speak to the target for the cue's duration, with gestures of the free hands."""
+    """Speak to the target for the cue's duration, with gestures of the free hands. Return the end in seconds."""
     return _speak(stage, who, cue, MANNERS[cue.mood])
 
 
 @clip("whisper")
 def whisper(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Speak low, leaning in, hands quiet."""
+    """Whisper, leaning in, hands quiet. Return the end in seconds."""
     return _speak(stage, who, cue, Manner(0.0, 1.8, 10, QUIET_HANDS, mouth=0.35, rate=2.6))
 
 
 @clip("shout")
 def shout(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Speak with all one has."""
+    """Shout with large gestures. Return the end in seconds."""
     return _speak(stage, who, cue, Manner(1.0, 1.3, 6, MANNERS["angry"].shares, 1.0, 2.2))
 
 
 def _speak(stage: MotionStage, who: Performer, cue: StagedCue, manner: Manner) -> float:
+    """Speak in a manner for the cue's duration; return the end in seconds."""
     t, end = cue.start, cue.start + (cue.duration or 2.5)
     rng = np.random.default_rng(cue.seed)
     if cue.target is not None:
@@ -110,7 +111,7 @@ def _speak(stage: MotionStage, who: Performer, cue: StagedCue, manner: Manner) -
 
 
 def _stress(who: Performer, phrase: SpokenPhrase, manner: Manner, rng: np.random.Generator) -> None:
-    """Head and trunk go with the words: a way of holding the head for the phrase, a nod on every stress."""
+    """Move head and trunk with a phrase: one way of holding the head, a nod on every stress."""
     turned, tilted = rng.uniform(-5, 5) * manner.size, rng.uniform(-5, 5)
     push = 4.0 if manner.size == 1.0 else 1.5
     for stress in phrase.stresses:
@@ -124,7 +125,7 @@ def _stress(who: Performer, phrase: SpokenPhrase, manner: Manner, rng: np.random
 def _look_away(
     stage: MotionStage, who: Performer, cue: StagedCue, spoken: list[SpokenPhrase], rng: np.random.Generator
 ) -> None:
-    """Look aside for a moment where a new thought begins, and back at the listener."""
+    """Look aside for a moment before some phrases, and back at the listener."""
     for phrase in spoken:
         if rng.random() < LOOKS_AWAY:
             who.eyes.set(
@@ -135,7 +136,7 @@ def _look_away(
 
 
 def _room(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Return the share of a full gesture there is room for before the listener."""
+    """Return the share of a full gesture that fits before the listener."""
     if cue.target is None:
         return 1.0
     gap = (stage.floor_position(cue.target) - who.position).length
@@ -144,7 +145,7 @@ def _room(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("laugh", "head")
 def laugh(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Laugh: the head goes back, then the trunk doubles up over a hand on the belly, shoulders shaking throughout."""
+    """Laugh: head back, then doubled up over a hand on the belly, shoulders shaking. Return the end in seconds."""
     t, end = cue.start, cue.start + (cue.duration or 2.0)
     if cue.target is not None:
         look_at_subject(stage, who, t, cue)
@@ -173,7 +174,7 @@ def laugh(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("cry", "head", "hands")
 def cry(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Weep into the free hands, trunk bent and trembling."""
+    """Cry into the free hands, trunk bent and trembling. Return the end in seconds."""
     t, end = cue.start, cue.start + (cue.duration or 3.0)
     show_mood(who, t, "cry", 0.4)
     who.look_freely(t)

@@ -1,4 +1,4 @@
-"""Held up by the set: leaning on bars and walls."""
+"""Leaning on bars and walls."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from storyblender.blender.motion.skeleton import SIDES, other, sign
 
 @clip("lean", "body", "hands")
 def lean(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Lean on a bar or a rail with both forearms, or with the back against a wall."""
+    """Lean on a bar or a rail with both forearms, or with the back against a wall. Return the end in seconds."""
     support = (cue.mark.support_id if cue.mark else None) or getattr(cue.target, "asset_id", None)
     furniture = stage.find_furniture(support)
     anchor = stage.find_anchor(furniture, ("lean",), cue.mark) if furniture is not None else None
@@ -39,7 +39,7 @@ def lean(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def _edge_distance(who: Performer, world: Matrix, size: tuple[float, float, float]) -> float:
-    """Return how far before a person the edge of a box is."""
+    """Return the metres from a person to the edge of the box ahead."""
     origin = world.inverted() @ Vector((*who.position, 0.5))
     ahead = world.inverted().to_3x3() @ Vector((*who.forward, 0))
     best = 0.35 * who.scale
@@ -52,7 +52,7 @@ def _edge_distance(who: Performer, world: Matrix, size: tuple[float, float, floa
 
 
 def _lean_on(stage: MotionStage, who: Performer, t: float, height: float, edge: float, side: str) -> float:
-    """Forearms on a top: the least lean that brings the elbows to it."""
+    """Rest the forearms on a top, ``edge`` metres ahead, with the least lean; return the end in seconds."""
     m, k = who.measures, who.scale
     top, torso, whole = height + 0.035 * k, m.shoulder_height - m.hip_height, 0.9
     degrees = 28

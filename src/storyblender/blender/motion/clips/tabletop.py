@@ -1,4 +1,4 @@
-"""Hands of who sits: on the table before them, where there is one and the place is free, else on the lap."""
+"""Hands of a seated person: on the table before them if there is one and the place is free, else on the lap."""
 
 from __future__ import annotations
 
@@ -16,38 +16,37 @@ from storyblender.blender.motion.skeleton import sign
 from storyblender.memory.asset_sheet import Anchor
 
 NEAREST_EDGE, FARTHEST_EDGE = 0.10, 0.52
-"""Metres, times the scale, from the hips to the edge of a table that is sat at."""
+"""Metres, times the scale: least and largest distance from the hips to the edge of a table."""
 OVER_LAP, UNDER_SHOULDERS = 0.17, 0.16
-"""Metres, times the scale: a table stands higher than the seat by the one, lower than the shoulders by the other."""
+"""Metres, times the scale: least height of a table above the seat, and below the shoulders."""
 OUT = {"L": (0.13, 0.07), "R": (0.10, 0.11)}
-"""Metres, times the scale, from the middle of the body and from the edge to each palm: nobody sits like a sphinx."""
+"""Metres, times the scale, from the middle of the body and from the table's edge to each palm."""
 UPRIGHT = 6.0
-"""Degrees the back of a sitter is bent."""
+"""Least bend of a seated back, degrees."""
 APART = 0.13
 """Metres between a palm and the middle of what stands on the table."""
 
 
 @dataclass(frozen=True)
 class Table:
-    """A table one sits at: metres from the hips to its edge, and its height."""
+    """A table that a person sits at.
+
+    Attributes:
+        edge: Metres from the hips to its edge.
+        height: Of its top, metres.
+    """
 
     edge: float
     height: float
 
 
 def seated_bend(who: Performer, table: Table | None) -> float:
-    """Return how far, in degrees, the back of somebody who sits is bent: towards a table that is farther away."""
+    """Return the degrees by which a seated back is bent: more towards a table that is farther away."""
     return UPRIGHT if table is None else UPRIGHT + 45 * max(0.0, table.edge / who.scale - 0.30)
 
 
 def hand_places_on(who: Performer, hips: Vector, table: Table | None) -> dict[str, Vector]:
-    """Return where on a table before somebody who sits each of their hands lies; nothing where there is no table.
-
-    Args:
-        who: Sitting, or about to sit; planned yaw.
-        hips: On the floor plan.
-        table: Before them, if there is one.
-    """
+    """Return where each palm of a person with ``hips`` on the floor plan can lie on a table; empty without one."""
     if table is None:
         return {}
     left = who.left
@@ -63,7 +62,7 @@ def hand_places_on(who: Performer, hips: Vector, table: Table | None) -> dict[st
 
 
 def seated_hand(stage: MotionStage, who: Performer, side: str) -> TargetOf:
-    """Return where a free hand of somebody who sits rests: on their table where its place is free, else on the lap."""
+    """Return the target of a seated person's free hand: on their table if its place is free, else on the lap."""
     spot = who.table.get(side)
     if spot is None or not _is_free(stage, spot):
         return on_thigh(who, side)
@@ -79,7 +78,7 @@ def seated_hand(stage: MotionStage, who: Performer, side: str) -> TargetOf:
 
 
 def find_table_before(stage: MotionStage, who: Performer, hips: Vector, seat_height: float) -> Table | None:
-    """Return the table before somebody who sits with the hips there; None where there is none."""
+    """Return the table before a person who sits with ``hips`` on the floor plan and a seat of that height, or None."""
     k = who.scale
     low = seat_height + OVER_LAP * k
     high = seat_height + who.measures.shoulder_height - who.measures.hip_height - UNDER_SHOULDERS * k
@@ -94,7 +93,7 @@ def find_table_before(stage: MotionStage, who: Performer, hips: Vector, seat_hei
 
 
 def _edge(piece: StageFurniture, top: Anchor, spot: Vector, forward: Vector) -> float | None:
-    """Return the distance from a spot outside to where a top begins in a direction; None where it does not."""
+    """Return the metres from ``spot`` along ``forward`` to the edge of a top; None if it does not lie ahead."""
     back = Matrix(piece.world.tolist()).inverted()
     origin, way = back @ Vector((*spot, 0)), back.to_3x3() @ Vector((*forward, 0))
     near, far = 0.0, math.inf
@@ -110,7 +109,7 @@ def _edge(piece: StageFurniture, top: Anchor, spot: Vector, forward: Vector) -> 
 
 
 def _is_free(stage: MotionStage, spot: Vector) -> bool:
-    """Tell whether nothing stands on a table where a palm would lie."""
+    """Return whether nothing stands on a table at a palm's place."""
     things = [(Vector(each.world[:3, 3].tolist()), each.dimensions) for each in stage.plan.furniture.values()]
     loose = [prop for prop in stage.props.values() if prop.holder is None]
     things += [(each.matrix.translation, tuple(each.size)) for each in loose]

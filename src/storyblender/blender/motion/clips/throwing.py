@@ -18,14 +18,14 @@ from storyblender.blender.motion.skeleton import sign
 from storyblender.blender.motion.staged_props import carrying_hand
 
 SPEED = 6.0
-"""Metres per second of a thing thrown."""
+"""Metres per second of a thrown prop."""
 ARC = 0.35
 """Metres a throw rises above the straight line."""
 
 
 @clip("throw", "body", "hand")
 def throw(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Throw a held prop towards the target in an arc."""
+    """Throw the held prop towards the target in an arc. Return the end in seconds."""
     prop = prop_of(cue)
     side = who.hand_holding(prop.asset_id) if prop is not None else None
     if prop is None or side is None:
@@ -52,7 +52,7 @@ def throw(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("catch", "body", "hand", "head")
 def catch(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Catch a prop that is in the air, the hand held out to it; one that lies there is picked up."""
+    """Catch a prop in flight with one hand; pick up one that lies there. Return the end in seconds."""
     prop, side = prop_of(cue), cue.side
     flight = prop.flight if prop is not None else None
     if prop is None or not isinstance(flight, Flight) or flight.end < cue.start:
@@ -61,7 +61,7 @@ def catch(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     grip = prop.grip(side)
 
     def meeting() -> Matrix:
-        """Where the thing is caught: before the breast, upright, as the hand holds it."""
+        """Return the matrix of the caught prop: before the breast, upright, as the hand holds it."""
         place = who.point("upper_chest", (s * 0.10 * k, -0.62 * who.measures.arm, -0.02 * k))
         return Matrix.Translation(place) @ who.facing.to_4x4() @ Matrix.Translation(-grip.palm)
 

@@ -19,13 +19,13 @@ from storyblender.blender.motion.staged_props import MatrixOf, StagedProp, carry
 
 @clip("drink", "hand", "head")
 def drink(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Bring the held cup to the mouth, tilt, lower it."""
+    """Bring the held cup to the mouth, tilt it, lower it. Return the end in seconds."""
     return _to_mouth(stage, who, cue, tilt=42, height_share=1.0, hold=1.15)
 
 
 @clip("eat", "hand", "head")
 def eat(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Bring what is held, or the fingers, to the mouth, and chew."""
+    """Bring what is held, or the fingers, to the mouth, and chew. Return the end in seconds."""
     end = _to_mouth(stage, who, cue, tilt=8, height_share=0.6, hold=0.5)
     who.speeches.append((end - 0.6, end + 1.4, 0.25, 1.4))
     return end
@@ -33,13 +33,17 @@ def eat(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("smoke", "hand", "head")
 def smoke(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Bring a cigarette to the lips and breathe out upwards."""
+    """Bring a cigarette to the lips and breathe out. Return the end in seconds."""
     return _to_mouth(stage, who, cue, tilt=0, height_share=0.5, hold=0.9)
 
 
 def _to_mouth(
     stage: MotionStage, who: Performer, cue: StagedCue, tilt: float, height_share: float, hold: float
 ) -> float:
+    """Bring what is held, or the hand, to the mouth for ``hold`` seconds and back; return the end in seconds.
+
+    The prop is tilted by degrees; ``height_share`` is the share of its height that touches the mouth.
+    """
     t, side, k = cue.start, cue.side, who.scale
     prop = prop_of(cue)
     if prop is not None and prop.holder is not who:
@@ -75,7 +79,7 @@ def _to_mouth(
 
 @clip("phone", "hand", "head")
 def phone(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Hold a telephone, or a hand, to the ear and keep it there for the duration."""
+    """Hold a telephone, or a hand, to the ear for the cue's duration. Return the end in seconds."""
     t, side = cue.start, cue.side
     prop = prop_of(cue)
     if prop is not None and prop.holder is not who:
@@ -99,6 +103,8 @@ def phone(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def _at_ear(who: Performer, side: str, prop: StagedProp) -> MatrixOf:
+    """Return the function from seconds to the matrix of a telephone in a hand at the ear."""
+
     def matrix(t: float) -> Matrix:
         axes, palm = who.hand_matrix(side)
         along, out = Vector(axes.col[0]), Vector(axes.col[1])
@@ -118,7 +124,7 @@ def _at_ear(who: Performer, side: str, prop: StagedProp) -> MatrixOf:
 
 @clip("read", "hands", "head")
 def read(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Hold a book or a letter before the chest in both hands and read it."""
+    """Hold a book or a letter before the chest in both hands and read it. Return the end in seconds."""
     t, k = cue.start, who.scale
     prop = prop_of(cue)
     if prop is not None and prop.holder is not who and (prop.matrix.translation.xy - who.position).length < 1.3:
@@ -165,13 +171,13 @@ def read(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def _upright_sheet(prop: StagedProp) -> Matrix:
-    """Turn a thing modelled standing (front -Y) so that its front looks out of the page."""
+    """Return the rotation of a prop modelled standing (front -Y) that faces its front out of the page."""
     return Matrix.Rotation(-math.pi / 2, 4, "X") @ Matrix.Translation((0, 0, -prop.size.z / 2))
 
 
 @clip("write", "hands", "head")
 def write(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Write on the table before one, or on what the other hand holds."""
+    """Write on the table in front, or on what the other hand holds. Return the end in seconds."""
     t, end, k, side = cue.start, cue.start + (cue.duration or 3.0), who.scale, cue.side
     height = table_height(stage, who)
     ahead = (0.36 if who.posture == "sit" else 0.34) * k
@@ -206,7 +212,7 @@ def write(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def table_height(stage: MotionStage, who: Performer) -> float:
-    """Return the height of the nearest top before a person, or of the lap."""
+    """Return the height of the nearest top before a person, else of the lap, metres."""
     spot = who.position + who.forward * (0.35 * who.scale)
     best, height = 0.9, None
     for furniture in stage.plan.furniture.values():
@@ -223,11 +229,12 @@ def table_height(stage: MotionStage, who: Performer) -> float:
 
 
 def _elbow(who: Performer, side: str) -> Vector:
+    """Return the elbow direction of a hand on a table."""
     return who.facing @ Vector((sign(side) * 0.8, 0.4, -0.6))
 
 
 def _stop(stage: MotionStage, who: Performer, end: float, cue: StagedCue) -> float:
-    """Bring the hands home at the end, if the shot goes on after it."""
+    """Return the hands to rest at ``end``, if the shot goes on after it; return ``end``."""
     if end < stage.seconds - 0.3:
         for side in SIDES:
             held = stage.props.get(who.held.get(side, ""))

@@ -1,4 +1,4 @@
-"""Hands on the set: doors, pushing, pressing, typing, playing, wiping, digging."""
+"""Hands at work on the set: doors, pushing, pressing, typing, playing, wiping, digging."""
 
 from __future__ import annotations
 
@@ -25,15 +25,15 @@ from storyblender.blender.motion.staged_props import StagedProp, carrying_hand
 HAND_IN = 0.25
 """Metres from the side of a thing to the spot on its top that a hand works on."""
 WORKING = 1.2
-"""Arm lengths on the floor between a person and what their hands work on."""
+"""Arm lengths on the floor from a person to what their hands work on."""
 STRINGED = 0.45
-"""Metres; what is carried and taller than this is an instrument when somebody plays it."""
+"""Metres; a taller carried prop counts as a stringed instrument when it is played."""
 Offset = Callable[[float], Vector]
-"""Movement of a hand over time, in the person's frame: aside, forwards, up."""
+"""Seconds -> offset of a hand in the person's frame, metres: left, forwards, up."""
 
 
 def working_point(stage: MotionStage, who: Performer, cue: StagedCue) -> tuple[Vector, float | None]:
-    """Return the world point a hand works on, and the height of the surface there if it is a top."""
+    """Return the world point that a cue's hand works on, and the height there if it is on a top, else None."""
     subject = cue.target or cue.prop
     if isinstance(subject, StagedProp) and subject.holder is not who:
         return subject.matrix @ Vector((0, 0, subject.size.z)), None
@@ -52,7 +52,7 @@ def working_point(stage: MotionStage, who: Performer, cue: StagedCue) -> tuple[V
 
 
 def _on_top(who: Performer, world: Matrix, centre: Vector, size: tuple[float, float]) -> Vector:
-    """The spot of a top that is nearest to the person, a hand's breadth in."""
+    """Return the point of a top that is nearest to the person, a hand's breadth in."""
     local = world.inverted() @ Vector((*who.position, 0))
     spot = centre.copy()
     for axis in (0, 1):
@@ -62,7 +62,7 @@ def _on_top(who: Performer, world: Matrix, centre: Vector, size: tuple[float, fl
 
 
 def _on_box(who: Performer, world: Matrix, subject: StageFurniture) -> Vector:
-    """The spot of a box's nearest face at chest height."""
+    """Return the point of a box that is nearest to the person, at chest height."""
     local = world.inverted() @ Vector((*who.position, 0))
     width, depth, height = subject.dimensions
     spot = Vector((max(-width / 2, min(width / 2, local.x)), max(-depth / 2, min(depth / 2, local.y)), 0))
@@ -81,7 +81,18 @@ def work_with_hand(
     palm: Vector,
     curl: tuple[float, float, float],
 ) -> None:
-    """Keep a hand at a place with a movement on top, then bring it home."""
+    """Keep a hand at a place with a movement on top, then return it to rest.
+
+    Args:
+        who: The person.
+        side: ``L`` or ``R``.
+        t: Second at which it sets out.
+        end: Second at which it returns.
+        place: World point.
+        move: Offset (left, forwards, up) in metres, by seconds since ``t``.
+        palm: Direction out of the palm, in the person's frame.
+        curl: Degrees of index finger, other fingers and thumb.
+    """
 
     def target(now: float) -> Floats:
         aside, ahead, up = move(now - t)
@@ -95,13 +106,14 @@ def work_with_hand(
 
 
 def _ease_in(u: float, start: float, length: float) -> float:
+    """Return 0..1 eased over ``length`` seconds from ``start`` on."""
     w = min(1.0, max(0.0, (u - start) / length))
     return w * w * (3 - 2 * w)
 
 
 @clip("open", "body", "hand", "head")
 def open_(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Grasp the handle of a door or a lid, turn it, pull; a bag in the hands is opened there."""
+    """Open a door or a lid by its handle; a bag in the hands is opened there. Return the end in seconds."""
     bag = prop_of(cue)
     if bag is not None and bag.holder is who:
         return open_held_bag(stage, who, cue, bag)
@@ -110,11 +122,12 @@ def open_(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("close", "body", "hand", "head")
 def close(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Push a door or a lid shut."""
+    """Push a door or a lid shut. Return the end in seconds."""
     return _handle(stage, who, cue, -0.18)
 
 
 def _handle(stage: MotionStage, who: Performer, cue: StagedCue, pull: float) -> float:
+    """Move the handle of a door or lid by ``pull`` metres towards the person; return the end in seconds."""
     place, surface = working_point(stage, who, cue)
     t = approach(stage, who, cue, place, WORKING * who.measures.arm)
     place, surface = working_point(stage, who, cue)
@@ -143,7 +156,7 @@ def _handle(stage: MotionStage, who: Performer, cue: StagedCue, pull: float) -> 
 
 @clip("knock", "body", "hand", "head")
 def knock(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Rap three times with the knuckles at head height."""
+    """Knock three times with the knuckles at head height. Return the end in seconds."""
     place, _ = working_point(stage, who, cue)
     t = approach(stage, who, cue, place, WORKING * who.measures.arm)
     place = place + who.facing_at(t) @ Vector((-0.12 * sign(cue.side), 0.06, 0))
@@ -161,7 +174,7 @@ def knock(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("press", "body", "hand", "head")
 def press(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Press a button or touch a thing with the forefinger; what is in the hand is struck or switched on."""
+    """Press something with the forefinger; a held prop is struck or switched on. Return the end in seconds."""
     held = prop_of(cue)
     if held is not None and held.holder is who:
         return _strike(stage, who, cue, held)
@@ -182,17 +195,15 @@ def press(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def _strike(stage: MotionStage, who: Performer, cue: StagedCue, held: StagedProp) -> float:
-    """Bring both hands together before the breast, and flick: a match, a lighter, a torch."""
+    """Bring both hands together and flick a held match, lighter or torch; return the end in seconds."""
     t, side = cue.start, who.hand_holding(held.asset_id) or "R"
     grip, free = held.grip(side), other(side)
 
     def before_one(away: float) -> TargetOf:
         def target(now: float) -> Floats:
             turn, k = who.facing, who.scale
-            return grip.hand_target(
-                rigid_matrix(turn, who.point("upper_chest", (sign(side) * (0.05 + away) * k, -0.34 * k, -0.14 * k))),
-                turn @ Vector((sign(side) * 0.8, 0.3, -0.6)),
-            )
+            place = who.point("upper_chest", (sign(side) * (0.05 + away) * k, -0.34 * k, -0.14 * k))
+            return grip.hand_target(rigid_matrix(turn, place), turn @ Vector((sign(side) * 0.8, 0.3, -0.6)))
 
         return target
 
@@ -210,17 +221,18 @@ def _strike(stage: MotionStage, who: Performer, cue: StagedCue, held: StagedProp
 
 @clip("push", "body", "hands", "head")
 def push(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Set both palms against a thing or a person and lean in with one foot back."""
+    """Push a prop or a person with both palms, one foot back. Return the end in seconds."""
     return _shove(stage, who, cue, 1)
 
 
 @clip("pull", "body", "hands", "head")
 def pull(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Grasp with both hands and lean back."""
+    """Pull with both hands, leaning back. Return the end in seconds."""
     return _shove(stage, who, cue, -1)
 
 
 def _shove(stage: MotionStage, who: Performer, cue: StagedCue, way: int) -> float:
+    """Push (``way`` 1) or pull (-1) with both hands; return the end in seconds."""
     k = who.scale
     partner = cue.target if isinstance(cue.target, Performer) else None
     place = partner.point_above_place(0.95) if partner else working_point(stage, who, cue)[0]
@@ -258,7 +270,10 @@ def _shove(stage: MotionStage, who: Performer, cue: StagedCue, way: int) -> floa
 
 
 def _over_keys(stage: MotionStage, who: Performer, cue: StagedCue, rate: float, spread: float, lift: float) -> float:
-    """Both hands over a keyboard: fingers strike in turn, hands wander."""
+    """Play a keyboard at ``rate`` strokes a second, hands wandering ``spread`` and rising ``lift`` metres; return the end.
+
+    The target is the instrument; None for the table before the player.
+    """
     k, t = who.scale, cue.start
     end = t + (cue.duration or 3.0)
     height = table_height(stage, who) + 0.05 * k
@@ -291,6 +306,7 @@ def _over_keys(stage: MotionStage, who: Performer, cue: StagedCue, rate: float, 
 
 
 def _key_height(stage: MotionStage, instrument: StageFurniture, default: float) -> float:
+    """Return the height of an instrument's keys in metres, ``default`` if it has no handle anchor."""
     handle = stage.find_anchor(instrument, ("handle",), None)
     if handle is None:
         return default
@@ -299,13 +315,13 @@ def _key_height(stage: MotionStage, instrument: StageFurniture, default: float) 
 
 @clip("type", "hands", "head")
 def type_(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Type on the table before one."""
+    """Type on the table in front. Return the end in seconds."""
     return _over_keys(stage, who, cue, 4.0, 0.012, 0.006)
 
 
 @clip("play_piano", "hands", "head")
 def play_piano(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Play: hands wander over the keys, or the strings of what is carried; the trunk sways."""
+    """Play a keyboard, or the strings of a carried instrument, the trunk swaying. Return the end in seconds."""
     carried_one = cue.prop or stage.props.get(who.held.get(cue.side, ""))
     t, end = cue.start, cue.start + (cue.duration or 3.0)
     sway = 1
@@ -321,7 +337,10 @@ def play_piano(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 def _labour(
     stage: MotionStage, who: Performer, cue: StagedCue, move: Callable[[float, str], Vector], sides: str, bend: float
 ) -> float:
-    """Hands at work on a surface or a thing, for the duration."""
+    """Work with the hands of ``sides`` on a surface or prop, the trunk bent by degrees; return the end in seconds.
+
+    ``move`` gives the offset of a hand by seconds and side; see ``work_with_hand``.
+    """
     place, _ = working_point(stage, who, cue)
     t = approach(stage, who, cue, place, WORKING * who.measures.arm)
     place, _ = working_point(stage, who, cue)
@@ -345,7 +364,7 @@ def _labour(
 
 @clip("wipe", "body", "hand", "head")
 def wipe(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Wipe, polish, stir: small circles on a surface."""
+    """Wipe, polish or stir in small circles on a surface. Return the end in seconds."""
 
     def circle(u: float, side: str) -> Vector:
         return Vector((0.09 * math.cos(5 * u), 0.06 * math.sin(5 * u), 0))
@@ -355,7 +374,7 @@ def wipe(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("work", "body", "hands", "head")
 def work(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Hammer, dig, chop: one hand strikes, the other steadies."""
+    """Hammer, dig or chop: one hand strikes, the other steadies. Return the end in seconds."""
 
     def strike(u: float, side: str) -> Vector:
         if side != cue.side:
@@ -367,7 +386,7 @@ def work(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("search", "body", "hands", "head")
 def search(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Rummage: both hands move things about, the eyes follow."""
+    """Rummage: both hands move things about. Return the end in seconds."""
 
     def rummage(u: float, side: str) -> Vector:
         phase = 0.0 if side == "L" else 1.9
@@ -380,7 +399,7 @@ def search(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("pour", "hand", "head")
 def pour(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Tilt what is held over a place before one, and right it again."""
+    """Tilt a held prop over a place in front, and right it again. Return the end in seconds."""
     t, side, k = cue.start, cue.side, who.scale
     held = stage.props.get(who.held.get(side, ""))
     raised: TargetOf = by_chest(
