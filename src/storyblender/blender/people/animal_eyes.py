@@ -33,7 +33,7 @@ def eyelids(center: Floats, radius: float) -> tuple[Sheet, dict[str, Floats]]:
     sheets, moves = [], []
     for number, lid in enumerate((_UPPER, _LOWER)):
         open_, shut = _shell(lid, 0.0) * radius * 1.08, _shell(lid, 1.0) * radius * 1.08
-        faces = skin_faces(*open_.shape[:2], False)
+        faces = skin_faces(len(open_), open_.shape[1], False)
         sheets.append(rigid_sheet(center + open_.reshape(-1, 3), faces, bone_weights("head")))
         moves.append(((shut - open_).reshape(-1, 3), number))
     keys = {key: np.concatenate([move * shares[number] for move, number in moves]) for key, shares in LID_KEYS.items()}
