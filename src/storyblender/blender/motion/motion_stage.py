@@ -170,7 +170,7 @@ class MotionStage:
         return found if isinstance(found, StageFurniture) else None
 
     def find_anchor(self, furniture: StageFurniture, kinds: tuple[str, ...], mark: Mark | None) -> Anchor | None:
-        """Return the anchor of ``kinds`` that a mark names, else the nearest to it; the first without a mark, or None."""
+        """Return the anchor of ``kinds`` that a mark names, else the nearest to it; None if there is none."""
         fitting = [a for a in furniture.anchors if a.kind in kinds]
         if mark is not None and mark.anchor_name:
             fitting = [a for a in fitting if a.name == mark.anchor_name] or fitting

@@ -120,7 +120,7 @@ class Scalp:
         return np.array(hit), sum(share * high for share, high in shares) / sum(share for share, _ in shares)
 
     def hair_surface(self, direction: Floats, lift: float) -> tuple[Floats, float] | None:
-        """Return the point ``lift`` metres over the hair in a direction, and its decimetres over the hairline, or None."""
+        """Return the point ``lift`` metres over the hair in a direction and its dm over the hairline, or None."""
         found = self.skull_surface(direction)
         if found is None:
             return None

@@ -270,9 +270,9 @@ def _shove(stage: MotionStage, who: Performer, cue: StagedCue, way: int) -> floa
 
 
 def _over_keys(stage: MotionStage, who: Performer, cue: StagedCue, rate: float, spread: float, lift: float) -> float:
-    """Play a keyboard at ``rate`` strokes a second, hands wandering ``spread`` and rising ``lift`` metres; return the end.
+    """Play a keyboard at ``rate`` strokes a second, hands wandering ``spread`` and rising ``lift`` metres.
 
-    The target is the instrument; None for the table before the player.
+    The target is the instrument; None for the table before the player. Return the end in seconds.
     """
     k, t = who.scale, cue.start
     end = t + (cue.duration or 3.0)
