@@ -1,6 +1,7 @@
 import contextlib
 import sys
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -104,6 +105,45 @@ def test_film_of_a_window_is_the_film_of_the_whole_picture(room, monkeypatch, tm
         lambda *args: replace(found := whole(*args), window=found.views[0].whole),
     )
     assert np.abs(quick - film("whole")).mean() < 0.5
+
+
+@pytest.fixture
+def focused(room):
+    """The room through an open lens that is focused before the lamp."""
+    room.camera.data.dof.use_dof = True
+    room.camera.data.dof.aperture_fstop, room.camera.data.dof.focus_distance = 1.4, 2.0
+    room.camera.data.lens = 85
+    return room
+
+
+def _film(scene, folder, frames=FRAMES):
+    folder.mkdir()
+    paths = motion_frames.render_motion(scene, scene.camera, frames, *SIZE, folder, render_stage.interior())
+    return [np.asarray(Image.open(path), float) for path in paths]
+
+
+def test_what_moves_out_of_focus_is_blurred_as_if_the_whole_frame_were(focused, tmp_path, monkeypatch):
+    quick = _film(focused, tmp_path / "parts")
+    assert focused.camera.data.dof.use_dof
+    monkeypatch.setattr(motion_frames.MovingFocus, "differs", lambda *_: True)
+    for part, whole in zip(quick, _film(focused, tmp_path / "whole"), strict=True):
+        assert np.abs(part - whole).max() < 12 and np.abs(part - whole).mean() < 0.1
+    assert np.abs(quick[-1] - quick[0]).max() > 40
+    focused.camera.data.dof.use_dof = False
+    sharp = _film(focused, tmp_path / "sharp")
+    detail = [np.abs(np.diff(film[-1], axis=1)).mean() for film in (sharp, quick)]
+    assert detail[1] < 0.8 * detail[0]
+
+
+def test_a_rack_focus_is_drawn_though_nothing_moves(focused, tmp_path):
+    lamp = next(obj for obj in focused.objects if obj["node_id"] == "lamp")
+    lamp.animation_data_clear()
+    dof = focused.camera.data.dof
+    for frame, away in ((1, 2.0), (7, 6.0)):
+        dof.focus_distance = away
+        focused.camera.data.keyframe_insert("dof.focus_distance", frame=frame)
+    frames = _film(focused, tmp_path / "racked")
+    assert all(np.abs(b - a).max() > 4 for a, b in pairwise(frames))
 
 
 def test_a_moving_point_of_view_is_seen_through_its_opening(room, tmp_path):

@@ -49,6 +49,12 @@ class Window:
         """Return the rectangle's place in another one."""
         return self.moved(-outer.top, -outer.left)
 
+    def grown(self, by: int, height: int, width: int) -> Window:
+        """Return it larger by some pixels on each side, as far as the whole picture goes."""
+        return Window(
+            max(0, self.top - by), max(0, self.left - by), min(height, self.bottom + by), min(width, self.right + by)
+        )
+
     def inner(self, by: int, height: int, width: int) -> Window:
         """Return it smaller by some pixels on each side that is not the edge of the whole picture."""
         return Window(

@@ -28,7 +28,9 @@ from storyblender.look.atmosphere import add_rain
 from storyblender.look.exposure import with_shadows_raised
 from storyblender.look.grade import to_bytes, to_film
 from storyblender.look.ink import add_lines
-from storyblender.look.moving_light import MovingLight
+from storyblender.look.moving_focus import MovingFocus
+from storyblender.look.moving_light import FlatFrame, MovingLight
+from storyblender.look.optics import Lens
 from storyblender.look.raster import Image as Picture
 from storyblender.look.raster import Window
 from storyblender.memory.base import Vec3
@@ -86,22 +88,50 @@ def render_motion(
         movement = watch(session, frames, width, height)
         people = [_heads(faces, in_frame) for faces in movement.people]
         told = stack.enter_context(animatic_workbench(session, movement))
-        film = zip(frames, people, movement.anew, draw_flat(session, frames, movement, told), strict=True)
-        for number, heads, anew, flat in film:
+        focus = MovingFocus(height, width)
+        flats = draw_flat(session, frames, movement, told)
+        film = zip(frames, people, movement.anew, movement.lenses, flats, strict=True)
+        for number, heads, anew, lens, flat in film:
             report(len(paths), len(frames))
             paths.append(part / f"{number:05d}.jpg")
             if plan.rain > 0:
                 flat = replace(flat, changed=np.ones_like(flat.changed))
-            elif not anew:
+            elif not anew and not focus.differs(lens):
                 shutil.copyfile(paths[-2], paths[-1])
                 continue
-            for window, picture in light.light(flat, still.set_lights + _followed(still.lights, people[0], heads)):
-                depth = flat.depth[window.cut]
-                picture = with_shadows_raised(picture * gain, still.statistics.shadow_lift)
-                picture = add_rain(picture, depth, plan.rain, seed + number)
-                _paste(shown, add_lines(picture, depth, flat.view), window)
+            lamps = still.set_lights + _followed(still.lights, people[0], heads)
+            parts = [
+                (window, with_shadows_raised(picture * gain, still.statistics.shadow_lift))
+                for window, picture in (light.light(flat, lamps) if anew or plan.rain > 0 else ())
+            ]
+            for window, picture in _finished(parts, flat, lens, focus, (plan.rain, seed + number)):
+                _paste(shown, picture, window)
             write_jpeg(look_through(shown, through), paths[-1])
     return tuple(paths)
+
+
+def _finished(
+    parts: Sequence[tuple[Window, Picture]],
+    flat: FlatFrame,
+    lens: Lens | None,
+    focus: MovingFocus,
+    rain: tuple[float, int],
+) -> list[tuple[Window, Picture]]:
+    """Return the parts of a frame that are not as in the last one, linear, with lines, rain and depth of field.
+
+    Args:
+        parts: What differs in its light, exposed: windows and (h, w, 3).
+        flat: The whole frame.
+        lens: As it is set; None where everything is sharp.
+        focus: Of this shot, with the frames before.
+        rain: Its amount, 0 for none, and the seed of its drops.
+    """
+    if lens is None:
+        wet = ((window, add_rain(picture, flat.depth[window.cut], *rain)) for window, picture in parts)
+        return [(window, add_lines(picture, flat.depth[window.cut], flat.view)) for window, picture in wet]
+    inked = [(window, add_lines(picture, flat.depth[window.cut], flat.view)) for window, picture in parts]
+    seen = focus.blurred(inked, _RIM, flat.depth, lens)
+    return [(window, add_rain(picture, flat.depth[window.cut], *rain)) for window, picture in seen]
 
 
 def _metered(session: RenderSession, lighting: Lighting, tall: float, in_frame: Sequence[str] | None) -> FrameResult:

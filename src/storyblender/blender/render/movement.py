@@ -15,6 +15,7 @@ from storyblender.blender.render.holds import drawn_anew, pose_now
 from storyblender.blender.render.session import DRAWN, RenderSession
 from storyblender.geometry.framing import Figure
 from storyblender.look.gbuffer import View, same_view
+from storyblender.look.optics import Lens
 from storyblender.look.raster import Window
 
 _ROOM = 6
@@ -30,6 +31,7 @@ class Movement:
 
     Attributes:
         views: The camera at each frame.
+        lenses: Its lens at each frame, None where everything is sharp.
         people: Everybody's face at each frame.
         movers: Objects that move, bend, come or go while they are in the picture.
         unseen: Objects outside the picture all the time.
@@ -38,6 +40,7 @@ class Movement:
     """
 
     views: tuple[View, ...]
+    lenses: tuple[Lens | None, ...]
     people: tuple[tuple[Figure, ...], ...]
     movers: tuple[bpy.types.Object, ...]
     unseen: tuple[bpy.types.Object, ...]
@@ -62,11 +65,12 @@ def watch(session: RenderSession, frames: Sequence[int], width: int, height: int
     hidden = set(session.hidden_objects)
     objects = [obj for obj in session.scene.objects if obj.type in DRAWN and obj not in hidden]
     free = [obj for obj in objects if _may_move(obj)]
-    views, people, poses, shown, corners = [], [], [], [], []
+    views, lenses, people, poses, shown, corners = [], [], [], [], [], []
     for number in frames:
         session.go_to(number)
         depsgraph = session.scene.view_layers[0].depsgraph
         views.append(session.view(width, height))
+        lenses.append(session.lens())
         people.append(figures(session.scene))
         poses.append(pose_now(session.scene))
         shown.append([not obj.hide_render for obj in free])
@@ -82,7 +86,7 @@ def watch(session: RenderSession, frames: Sequence[int], width: int, height: int
     unseen = [obj for obj, out in zip(fixed, lost, strict=True) if out]
     unseen += [obj for obj, here in zip(free, seen.any(axis=0), strict=True) if not here]
     always = tuple(True for _ in views)
-    movement = Movement(tuple(views), tuple(people), movers, tuple(unseen), views[0].whole, always)
+    movement = Movement(tuple(views), tuple(lenses), tuple(people), movers, tuple(unseen), views[0].whole, always)
     if not movement.is_locked_off:
         return movement
     reached = [_reached(views[0], box[here & moves]) for box, here in zip(boxes, seen, strict=True)]
