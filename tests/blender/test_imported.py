@@ -241,3 +241,47 @@ def test_the_credit_of_a_blend_is_that_of_its_asset(tmp_path):
     assert (build_from_file(path).credit.author, build_from_file(path).credit.license) == ("Ann", "CC0-1.0")
     (tmp_path / "credits.toml").write_text('author = "Bob"')
     assert (build_from_file(path).credit.author, build_from_file(path).credit.license) == ("Bob", "CC0-1.0")
+
+
+def a_textured_crate():
+    """Return a mesh whose material has maps for colour, roughness, metal and normals."""
+    mesh = build_prop("crate").mesh
+    if not mesh.uv_layers:
+        mesh.uv_layers.new(name="UVMap")
+    rng = np.random.default_rng(1)
+    mesh.uv_layers[0].uv.foreach_set("vector", rng.random(len(mesh.loops) * 2).astype(np.float32))
+    material = bpy.data.materials.new("wood")
+    material.use_nodes = True
+    tree = material.node_tree
+    shader = tree.nodes["Principled BSDF"]
+    for name, color in (("Base Color", (0.8, 0.2, 0.1)), ("Roughness", (0.3,) * 3), ("Normal", (0.5, 0.5, 1.0))):
+        image = bpy.data.images.new(name, 8, 8)
+        image.colorspace_settings.name = "sRGB" if name == "Base Color" else "Non-Color"
+        image.pixels.foreach_set(np.tile(np.array([*color, 1], np.float32), 64))
+        image.pack()
+        node = tree.nodes.new("ShaderNodeTexImage")
+        node.image = image
+        out = node.outputs["Color"]
+        if name == "Normal":
+            bumps = tree.nodes.new("ShaderNodeNormalMap")
+            tree.links.new(out, bumps.inputs["Color"])
+            out = bumps.outputs["Normal"]
+        tree.links.new(out, shader.inputs[name])
+    mesh.materials.clear()
+    mesh.materials.append(material)
+    return mesh
+
+
+@pytest.mark.parametrize("suffix", [".glb", ".gltf", ".blend"])
+def test_the_maps_of_a_model_survive(tmp_path, suffix):
+    placed(a_textured_crate())
+    mesh = build_from_file(written(tmp_path / f"crate{suffix}")).mesh
+    tree = mesh.materials[0].node_tree
+    shader = tree.nodes["Principled BSDF"]
+    assert tree.nodes.active == shader.inputs["Base Color"].links[0].from_node
+    color = shader.inputs["Base Color"].default_value
+    assert tuple(color)[:3] == pytest.approx((0.8**2.2, 0.2**2.2, 0.1**2.2), abs=0.03)
+    rough = shader.inputs["Roughness"].links[0].from_node.image
+    normals = shader.inputs["Normal"].links[0].from_node.inputs["Color"].links[0].from_node.image
+    assert rough.pixels[0] == pytest.approx(0.3, abs=0.02) and rough.colorspace_settings.name == "Non-Color"
+    assert normals.pixels[2] > 0.9 and all(image.packed_file for image in (rough, normals))

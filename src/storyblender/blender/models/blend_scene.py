@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,7 +13,7 @@ from storyblender.blender.models.addresses import readable
 from storyblender.blender.models.credits import credit_of
 from storyblender.blender.models.limits import MATERIALS, NODES, PARTS
 from storyblender.blender.models.parts import Part, checked, joined, within_bounds
-from storyblender.blender.models.pictures import clean_picture
+from storyblender.blender.models.pictures import clean_channel, clean_normals, clean_picture
 from storyblender.blender.models.plain import PlainMaterial, PlainModel
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Credit
@@ -171,12 +171,17 @@ class _Shelf:
             return PlainMaterial(name=material.name, color=color, emission=light, picture=picture), painted
         strength = float(shader.inputs["Emission Strength"].default_value)
         light = [min(strength, 100.0) * float(value) for value in shader.inputs["Emission Color"].default_value[:3]]
+        normals, relief = self._normals(shader.inputs["Normal"])
         plain = PlainMaterial(
             name=material.name,
             color=color,
             alpha=_value(shader, "Alpha", 1.0),
             roughness=_value(shader, "Roughness", 0.5),
             metallic=_value(shader, "Metallic", 0.0),
+            roughness_map=self._channel(shader.inputs["Roughness"]),
+            metallic_map=self._channel(shader.inputs["Metallic"]),
+            normal_map=normals,
+            relief=relief,
             emission=(light[0], light[1], light[2])
             if not shader.inputs["Emission Color"].is_linked
             else (0.0, 0.0, 0.0),
@@ -184,15 +189,32 @@ class _Shelf:
         )
         return plain, painted
 
-    def _picture(self, image: bpy.types.Image | None) -> bytes:
+    def _channel(self, socket: bpy.types.NodeSocket) -> bytes:
+        """Return the channel of a picture that a socket is linked to, by itself or through Separate Color."""
+        source = _upstream(socket)
+        if source is None or source.type != "TEX_IMAGE":
+            return b""
+        channel = {"Green": 1, "Blue": 2}.get(socket.links[0].from_socket.name, 0)
+        return self._picture(source.image, lambda data, name: clean_channel(data, name, channel))
+
+    def _normals(self, socket: bpy.types.NodeSocket) -> tuple[bytes, float]:
+        """Return the normal map that a socket is linked to, and its strength."""
+        node = socket.links[0].from_node if socket.is_linked else None
+        if node is None or node.type != "NORMAL_MAP" or node.space != "TANGENT":
+            return b"", 1.0
+        source = _upstream(node.inputs["Color"])
+        found = self._picture(source.image, clean_normals) if source and source.type == "TEX_IMAGE" else b""
+        return found, float(np.clip(node.inputs["Strength"].default_value, 0, 4))
+
+    def _picture(self, image: bpy.types.Image | None, clean: Callable[[bytes, str], bytes] = clean_picture) -> bytes:
         """Return a picture that is packed or lies in the folder of models; another is left out with a note."""
         if image is None or image.source not in ("FILE", "TILED"):
             return b""
         try:
             if image.packed_file is not None:
-                return clean_picture(bytes(image.packed_file.data), image.name)
+                return clean(bytes(image.packed_file.data), image.name)
             found = Path(bpy.path.abspath(image.filepath, start=str(self._path.parent)))
-            return clean_picture(readable(self._folder, found).read_bytes(), image.name)
+            return clean(readable(self._folder, found).read_bytes(), image.name)
         except InputError as error:
             self.notes.append(f"{error.problem}; it is left out")
             return b""

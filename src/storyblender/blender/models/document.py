@@ -228,3 +228,11 @@ def _strided(
 
 def _no_number(text: str) -> float:
     raise ValueError(text)
+
+
+def finite_numbers(values: Any, count: int) -> NDArray[np.float64]:
+    """Return so many finite numbers."""
+    plain = isinstance(values, list | tuple) and len(values) == count
+    if not plain or not all(isinstance(value, int | float) and abs(value) < 1e12 for value in values):
+        raise InputError("a matrix, colour or factor in it is no list of numbers")
+    return np.array(values, float)

@@ -16,11 +16,12 @@ from numpy.typing import NDArray
 
 from storyblender.blender.models.blend import read_aside
 from storyblender.blender.models.credits import credit_in_gltf
-from storyblender.blender.models.document import Document, Json, read_document, whole
-from storyblender.blender.models.limits import CORNERS, DEPTH, MATERIALS, NODES, PARTS, PICTURES
+from storyblender.blender.models.document import Document, Json, finite_numbers, read_document, whole
+from storyblender.blender.models.gltf_materials import read_materials
+from storyblender.blender.models.limits import CORNERS, DEPTH, NODES, PARTS
 from storyblender.blender.models.parts import Part, joined, within_bounds
 from storyblender.blender.models.pictures import clean_picture
-from storyblender.blender.models.plain import PlainMaterial, PlainModel
+from storyblender.blender.models.plain import PlainModel
 from storyblender.errors import InputError
 
 Matrix = NDArray[np.float64]
@@ -52,7 +53,7 @@ def read_gltf(path: Path, folder: Path) -> PlainModel:
     if isinstance(required, list) and _DRACO in required:
         return _unpacked(document, path, folder)
     notes: list[str] = []
-    materials = tuple(_materials(document, notes))
+    materials = tuple(read_materials(document, notes))
     parts: list[Part] = []
     vertices = faces = 0
     for part in _parts(document, len(materials)):
@@ -131,8 +132,8 @@ def _places(document: Document) -> dict[int, Matrix]:
 
 def _matrix(node: Json) -> Matrix:
     if node.get("matrix") is not None:
-        return _numbers(node["matrix"], 16).reshape(4, 4).T
-    x, y, z, w = _numbers(node.get("rotation", (0, 0, 0, 1)), 4)
+        return finite_numbers(node["matrix"], 16).reshape(4, 4).T
+    x, y, z, w = finite_numbers(node.get("rotation", (0, 0, 0, 1)), 4)
     length = math.sqrt(x * x + y * y + z * z + w * w) or 1.0
     x, y, z, w = (value / length for value in (x, y, z, w))
     turn = np.array(
@@ -143,8 +144,8 @@ def _matrix(node: Json) -> Matrix:
         ]
     )
     matrix = np.eye(4)
-    matrix[:3, :3] = turn * _numbers(node.get("scale", (1, 1, 1)), 3)
-    matrix[:3, 3] = _numbers(node.get("translation", (0, 0, 0)), 3)
+    matrix[:3, :3] = turn * finite_numbers(node.get("scale", (1, 1, 1)), 3)
+    matrix[:3, 3] = finite_numbers(node.get("translation", (0, 0, 0)), 3)
     return matrix
 
 
@@ -253,84 +254,7 @@ def _posed(
     return result
 
 
-# ---------------------------------------------------------------------- materials
-
-
-def _materials(document: Document, notes: list[str]) -> Iterator[PlainMaterial]:
-    found = document.items("materials")
-    if len(found) > MATERIALS:
-        raise InputError(f"it has {len(found)} materials; at most {MATERIALS} are read")
-    pictures: dict[int, bytes] = {}
-    for record in found:
-        base = _object(record.get("pbrMetallicRoughness"))
-        extensions = _object(record.get("extensions"))
-        old = _object(extensions.get("KHR_materials_pbrSpecularGlossiness"))
-        factor = base.get("baseColorFactor", old.get("diffuseFactor", (1, 1, 1, 1)))
-        red, green, blue, alpha = np.clip(_numbers(factor, 4), 0, 1).tolist()
-        strength = _object(extensions.get("KHR_materials_emissive_strength")).get("emissiveStrength", 1.0)
-        light = np.clip(_numbers(record.get("emissiveFactor", (0, 0, 0)), 3), 0, 1) * np.clip(
-            _numbers([strength], 1), 0, 100
-        )
-        texture = _object(base.get("baseColorTexture", old.get("diffuseTexture")))
-        laid = _object(_object(texture.get("extensions")).get("KHR_texture_transform"))
-        if record.get("emissiveTexture") is not None and not texture:
-            light = light * 0
-        yield PlainMaterial(
-            name=str(record.get("name", "")),
-            color=(red, green, blue),
-            alpha=1.0 if record.get("alphaMode", "OPAQUE") == "OPAQUE" else alpha,
-            roughness=_share(base.get("roughnessFactor", 1.0)),
-            metallic=_share(base.get("metallicFactor", 1.0)) if "metallicRoughnessTexture" not in base else 0.0,
-            emission=tuple(light.tolist()),
-            picture=_picture(document, texture, pictures, notes) if texture else b"",
-            layer=min(whole(laid.get("texCoord", texture.get("texCoord", 0)), "texCoord", 64), 1),
-            offset=_pair(laid.get("offset", (0, 0))),
-            repeat=_pair(laid.get("scale", (1, 1))),
-            turn=float(_numbers([laid.get("rotation", 0.0)], 1)[0]),
-        )
-
-
-def _picture(document: Document, texture: Json, pictures: dict[int, bytes], notes: list[str]) -> bytes:
-    """Return the bytes of a texture's picture; one that cannot be used is left out with a note."""
-    try:
-        record = document.item("textures", texture.get("index"))
-        webp = _object(_object(record.get("extensions")).get("EXT_texture_webp"))
-        index = whole(webp.get("source", record.get("source")), "picture", len(document.items("images")) - 1)
-        if index not in pictures:
-            if len(pictures) == PICTURES:
-                raise InputError(f"it has more than {PICTURES} pictures")
-            image = document.item("images", index)
-            view = image.get("bufferView")
-            data = bytes(document.bytes_of(view)) if view is not None else document.resource(image.get("uri"), -1)
-            pictures[index] = clean_picture(data, str(image.get("name") or image.get("uri") or index)[:60])
-    except InputError as error:
-        notes.append(f"{error.problem}; it is left out")
-        return b""
-    return pictures[index]
-
-
 def _indices(values: Any, count: int, what: str) -> list[int]:
     if not isinstance(values, list):
         raise InputError(f"its list of each {what} is none")
     return [whole(value, what, count - 1) for value in values]
-
-
-def _numbers(values: Any, count: int) -> NDArray[np.float64]:
-    """Return so many finite numbers."""
-    plain = isinstance(values, list | tuple) and len(values) == count
-    if not plain or not all(isinstance(value, int | float) and abs(value) < 1e12 for value in values):
-        raise InputError("a matrix, colour or factor in it is no list of numbers")
-    return np.array(values, float)
-
-
-def _object(value: Any) -> Json:
-    return value if isinstance(value, dict) else {}
-
-
-def _share(value: Any) -> float:
-    return float(np.clip(_numbers([value], 1)[0], 0, 1))
-
-
-def _pair(value: Any) -> tuple[float, float]:
-    first, second = _numbers(value, 2).tolist()
-    return first, second

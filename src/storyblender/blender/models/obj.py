@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from storyblender.blender.models.addresses import inside, readable
 from storyblender.blender.models.limits import CORNERS, FACES, MATERIALS, MIB, TEXT_BYTES, VERTICES
 from storyblender.blender.models.parts import checked, within_bounds
-from storyblender.blender.models.pictures import clean_picture
+from storyblender.blender.models.pictures import clean_channel, clean_normals, clean_picture, is_normal_map
 from storyblender.blender.models.plain import PlainMaterial, PlainModel
 from storyblender.errors import InputError
 from storyblender.memory.base import Color
@@ -201,10 +201,17 @@ def _property(word: str, rest: list[str], path: Path, folder: Path) -> dict[str,
             return {"metallic": _share(rest[-1])}
         case "Ns":
             return {"roughness": 1 - (_share(str(float(rest[-1]) / 1000))) ** 0.5}
-        case "map_Kd" if rest:
+        case "map_Kd" | "map_Pr" | "map_Pm" | "norm" | "map_Kn" | "map_Bump" | "map_bump" | "bump" if rest:
             address = _address(rest)
-            picture = inside(folder, path.parent, address)
-            return {"picture": clean_picture(picture.read_bytes(), address[-60:])}
+            data, name = inside(folder, path.parent, address).read_bytes(), address[-60:]
+            if word == "map_Kd":
+                return {"picture": clean_picture(data, name)}
+            if word in ("map_Pr", "map_Pm"):
+                return {"roughness_map" if word == "map_Pr" else "metallic_map": clean_channel(data, name, 0)}
+            normals = clean_normals(data, name)
+            if not is_normal_map(normals):
+                raise InputError(f"its picture {name!r} holds heights and no normals")
+            return {"normal_map": normals}
     return {}
 
 

@@ -16,6 +16,8 @@ from storyblender.memory.base import Color
 
 _FORMATS = ("PNG", "JPEG", "WEBP", "TGA", "BMP", "TIFF", "GIF")
 
+_SMALL = 256 * 256
+"""Pixels up to which a picture is kept without loss."""
 _DAMAGE = (UnidentifiedImageError, Image.DecompressionBombError, OSError, ValueError, SyntaxError, EOFError, TypeError,
            LookupError, ArithmeticError, MemoryError, struct.error, zlib.error)  # fmt: skip
 """What decoders of damaged pictures end with."""
@@ -31,6 +33,63 @@ def clean_picture(data: bytes, name: str) -> bytes:
     Raises:
         InputError: It is no picture, or too large.
     """
+    plain = _decoded(data, name)
+    out = io.BytesIO()
+    if plain.mode == "RGBA" or plain.width * plain.height <= _SMALL:
+        plain.save(out, "PNG")
+    else:
+        plain.save(out, "JPEG", quality=92)
+    return out.getvalue()
+
+
+def clean_normals(data: bytes, name: str) -> bytes:
+    """Return a normal map as a plain PNG or a JPEG that keeps all its colour; else as ``clean_picture``."""
+    plain, out = _decoded(data, name).convert("RGB"), io.BytesIO()
+    if plain.width * plain.height <= _SMALL:
+        plain.save(out, "PNG")
+    else:
+        plain.save(out, "JPEG", quality=95, subsampling=0)
+    return out.getvalue()
+
+
+def clean_channel(data: bytes, name: str, channel: int, factor: float = 1.0) -> bytes:
+    """Return one channel of a picture as a grey PNG.
+
+    Args:
+        data: The file as it came.
+        name: For the message.
+        channel: 0 red, 1 green, 2 blue.
+        factor: Multiplies it, 0..1.
+
+    Raises:
+        InputError: It is no picture, or too large.
+    """
+    grey, out = _decoded(data, name).convert("RGB").getchannel(channel), io.BytesIO()
+    grey.point([round(level * factor) for level in range(256)]).save(out, "PNG")
+    return out.getvalue()
+
+
+def mean_level(data: bytes) -> float:
+    """Return the mean of a clean grey picture, 0..1."""
+    return float(np.asarray(Image.open(io.BytesIO(data)).convert("L")).mean() / 255)
+
+
+def is_normal_map(data: bytes) -> bool:
+    """Return whether a clean picture holds normals rather than heights: blue, and level on the whole."""
+    red, green, blue = np.asarray(Image.open(io.BytesIO(data)).convert("RGB")).reshape(-1, 3).mean(axis=0) / 255
+    return bool(blue > 0.7 and abs(red - 0.5) < 0.15 and abs(green - 0.5) < 0.15)
+
+
+def flat_picture(color: Color) -> bytes:
+    """Return a small PNG of one scene-linear colour."""
+    red, green, blue = (round(255 * float(np.clip(channel, 0, 1)) ** (1 / 2.2)) for channel in color)
+    out = io.BytesIO()
+    Image.new("RGB", (4, 4), (red, green, blue)).save(out, "PNG")
+    return out.getvalue()
+
+
+def _decoded(data: bytes, name: str) -> Image.Image:
+    """Return a picture, no larger than needed, as RGB or RGBA; it is decoded only after its header was looked at."""
     if len(data) > PICTURE_BYTES:
         raise InputError(f"its picture {name!r} has {len(data) // MIB} MiB; at most {PICTURE_BYTES // MIB} are read")
     try:
@@ -44,12 +103,7 @@ def clean_picture(data: bytes, name: str) -> bytes:
     except _DAMAGE as error:
         raise InputError(f"its picture {name!r} cannot be read") from error
     plain.thumbnail((PICTURE_SIDE, PICTURE_SIDE))
-    out = io.BytesIO()
-    if plain.mode == "RGBA" or width * height <= 256 * 256:
-        plain.save(out, "PNG")
-    else:
-        plain.save(out, "JPEG", quality=92)
-    return out.getvalue()
+    return plain
 
 
 def _has_alpha(picture: Image.Image) -> bool:

@@ -29,10 +29,15 @@ class PlainMaterial:
         roughness: 0..1.
         metallic: 0..1.
         emission: Scene-linear colour times strength.
-        picture: Bytes of a PNG or JPEG in sRGB; empty for none.
-        layer: Which texture coordinates lay out the picture.
-        offset: Of the picture, in its own size.
-        repeat: Of the picture.
+        picture: Base colour map: bytes of a PNG or JPEG in sRGB; empty for none, as of the other maps.
+        roughness_map: Grey PNG, 0 mirror to 1 matt; replaces ``roughness``.
+        metallic_map: Grey PNG, 0..1; replaces ``metallic``.
+        normal_map: PNG or JPEG of tangent space normals, +Y up (OpenGL).
+        relief: Strength of the normal map; 1 is as it was made.
+        glow_map: PNG or JPEG in sRGB that multiplies ``emission``.
+        layer: Which texture coordinates lay out the maps.
+        offset: Of the maps, in their own size.
+        repeat: Of the maps.
         turn: Radians.
     """
 
@@ -43,10 +48,24 @@ class PlainMaterial:
     metallic: float = 0.0
     emission: Color = (0.0, 0.0, 0.0)
     picture: bytes = b""
+    roughness_map: bytes = b""
+    metallic_map: bytes = b""
+    normal_map: bytes = b""
+    relief: float = 1.0
+    glow_map: bytes = b""
     layer: int = 0
     offset: tuple[float, float] = (0.0, 0.0)
     repeat: tuple[float, float] = (1.0, 1.0)
     turn: float = 0.0
+
+    @property
+    def is_mapped(self) -> bool:
+        """Whether any map is laid out on the surface."""
+        return any(getattr(self, name) for name in MAPS)
+
+
+MAPS = ("picture", "roughness_map", "metallic_map", "normal_map", "glow_map")
+"""Fields of a material with the bytes of a picture."""
 
 
 @dataclass(frozen=True)
@@ -86,12 +105,13 @@ _ARRAYS = ("vertices", "corners", "sizes", "slots", "smooth", "layers", "paint")
 
 
 def save(model: PlainModel, folder: Path) -> None:
-    """Write a model into a folder: arrays, a record, and a file a picture."""
+    """Write a model into a folder: arrays, a record, and a file a map."""
     np.savez(folder / "model.npz", **{name: getattr(model, name) for name in _ARRAYS})
     materials: list[dict[str, Any]] = []
     for index, material in enumerate(model.materials):
-        (folder / f"{index}.picture").write_bytes(material.picture)
-        materials.append({key: value for key, value in vars(material).items() if key != "picture"})
+        for name in MAPS:
+            (folder / f"{index}.{name}").write_bytes(getattr(material, name))
+        materials.append({key: value for key, value in vars(material).items() if key not in MAPS})
     (folder / "model.json").write_text(
         json.dumps({"materials": materials, "notes": model.notes, "credit": dict(model.credit)})
     )
@@ -108,7 +128,7 @@ def load(folder: Path) -> PlainModel:
         with np.load(folder / "model.npz", allow_pickle=False) as stored:
             arrays = {name: stored[name] for name in _ARRAYS}
         materials = tuple(
-            PlainMaterial(picture=(folder / f"{index}.picture").read_bytes(), **_tuples(fields))
+            PlainMaterial(**{name: (folder / f"{index}.{name}").read_bytes() for name in MAPS}, **_tuples(fields))
             for index, fields in enumerate(record["materials"])
         )
         credit = Credit(**record["credit"])

@@ -10,10 +10,10 @@ import numpy as np
 
 from storyblender.blender.mesh_builder import SHARP_ANGLE
 from storyblender.blender.models.palette import palette_of
-from storyblender.blender.models.pictures import tinted
-from storyblender.blender.models.plain import PlainMaterial, PlainModel
+from storyblender.blender.models.pictures import flat_picture, mean_level, tinted
+from storyblender.blender.models.plain import MAPS, PlainMaterial, PlainModel
 from storyblender.errors import InputError
-from storyblender.memory.base import content_hash
+from storyblender.memory.base import Color, content_hash
 
 _PLAIN = PlainMaterial(name="plain", color=(0.6, 0.6, 0.6))
 """Of faces that have no material."""
@@ -71,11 +71,11 @@ def _looks(model: PlainModel) -> tuple[list[PlainMaterial], np.ndarray, np.ndarr
     face_of = np.repeat(np.arange(len(model.sizes)), model.sizes)
     for number, material in enumerate(materials):
         layer = min(material.layer, len(model.layers) - 1)
-        if material.picture and layer >= 0:
+        if material.is_mapped and layer >= 0:
             chosen = slots[face_of] == number
             layout[chosen] = _laid(model.layers[layer][chosen], material)
     if len(model.paint):
-        pictured = np.array([bool(material.picture) for material in materials])
+        pictured = np.array([material.is_mapped for material in materials])
         for number in np.unique(slots[~pictured[slots]]).tolist():
             faces = np.flatnonzero(slots == number)
             paint = model.paint * np.array(materials[number].color, np.float32)
@@ -84,7 +84,7 @@ def _looks(model: PlainModel) -> tuple[list[PlainMaterial], np.ndarray, np.ndarr
             slots[faces] = len(materials) - 1
             layout[np.isin(face_of, faces)] = np.repeat(places, model.sizes[faces], axis=0)
     used = np.unique(slots)
-    plain = not any(materials[index].picture for index in used)
+    plain = not any(materials[index].is_mapped for index in used)
     return (
         [materials[index] for index in used],
         np.searchsorted(used, slots).astype(np.int32),
@@ -113,8 +113,9 @@ def _material(plain: PlainMaterial) -> bpy.types.Material:
 
     Its name ends in a digest of all that it is, so two files' materials of one name stay two.
     """
-    values = {key: value for key, value in vars(plain).items() if key not in ("picture", "name")}
-    digest = content_hash(hashlib.sha256(plain.picture).hexdigest(), {key: str(value) for key, value in values.items()})
+    values: dict[str, object] = {key: str(value) for key, value in vars(plain).items() if key not in (*MAPS, "name")}
+    maps: dict[str, object] = {name: hashlib.sha256(getattr(plain, name)).hexdigest() for name in MAPS}
+    digest = content_hash(maps, values)
     speaking = _ODD.sub("", plain.name).strip()[:32] or "material"
     name = f"{speaking} {digest[:8]}"
     found = next((each for each in bpy.data.materials if each.name == name and each.get("digest") == digest), None)
@@ -127,40 +128,84 @@ def _make(name: str, digest: str, plain: PlainMaterial) -> bpy.types.Material:
     tree = block.node_tree
     shader = tree.nodes["Principled BSDF"]
     mean = plain.color
-    if plain.picture:
+    _link_maps(tree, shader, plain)
+    if plain.is_mapped:  # Workbench and glTF take the active image, which must not be another map
         picture = plain.picture if min(plain.color) > 0.99 else tinted(plain.picture, plain.color)
-        texture = tree.nodes.new("ShaderNodeTexImage")
-        texture.image, mean = _image(picture)
-        texture.location = (-320, 240)
-        texture.interpolation = "Closest" if texture.image.size[0] <= 256 else "Linear"
+        texture = _texture(tree, picture or flat_picture(plain.color), 240)
+        mean = _mean_color(texture.image)
         tree.links.new(texture.outputs["Color"], shader.inputs["Base Color"])
-        tree.nodes.active = texture  # Workbench and glTF take the active image
+        tree.nodes.active = texture
     shader.inputs["Base Color"].default_value = (*mean, 1)
-    shader.inputs["Roughness"].default_value = plain.roughness
-    shader.inputs["Metallic"].default_value = plain.metallic
+    roughness = mean_level(plain.roughness_map) if plain.roughness_map else plain.roughness
+    metallic = mean_level(plain.metallic_map) if plain.metallic_map else plain.metallic
+    shader.inputs["Roughness"].default_value = roughness
+    shader.inputs["Metallic"].default_value = metallic
     shader.inputs["Alpha"].default_value = plain.alpha
     if max(plain.emission) > 0:
         strength = max(plain.emission)
         shader.inputs["Emission Strength"].default_value = strength
         shader.inputs["Emission Color"].default_value = (*(channel / strength for channel in plain.emission), 1)
     block.diffuse_color = (*mean, 1)
-    block.roughness, block.metallic = plain.roughness, 0.3 * plain.metallic  # Workbench blackens full metal
+    block.roughness, block.metallic = roughness, 0.3 * metallic  # Workbench blackens full metal
     block["digest"] = digest
     return block
 
 
-def _image(data: bytes) -> tuple[bpy.types.Image, tuple[float, float, float]]:
-    """Return the packed image of a picture, found again by its content, and its mean scene-linear colour."""
+def _link_maps(tree: bpy.types.NodeTree, shader: bpy.types.Node, plain: PlainMaterial) -> None:
+    """Add the maps that renderers read beside the base colour."""
+    for name, data, height in (("Roughness", plain.roughness_map, -40), ("Metallic", plain.metallic_map, -320)):
+        if data:
+            tree.links.new(_texture(tree, data, height, "Non-Color").outputs["Color"], shader.inputs[name])
+    if plain.normal_map:
+        bumps = tree.nodes.new("ShaderNodeNormalMap")
+        bumps.location, bumps.inputs["Strength"].default_value = (-160, -600), plain.relief
+        texture = _texture(tree, plain.normal_map, -600, "Non-Color")
+        tree.links.new(texture.outputs["Color"], bumps.inputs["Color"])
+        tree.links.new(bumps.outputs["Normal"], shader.inputs["Normal"])
+    if plain.glow_map:
+        glow = _texture(tree, tinted(plain.glow_map, _tint(plain.emission)), -880)
+        tree.links.new(glow.outputs["Color"], shader.inputs["Emission Color"])
+
+
+def _tint(emission: Color) -> Color:
+    red, green, blue = (channel / max(*emission, 1e-6) for channel in emission)
+    return red, green, blue
+
+
+def _texture(tree: bpy.types.NodeTree, data: bytes, height: float, space: str = "sRGB") -> bpy.types.Node:
+    """Return a new node with a picture.
+
+    Args:
+        tree: Of a material.
+        data: The picture.
+        height: Where the node stands.
+        space: Colour space of the picture.
+    """
+    texture = tree.nodes.new("ShaderNodeTexImage")
+    texture.image = _image(data, space)
+    texture.location = (-480, height)
+    texture.interpolation = "Closest" if space == "sRGB" and texture.image.size[0] <= 256 else "Linear"
+    return texture
+
+
+def _image(data: bytes, space: str) -> bpy.types.Image:
+    """Return the packed image of a picture, found again by its content."""
     digest = hashlib.sha256(data).hexdigest()[:12]
-    name = f"TX_{digest}"
+    name = f"TX_{digest}" if space == "sRGB" else f"TX_{digest}_data"
     block = bpy.data.images.get(name)
     if block is None:
         block = bpy.data.images.new(name, 1, 1)
         block.pack(data=data, data_len=len(data))
         block.source = "FILE"
         block["digest"] = digest
+        block.colorspace_settings.name = space
+    return block
+
+
+def _mean_color(block: bpy.types.Image) -> Color:
+    """Return the mean scene-linear colour of a picture in sRGB."""
     width, height = block.size
     pixels = np.empty(width * height * 4, np.float32)
     block.pixels.foreach_get(pixels)
     red, green, blue = (float(value) for value in pixels.reshape(-1, 4)[:, :3].mean(axis=0) ** 2.2)
-    return block, (red, green, blue)
+    return red, green, blue

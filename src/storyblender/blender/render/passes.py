@@ -219,7 +219,9 @@ def glow_of(materials: Sequence[bpy.types.Material]) -> tuple[NDArray[np.float32
             if strength <= 0:
                 continue
             if tint.is_linked:
-                glow_gain[index] = strength
+                own = node.inputs["Base Color"].links if node.type == "BSDF_PRINCIPLED" else tint.links
+                if own and own[0].from_node == tint.links[0].from_node:  # else a map of its own, which no pass draws
+                    glow_gain[index] = strength
             else:
                 glow_color[index] = np.array(tint.default_value[:3]) * strength
     return glow_color, glow_gain
