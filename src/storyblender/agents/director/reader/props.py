@@ -1,4 +1,4 @@
-"""The things of the script: which nouns name them, and which of them matter to the story (notes, 4.2)."""
+"""The inventory of things: which nouns name a thing, and which things matter to the story (notes, 4.2)."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ _OPENINGS = frozenset({"door", "doorway", "window", "entrance", "gate", "counter
 
 @dataclass
 class Item:
-    """A noun that names a thing, and what was said about it."""
+    """A noun that names a thing, and how it was mentioned."""
 
     id: str
     key: str
@@ -58,11 +58,7 @@ class Item:
 
 
 class Inventory:
-    """All nouns that name things, by key and by id.
-
-    Args:
-        ids: Asset ids in use; shared with the roster.
-    """
+    """All nouns that name things, by noun and by id."""
 
     def __init__(self, ids: set[str]) -> None:
         self._ids = ids
@@ -77,13 +73,12 @@ class Inventory:
         self._scene_start = 0
 
     def id_of(self, key: str, at: int, definite: bool = False) -> str:
-        """The id of a noun, new if it comes up for the first time; ``the cup`` is the ``coffee cup`` of before.
+        """Return the id of a thing's noun, new at its first mention.
 
         Args:
-            key: Singular noun with its kind, ``coffee cup``.
+            key: The noun with its compound: ``coffee cup``.
             at: Offset in the script.
-            definite: Whether it is known already: ``the bench`` may be the workbench of before, ``the desk`` the ticket
-                desk.
+            definite: Whether it may be a thing named before: ``the cup`` is the ``coffee cup``.
         """
         item = self._by_key.get(key) or self._short.get(key) or (self._longer(key) if definite else None)
         if item is None:
@@ -98,7 +93,7 @@ class Inventory:
         return item.id
 
     def _index(self, item: Item) -> None:
-        """Note what a new noun ends in, and where its head noun came up first."""
+        """Note the head noun of a new item and the nouns it ends in."""
         words = item.key.split(" ")
         for start in range(1, len(words)):
             self._ending[" ".join(words[start:])] = item
@@ -106,11 +101,11 @@ class Inventory:
         self._first[words[-1]] = min(item.first, self._first.get(words[-1], item.first))
 
     def open_scene(self, at: int) -> None:
-        """From here on ``the table`` is no longer the card table of before."""
+        """Begin a scene at an offset: from here on ``the table`` is no longer the card table of before."""
         self._scene_start, self._short = at, {}
 
     def _longer(self, key: str) -> Item | None:
-        """The last thing of the scene whose name ends in a noun: the corner booth; of seats also the armchair."""
+        """Return the last item of the scene whose name ends in a noun: ``booth`` finds the corner booth."""
         seat = self._last_seat.get(key)
         if seat is not None:
             self._by_key[key] = seat
@@ -122,51 +117,53 @@ class Inventory:
         return longer
 
     def _is_mounted(self, relation: Relation) -> bool:
-        """``the bell over the door``, ``a telephone on the wall``."""
+        """Whether a relation fixes a thing: ``the bell over the door``, ``a telephone on the wall``."""
         anchor = self.head(relation.anchor_asset_id)
         return anchor in _WALLS or (relation.kind == "over" and anchor in _OPENINGS)
 
     def detach(self, id: str) -> None:
-        """A part of a body that belongs to nobody there is a thing: the monkey's paw on the table."""
+        """Make a body part without an owner present a thing of its own: the monkey's paw on the table."""
         if self._by_id[id].noun_class == "body":
             self._by_id[id].noun_class = "prop"
 
     def class_of(self, id: str | None) -> NounClass:
-        """What kind of thing an id names; ``unknown`` for people."""
+        """Return the noun class of an id; ``unknown`` for people."""
         item = self._by_id.get(id or "")
         return item.noun_class if item else "unknown"
 
     def head(self, id: str | None) -> str:
-        """The head noun of an id, or an empty string."""
+        """Return the head noun of an id, or an empty string."""
         item = self._by_id.get(id or "")
         return item.key.rsplit(" ", 1)[-1] if item else ""
 
     def note(self, id: str, how: Notice, determined: bool = False) -> None:
-        """A thing comes up in the text. People are passed over."""
+        """Note how a thing is mentioned; people are passed over.
+
+        Args:
+            id: Id of the thing.
+            how: Named, used, held, placed ...
+            determined: Whether it has a determiner or an owner, so that it surely is a thing.
+        """
         item = self._by_id.get(id)
         if item:
             item.notices[how] += 1
             item.determined |= determined and how == "held"
 
     def notices(self) -> list[tuple[str, list[str]]]:
-        """Return all things so far, each with the ways it came up."""
+        """Return the id of each thing with the ways it was mentioned."""
         return [(id, [how for how, times in item.notices.items() if times]) for id, item in self._by_id.items()]
 
     def forget(self, id: str) -> None:
-        """Drop a thing that is not a physical prop: it is painted on a wall, or films the scene."""
+        """Remove a thing that is no physical prop: it is painted on a wall, or films the scene."""
         for how in ("seen", "met") if id in self._by_id else ():
             self._by_id[id].notices[how] = max(0, self._by_id[id].notices[how] - 1)
 
     def ids(self) -> list[str]:
-        """The ids of all nouns so far."""
+        """Return the ids of all things so far."""
         return list(self._by_id)
 
     def story_things(self, relations: Sequence[Relation]) -> list[tuple[Thing, bool]]:
-        """Everything for the asset sheet in order of appearance, and whether its noun is unknown.
-
-        Args:
-            relations: Where things are; what hangs or lies somewhere is no garment that is only worn.
-        """
+        """Return the things for the asset sheet in order of mention, each with whether its noun is unknown."""
         placed = [relation for relation in relations if relation.anchor_asset_id in self._by_id]
         apart = {relation.asset_id for relation in placed}
         borne = {relation.asset_id for relation in placed if relation.kind in ("on", "in")}
@@ -188,23 +185,18 @@ class Inventory:
         return things
 
     def _is_part(self, item: Item) -> bool:
-        """Whether a thing belongs to one that was named before it: the engine of a van, the trunk of a tree."""
+        """Whether a thing belongs to one named before it: the engine of a van, the trunk of a tree."""
         wholes = PART_OF.get(item.key, frozenset())
         return any(self._first.get(whole, item.first) < item.first for whole in wholes)
 
     def parts(self) -> set[str]:
-        """Ids of what people do things to though nobody builds it: parts of other things, what is drunk and eaten."""
+        """Return ids of things that are used but not built: parts of other things, food and drink."""
         used = {id for id, item in self._by_id.items() if item.notices["handled"]}
         return {id for id in used if self.head(id) in PARTS | LIQUIDS or self._is_part(self._by_id[id])}
 
 
 def _belongs_on_sheet(item: Item, apart: bool) -> bool:
-    """Whether a prop, a garment or an unknown noun belongs on the asset sheet.
-
-    Args:
-        item: The noun.
-        apart: Whether it has a place of its own, not on somebody.
-    """
+    """Whether a prop, a garment or an unknown noun belongs on the asset sheet."""
     notices, head = item.notices, item.key.rsplit(" ", 1)[-1]
     used = notices["handled"] + notices["held"]
     if item.noun_class == "unknown":
@@ -221,7 +213,7 @@ def _belongs_on_sheet(item: Item, apart: bool) -> bool:
 
 
 def _names_no_thing(word: str) -> bool:
-    """``lets go of it``, ``takes hold``, ``so wet``, ``sunburned``, ``his partner``: no name of a thing."""
+    """Whether a noun is no thing's name: ``lets go of it``, ``so wet``, ``sunburned``, ``his partner``."""
     somebody = word in _PEOPLE or (is_person_noun(word) and word not in ANIMALS)
     other = word in ADJECTIVES or word in _ORDINALS or word in _MANNER or word.endswith("ed")
     return somebody or other or form_kind(word) == "base"

@@ -1,4 +1,4 @@
-"""What the reader knows at one point of the script: who is there, what was talked about last, what lies where.
+"""The reader's state at one point of the script: who is there, what was talked about last, where things are.
 
 One pass in reading order fills it; the passes (coreference, entrances, deeds, relations, speech) share it.
 """
@@ -30,7 +30,7 @@ _FLOORING = lexicon.words("flooring")
 
 @dataclass
 class Discourse:
-    """What the text spoke of last; decides who a pronoun means."""
+    """What the text mentioned last; decides who and what a pronoun means."""
 
     sentence: int = 0
     salience: dict[str, float] = field(default_factory=dict)
@@ -59,20 +59,20 @@ class Discourse:
     last_listener: Person | None = None
 
     def raise_salience(self, person: Person, weight: float) -> None:
-        """Somebody is spoken of."""
+        """Note that a person is mentioned: raise their salience by ``weight``."""
         self.salience[person.id] = max(self.salience.get(person.id, 0.0), 0.0) + weight
         self.clock += 1
         self.last_named[person.id] = self.clock
 
     def next_sentence(self) -> None:
-        """Everybody fades a little."""
+        """Let all salience fade a little."""
         self.sentence += 1
         for person in self.salience:
             self.salience[person] *= _FADING
         self.things = {thing: weight * _FADING for thing, weight in self.things.items() if weight > _FORGOTTEN}
 
     def next_scene(self, keep_groups: bool) -> None:
-        """Everybody fades a lot, things are forgotten."""
+        """Let all salience fade a lot and forget things; ``keep_groups`` keeps the last group of people."""
         for person in self.salience:
             self.salience[person] *= _SCENE_FADING
         self.groups = self.groups[-1:] if keep_groups else []
@@ -82,7 +82,7 @@ class Discourse:
 
 @dataclass
 class SceneState:
-    """Who and what is where in the running scene."""
+    """Who and what is where in the current scene."""
 
     index: int = 0
     """Into the scenes of the reading."""
@@ -112,7 +112,7 @@ class SceneState:
 
 @dataclass
 class SentenceState:
-    """Scratch for the sentence being read."""
+    """Working memory for the sentence being read."""
 
     words: list[Word] = field(default_factory=list)
     subjects: list[Person] = field(default_factory=list)
@@ -136,7 +136,7 @@ class SentenceState:
 
 @dataclass(frozen=True)
 class UnreadAct:
-    """An act without a motion of its own."""
+    """An action of the script without a motion of its own."""
 
     person: str
     shown: str
@@ -148,7 +148,7 @@ class UnreadAct:
 
 @dataclass
 class ReaderState:
-    """The state all passes share."""
+    """The state that all passes of the reader share."""
 
     roster: Roster
     inventory: Inventory
@@ -173,7 +173,7 @@ class ReaderState:
 
     @property
     def place(self) -> SceneReading:
-        """The running scene."""
+        """The current scene."""
         return self.reading.scenes[self.unit.scene]
 
     @property
@@ -182,7 +182,7 @@ class ReaderState:
         return self.reading.units[-1]
 
     def on_stage(self) -> list[Person]:
-        """Everybody on stage, in the order of the cast."""
+        """Return the people on stage, in the order of the cast."""
         return self.roster.in_order(filter(None, map(self.roster.person, self.scene.on)))
 
     def seen_or_mentioned(self) -> list[Person]:
@@ -191,33 +191,33 @@ class ReaderState:
         return self.roster.in_order(filter(None, map(self.roster.person, ids)))
 
     def referable_people(self) -> list[Person]:
-        """Everybody on stage whom ``they`` or ``the man`` may mean: not who tells the story."""
+        """Return the people on stage whom ``they`` or ``the man`` may mean: all but the narrator."""
         return [person for person in self.on_stage() if person is not self.roster.narrator]
 
     def person(self, id: str) -> Person | None:
-        """The person of an id."""
+        """Return the person of an id, or None."""
         return self.roster.person(id)
 
     def enter(self, person: Person) -> None:
-        """Bring somebody on stage, unless they are seen on a screen."""
+        """Bring a person on stage, unless they are only seen on a screen."""
         if person.id not in self.scene.on and person.id not in self.scene.pictured:
             self.scene.on.append(person.id)
             self.unit.entering.append(person.id)
             self.scene.off_screen.discard(person.id)
 
     def mention(self, person: Person, weight: float) -> None:
-        """Somebody is spoken of in this scene."""
+        """Note that a person is mentioned in this scene; ``weight`` is added to their salience."""
         self.discourse.raise_salience(person, weight)
         self.scene.named.add(person.id)
 
     def add_to_unit(self, person: Person) -> None:
-        """Somebody takes part in this unit."""
+        """Note that a person takes part in the current unit."""
         self.discourse.last_sentence[person.id] = self.discourse.sentence
         if person.id not in self.unit.people:
             self.unit.people.append(person.id)
 
     def find(self, name: str) -> Person | None:
-        """The person a name means here: on stage first, then the most present, then the first introduced."""
+        """Return the person that a name means here: on stage first, then the most salient, then the first cast."""
         people = self.roster.by_name.get(key_of(bare(name))) or self.roster.by_name.get(key_of(name))
         people = people or self.roster.find(name) or [p for p in self.roster.people if p.role == bare(name)]
         if not people and bare(name) in lexicon.TITLES:
@@ -225,11 +225,18 @@ class ReaderState:
         return max(people, key=self.prominence) if people else None
 
     def prominence(self, person: Person) -> tuple[bool, float]:
-        """Sort key: on stage, salience. The first introduced wins a tie, because max takes the first."""
+        """Return a sort key: on stage, then salience. On a tie ``max`` takes the first introduced."""
         return person.id in self.scene.on, self.discourse.salience.get(person.id, 0.0)
 
     def relate(self, subject: str, kind: RelationKind, anchor: str, second: str | None = None) -> None:
-        """State a spatial relation, once a scene; it is the spot of a person until they move."""
+        """State a spatial relation, once a scene; for a person it is their spot until they move.
+
+        Args:
+            subject: Id of the person or thing.
+            kind: The relation.
+            anchor: Id of the person or thing it relates to.
+            second: The other anchor of ``between``, or None.
+        """
         if kind == "on" and self.inventory.head(anchor) in _FLOORING:
             anchor = self.inventory.id_of("floor", self.unit.start)
         called = kind == "on" and self.person(subject) and self.inventory.head(anchor) in _CALLING
@@ -251,9 +258,17 @@ class ReaderState:
             self.inventory.note(anchor, "placed" if kind in ("in", "on") else "related")
 
     def record_pronoun(self, at: int, word: str, who: Iterable[str]) -> None:
-        """Keep what a pronoun means."""
+        """Record that the pronoun ``word`` at offset ``at`` means the people ``who``."""
         self.reading.pronouns.append((at, word, tuple(who)))
 
     def flag(self, topic: str, choice: str, reason: str, start: int, end: int) -> None:
-        """Note a decision for a person to check."""
+        """Note a decision for a person to check.
+
+        Args:
+            topic: Kind of the decision.
+            choice: What was chosen.
+            reason: Why it is uncertain.
+            start: Offset in the script where its words start.
+            end: Offset where they end.
+        """
         self.reading.flags.append(Flag(topic=topic, choice=choice, reason=reason, start=start, end=end))

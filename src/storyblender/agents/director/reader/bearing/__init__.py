@@ -1,1 +1,1 @@
-"""Bearing of people: facial expressions, gaze, lasting activities, grips on things, and tethers."""
+"""How people carry themselves: facial expressions, gaze, lasting activities, grips on things, and tethers."""

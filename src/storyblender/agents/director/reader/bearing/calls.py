@@ -24,12 +24,7 @@ _RINGING = 8
 
 @rule("bearing.call")
 def note_calls(state: ReaderState, people: list[Person]) -> None:
-    """Begin and end the calls that a sentence of action tells of.
-
-    Args:
-        state: The state after the deeds of the sentence.
-        people: Who may be meant, the subjects of the sentence first.
-    """
+    """Begin and end the telephone calls that a sentence of action tells of."""
     text = " ".join(state.unit.text.lower().split("\n"))
     if state.sentence.pictured:
         return
@@ -48,7 +43,7 @@ def note_calls(state: ReaderState, people: list[Person]) -> None:
 
 
 def take_call(state: ReaderState, person: Person) -> None:
-    """Put a phone to a person's ear: the one in their hand or in the sentence, else one of the story's age."""
+    """Put a phone to a person's ear: the one in their hand or in the sentence, else a new one of the story's age."""
     state.calls[person.id] = _place(state)
     state.called_from.add(_place(state))
     if state.scene.activities.get(person.id) != ACTIVITY:
@@ -65,7 +60,7 @@ def take_call(state: ReaderState, person: Person) -> None:
 
 
 def _pick_up(state: ReaderState, person: Person) -> None:
-    """Read ``answers it`` after a ring as picking up the phone: ``crosses to the wall and answers it``."""
+    """Pick up the phone that rang: ``crosses to the wall and answers it``."""
     phone = state.scene.held[person.id][-1]
     for deed in state.unit.deeds:
         if (deed.actor, deed.verb, deed.motion) == (person.id, "answer", "talk"):
@@ -115,12 +110,12 @@ def is_other_end(state: ReaderState, speaker: Person) -> bool:
 
 
 def _place(state: ReaderState) -> int:
-    """The place of the running scene, told by the first scene there."""
+    """Return the id of the current place: its first scene."""
     return state.place.reference or state.place.id
 
 
 def _is_ringing(state: ReaderState) -> bool:
-    """Return whether a phone rang in the last sentences, or a call is under way."""
+    """Whether a phone rang in the last sentences, or a call is under way."""
     lately = state.reading.units[-_RINGING:]
     return any("phone" in sound for unit in lately if unit.scene == state.unit.scene for sound in unit.sounds)
 
@@ -137,12 +132,12 @@ def _person_acting_at(state: ReaderState, at: int, people: list[Person]) -> Pers
 
 
 def _is_pocketed(state: ReaderState, thing: str) -> bool:
-    """Whether a phone is held to the ear as it is: not one of an age whose phones have a receiver."""
+    """Whether a phone is held to the ear whole, because it has no receiver."""
     return state.inventory.head(thing) != "phone" or state.age in (None, "today", "space")
 
 
 def _phone_for(state: ReaderState, person: Person) -> str:
-    """The phone that a call is taken on: the one of the sentence, the last of the scene that is free, or a new one."""
+    """Return the phone that a call is taken on: of the sentence, the last free one of the scene, or a new one."""
     corded = state.age not in (None, "today", "space")
     named = [thing for _, thing in state.sentence.things]
     for thing in (*named, *state.discourse.recent_things):
@@ -158,4 +153,5 @@ def _phone_for(state: ReaderState, person: Person) -> str:
 
 
 def _is_taken(state: ReaderState, thing: str, person: Person) -> bool:
+    """Whether another person holds a phone to the ear."""
     return any(thing in held for id, held in state.scene.held.items() if id != person.id and id in state.scene.on)

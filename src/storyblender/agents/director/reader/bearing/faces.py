@@ -36,11 +36,12 @@ def note_expressions(state: ReaderState, words: Sequence[Word], people: Sequence
 
 
 def _is_denied(words: Sequence[Word], at: int) -> bool:
+    """Whether a negation stands before a word."""
     return any(word.low in _NOT for word in words[max(0, at - _LOOK_BACK) : at])
 
 
 def _is_of_a_thing(words: Sequence[Word], at: int) -> bool:
-    """``an angry sea``, ``a sad little flag``: the word describes a thing."""
+    """Whether a word of mood describes a thing: ``an angry sea``, ``a sad little flag``."""
     for word in words[at + 1 : at + 3]:
         if word.mention:
             return False
@@ -53,7 +54,7 @@ def _is_of_a_thing(words: Sequence[Word], at: int) -> bool:
 
 
 def _owner_of_expression(state: ReaderState, words: Sequence[Word], at: int) -> list[Person]:
-    """Return the last person named before the word, or right after it at the start: ``Furious, Otto leaves``."""
+    """Return the last person named before the word, or right after it: ``Furious, Otto leaves``."""
     if at > 2 and words[at - 1].text == "," and state.sentence.subjects:
         return []  # Otto looks at Nora, puzzled.
     for index in range(at - 1, -1, -1):
@@ -69,6 +70,7 @@ def _owner_of_expression(state: ReaderState, words: Sequence[Word], at: int) -> 
 
 
 def _people_of(state: ReaderState, words: Sequence[Word], index: int) -> list[Person]:
+    """Return the people whom the word at an index mentions."""
     word = words[index]
     if word.mention and word.mention.people:
         return [person for person in word.mention.people if person.id in state.scene.on]
@@ -82,12 +84,7 @@ _DENIED = re.compile(r"\b(?:not|n't|never|without|cannot)\b")
 
 @rule("bearing.gaze")
 def note_gaze(state: ReaderState, people: Sequence[Person]) -> None:
-    """Note the gaze of the people of a sentence, and end an earlier gaze when they look at something.
-
-    Args:
-        state: Its unit takes the directions; the scene remembers the people with a gaze.
-        people: The people of the sentence.
-    """
+    """Note the gaze of the people of a sentence; a gaze ends when they look at something."""
     turned = state.scene.gaze
     for deed in state.unit.deeds:
         if deed.motion in ("look", "read", "talk", "peek") and deed.target and deed.actor in turned:
@@ -107,7 +104,7 @@ def note_gaze(state: ReaderState, people: Sequence[Person]) -> None:
 
 
 def _forget_the_camera(state: ReaderState, way: str) -> None:
-    """A look at the camera is a look at the audience: there is no camera on the set."""
+    """Drop the camera as a thing: a look at the camera is a look at the audience."""
     if way != "camera":
         return
     cameras = {

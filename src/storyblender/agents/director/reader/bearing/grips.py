@@ -62,13 +62,7 @@ def note_grips(state: ReaderState, words: Sequence[Word], people: Sequence[Perso
 
 @rule("things.had")
 def note_possession(state: ReaderState, clause: Clause, roles: Roles) -> None:
-    """``Rose has the drill``, ``The kid has a pistol``: put a prop that a person has into their hand.
-
-    Args:
-        state: The state before the clause.
-        clause: A clause that is neither negated nor hypothetical.
-        roles: The people and things of the clause.
-    """
+    """Put a prop that a person has into their hand: ``The kid has a pistol``."""
     if clause.verb != "have" or len(roles.subjects) != 1 or clause.earlier:
         return
     apart = any(place.preposition not in ("in", "with") or place.things for place in roles.places)
@@ -81,7 +75,7 @@ def note_possession(state: ReaderState, clause: Clause, roles: Roles) -> None:
 
 
 def _grip_before(words: Sequence[Word], index: int) -> Grip | None:
-    """Return the grip of a phrase before the thing: ``holds in his lap a birdcage``, ``in each hand a bucket``."""
+    """Return the grip told before a thing: ``holds in his lap a birdcage``, ``in each hand a bucket``."""
     told = " ".join(word.low for word in words[max(0, index - _REACH) : index] if not word.inserted)
     for grip, pattern in _GRIPS:
         place = re.search(
@@ -93,7 +87,7 @@ def _grip_before(words: Sequence[Word], index: int) -> Grip | None:
 
 
 def _bearer(state: ReaderState, words: Sequence[Word], index: int, people: Sequence[Person]) -> Person:
-    """Return the last person named before the thing, else the first person of the sentence."""
+    """Return the last person named before a thing, else the first person of the sentence."""
     for word in reversed(words[:index]):
         named = [person for person in (word.mention.people if word.mention else []) if person.id in state.scene.on]
         if named:
@@ -146,6 +140,7 @@ def _offset(words: Sequence[Word], text: str, match: re.Match[str]) -> int:
 
 
 def _add_tether(state: ReaderState, holder: str, held: str, kind: TetherKind) -> None:
+    """Add a tether to the unit once."""
     tether = Tether(holder=holder, held=held, kind=kind)
     if holder != held and tether not in state.unit.tethers:
         state.unit.tethers.append(tether)

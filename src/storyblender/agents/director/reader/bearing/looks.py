@@ -1,4 +1,4 @@
-"""Appearance of people, anywhere in the text: ``Otto is bald``, ``She wears a red dress``, ``His hair is wet``."""
+"""Appearance of people anywhere in the text: ``Otto is bald``, ``She wears a red dress``, ``His hair is wet``."""
 
 from __future__ import annotations
 
@@ -40,13 +40,7 @@ _FRAGMENT = 7
 
 @rule("looks.told")
 def note_looks(state: ReaderState, clause: Clause, roles: Roles) -> None:
-    """Add the appearance that a clause describes to its person.
-
-    Args:
-        state: The state before the clause.
-        clause: Any clause that really happens.
-        roles: The people and things of the clause.
-    """
+    """Add the appearance that a clause describes to its person."""
     if clause.negated or clause.unreal or clause.earlier or state.sentence.pictured:
         return
     words = _words_after(state.sentence.words, clause.index)
@@ -65,14 +59,7 @@ def note_looks(state: ReaderState, clause: Clause, roles: Roles) -> None:
 
 @rule("looks.fragment")
 def note_fragment(state: ReaderState, words: Sequence[Word], people: Sequence[Person], start: int) -> None:
-    """Read ``Sixty-six.``, ``Bald, in a torn coat.`` after a person was introduced in the same paragraph.
-
-    Args:
-        state: The state before.
-        words: A sentence without a clause.
-        people: The people of the sentence before.
-        start: Offset of the paragraph.
-    """
+    """Add the appearance that a fragment tells after an introduction: ``Sixty-six.``, ``Bald, in a torn coat.``"""
     if len(people) != 1 or people[0].first < start or any(word.mention for word in words):
         return
     written = [word.text for word in words if not word.inserted and word.text not in _STOPS]
@@ -124,6 +111,7 @@ def _words_after(words: Sequence[Word], index: int) -> list[Word]:
 
 
 def _parts(words: Sequence[Word]) -> list[str]:
+    """Return the parts of a description between commas and ``and``."""
     text = " ".join(word.text for word in words if not word.inserted and word.text not in _STOPS)
     return [part.strip() for part in re.split(r" , |,| and | with |^with ", text) if part.strip()]
 
@@ -152,7 +140,7 @@ def _describe_once(state: ReaderState, person: Person, part: str) -> None:
 
 
 def _describe_part(state: ReaderState, clause: Clause, words: Sequence[Word]) -> None:
-    """``His hair is grey``, ``Her coat is torn``: add to the appearance of the owner."""
+    """Add the look of hair or clothes to their owner: ``His hair is grey``, ``Her coat is torn``."""
     noun = clause.subject[0]
     owner = state.person(noun.owner or "") if noun.kind == "thing" else None
     said = [
@@ -168,7 +156,7 @@ def _describe_part(state: ReaderState, clause: Clause, words: Sequence[Word]) ->
 
 
 def _dress(state: ReaderState, person: Person, words: Sequence[Word]) -> None:
-    """``wears a red dress and boots``, ``is dressed in black``."""
+    """Add what a person wears: ``wears a red dress and boots``, ``is dressed in black``."""
     pieces = [part for part in _parts(words) if any(_is_worn(word) for word in part.lower().split())]
     for piece in pieces:
         _add_outfit(state, person, piece)
@@ -183,4 +171,5 @@ def _add_outfit(state: ReaderState, person: Person, piece: str) -> None:
 
 
 def _is_worn(word: str) -> bool:
+    """Whether a word names a garment."""
     return word in lexicon.WORN or singular(word) in lexicon.WORN

@@ -54,16 +54,18 @@ def note_posture(state: ReaderState, clause: Clause, roles: Roles) -> None:
 
 
 def _is_upside_down(state: ReaderState) -> bool:
+    """Whether the sentence says that a person hangs upside down."""
     text = state.unit.text.lower()
     return "upside down" in text or "upside-down" in text or "by his feet" in text or "by her feet" in text
 
 
 def _mount(state: ReaderState, roles: Roles) -> str | None:
-    """Return the id of the animal or vehicle a person rides."""
+    """Return the id of the animal or vehicle that a person rides, or None."""
     return next((found for place in roles.places if (found := _mount_of(state, place))), None)
 
 
 def _mount_of(state: ReaderState, place: Place) -> str | None:
+    """Return the animal or vehicle that a place names, or None."""
     if place.preposition not in _ASTRIDE:
         return None
     thing = next((thing for thing in place.things if state.inventory.head(thing) in _MOUNTS), None)
@@ -109,11 +111,13 @@ def note_lasting_activities(state: ReaderState, clauses: Sequence[Clause], peopl
 
 
 def _begin_activity(state: ReaderState, person: str, motion: str) -> None:
+    """Begin a lasting activity of a person."""
     if state.scene.activities.get(person) != motion:
         state.scene.activities[person] = motion
         state.unit.activities[person] = motion
 
 
 def _end_activity(state: ReaderState, person: str) -> None:
+    """End the lasting activity of a person."""
     del state.scene.activities[person]
     state.unit.activities[person] = ""

@@ -27,13 +27,13 @@ _ALSO = re.compile(
 
 
 def bracketed_alias(look: str) -> str:
-    """Another name in brackets: ``(48, known as DEN, the coach)``; else empty."""
+    """Return another name told in brackets, ``(48, known as DEN, the coach)``, or an empty string."""
     also = _ALSO.search(look)
     return also.group(1) if also else ""
 
 
 def find_nicknames(text: str) -> list[tuple[int, int, str, str]]:
-    """Find ``BEATRIZ "BEA" LUNA``: where it starts and ends, the whole name, the nickname."""
+    """Find ``BEATRIZ "BEA" LUNA``: start, end, whole name and nickname of each."""
     return [
         (match.start(), match.end(), f"{match.group('first')} {match.group('last')}", match.group("nick"))
         for match in _NICKNAMED.finditer(text)
@@ -41,12 +41,12 @@ def find_nicknames(text: str) -> list[tuple[int, int, str, str]]:
 
 
 def person_in_clothes(roster: Roster, name: str) -> Person | None:
-    """``GREY SUIT``, who is the MAN IN A GREY SUIT."""
+    """Return the person whose clothes are the name: ``GREY SUIT`` is the MAN IN A GREY SUIT."""
     return next(iter(roster.wearing(bare(name))), None)
 
 
 def name_on_tag(look: str, names: Collection[str]) -> str:
-    """The name on a tag in brackets, ``(40s, name tag: MARGE)``, if it is a name of the script; else empty."""
+    """Return the name on a tag in brackets, ``(40s, name tag: MARGE)``, if the script has it; else an empty string."""
     tag = _TAGGED.search(look)
     return tag.group(1) if tag and tag.group(1) in names else ""
 
@@ -61,12 +61,7 @@ _REVEALING = re.compile(
 
 @rule("people.revealed")
 def join_revealed(roster: Roster, text: str) -> None:
-    """Merge a figure with the named person it turns out to be.
-
-    Args:
-        roster: The cast of a screenplay.
-        text: The script.
-    """
+    """Merge a figure with the named person it turns out to be: ``A figure steps out, revealing -- MARCUS``."""
     for match in _REVEALING.finditer(text):
         shown, known = roster.find(match.group("who")), roster.find(match.group("name").strip())
         if shown and known and shown[0] is not known[0] and shown[0].role and shown[0].first < known[0].first:

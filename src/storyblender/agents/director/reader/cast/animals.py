@@ -1,4 +1,4 @@
-"""Which animals of a story are cast: those that do something, not the horse somebody waters."""
+"""Which animals of a story are cast: those that act, not the horse that is watered."""
 
 from __future__ import annotations
 
@@ -43,11 +43,11 @@ _TINY = frozenset({"ant", "bee", "beetle", "butterfly", "fly", "moth", "spider",
 
 @lru_cache(maxsize=256)
 def animal_acts(animal: str, told: str) -> bool:
-    """Whether an animal is once the subject of something it does, also as ``the bird`` or ``the animal``.
+    """Whether an animal is at least once the subject of an action, also as ``the bird`` or ``the animal``.
 
     Args:
-        animal: The noun, singular.
-        told: The script without what is said.
+        animal: Its noun.
+        told: The story without speeches.
     """
     called = {animal} | _ANY | {kind for kind, animals in lexicon.KINDS.items() if animal in animals}
     nouns = "|".join(sorted(called))
@@ -60,10 +60,7 @@ def animal_acts(animal: str, told: str) -> bool:
 
 @rule("people.animal_that_acts")
 def add_animals(roster: Roster, script: Manuscript) -> None:
-    """Cast the animals of a screenplay that stand in small letters.
-
-    They come up again or move about; a dog that barks once is not cast.
-    """
+    """Cast the animals of a screenplay that are written in small letters."""
     first: dict[str, int] = {}
     toys = {toy.lower() for toy in _TOY_ANIMALS.findall(script.text)}
     roles = {person.role for person in roster.people}
@@ -87,6 +84,7 @@ def _moves_about(animal: PersonNoun, text: str) -> bool:
 
 
 def _is_action_word(word: str) -> bool:
+    """Whether a word is a verb of action."""
     form = FORMS.get(word)
     if form is None or form.kind not in ("past", "3sg", "aux"):
         return False
@@ -95,5 +93,6 @@ def _is_action_word(word: str) -> bool:
 
 
 def _appears(word: str) -> bool:
+    """Whether a word is a verb of appearing."""
     form = FORMS.get(word)
     return form is not None and form.kind in ("past", "3sg") and form.lemma in _BEING

@@ -1,4 +1,4 @@
-"""Cast of a script in German, Spanish, French or Italian: nouns for people and animals, and genders by pronouns."""
+"""The cast of a script in German, Spanish, French or Italian: nouns for people and animals, genders by pronouns."""
 
 from __future__ import annotations
 
@@ -28,12 +28,7 @@ _PRONOUNS: dict[str, dict[str, Gender]] = {
 
 @rule("people.another_language")
 def add_foreign(roster: Roster, script: Manuscript) -> None:
-    """Add people and animals named by a noun of the script's language, with their kind and gender.
-
-    Args:
-        roster: The people with names; changed.
-        script: A script in a language without a grammar in the reader.
-    """
+    """Add people and animals named by a noun of the script's language, with kind and gender."""
     tongue = script.tongue
     if tongue is None:
         return
@@ -67,6 +62,7 @@ def _person_noun(word: str, tongue: Tongue) -> str:
 
 
 def _add(roster: Roster, word: str, english: str, at: int) -> None:
+    """Add a person of a noun at an offset."""
     known = roster.find(word) or [person for person in roster.people if word.upper() in person.name.upper().split()]
     if known:
         return
@@ -74,6 +70,7 @@ def _add(roster: Roster, word: str, english: str, at: int) -> None:
 
 
 def _set_kind(person: Person, english: str) -> None:
+    """Set kind and gender of a person by the English noun."""
     person.role = english
     person.gender = lexicon.gender_of_word(english)
     person.kind = "animal" if english in lexicon.ANIMALS else person.kind

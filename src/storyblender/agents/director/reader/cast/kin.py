@@ -21,15 +21,7 @@ _COMING = frozenset({"came", "comes", "entered", "enters", "arrived", "arrives",
 
 
 def is_known_relative(roster: Roster, phrase: PersonNoun, at: int, after: str, text: str) -> bool:
-    """Whether a noun for kin that comes up once means somebody who has a name.
-
-    Args:
-        roster: The cast so far; who is known by their relation answers to it from now on.
-        phrase: The noun with ``his`` or ``her``.
-        at: Its offset in the script.
-        after: What follows it.
-        text: The script.
-    """
+    """Whether a noun for kin that occurs once means a person who has a name."""
     noun = phrase.noun
     for person in roster.people:
         if person.role and person.role == _PARENTS_SIBLING.get(noun) and not phrase.plural:
@@ -52,7 +44,7 @@ def is_known_relative(roster: Roster, phrase: PersonNoun, at: int, after: str, t
 
 
 def _possible_relatives(roster: Roster, phrase: PersonNoun) -> list[Person]:
-    """Everybody named of that gender, but for who is ``his`` or ``her``."""
+    """Return the named people of that gender who are not the one called ``his`` or ``her``."""
     gender = lexicon.gender_of_word(phrase.noun)
     named = [p for p in roster.people if p.kind == "human" and not p.role and p.gender == gender]
     return named[:-1] if lexicon.PRONOUNS.get(phrase.determiner) == gender else named
@@ -67,7 +59,7 @@ _FAMILY = re.compile(r"\b(?:father|mother|son|daughter|parents)\b", re.IGNORECAS
 
 
 class Kinship(NamedTuple):
-    """``his wife, Anna``: somebody is somebody's kin."""
+    """A kinship that is told: ``his wife, Anna``."""
 
     at: int
     determiner: str
@@ -82,7 +74,7 @@ def mentions_family(told: str) -> bool:
 
 @rule("people.surname")
 def link_surnames(roster: Roster) -> None:
-    """Mr. White is the husband of Mrs. White, Herbert White their son."""
+    """Link people with one surname: Mr. White is the husband of Mrs. White, Herbert White their son."""
     families: dict[str, list[Person]] = {}
     for person in roster.people:
         families.setdefault(_surname(person), []).append(person)
@@ -105,13 +97,7 @@ def link_surnames(roster: Roster) -> None:
 
 @rule("people.kin")
 def link_kin(roster: Roster, kinships: Sequence[Kinship], names: Sequence[tuple[int, str]]) -> None:
-    """Whoever was named last before ``his niece Clara`` is her uncle.
-
-    Args:
-        roster: The cast.
-        kinships: Kin who were given a name, in reading order.
-        names: Where names stand.
-    """
+    """Give kin a role: the person named last before ``his niece Clara`` is her uncle."""
     for kinship in kinships:
         gender = lexicon.PRONOUNS.get(kinship.determiner)
         owners = [person for at, name in names if at < kinship.at for person in roster.find(name)]
@@ -129,10 +115,12 @@ def link_kin(roster: Roster, kinships: Sequence[Kinship], names: Sequence[tuple[
 
 
 def _title(person: Person) -> str:
+    """Return the title in a person's name, or an empty string."""
     first = bare(person.name).split()[0].strip(".")
     return first if first in lexicon.TITLES else ""
 
 
 def _surname(person: Person) -> str:
+    """Return the surname of a person, or an empty string."""
     words = bare(person.name).split()
     return words[-1] if len(words) > 1 else ""

@@ -1,4 +1,4 @@
-"""Who is first a man, a nun or my sister and then has a name: ``Her brother came in, soaked. Goran sat down``."""
+"""Joins people introduced by a noun with the name they get later: ``Her brother came in. Goran sat down``."""
 
 from __future__ import annotations
 
@@ -55,26 +55,18 @@ _APPOSED = re.compile(r",\s+(?:an?|the|his|her|my|their|who|whose|\w+['’]s)\s"
 
 
 def is_nameless(person: Person) -> bool:
-    """Whether somebody is only known as ``man``, ``young man`` or ``nun``."""
+    """Whether a person is only known as ``man``, ``young man`` or ``nun``."""
     return _has_no_name(person) and person.kind == "human" and person.count == 1
 
 
 def _has_no_name(person: Person) -> bool:
+    """Whether a person's name is a noun and no name of their own."""
     return person.role == bare(person.name) or (person.role != "" and person.name.islower())
 
 
 @rule("people.named_later_in_story")
 def name_the_nameless(roster: Roster, told: str, namings: Sequence[Naming]) -> None:
-    """Join everybody introduced by a noun with the name they get later.
-
-    A name somebody says is theirs, or is called by, goes to whoever was told of last and can have it. A name that the
-    story begins to use without bringing anybody in is that of somebody who is there.
-
-    Args:
-        roster: The cast of a story; whoever is joined leaves it under the old name.
-        told: The script without what is said.
-        namings: Where people get names.
-    """
+    """Join people introduced by a noun with the name they get later."""
     for naming in namings:
         _give_name(roster, told, naming)
     nameless = [person for person in roster.people if is_nameless(person)]
@@ -89,7 +81,7 @@ def name_the_nameless(roster: Roster, told: str, namings: Sequence[Naming]) -> N
 
 
 def _give_name(roster: Roster, told: str, naming: Naming) -> None:
-    """Give a name that is said to whom it belongs, if that is somebody without one."""
+    """Give a spoken name to the nameless person it belongs to, if there is one."""
     known = roster.find(naming.name) or roster.find(naming.name.split()[-1]) or roster.find(naming.name.split()[0])
     named = known[0] if known else None
     if named is not None and (named.first < naming.at or _has_no_name(named)):
@@ -113,13 +105,13 @@ def _give_name(roster: Roster, told: str, naming: Naming) -> None:
 
 
 def _is_a_name(name: str) -> bool:
-    """Whether a name that is only said is one: a first name, or one with a title."""
+    """Whether a spoken name is one: a first name, or one with a title."""
     words = bare(name).replace(".", "").split()
     return words[0] in lexicon.FIRST_NAMES or (words[0] in lexicon.TITLES and len(words) > 1)
 
 
 def _can_be_called(roster: Roster, person: Person, named: Person | None, told: str, naming: Naming) -> bool:
-    """Whether somebody has no name yet, and may have this one."""
+    """Whether a person has no name yet and may have this one."""
     animal = _has_no_name(person) and person.kind == "animal" and person.count == 1
     if not (is_nameless(person) or animal) or person in (named, roster.narrator):
         return False
@@ -139,7 +131,7 @@ def _can_be_called(roster: Roster, person: Person, named: Person | None, told: s
 
 
 def _may_bear(person: Person, name: str) -> bool:
-    """A butler is no ``Inspector Gale``: a title of office is for a man, or for whom it is a rank of."""
+    """Whether a person may bear a title: a butler is no ``Inspector Gale``."""
     title = bare(name).split()[0].strip(".")
     if person.kind == "animal":
         return title not in lexicon.TITLES or " " not in name
@@ -151,12 +143,13 @@ def _may_bear(person: Person, name: str) -> bool:
 
 
 def _tag_gender(tag: str) -> str:
+    """Return the gender of the noun in a speech tag, or ``unknown``."""
     said = re.match(r"(?:\w+ )?(he|she)\b", tag, re.IGNORECASE)
     return lexicon.PRONOUNS.get(said.group(1).lower(), "unknown") if said else "unknown"
 
 
 def _distance(told: str, person: Person, naming: Naming) -> int:
-    """Characters to the mention of somebody next before a naming; after a call also to the next one after it."""
+    """Return the characters between a naming and the nearest mention of a person."""
     places = list(_mentions(told, person))
     before = [naming.at - at for at in places if at < naming.at]
     after = [2 * (at - naming.at) for at in places if at >= naming.at and naming.way == "called"]
@@ -164,6 +157,7 @@ def _distance(told: str, person: Person, naming: Naming) -> int:
 
 
 def _mentions(told: str, person: Person) -> tuple[int, ...]:
+    """Return the offsets at which a person is mentioned."""
     plain = {"man", "boy"} if person.role == "stranger" else set[str]()
     called = "|".join(
         map(re.escape, sorted({person.role, *person.aliases, *plain}, key=lambda name: (-len(name), name)))
@@ -173,6 +167,7 @@ def _mentions(told: str, person: Person) -> tuple[int, ...]:
 
 @lru_cache(maxsize=1024)
 def _places(told: str, pattern: str) -> tuple[int, ...]:
+    """Return the offsets of a pattern in a text."""
     return tuple(match.end() for match in re.finditer(pattern, told, re.IGNORECASE))
 
 
@@ -180,7 +175,7 @@ def _places(told: str, pattern: str) -> tuple[int, ...]:
 
 
 def _match_new_name(roster: Roster, named: Person, told: str, nameless: Sequence[Person]) -> None:
-    """``a man came up the path … said Arlo``: a new name without anybody coming in."""
+    """Match a name that nobody introduced with a nameless person: ``a man came up the path … said Arlo``."""
     nameless = [each for each in nameless if is_nameless(each) and each.first < named.first]
     nameless = [each for each in nameless if each is not roster.narrator and each.role not in _BABIES]
     for each in sorted(
@@ -192,10 +187,7 @@ def _match_new_name(roster: Roster, named: Person, told: str, nameless: Sequence
 
 
 def _may_be_same(nameless: Person, named: Person, told: str, alone: bool) -> bool:
-    """Whether a name can be that of somebody without one: by gender, title, distance and how both are told.
-
-    ``alone``: nobody else is without a name.
-    """
+    """Whether a nameless and a named person may be one, by gender, title, distance and how both are told."""
     last = max((at for at in _mentions(told, nameless) if at < named.first), default=-_LATER)
     since = named.first - last
     if since > _LATER or not _genders_may_agree(named, nameless, told):
@@ -224,7 +216,7 @@ def _may_be_same(nameless: Person, named: Person, told: str, alone: bool) -> boo
 
 
 def _is_brought_in(named: Person, told: str) -> bool:
-    """``On the stair Mrs. Pym held up a lantern``, ``Tom came in``, ``Gerald, who owns the place,``: somebody new."""
+    """Whether a name is introduced as a new person: ``Tom came in``, ``Gerald, who owns the place,``."""
     before, after = told[max(0, named.first - 80) : named.first], told[named.first + len(named.name) :][:60]
     return (
         _ARRIVING.match(after.lstrip()) is not None
@@ -235,7 +227,7 @@ def _is_brought_in(named: Person, told: str) -> bool:
 
 
 def _is_introduced_later(nameless: Person, named: Person, told: str) -> bool:
-    """``at his side an old woman with a goose: Mother Kern``, ``A man stood there. It was Goran``."""
+    """Whether a name identifies a person seen before: ``A man stood there. It was Goran``."""
     between = told[nameless.first : named.first]
     if len(between) > _SOON or _INDEFINITE.match(between) is None or nameless.role not in GENERIC | _YOUNG:
         return False
@@ -247,11 +239,18 @@ def _is_introduced_later(nameless: Person, named: Person, told: str) -> bool:
 
 @lru_cache(maxsize=2)
 def _sentences(told: str) -> tuple[str, ...]:
+    """Return the sentences of a text."""
     return tuple(re.split(r"(?<!\bMr)(?<!\bMrs)(?<!\bDr)[.!?\n]", told))
 
 
 def appear_together(told: str, nameless: Person, named: Person) -> bool:
-    """Whether a sentence tells of both: ``Bess looked at the old woman``."""
+    """Whether one sentence has both, so that they are two people: ``Bess looked at the old woman``.
+
+    Args:
+        told: The story without speeches.
+        nameless: A person without a name.
+        named: A person with a name.
+    """
     names = "|".join(re.escape(alias) for alias in sorted(named.aliases, key=len, reverse=True))
     if not names:
         return False
@@ -269,7 +268,7 @@ def appear_together(told: str, nameless: Person, named: Person) -> bool:
 
 
 def _genders_may_agree(named: Person, nameless: Person, told: str) -> bool:
-    """Whether their genders agree; where a word does not tell one, the pronouns after it do."""
+    """Whether the genders of two people may agree; an unknown one is taken from the pronouns after it."""
     unsure = named.gender == "unknown" or bool(set(named.aliases) & lexicon.UNISEX)
     gender = gender_by_pronouns(told, rf"(?:{re.escape(named.name)})") if unsure else named.gender
     other = nameless.gender
@@ -279,16 +278,17 @@ def _genders_may_agree(named: Person, nameless: Person, told: str) -> bool:
 
 
 def _agree(gender: str, other: str) -> bool:
+    """Whether two genders may be the same."""
     return "unknown" in (gender, other) or gender == other
 
 
 def merge_people(roster: Roster, named: Person, nameless: Person) -> None:
-    """Make two of the cast one person, who keeps the name.
+    """Merge two of the cast into one person, who keeps the name.
 
     Args:
-        roster: The cast; the nameless one leaves it.
-        named: Who has a name.
-        nameless: The same person, as they were called before.
+        roster: The cast; changed in place.
+        named: The person who stays.
+        nameless: The person who is removed.
     """
     for alias in nameless.aliases:
         roster.add_alias(named, alias)
@@ -305,7 +305,7 @@ def merge_people(roster: Roster, named: Person, nameless: Person) -> None:
 
 @rule("people.called_by_nouns")
 def add_noun_aliases(roster: Roster, text: str) -> None:
-    """``A MOVER``, later ``the mover``: the name is a noun for what they do, though no list knows it."""
+    """Let ``A MOVER`` answer to ``the mover``, though no list knows the noun."""
     written = TextIndex(text)
     for person in roster.people:
         name = person.name.lower()

@@ -27,12 +27,7 @@ _OPENS = re.compile(r"(?:^|[.!?;…”\"\n(\[—–-])\s*$")
 
 
 def is_person_name(name: str, told: TextIndex) -> bool:
-    """Return whether a name is a person's: known, acts, speaks, has an age, or occurs inside sentences.
-
-    Args:
-        name: The name as written.
-        told: The words of the story without its speeches.
-    """
+    """Whether a name is a person's: it is known, acts, speaks, has an age, or occurs inside sentences."""
     words = name.lower().split()
     first = unaccented(words[0].strip("."))
     if first in lexicon.TITLES and len(words) > 1:
@@ -76,11 +71,11 @@ def _is_common(words: list[str]) -> bool:
 
 @lru_cache(maxsize=1024)
 def gender_by_pronouns(told: str, called: str) -> str:
-    """The gender of ``he`` or ``she`` in a sentence that somebody opens, or at the start of the one after it.
+    """Return the gender of ``he`` or ``she`` near a name that opens a sentence; ``unknown`` where none is.
 
     Args:
-        told: The script without what is said.
-        called: A pattern for the name or noun, a group.
+        told: The story without speeches.
+        called: The name or noun.
     """
     votes = {"male": 0, "female": 0}
     for match in re.finditer(

@@ -45,7 +45,7 @@ _ASKED = re.compile(r"\bname\b|\b[Ww]ho are you\b|\bI['’]m [A-Z]|\bI am [A-Z]"
 
 
 class Naming(NamedTuple):
-    """A place where somebody gets a name."""
+    """A place in the text where a person gets a name."""
 
     at: int
     name: str
@@ -60,7 +60,7 @@ class Naming(NamedTuple):
 
 
 def narration_only(script: Manuscript) -> str:
-    """The script with everything but narration blanked, character for character."""
+    """Return the script with everything but narration blanked, offsets unchanged."""
     told = [" " if letter != "\n" else letter for letter in script.text]
     for paragraph in script.paragraphs:
         told[paragraph.start : paragraph.end] = without_quotations(paragraph.raw)
@@ -68,12 +68,13 @@ def narration_only(script: Manuscript) -> str:
 
 
 def _next_words(told: str, at: int) -> str:
+    """Return the words after an offset."""
     words = _TAG_WORDS.match(told, at)
     return words[0] if words else ""
 
 
 def find_namings(script: Manuscript) -> list[Naming]:
-    """Find every place where somebody is named, in reading order."""
+    """Return every place where a person is named, in reading order."""
     found: list[Naming] = []
     asked = False
     for paragraph in script.paragraphs:
@@ -117,7 +118,7 @@ _SOON, _JUST_BEFORE = 800, 200
 
 
 def find_spoken_names(script: Manuscript) -> list[tuple[int, str]]:
-    """Find titled names by which somebody is introduced or called, with their offsets."""
+    """Return the titled names by which people are introduced or addressed in speech, with offsets."""
     found: list[tuple[int, str]] = []
     for paragraph in script.paragraphs:
         for quotation in QUOTATION.finditer(paragraph.raw):
@@ -128,14 +129,7 @@ def find_spoken_names(script: Manuscript) -> list[tuple[int, str]]:
 
 
 def name_called_soon(roster: Roster, spoken: Sequence[tuple[int, str]], at: int, noun: str) -> str:
-    """The name by which ``a tall, burly man`` is called soon after he came in, or an empty string.
-
-    Args:
-        roster: The cast so far: the name is nobody else's.
-        spoken: From ``find_spoken_names``.
-        at: Offset of the noun phrase.
-        noun: Its head.
-    """
+    """Return the name by which ``a tall, burly man`` is called soon after he came in, or an empty string."""
     gender = lexicon.gender_of_word(noun)
     for place, name in spoken:
         title = bare(name).split()[0].strip(".")
@@ -147,14 +141,14 @@ def name_called_soon(roster: Roster, spoken: Sequence[tuple[int, str]], at: int,
 
 
 def title_noun(name: str) -> str:
-    """The noun a title stands for: ``doctor`` for Dr. Lebedev."""
+    """Return the noun that a title stands for: ``doctor`` for Dr. Lebedev."""
     title = bare(name).split()[0].strip(".")
     return lexicon.TITLE_SYNONYMS.get(title, title)
 
 
 @rule("people.title")
 def name_by_title(roster: Roster, spoken: Sequence[tuple[int, str]]) -> None:
-    """``"You win, Doctor Lebedev"``: the doctor has a name."""
+    """Name people by a titled address: after ``"You win, Doctor Lebedev"`` the doctor has a name."""
     for _, name in spoken:
         words = bare(name).split()
         for person in [] if roster.find(words[-1]) else _people_with_title(roster, name):
@@ -163,4 +157,5 @@ def name_by_title(roster: Roster, spoken: Sequence[tuple[int, str]]) -> None:
 
 
 def _people_with_title(roster: Roster, name: str) -> list[Person]:
+    """Return the people who have the title of a name as their role."""
     return [person for person in roster.people if person.role == title_noun(name)][:1]

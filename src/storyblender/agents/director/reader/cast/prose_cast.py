@@ -1,4 +1,4 @@
-"""Who is in a story: names, and nouns for people with a determiner (notes of the director, 1a)."""
+"""Finds the people of a prose story: names, and nouns for people with a determiner (notes of the director, 1a)."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ _GAMES = re.compile(r"\b(?:chess|checkmate|playing cards|whist|draughts)\b")
 
 
 class _RoleNoun(NamedTuple):
-    """A noun for a person where it stands in the story."""
+    """A noun for a person where it occurs in the story."""
 
     at: int
     phrase: PersonNoun
@@ -83,7 +83,7 @@ class _RoleNoun(NamedTuple):
 
 
 def find_prose_cast(script: Manuscript) -> Roster:
-    """Collect the people of a story: longer names first, then roles in the order they appear."""
+    """Return the people of a story: longer names first, then roles in the order they appear."""
     roster = Roster()
     names: list[tuple[int, str]] = []
     roles: list[_RoleNoun] = []
@@ -126,18 +126,19 @@ def find_prose_cast(script: Manuscript) -> Roster:
 
 @lru_cache(maxsize=256)
 def _are_listed(noun: str, told: str) -> bool:
+    """Whether a plural noun is only one of a list."""
     return re.search(rf"\b{noun}\w*{_LISTED}", told) is not None
 
 
 @lru_cache(maxsize=256)
 def _is_vehicle(noun: str, told: str) -> bool:
-    """``climbed into the coach``: a vehicle with the name of a trade."""
+    """Whether a trade's noun is a vehicle here: ``climbed into the coach``."""
     boarding = r"\b(?:(?:climb|clamber|got|get|step|sat|sit)\w* (?:back )?(?:up )?(?:in|into|inside|out of)|aboard)"
     return re.search(rf"{boarding} (?:an?|the|his|her|their) (?:[\w-]+ )?{noun}\b", told) is not None
 
 
 def _only_compared(told: str, phrase: PersonNoun) -> bool:
-    """``a man's coat``, ``like a squirrel``: nobody is there."""
+    """Whether a noun is only a comparison or an owner: ``like a squirrel``, ``a man's coat``."""
     owned = phrase.determiner in ("a", "an") and re.match(r"['’]s", told[phrase.end :]) is not None
     before = told[max(0, phrase.start - 12) : phrase.start]
     return owned or re.search(r"\b(?:like|as|than|size of|height of|belonged to) $", before) is not None
@@ -145,6 +146,7 @@ def _only_compared(told: str, phrase: PersonNoun) -> bool:
 
 @rule("people.noun_in_story")
 def _admit(roster: Roster, role: _RoleNoun, text: str, spoken: Sequence[tuple[int, str]]) -> None:
+    """Add a role to the cast unless it is a known person."""
     phrase, look = role.phrase, " ".join(role.phrase.adjectives)
     named = _NAMED.match(role.after)
     apposed = _is_apposed(role, text)
@@ -184,7 +186,7 @@ def _admit(roster: Roster, role: _RoleNoun, text: str, spoken: Sequence[tuple[in
 
 
 def _is_known_person(roster: Roster, role: _RoleNoun, text: str) -> bool:
-    """``her uncle`` of a niece, ``the man`` where a man is known, ``Clara, a tall girl``, ``as a baby``."""
+    """Whether a role is a person known already: ``the man`` where a man is known, ``Clara, a tall girl``."""
     phrase = role.phrase
     if phrase.determiner not in ("a", "an") and not phrase.plural and _is_kind(roster, phrase.noun):
         return True
@@ -216,7 +218,7 @@ def _is_known_person(roster: Roster, role: _RoleNoun, text: str) -> bool:
 
 
 def _is_kind(roster: Roster, noun: str) -> bool:
-    """``a goose``, later ``the bird``: one animal."""
+    """Whether a noun is the kind of a known animal: ``a goose``, later ``the bird``."""
     kinds = lexicon.KINDS.get(noun, frozenset())
     same = [person for person in roster.people if person.kind == "animal" and person.role in kinds]
     for person in same[:1]:
@@ -225,7 +227,7 @@ def _is_kind(roster: Roster, noun: str) -> bool:
 
 
 def _is_apposed(role: _RoleNoun, text: str) -> bool:
-    """``Prado came in, a fat man``, but not ``and next to him, wrapped in a blanket, a boy``."""
+    """Whether a role describes the person before it: ``Prado came in, a fat man``."""
     sentence = re.split(r"[.!?]", text[max(0, role.at - 90) : role.at])[-1]
     beside = re.search(r"\band (?:next to|beside|behind|with|between|in front of|on)\b", sentence)
     alone = _OPENING.fullmatch(sentence.strip())
@@ -233,7 +235,7 @@ def _is_apposed(role: _RoleNoun, text: str) -> bool:
 
 
 def _is_other_role_of_known(roster: Roster, role: _RoleNoun, text: str) -> bool:
-    """``his son`` of a family, ``the visitor`` among others, ``the soldier`` who is a sergeant."""
+    """Whether a known person has this other role: ``the soldier`` who is a sergeant."""
     phrase = role.phrase
     ranked = [person for person in roster.people if phrase.noun in _title_nouns(person) and not phrase.plural]
     before = [person for person in roster.people if person.first < role.at]
@@ -255,7 +257,7 @@ def _is_other_role_of_known(roster: Roster, role: _RoleNoun, text: str) -> bool:
 
 
 def _title_nouns(person: Person) -> set[str]:
-    """The nouns a title stands for: a sergeant is a soldier, Dr. Fell a doctor."""
+    """Return the nouns that a title stands for: a sergeant is a soldier, Dr. Fell a doctor."""
     title = bare(person.name).split()[0].strip(".")
     nouns = {noun for noun, titles in lexicon.RANKS.items() if title in titles or person.role in titles}
     nouns |= lexicon.RANKS.get(person.role, frozenset())
@@ -263,7 +265,7 @@ def _title_nouns(person: Person) -> set[str]:
 
 
 def _names_before(roster: Roster, role: _RoleNoun, text: str) -> bool:
-    """``Mrs. Finch, the new caretaker,``: she is the caretaker from then on."""
+    """Give a role to the name before it: ``Mrs. Finch, the new caretaker,``."""
     before = text[max(0, role.at - 60) : role.at - 2].lower()
     person = next((p for p in roster.people for alias in p.aliases if before.endswith(alias)), None)
     end = role.at + role.phrase.end - role.phrase.start
@@ -277,7 +279,7 @@ def _names_before(roster: Roster, role: _RoleNoun, text: str) -> bool:
 
 
 def _is_another(roster: Roster, role: _RoleNoun, text: str, apposed: bool) -> bool:
-    """``A man in a grey coat opened``, and much later ``knelt a young man``: somebody else."""
+    """Whether a role is another person than the one known by it: much later ``knelt a young man``."""
     phrase = role.phrase
     if phrase.noun not in _LATER or phrase.determiner not in ("a", "an") or phrase.plural or apposed:
         return False
@@ -292,7 +294,7 @@ def _is_another(roster: Roster, role: _RoleNoun, text: str, apposed: bool) -> bo
 
 
 def _contrasting_person(roster: Roster, role: _RoleNoun, text: str, apposed: bool) -> Person | None:
-    """Whoever is always ``the old man``, where much later ``a man`` comes, who is somebody else."""
+    """Return the person always called ``the old man`` where much later ``a man`` comes, who is another."""
     noun = role.phrase.noun
     if noun not in _LATER or role.phrase.determiner not in ("a", "an") or role.phrase.plural or apposed:
         return None
@@ -305,6 +307,7 @@ def _contrasting_person(roster: Roster, role: _RoleNoun, text: str, apposed: boo
 
 
 def _add_role(roster: Roster, role: _RoleNoun, look: str, name: str = "") -> None:
+    """Add a person for a role."""
     phrase = role.phrase
     person = roster.add(name or phrase.noun, role.at)
     person.count = lexicon.NUMBERS.get(phrase.determiner, 2) if phrase.plural else 1
@@ -316,7 +319,7 @@ def _add_role(roster: Roster, role: _RoleNoun, look: str, name: str = "") -> Non
 
 
 def _name_by_kin(roster: Roster, role: _RoleNoun, name: str) -> None:
-    """``His niece Clara``: Clara, a woman, somebody's niece."""
+    """Add the person of ``His niece Clara``: Clara, a woman, a niece."""
     known = roster.find(name)
     person = known[0] if known else roster.add(name, role.at)
     gender = lexicon.gender_of_word(role.phrase.noun)

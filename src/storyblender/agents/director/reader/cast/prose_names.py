@@ -1,4 +1,4 @@
-"""Names in a story: words with a capital that name somebody and no place (notes of the director, 1a)."""
+"""Finds names in a prose story: capitalised words that name a person and no place (notes of the director, 1a)."""
 
 from __future__ import annotations
 
@@ -57,12 +57,7 @@ _OPENERS = (
 
 
 def names_in(text: str, start: int) -> list[tuple[int, str]]:
-    """Find names with their offsets.
-
-    Args:
-        text: A paragraph without its quotations.
-        start: Its offset in the script.
-    """
+    """Return the names in a text with their offsets."""
     found: list[tuple[int, str]] = []
     for match in _NAME.finditer(text):
         name = match.group(0)
@@ -93,7 +88,7 @@ def names_in(text: str, start: int) -> list[tuple[int, str]]:
 
 
 def _is_place_name(name: str, before: str) -> bool:
-    """``since Tulsa``, ``into the Starlite Motel``, ``Laburnam Villa``: a place, a ship or a car."""
+    """Whether a name is a place, a ship or a car: ``since Tulsa``, ``into the Starlite Motel``."""
     owned = _OWNED.search(before)
     named = any(form_kind(word) for word in owned.group(1).split()) if owned else False
     if _WHERE.search(before) or (owned and not named and not any(find_person_nouns(before))):
@@ -103,7 +98,7 @@ def _is_place_name(name: str, before: str) -> bool:
 
 
 def _opens_like_a_name(name: str, following: str) -> bool:
-    """At the start of a sentence every word has a capital: a name is known, or does something next."""
+    """Whether a word at the start of a sentence is a name: it is known, or acts next."""
     first = name.split()[0].lower()
     acts = form_kind(following) in ("past", "aux", "3sg") or following in ("and", "who")
     common = lexicon.noun_class(singular(first)) != "unknown" or first in lexicon.ADJECTIVES | lexicon.ADVERBS
@@ -113,7 +108,7 @@ def _opens_like_a_name(name: str, following: str) -> bool:
 
 
 def _is_apposed_to_somebody(after: str) -> bool:
-    """``in the house of Pyotr Ilyich, the postmaster of a small town``: no place."""
+    """Whether an apposition shows a person: ``in the house of Pyotr Ilyich, the postmaster``."""
     phrase = next(find_person_nouns(after[2:60]), None) if after.startswith(", ") else None
     return phrase is not None and phrase.start == 0
 
@@ -160,7 +155,7 @@ def add_name(roster: Roster, at: int, name: str, text: str, family: bool) -> Non
 
 
 def _is_husband_of(namesake: Person, surname: str, told: str) -> bool:
-    """``said Coker. He lit the lantern``, in a story of Mrs. Coker: he is somebody else."""
+    """Whether ``Coker`` is another person than Mrs. Coker: ``said Coker. He lit the lantern``."""
     title = bare(namesake.name).split()[0].strip(".")
     called = title in lexicon.TITLES and lexicon.TITLE_GENDER.get(title) == "female"
     return called and gender_by_pronouns(told, rf"(?:{surname.title()})") == "male"

@@ -1,4 +1,4 @@
-"""Who is in a screenplay: cues, names in capitals, titles with a name (notes of the director, 1a)."""
+"""Finds the people of a screenplay: cues, names in capitals, titles with a name (notes of the director, 1a)."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ _THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.SCENERY | lexicon.ABSTRAC
 
 @dataclass(frozen=True, order=True)
 class _Sighting:
-    """One place where a name stands."""
+    """One place where a name occurs."""
 
     at: int
     name: str
@@ -89,10 +89,7 @@ _PART_OF = re.compile(r"\b(?:OF|DE|DEL|DU|DES|DI|DELLA|VON|DER)\b")
 
 
 def find_screenplay_cast(script: Manuscript) -> Roster:
-    """Collect the people of a screenplay in the order they appear.
-
-    Longer names win: a cue HALE belongs to OFFICER HALE, JO and JOANNA stay two people.
-    """
+    """Return the people of a screenplay in the order they appear."""
     cues = {paragraph.name for paragraph in script.paragraphs if paragraph.kind == "cue"}
     cues -= {cue for cue in cues if cue.lower() in _CHORUS}
     sightings: list[_Sighting] = []
@@ -129,7 +126,7 @@ def find_screenplay_cast(script: Manuscript) -> Roster:
 
 @rule("people.cast_list")
 def _describe_entry(roster: Roster, line: str) -> None:
-    """``MAMA RISI, a tailor, fifty-eight``: read an entry of the cast list."""
+    """Read an entry of the cast list: ``MAMA RISI, a tailor, fifty-eight``."""
     entry = re.match(rf"(?:A |AN |THE )?([{UPPER}][{UPPER}.'’ -]+[{UPPER}])[\s,:.(–—-]+(.+)", line.strip())
     people = roster.find(entry.group(1)) if entry else []
     if entry and people:
@@ -138,13 +135,14 @@ def _describe_entry(roster: Roster, line: str) -> None:
 
 @rule("people.unnamed_pair")
 def _add_unnamed(roster: Roster, script: Manuscript) -> None:
-    """``She leaves. He stays.`` and nobody has a name: a woman and a man."""
+    """Add a woman and a man where nobody has a name: ``She leaves. He stays.``"""
     for paragraph in script.paragraphs:
         for word in re.finditer(r"\b(?:he|she)\b", paragraph.raw, re.IGNORECASE) if paragraph.kind == "action" else ():
             roster.add("Woman" if word.group().lower() == "she" else "Man", paragraph.start + word.start())
 
 
 def _sightings_in_action(written: TextIndex, text: str, start: int, cues: set[str]) -> list[_Sighting]:
+    """Return the names in capitals in a paragraph of action."""
     found: list[_Sighting] = []
     pieces, done = [], 0
     for at, end, name, nickname in find_nicknames(text):
@@ -169,7 +167,7 @@ def _sightings_in_action(written: TextIndex, text: str, start: int, cues: set[st
 
 
 def _sightings_in_camera_notes(paragraph: Paragraph, cues: set[str]) -> list[_Sighting]:
-    """CLOSE ON KIRA, BEN'S POV: people named to the camera."""
+    """Return the names in camera directions: ``CLOSE ON KIRA``, ``BEN'S POV``."""
     found: list[_Sighting] = []
     for _, camera in paragraph.cameras:
         for name in (camera.subject, camera.who):
@@ -216,13 +214,13 @@ def _rule_of_person(name: str, before: str, after: str, cues: set[str], written:
 
 
 def _is_called_a_person(after: str) -> bool:
-    """Whether an apposition says so, whatever the name means: ``STONE, a big man, carries``."""
+    """Whether an apposition says that it is a person: ``STONE, a big man, carries``."""
     told = re.match(r"\s*,\s*(an?\s.*)", after)
     return told is not None and any(phrase.start == 0 for phrase in find_person_nouns(told.group(1)))
 
 
 def _acts_like_a_person(base: str, before: str, after: str, written: TextIndex) -> bool:
-    """A third-person verb follows, and there is no article, or elsewhere the name is written like a name."""
+    """Whether a third-person verb follows, and no article or common use contradicts a name."""
     verb = re.match(r"\s+([a-z]+)", after)
     if verb is None or form_kind(verb.group(1)) not in ("3sg", "aux", "ing") or form_kind(base.lower()):
         return False
@@ -232,7 +230,7 @@ def _acts_like_a_person(base: str, before: str, after: str, written: TextIndex) 
 
 
 def _split(sighting: _Sighting) -> list[_Sighting]:
-    """VERA AND DUTCH are two; ON, WITH before and 'S VOICE behind a name go."""
+    """Split VERA AND DUTCH, and drop ON, WITH before and 'S VOICE behind a name."""
     name = re.sub(r"^(ON|AND|WITH|OF|IN) ", "", sighting.name)
     name = re.sub(r"['’]S (VOICE|POV|HAND|HANDS|FACE|EYES)$", "", name)
     parts = [part.strip() for part in re.split(r" AND | & | ?/ ?", name) if part.strip()]
@@ -249,7 +247,7 @@ def _split(sighting: _Sighting) -> list[_Sighting]:
 
 
 class _FullNames:
-    """All names of the script as they are written, by their words."""
+    """All names of the script as written, by their words."""
 
     def __init__(self, names: Iterable[str]) -> None:
         self.all = {*names}
@@ -263,7 +261,7 @@ class _FullNames:
         return " " not in name and any(_is_part_of(name, full) for full in self._with_word.get(name, ()))
 
     def number(self, words: Sequence[str]) -> bool:
-        """Whether one of these nouns stands in the script with a number: THUG #1."""
+        """Whether one of these nouns occurs with a number: THUG #1."""
         told = "|".join(re.escape(word) for word in words)
         with_noun = (full for word in words for full in self._with_word.get(word.rsplit(" ", 1)[-1], ()))
         return any(re.fullmatch(rf"(?:{told}) #?(?:\d|ONE|TWO)", full) for full in with_noun)
@@ -299,7 +297,7 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: _FullNames, text: st
 
 
 def _descriptions_after(after: str) -> list[str]:
-    """What follows a name in brackets, and then between commas: ``(25), in a red coat, sits``."""
+    """Return the descriptions after a name, in brackets and between commas: ``(25), in a red coat, sits``."""
     found, at = [], 0
     while said := _LOOK.match(after, at):
         found.append(said.group(1) or said.group(2) or "")
@@ -308,7 +306,7 @@ def _descriptions_after(after: str) -> list[str]:
 
 
 def _merge_earlier_view(roster: Roster, person: Person, text: str, at: int) -> None:
-    """``A man staggers out of the trees. Caleb drags the STRANGER in``: who is called *the* was there already."""
+    """Merge ``A man staggers out of the trees`` with ``the STRANGER`` named right after."""
     if not person.role or not text.endswith("the ", 0, at):
         return
     earlier = [
@@ -323,7 +321,7 @@ def _merge_earlier_view(roster: Roster, person: Person, text: str, at: int) -> N
 
 
 def _note_kin_before(roster: Roster, person: Person, before: str) -> None:
-    """``Tobin's little sister, LARK``, ``his driver, DOT``: what somebody is to somebody else."""
+    """Note kin told before a name: ``Tobin's little sister, LARK``, ``his driver, DOT``."""
     animal = _noun_before(before)
     if animal in lexicon.ANIMALS and person.kind == "human" and not person.role:
         person.kind, person.role = "animal", animal
@@ -337,20 +335,20 @@ def _note_kin_before(roster: Roster, person: Person, before: str) -> None:
 
 
 def _noun_before(before: str) -> str:
-    """The noun right before a name after a comma: ``a small dog, BIJOU,``; an empty string where it is nobody's."""
+    """Return the noun before a name after a comma: ``a small dog, BIJOU,``; empty if there is none."""
     noun = re.search(r"(?:\b(?:an?|the|his|her|their)|['’]s) (?:[a-z-]+ ){0,2}([a-z-]+), $", before, re.IGNORECASE)
     return noun.group(1).lower() if noun and is_person_noun(noun.group(1).lower()) else ""
 
 
 def _are_numbered(name: str, full_names: _FullNames) -> bool:
-    """``two THUGS`` are THUG #1 and THUG #2."""
+    """Whether people are named with numbers elsewhere: ``two THUGS`` are THUG #1 and THUG #2."""
     head = singular(name.split()[-1])
     plural = head != name.split()[-1].lower() and is_person_noun(head)
     return plural and full_names.number((" ".join([*name.split()[:-1], head.upper()]), head.upper()))
 
 
 def _apposed(roster: Roster, sighting: _Sighting, name: str, text: str) -> Person | None:
-    """``his RIVAL, a TALL ROWER,``: two nouns in capitals for one person."""
+    """Return the person of two nouns in capitals for one person: ``his RIVAL, a TALL ROWER,``."""
     left = text[max(0, sighting.at - 40) : sighting.at]
     before = re.search(rf"([{UPPER}][{UPPER}' -]*[{UPPER}]), (?:a |an |the )?$", left)
     people = roster.find(before.group(1)) if before else []
@@ -372,7 +370,7 @@ def _apposed(roster: Roster, sighting: _Sighting, name: str, text: str) -> Perso
 
 
 def _add_person(roster: Roster, sighting: _Sighting, name: str, before: str) -> Person:
-    """A new person, or a group for TWO GUARDS, ``two elderly WIDOWS`` and SAILORS."""
+    """Return a new person, or a group for TWO GUARDS, ``two elderly WIDOWS`` and SAILORS."""
     words = name.split()
     head = singular(words[-1])
     plural = head != words[-1].lower() and is_person_noun(head)
@@ -388,6 +386,7 @@ def _add_person(roster: Roster, sighting: _Sighting, name: str, before: str) -> 
 
 
 def _is_part_of(name: str, full: str) -> bool:
+    """Whether a name is a part of a longer one."""
     words = full.split()
     return (
         full != name

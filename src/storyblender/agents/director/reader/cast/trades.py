@@ -1,4 +1,4 @@
-"""Who is meant by a trade nobody was introduced with: ``A man stood on the landing. The surveyor did not look up``."""
+"""Resolves a trade that nobody was introduced with: ``A man stood there. The surveyor did not look up``."""
 
 from __future__ import annotations
 
@@ -38,13 +38,7 @@ _STILL_NEAR, _JUST_NAMED = 1500, 160
 
 @rule("people.trade")
 def join_trades(roster: Roster, text: str, told: str) -> None:
-    """Join whoever is first called *the surveyor* with the man, or the Mr. Finch, who was there already.
-
-    Args:
-        roster: The cast of a story.
-        text: The script.
-        told: The same without what is said.
-    """
+    """Join a person first called *the surveyor* with the man, or the Mr. Finch, who was there already."""
     for person in sorted(roster.people, key=lambda person: person.first):
         trade = person.role
         if not is_nameless(person) or trade in GENERIC | _ATTENDANTS | lexicon.KIN | lexicon.YOUNG_NOUNS:
@@ -74,11 +68,12 @@ def join_trades(roster: Roster, text: str, told: str) -> None:
 
 
 def _genders_agree(person: Person, other: Person) -> bool:
+    """Whether the genders of two people may be the same."""
     return "unknown" in (person.gender, other.gender) or person.gender == other.gender
 
 
 def _just_named(roster: Roster, nameless: Person, told: str, speaks: bool) -> Person | None:
-    """``said Mr. Finch. The lawyer unrolled the will``: who has a title, or a name that is new, right before."""
+    """Return the titled or newly named person right before: ``said Mr. Finch. The lawyer unrolled the will``."""
     opens = told[nameless.first].isupper()
     coming = re.match(rf"\w+ [\w-]+ (?:{_COMING})\b", told[nameless.first :]) is not None
     for other in roster.people if (opens or speaks) and not coming else ():
@@ -96,7 +91,7 @@ def _just_named(roster: Roster, nameless: Person, told: str, speaks: bool) -> Pe
 
 
 def _are_distinct(nameless: Person, trade: str, told: str, speaks: bool) -> bool:
-    """Whether they are two people: a paragraph (of who speaks, a sentence) has both, or one of them comes in."""
+    """Whether two people are told together, in a paragraph or sentence, and so are not the same."""
     low = told.lower()
     called = re.compile(rf"\b(?:an?|the|that|this) (?:{'|'.join(map(re.escape, nameless.aliases))})\b")
     pieces = re.split(r"[.!?\n]" if speaks else r"\n\s*\n", low)

@@ -1,4 +1,4 @@
-"""People of a screenplay named in small letters or without a name: ``A waitress brings the soup``."""
+"""Walk-ons: people of a screenplay in small letters or without a name: ``A waitress brings the soup``."""
 
 from __future__ import annotations
 
@@ -66,12 +66,7 @@ _FINITE = frozenset({"3sg", "past", "aux"})
 
 
 def add_walk_ons(roster: Roster, script: Manuscript) -> None:
-    """Cast the people who do something in a screenplay without capitals or a cue.
-
-    Args:
-        roster: The people with capitals or a cue; changed.
-        script: A screenplay.
-    """
+    """Cast the people who act in a screenplay without capitals or a cue."""
     told = [paragraph for paragraph in script.paragraphs if paragraph.kind == "action"]
     _add_named(roster, script, told)
     low = script.text.lower()
@@ -103,7 +98,7 @@ def _is_known(roster: Roster, phrase: PersonNoun, text: str) -> bool:
 
 
 def _fits_cast_member(roster: Roster, phrase: PersonNoun) -> bool:
-    """``the detective``, ``his guest``, ``her father``: another word for a member of the cast whom it fits."""
+    """Whether a phrase is another word for a fitting member of the cast: ``the detective``, ``her father``."""
     if phrase.determiner in ("a", "an") or phrase.plural:
         return False
     kin = phrase.noun in lexicon.KIN
@@ -146,6 +141,7 @@ def _is_verb(word: str, several: bool) -> bool:
 
 @rule("people.noun_that_acts")
 def _add(roster: Roster, phrase: PersonNoun, start: int) -> None:
+    """Add a walk-on."""
     look = " ".join(phrase.adjectives)
     known = [person for person in roster.people if person.role == phrase.noun]
     name = f"{look} {phrase.noun}" if known and look else phrase.noun
@@ -159,7 +155,7 @@ def _add(roster: Roster, phrase: PersonNoun, start: int) -> None:
 
 @rule("people.plural_that_acts")
 def _add_plural(roster: Roster, match: re.Match[str], start: int) -> None:
-    """``Soldiers run past.``, ``Children laugh``: add a group without a determiner."""
+    """Add a group without a determiner: ``Soldiers run past.``, ``Children laugh``."""
     noun = singular(match.group(1).lower())
     if (
         not is_person_noun(noun)
@@ -175,7 +171,7 @@ def _add_plural(roster: Roster, match: re.Match[str], start: int) -> None:
 
 @rule("people.name_that_acts")
 def _add_named(roster: Roster, script: Manuscript, told: list[Paragraph]) -> None:
-    """``Nadia opens the window.``, never in capitals: add a first name that acts once, or any name that acts twice."""
+    """Add names never in capitals: a first name that acts once, or any name that acts twice."""
     acts: Counter[str] = Counter()
     first: dict[str, int] = {}
     headings = {word for p in script.paragraphs if p.kind == "heading" for word in re.findall(r"\w+", p.text.lower())}

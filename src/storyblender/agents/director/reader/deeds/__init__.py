@@ -1,1 +1,1 @@
-"""What people do, and what changes by it: motions, states, entrances and exits."""
+"""What people do, and what changes by it: motions, postures, things in hand, entrances and exits."""

@@ -1,4 +1,4 @@
-"""What a sentence changes or lets us notice: doors, lamps and light, sounds, faces."""
+"""Changes that a sentence tells: doors, lamps and light, liquids, things that break; sounds; smiles and frowns."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def note_changes(state: ReaderState, clause: Clause, roles: Roles) -> None:
 
 
 def _note_openings(state: ReaderState, clause: Clause, roles: Roles) -> None:
-    """``opens the door``, ``The door swings open``, ``The window shatters``."""
+    """Note what opens, closes or breaks: ``opens the door``, ``The window shatters``."""
     ajar = clause.particle if clause.particle in ("open", "shut") else ""
     phrased = _STATE_OF_VERB.get(f"{clause.verb} {clause.particle}")
     condition = _STATE_OF_PARTICLE.get(ajar) or phrased or _STATE_OF_VERB.get(clause.verb)
@@ -65,7 +65,7 @@ def _note_openings(state: ReaderState, clause: Clause, roles: Roles) -> None:
 
 
 def _note_switched(state: ReaderState, clause: Clause, thing: str) -> None:
-    """``turns off the lamp``, ``lights a candle``."""
+    """Note lamps and taps turned on or off: ``turns off the lamp``, ``lights a candle``."""
     head, condition = state.inventory.head(thing), _STATE_OF_PARTICLE.get(clause.particle)
     if clause.verb in _SWITCHING and condition in ("on", "off") and head in _TAPS:
         _add_change(state, thing, "running" if condition == "on" else "off", clause.at)
@@ -76,7 +76,7 @@ def _note_switched(state: ReaderState, clause: Clause, thing: str) -> None:
 
 
 def _note_arrival(state: ReaderState, clause: Clause, thing: str) -> None:
-    """``A car pulls up``, ``A ship appears``: it was not there before."""
+    """Note a thing that appears: before ``A car pulls up`` it was not there."""
     moves = clause.verb in _MOVING and clause.particle in _COMES
     comes = state.inventory.class_of(thing) == "prop" or state.inventory.head(thing) in lexicon.VEHICLES
     if comes and (clause.verb in _COMING or moves):
@@ -84,7 +84,7 @@ def _note_arrival(state: ReaderState, clause: Clause, thing: str) -> None:
 
 
 def _note_liquids(state: ReaderState, clause: Clause, roles: Roles) -> None:
-    """``Water runs from the tap``, ``The milk spills over the table``: out of what holds or gives it."""
+    """Note what runs or spills: ``Water runs from the tap``, ``The milk spills over the table``."""
     named = next((noun.head for noun in clause.subject if noun.head in LIQUIDS), None)
     if named is None or roles.subjects:
         return
@@ -98,7 +98,7 @@ def _note_liquids(state: ReaderState, clause: Clause, roles: Roles) -> None:
 
 
 def _note_failure(state: ReaderState, clause: Clause, thing: str) -> None:
-    """``The lights go out``, ``The lamp flickers``, ``The power dies``."""
+    """Note lights that fail: ``The lights go out``, ``The lamp flickers``, ``The power dies``."""
     head = state.inventory.head(thing)
     if clause.verb not in _FAILING or head not in _LAMPS | _LIGHTING:
         return
@@ -109,7 +109,7 @@ def _note_failure(state: ReaderState, clause: Clause, thing: str) -> None:
 
 
 def _add_change(state: ReaderState, thing: str, condition: str, at: int) -> None:
-    """Note a change once; the lights of the place are ``light``."""
+    """Add a change of state once; the lights of the whole place are the subject ``light``."""
     subject = "light" if state.inventory.head(thing) in _LIGHTING else thing
     change = StateChange(subject, condition, at)
     state.scene.fallen = thing if condition == "tipped" else state.scene.fallen

@@ -1,4 +1,4 @@
-"""What people do: actor, motion, target and prop of a clause, and how far they go."""
+"""The deeds of a clause: actor, motion, target, prop and distance."""
 
 from __future__ import annotations
 
@@ -61,13 +61,13 @@ _DISTANCE = re.compile(
 
 @rule("deeds.verb", without=[])
 def add_deeds(state: ReaderState, clause: Clause, roles: Roles, motion: str) -> list[Deed]:
-    """Make the deeds of a clause and give them to the unit.
+    """Add the deeds of a clause to the current unit and return them.
 
     Args:
-        state: The state before.
-        clause: Neither negated nor unreal, with somebody as subject.
-        roles: Its people and things.
-        motion: What the subjects do.
+        state: The reader's state before the clause.
+        clause: A clause that is not negated.
+        roles: The people and things of the clause.
+        motion: Motion of its subject.
     """
     if motion in ("touch", "stand") and _only_a_pose(state, clause, roles, motion):
         return []
@@ -93,7 +93,7 @@ def add_deeds(state: ReaderState, clause: Clause, roles: Roles, motion: str) -> 
 
 @rule("deeds.companions", without=[])
 def _companions(roles: Roles, clause: Clause, motion: str) -> list[Deed]:
-    """Who is led, and who goes along: ``ran down with her brother``."""
+    """Return deeds of who is led or goes along: ``ran down with her brother``."""
     along = roles.people_after("with") if motion in _TRAVEL and clause.verb != "leave" else []
     carried = any(one.preposition == "with" and two.preposition in _BORNE for one, two in pairwise(roles.places))
     along = [] if carried else along
@@ -107,15 +107,17 @@ def _companions(roles: Roles, clause: Clause, motion: str) -> list[Deed]:
 
 
 def _is_feet(place: Place) -> bool:
+    """Whether a place is somebody's feet."""
     return any(noun.head in ("foot", "feet") for noun in place.nouns)
 
 
 def _repeats(state: ReaderState, deed: Deed) -> bool:
+    """Whether the unit has the same deed already."""
     return any((d.actor, d.motion, d.at) == (deed.actor, deed.motion, deed.at) for d in state.unit.deeds)
 
 
 def _only_a_pose(state: ReaderState, clause: Clause, roles: Roles, motion: str) -> bool:
-    """Touching oneself; ``reads it, standing``."""
+    """Whether a motion adds nothing to a pose: touching oneself; ``reads it, standing``."""
     own = bool(clause.object) and bool(roles.subjects) and clause.object[0].owner == roles.subjects[0].id
     own = own and state.inventory.class_of(next(iter(roles.things), None)) != "worn"
     own = own and not any(
@@ -187,7 +189,7 @@ def _both_ends(
 
 
 def _owner_of_part(state: ReaderState, clause: Clause, roles: Roles) -> str | None:
-    """Whose body something is done to: ``grabs her arm``, ``strokes the back of his hand``."""
+    """Return whose body something is done to: ``grabs her arm``, ``strokes the back of his hand``."""
     if roles.people or not roles.things or state.inventory.class_of(roles.things[0]) not in ("body", "abstract"):
         return None
     nouns = clause.object + [noun for place in roles.places if place.preposition == "of" for noun in place.nouns]
@@ -196,7 +198,7 @@ def _owner_of_part(state: ReaderState, clause: Clause, roles: Roles) -> str | No
 
 
 def _receiver(state: ReaderState, roles: Roles) -> str | None:
-    """Who is given something: named, or the only other person there."""
+    """Return who receives something: the one named, or the only other person on stage."""
     receivers = roles.recipients + roles.people_after("to")
     if receivers:
         return receivers[0].id
@@ -205,13 +207,13 @@ def _receiver(state: ReaderState, roles: Roles) -> str | None:
 
 
 def _last_held(state: ReaderState, person: Person) -> str | None:
-    """The prop somebody holds, for ``He drinks.``"""
+    """Return the prop in a person's hand, for ``He drinks.``; None if there is none."""
     held = state.scene.held.get(person.id, ())
     return next((thing for thing in reversed(held) if state.inventory.class_of(thing) == "prop"), None)
 
 
 def _destination(state: ReaderState, roles: Roles, motion: str, target: str | None) -> str | None:
-    """The person or thing after a preposition of direction."""
+    """Return the person or thing after a preposition of direction, or None."""
     for place in sorted(roles.places, key=lambda place: place.preposition != "at"):
         if place.preposition == "of" or (motion == "look" and place.preposition in ("in", "from")):
             continue
@@ -234,6 +236,7 @@ def _destination(state: ReaderState, roles: Roles, motion: str, target: str | No
 
 
 def _place_target(state: ReaderState, place: Place, motion: str) -> str | None:
+    """Return the target that a place names for this motion, or None."""
     owner = next((n.owner for n in place.nouns if n.kind == "thing" and n.head in lexicon.BODY and n.owner), None)
     if owner:
         return owner
@@ -249,14 +252,14 @@ def _place_target(state: ReaderState, place: Place, motion: str) -> str | None:
 
 
 def _seat_walked_to(state: ReaderState, person: Person) -> str | None:
-    """``Walks over to the booth and sits down``: the booth."""
+    """Return the seat that the sentence walks to: ``Walks over to the booth and sits down``."""
     units = state.reading.units[-2:]
     walked = [d for unit in units for d in unit.deeds if d.actor == person.id and d.motion in ("walk", "run", "pull")]
     return next((d.target for d in reversed(walked) if state.inventory.head(d.target) in lexicon.SEATS), None)
 
 
 def _with_mutual_targets(state: ReaderState, roles: Roles, deeds: list[Deed], motion: str) -> list[Deed]:
-    """``They hug``, ``They look at each other``: each is the other's target."""
+    """Make people each other's targets: ``They hug``, ``They look at each other``."""
     if len(deeds) != 2:
         return deeds
     together = motion in _MUTUAL and not roles.people + roles.recipients
@@ -267,7 +270,7 @@ def _with_mutual_targets(state: ReaderState, roles: Roles, deeds: list[Deed], mo
 
 
 def _note_pairs(state: ReaderState, roles: Roles, motion: str) -> None:
-    """Somebody who walks to somebody or hugs them makes a pair with them: ``they`` may follow."""
+    """Note two people as a group after one walks to or hugs the other: ``they`` may follow."""
     others = roles.people + roles.recipients + roles.people_after("to", "toward")
     pair = {person.id: person for person in roles.subjects + others}
     if len(roles.subjects) == 1 and motion in _PAIRING and len(pair) == 2:
@@ -276,7 +279,7 @@ def _note_pairs(state: ReaderState, roles: Roles, motion: str) -> None:
 
 
 def _distance(state: ReaderState) -> float | None:
-    """Metres, where the sentence says how far: ``ten metres``, ``three steps``."""
+    """Return the metres that the sentence tells: ``ten metres``, ``three steps``; None if it tells none."""
     found = _DISTANCE.search(joined(state.sentence.words))
     if found is None:
         return None

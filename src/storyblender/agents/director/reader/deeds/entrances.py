@@ -36,7 +36,7 @@ _PICTURE_OF = re.compile(
 
 @rule("people.subject_is_there", without=True)
 def enter_subjects(state: ReaderState, clause: Clause, subjects: Sequence[Person]) -> bool:
-    """Bring the subjects of a clause on stage; returns False where they are only heard."""
+    """Bring the subjects of a clause on stage; return False where they are only heard."""
     seen = True
     for person in subjects:
         again = person.id in state.sentence.named
@@ -78,7 +78,12 @@ def enter_objects(state: ReaderState, clause: Clause, roles: Roles, motion: str 
 
 
 def is_elsewhere(state: ReaderState, index: int) -> bool:
-    """``a letter from Otto``, ``no sign of him``, ``thinks of Mia``: somebody named who is not there."""
+    """Whether a named person is not there: ``a letter from Otto``, ``no sign of him``, ``thinks of Mia``.
+
+    Args:
+        state: The reader's state.
+        index: Word index of the mention.
+    """
     before = " ".join(word.low for word in state.sentence.words[max(0, index - 4) : index])
     return _PICTURE_OF.search(before) is not None
 
@@ -133,7 +138,7 @@ def carry_over_people(state: ReaderState, sentence: Sentence) -> None:
 
 
 def _group_of_number(before: Sequence[Person], head: str, number: int) -> list[Person]:
-    """The two women, the three men: all of those people, if there were as many."""
+    """Return all people of the scene before if they are as many as said: ``the two women``."""
     gender = lexicon.gender_of_word(head)
     if head not in _ANYBODY and (gender == "unknown" or head in lexicon.KIN):
         return []
@@ -142,7 +147,7 @@ def _group_of_number(before: Sequence[Person], head: str, number: int) -> list[P
 
 
 def _people_for_pronoun(state: ReaderState, before: Sequence[Person], pronoun: str) -> list[Person]:
-    """They: everybody; he or she: the one of whom the story has told most."""
+    """Return whom a pronoun means: for ``they`` everybody, else the one mentioned most."""
     people = [person for person in before if person.kind != "animal"]
     if _SUBJECTS[pronoun] == "unknown":
         return people if len(people) > 1 or any(person.count > 1 for person in people) else []
@@ -152,20 +157,14 @@ def _people_for_pronoun(state: ReaderState, before: Sequence[Person], pronoun: s
 
 
 def _put_on_stage(state: ReaderState, people: Sequence[Person]) -> None:
-    """Put them on stage; from then on the scene speaks for itself."""
+    """Put people on stage and forget the scene before."""
     state.scene.on += [person.id for person in people if person.id not in state.scene.on]
     state.scene.before = [] if people else state.scene.before
 
 
 @rule("people.still_there")
 def restore_people(state: ReaderState) -> None:
-    """Put people back on stage, as they were, when the story returns to the place where it left them.
-
-    The hour is the same, and nobody has seen them anywhere else since.
-
-    Args:
-        state: Its scene has just begun; the unit that begins it is not there yet.
-    """
+    """Put people back on stage, as they were, when the story returns to the place where it left them."""
     scenes, units = state.reading.scenes, state.reading.units
     here = scenes[state.scene.index]
     places = {here.id, here.reference} - {None}

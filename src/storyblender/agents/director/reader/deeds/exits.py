@@ -1,4 +1,4 @@
-"""Who goes: on one's own feet, led, sent or carried away; exits take effect after the sentence (notes, 1e)."""
+"""Who leaves the stage, alone, led, sent or carried; exits take effect after the sentence (notes, 1e)."""
 
 from __future__ import annotations
 
@@ -91,14 +91,14 @@ _CLOSED = frozenset({"close", "shut", "slam", "swing", "bang", "click", "bolt", 
 
 @rule("people.leaves")
 def note_exits(state: ReaderState, clause: Clause, roles: Roles, motion: str) -> None:
-    """Note who goes by a deed of theirs, and whom they take along."""
+    """Note who leaves by a motion of their own, and whom they take along."""
     if _is_exit(state, clause, roles, motion):
         _mark_leaving(state, roles.subjects)
 
 
 @rule("people.taken_away")
 def note_taken_away(state: ReaderState, clause: Clause, roles: Roles) -> None:
-    """``throws Ben out``, ``leads her from the room``, ``Ben is dragged off``: who goes because of somebody else."""
+    """Note who leaves because of others: ``throws Ben out``, ``Ben is dragged off``."""
     if clause.negated or clause.unreal or clause.verb not in _TAKING_ALONG | _SENDING:
         return
     moved = roles.subjects if clause.passive else roles.people
@@ -110,7 +110,7 @@ def note_taken_away(state: ReaderState, clause: Clause, roles: Roles) -> None:
 
 
 def is_through_a_door(clause: Clause) -> bool:
-    """``Eddie is already through the door``, ``She's out the window``: gone, told by where they are."""
+    """Whether a person is told to be out: ``Eddie is already through the door``, ``She's out the window``."""
     return clause.verb == "be" and any(
         preposition in ("through", "out", "out of") and any(noun.head in _OPENINGS for noun in nouns)
         for preposition, nouns in clause.places
@@ -119,7 +119,7 @@ def is_through_a_door(clause: Clause) -> bool:
 
 @rule("people.found_gone")
 def note_gone(state: ReaderState, clause: Clause, subjects: Sequence[Person]) -> None:
-    """``Ben is gone``, ``But she has already vanished.``"""
+    """Note who is told to be gone: ``Ben is gone``, ``But she has already vanished.``"""
     after = [word.low for word in state.sentence.words[clause.index + 1 : clause.index + 4]]
     told = [low for low in after if low not in lexicon.ADVERBS and not low.endswith("ly")]
     if clause.verb in ("be", "have") and told and told[0] in _GONE and not clause.negated:
@@ -129,7 +129,7 @@ def note_gone(state: ReaderState, clause: Clause, subjects: Sequence[Person]) ->
 
 @rule("people.all_leave")
 def note_everyone_leaves(state: ReaderState, clause: Clause) -> None:
-    """``Everybody leaves but Nora.``: those who are not named again."""
+    """Note that all leave but who is named: ``Everybody leaves but Nora.``"""
     heads = {noun.head for noun in clause.subject}
     goes = _LEAVING.match(clause.verb) or f"{clause.verb} {clause.particle}" in ("go out", "file out", "walk out")
     if heads & _ALL and goes and not (clause.negated or clause.unreal):
@@ -139,7 +139,7 @@ def note_everyone_leaves(state: ReaderState, clause: Clause) -> None:
 
 @rule("people.left_alone")
 def note_left_alone(state: ReaderState, clause: Clause, subjects: Sequence[Person]) -> None:
-    """``Rick stands alone in the fog.``: all others have gone. ``alone at a table`` says nothing about them."""
+    """Note that all others are gone: ``Rick stands alone in the fog.``, but not ``alone at a table``."""
     words = state.sentence.words
     alone = any(word.low == "alone" and word.verb is None for word in words)
     spot = any(phrase.head not in _WEATHER for _, phrases in clause.places for phrase in phrases)
@@ -153,14 +153,14 @@ def note_left_alone(state: ReaderState, clause: Clause, subjects: Sequence[Perso
 
 
 def _takes_an_object(words: Sequence[Word]) -> bool:
-    """``to be alone with her``: the two are left."""
+    """Whether ``alone with`` names a second person: ``to be alone with her``."""
     alone = next(index for index, word in enumerate(words) if word.low == "alone")
     return alone + 1 < len(words) and words[alone + 1].low == "with"
 
 
 @rule("people.seen_off")
 def note_seen_off(state: ReaderState, clause: Clause, roles: Roles) -> None:
-    """``The door closed behind their guest``, ``shuts the door behind him``, ``watched him down the road``: gone."""
+    """Note who left as others see: ``shuts the door behind him``, ``watched him down the road``."""
     things = roles.things if roles.subjects else roles.subject_things
     doors = [thing for thing in things if state.inventory.head(thing) in ("door", "gate")]
     gone = roles.people_after("behind", "after") if clause.verb in _CLOSED and doors else []
@@ -183,10 +183,12 @@ def clear_exits(state: ReaderState) -> None:
 
 
 def _mark_leaving(state: ReaderState, people: Sequence[Person]) -> None:
+    """Mark people to leave when the sentence is over."""
     state.scene.leaving += [person.id for person in people if person.id not in state.scene.leaving]
 
 
 def _is_exit(state: ReaderState, clause: Clause, roles: Roles, motion: str) -> bool:
+    """Whether a motion of a clause is an exit."""
     phrase = f"{clause.verb} {clause.particle}".strip()
     next_word = [word.low for word in state.sentence.words[clause.index + 1 : clause.index + 2]]
     goes_on = clause.verb == "go" and next_word == ["on"]
@@ -214,7 +216,7 @@ def _is_exit(state: ReaderState, clause: Clause, roles: Roles, motion: str) -> b
 
 
 def _leaves_something(state: ReaderState, roles: Roles) -> bool:
-    """``leaves the keys on the table``, ``leaves the window``: no exit."""
+    """Whether the verb leaves a thing and not the scene: ``leaves the keys on the table``."""
     kinds = {state.inventory.class_of(thing) for thing in roles.things}
     return bool(kinds & {"prop", "body", "worn", "set_piece"})
 
@@ -233,6 +235,7 @@ def _leads_out(state: ReaderState, clause: Clause, roles: Roles) -> bool:
 
 
 def _place_leads_out(state: ReaderState, clause: Clause, place: Place, indoors: bool) -> bool:
+    """Whether a place of a clause leads out of the scene."""
     heads = {noun.head for noun in place.nouns if noun.kind == "thing"}
     if place.preposition == "out of" and heads & _BEYOND:
         return True
@@ -247,7 +250,7 @@ def _place_leads_out(state: ReaderState, clause: Clause, place: Place, indoors: 
 
 
 def _is_another_room(state: ReaderState, place: Place, noun: NounPhrase, here: set[str]) -> bool:
-    """``runs for his room``, ``goes into Ana's bedroom``, ``returns to the cellar``: none of this scene."""
+    """Whether a place is a room other than the scene: ``runs for his room``, ``returns to the cellar``."""
     if (
         noun.kind != "thing"
         or noun.head not in lexicon.INDOOR

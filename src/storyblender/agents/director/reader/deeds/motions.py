@@ -1,4 +1,4 @@
-"""Which motion a clause tells: the verb, corrected by its particle, object and prepositions (notes, 4.1)."""
+"""Chooses the motion of a clause: its verb, corrected by its particle, object and prepositions (notes, 4.1)."""
 
 from __future__ import annotations
 
@@ -32,13 +32,7 @@ class Doing:
 
 
 def motion_of(clause: Clause, object_head: str, posture: str) -> str | None:
-    """The motion a clause tells of its subject, or None where the body does nothing.
-
-    Args:
-        clause: An active clause with somebody as its subject.
-        object_head: Head noun of what it is done to, ``person``, ``self``, or empty.
-        posture: Posture of the subject before.
-    """
+    """Return the motion that a clause tells of its subject, or None where the body does nothing."""
     prepositions = frozenset(preposition.replace(" ", "_") for preposition, _ in clause.places)
     if clause.recipient:
         prepositions |= {"to"}
@@ -73,24 +67,25 @@ def motion_of(clause: Clause, object_head: str, posture: str) -> str | None:
 
 
 def _is_deed(noun: NounPhrase) -> bool:
-    """``a swig``, ``chase``: one of something, that is no thing."""
+    """Whether a noun is an action and no thing: ``a swig``, ``chase``."""
     single = not noun.plural and noun.determiner in ("", "a", "an", "one", "another")
     return single and noun.possessor is None and lexicon.noun_class(noun.head) in ("abstract", "unknown")
 
 
 def _is_quality(noun: NounPhrase) -> bool:
-    """``goes quiet``, ``falls silent``."""
+    """Whether a noun is a quality: ``goes quiet``, ``falls silent``."""
     return not noun.determiner and noun.head in lexicon.ADJECTIVES
 
 
 def _going(clause: Clause, doing: Doing) -> str | None:
-    """A verb without a motion of its own and a direction: ``fishtails past``, ``breezes in``."""
+    """Return the motion of a verb without its own and with a direction: ``fishtails past``, ``breezes in``."""
     if doing.object or clause.verb in _NOT_GOING:
         return None
     return "walk" if clause.particle in _AWAY or doing.prepositions & _ALONG else None
 
 
 def _applies(rule: lexicon.Override, doing: Doing) -> bool:
+    """Whether a row of ``overrides.tsv`` fits a clause."""
     return (
         _matches(rule.particles, doing.particle)
         and _matches(rule.objects, doing.object)

@@ -1,4 +1,4 @@
-"""Conditions for the motion of a verb: ``take`` needs a thing, ``eat`` food, ``push`` something solid."""
+"""What the motion of a verb needs: ``take`` a thing, ``eat`` food, ``push`` something solid."""
 
 from __future__ import annotations
 
@@ -64,11 +64,12 @@ def fitting_motion(state: ReaderState, clause: Clause, roles: Roles, motion: str
 
 
 def _is_own_body(clause: Clause) -> bool:
-    """``holding hands``, ``holds his head high``: the object is a part of one's own body."""
+    """Whether the object is a part of one's own body: ``holding hands``, ``holds his head high``."""
     return bool(clause.object) and all(n.head in lexicon.BODY and n.owner is None for n in clause.object)
 
 
 def _has_something(state: ReaderState, clause: Clause, roles: Roles, motion: str) -> bool:
+    """Whether there is a thing that the motion can handle."""
     if clause.object or clause.recipient or (motion in _TOGETHER and len(roles.subjects) > 1):
         return True
     if any(word.low == "one" for word in state.sentence.words[clause.index : clause.index + 2]):
@@ -79,13 +80,14 @@ def _has_something(state: ReaderState, clause: Clause, roles: Roles, motion: str
 
 
 def _is_solid(state: ReaderState, clause: Clause, roles: Roles) -> bool:
-    """Whether the object of the clause is a person or a thing that can be touched."""
+    """Whether the object of a clause is a person or a thing that can be touched."""
     if roles.people or roles.recipients:
         return True
     return any(_can_be_touched(state, noun, roles.things) for noun in clause.object)
 
 
 def _can_be_touched(state: ReaderState, noun: NounPhrase, things: Collection[str]) -> bool:
+    """Whether a noun is a person or a solid thing."""
     if noun.kind != "thing" or noun.head in _MATTER | {"it", "one", "other", "everything", "this", "that"}:
         return True
     if noun.head in lexicon.ABSTRACT:
@@ -96,7 +98,7 @@ def _can_be_touched(state: ReaderState, noun: NounPhrase, things: Collection[str
 
 
 def _has_vehicle(state: ReaderState, roles: Roles) -> bool:
-    """Whether a person who reverses or parks has a vehicle to drive."""
+    """Whether the subject of ``reverses`` or ``parks`` has a vehicle to drive."""
     if any(state.inventory.head(thing) in lexicon.VEHICLES for thing in roles.things):
         return True
     supports = (state.scene.posture.get(person.id, ("stand", None))[1] for person in roles.subjects)
@@ -106,4 +108,5 @@ def _has_vehicle(state: ReaderState, roles: Roles) -> bool:
 
 
 def _prepositions(clause: Clause) -> set[str]:
+    """Return the prepositions of a clause."""
     return {preposition for preposition, _ in clause.places} | {clause.particle}

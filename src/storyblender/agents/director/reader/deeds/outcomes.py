@@ -1,4 +1,4 @@
-"""What stays after a sentence: postures, what supports people, what they have in hand."""
+"""What lasts after a sentence: postures, what supports people, what they hold."""
 
 from __future__ import annotations
 
@@ -69,7 +69,14 @@ _HAVING = re.compile(r"\b(?:has|had|have)(?: [a-z]+){0,3} $")
 
 @rule("postures.after_deed")
 def apply_outcomes(state: ReaderState, deeds: Sequence[Deed], clause: Clause, roles: Roles) -> None:
-    """Carry the outcome of deeds into the scene: postures, things in hand, vehicles."""
+    """Update postures, things in hand and vehicles by the deeds of a clause.
+
+    Args:
+        state: The reader's state; changed in place.
+        deeds: Deeds of the clause.
+        clause: The clause.
+        roles: The people and things of the clause.
+    """
     for deed in deeds:
         posture = _POSTURE_OF_MOTION.get(deed.motion)
         if posture and _posture_lasts(state, deed, roles):
@@ -82,7 +89,7 @@ def apply_outcomes(state: ReaderState, deeds: Sequence[Deed], clause: Clause, ro
 
 
 def _hold_brought_things(state: ReaderState, deeds: Sequence[Deed], clause: Clause, roles: Roles) -> None:
-    """``stands in the doorway with an umbrella``, ``hits him with the torch``: it is in the hand."""
+    """Put things named with a person in hand: ``stands in the doorway with an umbrella``."""
     told = {deed.motion for deed in deeds}
     in_hand = any(state.inventory.class_of(thing) == "prop" for thing in roles.things)
     if clause.passive or clause.verb in _FILLED or told & _NOT_WITH or in_hand or not deeds:
@@ -101,7 +108,7 @@ def _hold_brought_things(state: ReaderState, deeds: Sequence[Deed], clause: Clau
 
 
 def _carry_or_hold(state: ReaderState, person: str, thing: str, at: int, between_teeth: bool = False) -> None:
-    """What somebody has in hand is carried by who goes, held by who stays."""
+    """Make a person who goes carry a thing, and a person who stays hold it."""
     own = [deed for deed in state.unit.deeds if deed.actor == person]
     if not any(deed.motion in ("hold", "carry") and deed.prop == thing for deed in own):
         motion = "carry" if not between_teeth and any(deed.motion in _TRAVEL for deed in own) else "hold"
@@ -109,7 +116,7 @@ def _carry_or_hold(state: ReaderState, person: str, thing: str, at: int, between
 
 
 def _posture_lasts(state: ReaderState, deed: Deed, roles: Roles) -> bool:
-    """Not so where a person leans forward for a moment, or opens the eyes sitting."""
+    """Whether a posture lasts: not where a person leans forward for a moment."""
     if deed.motion == "wake":
         return state.scene.posture.get(deed.actor, ("", None))[0] == "asleep"
     return deed.motion != "lean" or _support(state, deed, roles) is not None or bool(roles.prepositions & _LEANT_ON)
@@ -117,7 +124,13 @@ def _posture_lasts(state: ReaderState, deed: Deed, roles: Roles) -> bool:
 
 @rule("deeds.slips_away")
 def drop_slipped_things(state: ReaderState, clause: Clause, roles: Roles) -> None:
-    """``The tray slips out of his hands``: he drops it."""
+    """Note things that slip from a hand: ``The tray slips out of his hands``.
+
+    Args:
+        state: The reader's state; changed in place.
+        clause: The clause.
+        roles: The people and things of the clause.
+    """
     if roles.subjects or not roles.subject_things or clause.verb not in _SLIPPING:
         return
     grips = [n for p in roles.places if p.preposition in _OUT_OF for n in p.nouns if n.head in _GRASP and n.owner]
@@ -129,7 +142,7 @@ def drop_slipped_things(state: ReaderState, clause: Clause, roles: Roles) -> Non
 
 
 def _support(state: ReaderState, deed: Deed, roles: Roles) -> str | None:
-    """What somebody sits, lies or leans on."""
+    """Return the id of what a person sits, lies or leans on, or None."""
     if deed.motion not in _SUPPORTED:
         return None
     for place in roles.places:
@@ -145,7 +158,7 @@ def _support(state: ReaderState, deed: Deed, roles: Roles) -> str | None:
 
 
 def _enter_vehicle(state: ReaderState, deed: Deed, clause: Clause, roles: Roles) -> None:
-    """Getting into a vehicle is sitting in it; getting out is standing again."""
+    """Seat a person who gets into a vehicle, and stand up one who gets out."""
     if clause.verb not in ("get", "climb", "step", "slide", "jump") or deed.motion not in ("walk", "climb", "jump"):
         return
     prepositions = roles.prepositions | {clause.particle}
@@ -156,6 +169,7 @@ def _enter_vehicle(state: ReaderState, deed: Deed, clause: Clause, roles: Roles)
 
 
 def _update_held(state: ReaderState, deed: Deed) -> None:
+    """Update what a person holds by a deed: taken, given, put down."""
     thing, held = deed.prop, state.scene.held
     if not thing or state.inventory.class_of(thing) in _NOT_HELD:
         return
@@ -170,20 +184,27 @@ def _update_held(state: ReaderState, deed: Deed) -> None:
 
 
 def hold(state: ReaderState, person: str, thing: str) -> None:
-    """Put a thing into somebody's hand, out of everybody else's."""
+    """Put a thing into a person's hand and out of everybody else's.
+
+    Args:
+        state: The reader's state; changed in place.
+        person: Id of the person.
+        thing: Id of the thing.
+    """
     if thing not in state.scene.held.get(person, ()):
         _release(state, thing)
         state.scene.held.setdefault(person, []).append(thing)
 
 
 def _release(state: ReaderState, thing: str) -> None:
+    """Take a thing out of every hand."""
     for things in state.scene.held.values():
         if thing in things:
             things.remove(thing)
 
 
 def _hold_gripped_things(state: ReaderState, people: Sequence[Person]) -> None:
-    """``sits there, both hands around a tin mug``: it is in hand, though nothing is done with it."""
+    """Put things in hand that are gripped without a deed: ``both hands around a tin mug``."""
     words = state.sentence.words
     for index, thing in state.sentence.things:
         before = [word.low for word in words[max(0, index - _REACH) : index]]
@@ -197,7 +218,12 @@ def _hold_gripped_things(state: ReaderState, people: Sequence[Person]) -> None:
 
 @rule("things.in_hand")
 def hold_drawn_things(state: ReaderState, people: Sequence[Person]) -> None:
-    """``Gun drawn``, ``notebook in hand``: the subject holds it."""
+    """Put things in hand that the subject has ready: ``Gun drawn``, ``notebook in hand``.
+
+    Args:
+        state: The reader's state; changed in place.
+        people: Subjects of the sentence.
+    """
     _hold_gripped_things(state, people)
     text = joined(state.sentence.words)
     for match in _READY.finditer(text):

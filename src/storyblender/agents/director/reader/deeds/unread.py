@@ -1,4 +1,4 @@
-"""Acts that the motion vocabulary lacks: their words are kept and flagged, and the nearest motion is played instead."""
+"""Actions without a motion in the vocabulary: their words are kept and flagged, and the nearest motion is shown."""
 
 from __future__ import annotations
 
@@ -44,12 +44,7 @@ _WORDS = 9
 
 @rule("deeds.nearest_motion")
 def nearest_motion(clause: Clause, roles: Roles) -> str | None:
-    """Return the motion that looks most like a verb without its own, or None if no motion is near.
-
-    Args:
-        clause: A clause with a person as subject.
-        roles: The people and things of the clause.
-    """
+    """Return the motion that looks most like a verb without its own, or None if no motion is near."""
     if not roles.subjects or clause.verb in _INWARD or clause.passive or clause.infinitive:
         return None
     if clause.verb in lexicon.MOTION_OF_VERB:
@@ -59,14 +54,7 @@ def nearest_motion(clause: Clause, roles: Roles) -> str | None:
 
 
 def note_unread(state: ReaderState, clause: Clause, roles: Roles, shown: str | None) -> None:
-    """Flag an act that has no motion of its own, unless it cannot be seen.
-
-    Args:
-        state: Its unit takes the flag.
-        clause: A clause that is neither negated nor hypothetical, with a person as subject.
-        roles: The people and things of the clause.
-        shown: The motion played instead, if one is near.
-    """
+    """Flag an action that has no motion of its own, unless it cannot be seen."""
     spoken = clause.verb in lexicon.SPEECH_VERBS or lexicon.MOTION_OF_VERB.get(clause.verb) in _VOICES
     unseen = clause.verb in _INWARD or clause.passive or clause.earlier or spoken
     if not roles.subjects or unseen or state.sentence.pictured:
@@ -86,7 +74,7 @@ def note_unread(state: ReaderState, clause: Clause, roles: Roles, shown: str | N
 
 
 def flag_unread(state: ReaderState) -> None:
-    """Write the unread-act flags of the last sentence, for people with no other deed in it or with a nearest motion."""
+    """Write the flags of the last sentence's unread actions, for people with no other deed or a nearest motion."""
     for act in state.unread:
         if act.shown or not any(deed.actor == act.person for deed in state.unit.deeds):
             state.flag("act", act.shown or "none", act.reason, act.start, act.end)

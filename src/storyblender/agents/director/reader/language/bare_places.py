@@ -1,4 +1,4 @@
-"""Words of place that stand without their noun: ``Inside lies a key``, ``a wardrobe with a suitcase on top``."""
+"""Inserts the noun that a word of place leaves out: ``Inside lies a key``, ``a wardrobe with a suitcase on top``."""
 
 from __future__ import annotations
 
@@ -16,14 +16,7 @@ _STOPS = (".", ",", ";", ":", "and")
 
 
 def insert_place_nouns(phrases: list[Phrase]) -> list[Phrase]:
-    """Put in the noun that a word of place leaves out.
-
-    Args:
-        phrases: Of a sentence.
-
-    Returns:
-        The phrases, with a pronoun ``there`` after every bare word of place.
-    """
+    """Return the phrases with the noun ``there`` after each word of place without its own."""
     said: list[Phrase] = []
     for index, phrase in enumerate(phrases):
         if phrase.text == "which" and len(said) > 1 and said[-1].kind == "preposition":
@@ -42,18 +35,19 @@ def insert_place_nouns(phrases: list[Phrase]) -> list[Phrase]:
 
 
 def _with_there(place: Phrase) -> Phrase:
+    """Return the noun ``there`` after a word of place."""
     return Phrase("noun", place.last, place.last, noun=NounPhrase("pronoun", place.last, THERE))
 
 
 def _is_top(left: Phrase, phrase: Phrase, after: list[Phrase]) -> bool:
-    """``on top``, but not ``on the top``, ``on top of it``."""
+    """Whether a phrase is ``on top``, but not ``on the top`` or ``on top of it``."""
     noun = phrase.noun
     bare = noun is not None and noun.head == "top" and not noun.determiner and noun.possessor is None
     return bare and left.kind == "preposition" and left.text == "on" and not any(p.text == "of" for p in after)
 
 
 def _is_bare(phrases: list[Phrase], index: int) -> bool:
-    """Whether a word of place has no noun: it opens a clause, or ends one that tells of a thing with another."""
+    """Whether a word of place has no noun: it opens a clause, or ends one about a thing with another."""
     left = phrases[index - 1] if index else None
     after = phrases[index + 1] if index + 1 < len(phrases) else None
     if left is None or (left.text in (";", "and", ",") and after is not None and after.kind == "verb"):

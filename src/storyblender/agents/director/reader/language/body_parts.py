@@ -1,4 +1,4 @@
-"""Body parts whose actions count as the person's: ``her foot meets the step``, ``Her eyes went to the door``."""
+"""Body parts whose motions count as their owner's: ``her foot meets the step``, ``Her eyes went to the door``."""
 
 from __future__ import annotations
 
@@ -37,11 +37,7 @@ _BY_HAND = frozenset(
 
 @rule("deeds.part_of_body")
 def motion_of_part(clause: Clause) -> str | None:
-    """The motion of whoever owns the part of a body that is the subject of a clause, or None.
-
-    Args:
-        clause: Its subject may be a part of a body with an owner.
-    """
+    """Return the motion of the owner of the body part that is the subject of a clause, or None."""
     noun = clause.subject[0] if clause.subject else None
     if noun is None or noun.kind != "thing" or not noun.owner or clause.passive:
         return None

@@ -10,7 +10,7 @@ from storyblender.agents.director.reader.language.words import Word
 
 @dataclass
 class Clause:
-    """A verb with everything that belongs to it."""
+    """A verb with its subjects, objects, recipients and places."""
 
     index: int
     """Position of the verb among the words."""
@@ -52,7 +52,7 @@ class Clause:
 
 @dataclass
 class ClauseBuilder:
-    """What has been read of the sentence so far."""
+    """Clauses and loose nouns of the part of the sentence read so far."""
 
     phrases: list[Phrase]
     words: list[Word]
@@ -86,11 +86,11 @@ class ClauseBuilder:
 
     @property
     def current(self) -> Clause | None:
-        """The last clause."""
+        """The last clause, or None."""
         return self.clauses[-1] if self.clauses else None
 
     def close_fronted(self) -> None:
-        """``and behind it a lamp``: a place and its subject without a verb are a clause."""
+        """Make a clause of a place and its subject without a verb: ``and behind it a lamp``."""
         if self.fronted and self.pending:
             at = self.pending[0].index
             clause = Clause(at, self.words[at].start, "be", subject=self.pending, places=self.fronted)

@@ -1,4 +1,4 @@
-"""Nouns of a sentence in its clauses: subjects to come, objects, recipients, places, lists."""
+"""Puts the nouns of a sentence into its clauses: subjects to come, objects, recipients, places, lists."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ _OPENING = frozenset({"when", "as", "by", "while", "after", "before", "once", "u
 
 
 def take_noun(builder: ClauseBuilder, index: int, noun: NounPhrase) -> None:
-    """A subject to come, the noun of a preposition, an object, a recipient, or one more of a list.
+    """Add a noun to the clauses: as a subject to come, of a preposition, object, recipient, or next in a list.
 
     Args:
-        builder: What has been read; changed in place.
-        index: Position of the noun among the phrases.
-        noun: The noun.
+        builder: The clauses so far; changed in place.
+        index: Index of the noun's phrase.
+        noun: The noun phrase.
     """
     clause, left = builder.current, builder.phrases[index - 1] if index else None
     listed = left is not None and (left.kind == "mark" or (left.kind == "link" and left.text == "and"))
@@ -80,13 +80,13 @@ def take_noun(builder: ClauseBuilder, index: int, noun: NounPhrase) -> None:
 
 
 def _participle_follows(builder: ClauseBuilder, index: int) -> bool:
-    """``with a blanket folded over its arm and a book lying on the seat``: the book lies there."""
+    """Whether a participle of its own follows a noun: ``and a book lying on the seat``."""
     after = builder.phrases[index + 1] if index + 1 < len(builder.phrases) else None
     return after is not None and after.verb is not None and after.verb.kind in ("ing", "pp")
 
 
 def _open_place(clause: Clause, noun: NounPhrase) -> list[NounPhrase] | None:
-    """The nouns of a place that goes on after ``and``: ``between a jar of pickles and a clock``."""
+    """Return the nouns of a place that continues after ``and``: ``between a jar of pickles and a clock``."""
     if not clause.places:
         return None
     if clause.asides and clause.asides[-1].index > clause.places[-1][1][-1].index:
@@ -102,13 +102,13 @@ def _open_place(clause: Clause, noun: NounPhrase) -> list[NounPhrase] | None:
 
 
 def _is_main(builder: ClauseBuilder, left: Phrase | None) -> bool:
-    """``When it is over the barber sighs``: whether the clause that opens the sentence may end before a noun."""
+    """Whether an opening clause may end before a noun: ``When it is over the barber sighs``."""
     opened = builder.words[0].low in _OPENING and len(builder.clauses) == 1 and not builder.closed
     return opened and left is not None and (left.kind == "noun" or left.text in lexicon.PARTICLES)
 
 
 def _start_clause(builder: ClauseBuilder, left: str, noun: NounPhrase, listed: bool) -> None:
-    """Keep a noun, or one more, until its verb comes."""
+    """Keep a noun as the subject of a clause to come, alone or as one of a list."""
     if left == "with":
         builder.close_fronted()
     builder.inserted = left in _INSERTING
@@ -118,22 +118,17 @@ def _start_clause(builder: ClauseBuilder, left: str, noun: NounPhrase, listed: b
 
 
 def is_other_side(builder: ClauseBuilder, index: int) -> bool:
-    """``Between a radio and a lamp sits a cat``: the noun after ``and``.
-
-    Args:
-        builder: What has been read.
-        index: Position of the noun among the phrases.
-    """
+    """Whether a noun after ``and`` is the other side of ``between a radio and a lamp``."""
     places = builder.leading if builder.fronted is None else builder.fronted
     place = places[-1] if places else ("", [])
     return place[0] == "between" and len(place[1]) == 1 and builder.phrases[index - 1].text == "and"
 
 
 def _gets_it(clause: Clause) -> bool:
-    """``hands Mia the key``, ``gives the box a shove``."""
+    """Whether the verb of a clause has a recipient: ``hands Mia the key``, ``gives the box a shove``."""
     return _receives(clause.object[0]) or (clause.verb == "give" and clause.object[0].determiner != "")
 
 
 def _receives(noun: NounPhrase) -> bool:
-    """Whether a noun before another noun can be who gets it: ``hands Mia the key``."""
+    """Whether a noun before another noun can be the recipient: ``hands Mia the key``."""
     return noun.kind == "person" or (noun.kind == "pronoun" and noun.head != "it")

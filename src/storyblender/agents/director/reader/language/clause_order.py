@@ -1,4 +1,4 @@
-"""Which words of a sentence belong together though another clause stands around them."""
+"""Word order in a sentence: inverted, fronted and absolute clauses, and lists."""
 
 from __future__ import annotations
 
@@ -10,22 +10,13 @@ _ENDS = (".", ",", ";", "and", "of", "with")
 
 
 def is_inverted(phrases: list[Phrase]) -> bool:
-    """``Above the bed hangs a crucifix``: a place, a verb, and only then its subject.
-
-    Args:
-        phrases: Of a sentence that begins with a preposition.
-    """
+    """Whether a place and a verb come before the subject: ``Above the bed hangs a crucifix``."""
     verb = phrases[2].verb if len(phrases) > 3 and phrases[1].kind == "noun" else None
     return verb is not None and verb.lemma in lexicon.INVERTING | {"be"} and phrases[3].kind == "noun"
 
 
 def is_verbless_placement(phrases: list[Phrase], index: int) -> bool:
-    """``Kate stands behind the counter, Joe in front of it.``: the last words are about Joe.
-
-    Args:
-        phrases: Of the sentence.
-        index: Of the person.
-    """
+    """Whether a noun has a place without a verb: ``Kate stands there, Joe in front of it.``"""
     several = [phrase.text for phrase in phrases[index + 1 : index + 2]] == ["and"] and index + 2 < len(phrases)
     index += 2 if several and phrases[index + 2].kind == "noun" else 0  # Iris and Otto after them
     after = phrases[index + 1 : index + 4]
@@ -35,12 +26,7 @@ def is_verbless_placement(phrases: list[Phrase], index: int) -> bool:
 
 
 def is_fronted(phrases: list[Phrase], at: int) -> bool:
-    """``under the window was a wheel``, ``behind him Al sat``: whether places that start here lead a clause.
-
-    Args:
-        phrases: Of the sentence.
-        at: Of the first place.
-    """
+    """Whether places at an index open a clause: ``under the window was a wheel``, ``behind him Al sat``."""
     start = at
     while at + 1 < len(phrases) and phrases[at].kind == "preposition" and phrases[at + 1].kind == "noun":
         if phrases[at].text not in lexicon.RELATION_OF_PREPOSITION:
@@ -64,12 +50,7 @@ def is_fronted(phrases: list[Phrase], at: int) -> bool:
 
 
 def is_absolute(phrases: list[Phrase], index: int) -> bool:
-    """``, the robot bumping along behind them``, ``, engine running``: somebody or something else does it.
-
-    Args:
-        phrases: Of the sentence.
-        index: Of who or what does it; a phrase stands before it.
-    """
+    """Whether a noun opens an absolute clause: ``, the robot bumping along behind them``, ``, engine running``."""
     left, following = phrases[index - 1], phrases[index + 1] if index + 1 < len(phrases) else None
     kinds = ("ing", "pp", "past") if left.text == "with" else ("ing", "pp")
     participle = following is not None and following.verb is not None and following.verb.kind in kinds
@@ -77,12 +58,7 @@ def is_absolute(phrases: list[Phrase], index: int) -> bool:
 
 
 def list_ends(phrases: list[Phrase], index: int) -> bool:
-    """``a pistol, a map and a key``: whether the noun here is one of a list that an ``and`` closes.
-
-    Args:
-        phrases: Of the sentence.
-        index: Of the noun.
-    """
+    """Whether the noun at an index is in a list that an ``and`` closes: ``a pistol, a map and a key``."""
     while index > 0 and index < len(phrases) and phrases[index].kind == "noun":
         if phrases[index - 1].text == "and":
             return True
@@ -96,12 +72,7 @@ def list_ends(phrases: list[Phrase], index: int) -> bool:
 
 
 def verb_follows(phrases: list[Phrase], index: int) -> bool:
-    """Whether a list of nouns that starts here ends at a finite verb: ``but her son, taking it, examined it``.
-
-    Args:
-        phrases: Of the sentence.
-        index: Of the first noun.
-    """
+    """Whether nouns from an index end at a finite verb: ``but her son, taking it, examined it``."""
     linked, aside = index > 0 and phrases[index - 1].kind == "link", phrases[index + 1 : index + 3]
     if linked and len(aside) > 1 and aside[0].text == "," and aside[1].verb and aside[1].verb.kind == "ing":
         return True

@@ -1,4 +1,4 @@
-"""What is only seen when all clauses of a sentence are known: delayed subjects, two verbs that are one deed."""
+"""Repairs that need all clauses of a sentence: delayed subjects, and two verbs that are one deed."""
 
 from __future__ import annotations
 
@@ -22,12 +22,7 @@ _SLIPPING = frozenset({"fall", "drop", "slip", "go"})
 
 
 def repair_clauses(clauses: list[Clause], words: list[Word]) -> None:
-    """Give clauses the subjects told later, and join verbs that tell one deed.
-
-    Args:
-        clauses: Of one sentence, in order; changed in place.
-        words: The sentence.
-    """
+    """Give clauses the subjects that come later, and join verbs that tell one deed."""
     _give_to_inverted(clauses)
     _give_to_following(clauses, words)
     following = [*clauses[1:], None]
@@ -38,7 +33,7 @@ def repair_clauses(clauses: list[Clause], words: list[Word]) -> None:
 
 
 def _joins(clause: Clause, following: Clause | None, words: list[Word]) -> bool:
-    """Whether a verb only leads over to the verb after it."""
+    """Whether a verb only leads to the verb after it."""
     if following is None:
         return False
     between = [word.low for word in words[clause.index + 1 : following.index]]
@@ -59,7 +54,7 @@ def _joins(clause: Clause, following: Clause | None, words: list[Word]) -> bool:
 
 
 def _resolve_let(clauses: list[Clause], clause: Clause) -> None:
-    """``lets the crowbar fall`` is dropping it, ``lets him go`` nothing anybody sees."""
+    """Make ``lets the crowbar fall`` a drop; ``lets him go`` is nothing to be seen."""
     at = clauses.index(clause)
     following = clauses[at + 1] if at + 1 < len(clauses) else None
     if following and following.verb == "go" and following.index == clause.index + 1:
@@ -76,7 +71,7 @@ def _resolve_let(clauses: list[Clause], clause: Clause) -> None:
 
 
 def _give_to_inverted(clauses: list[Clause]) -> None:
-    """``Under the stairs, sitting on a suitcase, is DOLORES``: it is Dolores who sits; ``Propped up is a broom``."""
+    """Give an inverted subject to the clauses before: ``Under the stairs, sitting on a case, is DOLORES``."""
     if not clauses:
         return
     *before, last = clauses
@@ -91,7 +86,7 @@ def _give_to_inverted(clauses: list[Clause]) -> None:
 
 
 def _give_to_following(clauses: list[Clause], words: list[Word]) -> None:
-    """``Sitting on the bench, Bob waves``: it is Bob who sits."""
+    """Give the subject of the main clause to the participle before: ``Sitting on the bench, Bob waves``."""
     for number, clause in enumerate(clauses):
         leads = clause.participle or (clause.passive and clause.elided)
         if not number and not (leads and (not clause.subject or clause.subject[0].head == "")):

@@ -1,4 +1,4 @@
-"""Verbs of a sentence as clauses: whose they are, and whether what they tell happens."""
+"""Puts the verbs of a sentence into clauses: whose they are, and whether what they tell happens."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ _ORDERS = lexicon.words("ordering")
 
 
 def take_verb(builder: ClauseBuilder, index: int, phrase: Phrase) -> None:
-    """Open a clause with a verb, unless the verb only helps the next one or tells how somebody rests.
+    """Open a clause with a verb, unless it only helps the next verb or tells how a person rests.
 
     Args:
-        builder: What has been read; changed in place.
-        index: Position of the verb among the phrases.
-        phrase: The verb.
+        builder: The clauses so far; changed in place.
+        index: Index of the verb's phrase.
+        phrase: The verb's phrase.
     """
     verb = phrase.verb or VerbForm(phrase.text, "past")
     following = builder.phrases[index + 1] if index + 1 < len(builder.phrases) else None
@@ -87,7 +87,7 @@ def take_verb(builder: ClauseBuilder, index: int, phrase: Phrase) -> None:
 
 
 def _subject(builder: ClauseBuilder, index: int, verb: VerbForm) -> list[NounPhrase]:
-    """Whose verb it is: of the noun before it; of whom is seen doing it; else of the clauses before."""
+    """Return the subjects of a verb: the noun before it, who is seen doing it, or those of the clauses before."""
     before = builder.current
     if before and verb.kind == "inf":
         if before.infinitive:
@@ -106,13 +106,13 @@ def _subject(builder: ClauseBuilder, index: int, verb: VerbForm) -> list[NounPhr
 
 
 def _describes(noun: NounPhrase, verb: VerbForm) -> bool:
-    """``grabs the gun lying there``, ``reads a note pinned to the door``: it is the gun that lies."""
+    """Whether a verb describes the noun before it: ``grabs the gun lying there``."""
     resting = verb.kind == "ing" and verb.lemma in _RESTING
     return noun.kind != "pronoun" and (resting or (verb.kind == "pp" and noun.kind == "thing"))
 
 
 def _is_unreal(builder: ClauseBuilder, index: int) -> bool:
-    """``without looking``, ``wants to leave``, ``stops mopping``."""
+    """Whether a verb does not happen: ``without looking``, ``wants to leave``, ``stops mopping``."""
     left = builder.phrases[index - 1] if index else None
     if left is None:
         return False
@@ -132,5 +132,5 @@ def _is_unreal(builder: ClauseBuilder, index: int) -> bool:
 
 
 def _is_wished(before: Clause) -> bool:
-    """``wants to leave``, ``tells Ben to sit``, ``would like to dance``, ``does not stop to look``."""
+    """Whether a clause only wishes the next verb: ``wants to leave``, ``tells Ben to sit``."""
     return before.verb in _WISHES or before.verb in _ORDERS or before.negated or before.unreal

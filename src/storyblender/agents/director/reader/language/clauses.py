@@ -25,12 +25,7 @@ _ADVERBIAL = frozenset({"outside", "inside", "without", "within", "above", "belo
 
 
 def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
-    """Put phrases together to clauses.
-
-    Args:
-        words: A regular sentence.
-        phrases: Its phrases, in order.
-    """
+    """Return the clauses of a sentence."""
     builder = ClauseBuilder(phrases, words)
     for index, phrase in enumerate(phrases):
         if phrase.text in (";", "and", ",") and builder.clauses and is_fronted(phrases, index + 1):
@@ -65,7 +60,7 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
 
 
 def _set_extent(clause: Clause, words: list[Word]) -> None:
-    """Note the characters from the first to the last word of a clause."""
+    """Set the offsets of the first and last word of a clause."""
     nouns = [*clause.subject, *clause.object, *clause.recipient, *clause.complement]
     nouns += [noun for _, place in clause.places for noun in place]
     written = [words[at] for at in (clause.index, *(noun.index for noun in nouns)) if at < len(words)]
@@ -74,7 +69,7 @@ def _set_extent(clause: Clause, words: list[Word]) -> None:
 
 
 def _take_relative(builder: ClauseBuilder, index: int, pronoun: str) -> None:
-    """Whose verbs come next: ``a man, who``, ``the letter that lies there``."""
+    """Give the verbs that follow a relative pronoun to its noun: ``a man, who``."""
     if pronoun == "who":
         nouns = [p.noun for p in builder.phrases[max(0, index - _NEAR) : index] if p.noun]
         builder.relative = [noun for noun in nouns if noun.kind == "person"][-1:]
@@ -85,7 +80,7 @@ def _take_relative(builder: ClauseBuilder, index: int, pronoun: str) -> None:
 
 
 def _compare(builder: ClauseBuilder, index: int) -> None:
-    """``looks as if she had swallowed a wasp``: how she looks, at nothing."""
+    """Begin a comparison, which tells nothing that happens: ``looks as if she had swallowed a wasp``."""
     clause = builder.current
     compares = clause is not None and clause.verb == "look" and builder.phrases[index - 1].text == "as"
     if clause and compares and not (clause.object or clause.places):
@@ -93,7 +88,7 @@ def _compare(builder: ClauseBuilder, index: int) -> None:
 
 
 def _finish(builder: ClauseBuilder) -> None:
-    """What is left over when the sentence is over: a last place, places before the first verb, delayed subjects."""
+    """Place what is left when the sentence ends: a last place, places before the first verb, delayed subjects."""
     builder.close_fronted()
     if builder.clauses:
         builder.clauses[0].places += builder.leading
@@ -109,25 +104,25 @@ def _finish(builder: ClauseBuilder) -> None:
 
 
 def _is_posed(clause: Clause) -> bool:
-    """``A glass stands empty``: how it stands is no object."""
+    """Whether an adjective tells how a thing stands and is no object: ``A glass stands empty``."""
     how = clause.object[:1]
     return clause.verb in _POSED and any(n.head in _HOW and not n.determiner for n in how)
 
 
 def _is_object(clause: Clause, nouns: list[NounPhrase]) -> bool:
-    """``thrusts it at Percy, who sits up, opens it and reads``: all that Percy does."""
+    """Whether nouns before a relative clause are the object: ``thrusts it at Percy, who sits up``."""
     after = [*clause.object, *clause.recipient, *(noun for _, place in clause.places for noun in place)]
     return bool(nouns) and all(any(noun is other for other in after) for noun in nouns)
 
 
 def _verb_touches(builder: ClauseBuilder, index: int) -> bool:
-    """``the letter that lies there``, but not ``that man``, ``that she lies``."""
+    """Whether a verb follows a relative ``that``: ``the letter that lies there``, but not ``that man``."""
     following = builder.phrases[index + 1] if index + 1 < len(builder.phrases) else None
     return following is not None and following.kind == "verb"
 
 
 def _take_preposition(builder: ClauseBuilder, index: int, phrase: Phrase) -> None:
-    """A particle of the verb (``picks up``) or a preposition with a noun to come."""
+    """Add a particle of the verb (``picks up``) or a preposition with a noun to come."""
     clause = builder.current
     if (
         index == 0

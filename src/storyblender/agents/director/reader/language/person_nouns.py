@@ -1,4 +1,4 @@
-"""Nouns for people and animals with a determiner: ``a tall man``, ``his little brother``, ``two guards``."""
+"""Finds nouns for people and animals with a determiner: ``a tall man``, ``his little brother``, ``two guards``."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS | lexicon.DETERMINERS | lex
 
 
 class PersonNoun(NamedTuple):
-    """A noun phrase in running text."""
+    """A noun phrase for a person or an animal in running text."""
 
     start: int
     """Of the determiner, in the text searched."""
@@ -35,12 +35,12 @@ class PersonNoun(NamedTuple):
 
 
 def _is_a_place(word: str) -> bool:
-    """``the Anchor Café``."""
+    """Whether a word names a place: ``the Anchor Café``."""
     return word.istitle() and unaccented(word.lower()) in lexicon.PLACES
 
 
 def _names_a_thing(noun: str, word: str, after: str) -> bool:
-    """``a camel coat``, ``the sheep track``, ``the way lion tamers do``: no animal is there."""
+    """Whether an animal's noun is part of a thing's name or a comparison: ``a camel coat``."""
     following = re.match(r" ([^\W\d_]+)", after)
     if noun != word or following is None:
         return False

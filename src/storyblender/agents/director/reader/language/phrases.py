@@ -94,7 +94,7 @@ class Phrase:
 
 
 def find_phrases(words: list[Word]) -> list[Phrase]:
-    """Group the words of a regular sentence."""
+    """Return the phrases of a regular sentence, in order."""
     phrases: list[Phrase] = []
     at = 0
     while at < len(words):
@@ -111,6 +111,7 @@ def find_phrases(words: list[Word]) -> list[Phrase]:
 
 
 def _mention_or_verb(words: list[Word], at: int) -> Phrase | None:
+    """Return the phrase of a mention or a tagged verb at an index, or None."""
     word = words[at]
     if word.mention:
         noun = NounPhrase("person", at, word.mention.head, mention=word.mention, possessor=_genitive(words, at))
@@ -119,6 +120,7 @@ def _mention_or_verb(words: list[Word], at: int) -> Phrase | None:
 
 
 def _pronoun(words: list[Word], at: int) -> Phrase | None:
+    """Return the phrase of a pronoun at an index, or None."""
     word = words[at]
     if word.low in _SOME_OF and [w.low for w in words[at + 1 : at + 2]] == ["of"]:
         ahead = range(at + 2, min(at + 6, len(words)))
@@ -150,6 +152,7 @@ def _pronoun(words: list[Word], at: int) -> Phrase | None:
 
 
 def _small_word(words: list[Word], at: int) -> Phrase | None:
+    """Return the phrase of a preposition, link or punctuation mark at an index, or None."""
     word = words[at]
     if word.low in _SUBORDINATING and _subject_follows(words, at):
         return Phrase("link", at, at, word.low)
@@ -169,13 +172,13 @@ def _small_word(words: list[Word], at: int) -> Phrase | None:
 
 
 def _compound_preposition(words: list[Word], at: int) -> tuple[str, ...]:
-    """``next to``, ``in front of``: the words of a preposition that starts here."""
+    """Return the words of a compound preposition at an index: ``next to``, ``in front of``."""
     known = lexicon.COMPOUND_PREPOSITIONS.get(words[at].low, ())
     return next((each for each in known if tuple(w.low for w in words[at : at + len(each)]) == each), ())
 
 
 def _subject_follows(words: list[Word], at: int) -> bool:
-    """``as she reads``, ``before you shoot``: the word links a clause."""
+    """Whether a word links a clause and no noun: ``as she reads``, ``before you shoot``."""
     right = words[at + 1 : at + 6]
     if right and right[0].low in _SUBJECT_PRONOUNS - {"it", "you"}:
         return True  # but not: runs after it
@@ -191,7 +194,7 @@ def _subject_follows(words: list[Word], at: int) -> bool:
 
 
 def _skipped(words: list[Word], at: int) -> bool:
-    """Adverbs, ``each other``, ``face down``."""
+    """Whether a word is skipped: adverbs, ``each other``, ``face down``."""
     word = words[at]
     right = words[at + 1].low if at + 1 < len(words) else ""
     left = words[at - 1] if at else None
@@ -209,31 +212,31 @@ def _skipped(words: list[Word], at: int) -> bool:
 
 
 def _is_distance(words: list[Word], at: int) -> bool:
-    """``stops two steps in front of him``."""
+    """Whether a distance stands here: ``stops two steps in front of him``."""
     unit = words[at + 1].low if at + 2 < len(words) else ""
     counted = words[at].low in lexicon.NUMBERS and unit in _UNITS
     return counted and (words[at + 2].low in lexicon.PREPOSITIONS or bool(_compound_preposition(words, at + 2)))
 
 
 def _is_bolt(words: list[Word], at: int) -> bool:
-    """``sits bolt upright``."""
+    """Whether ``bolt`` is an adverb: ``sits bolt upright``."""
     return words[at].low == "bolt" and [word.low for word in words[at + 1 : at + 2]] == ["upright"]
 
 
 def _tells_how_it_lies(words: list[Word], at: int) -> bool:
-    """``face down``, but not ``her face up to the light``."""
+    """Whether a body part tells a pose: ``face down``, but not ``her face up to the light``."""
     left, right = words[at - 1].low if at else "", words[at + 1].low if at + 1 < len(words) else ""
     owned = left in lexicon.DETERMINERS or left in lexicon.POSSESSIVES or left == "'s"
     return words[at].low in _FACES_OF_THINGS and right in ("down", "up") and not owned
 
 
 def _genitive(words: list[Word], at: int) -> int | None:
-    """Position of the owner where ``'s`` stands before ``at``."""
+    """Return the index of the owner where ``'s`` stands before ``at``, or None."""
     return at - 2 if at > 1 and words[at - 1].low == "'s" and words[at - 2].mention else None
 
 
 def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
-    """Determiner, adjectives and head; the last word is the head."""
+    """Return the noun phrase at an index: determiner, adjectives and head; the last word is the head."""
     if words[at].low in _SOME_OF and at + 2 < len(words) and words[at + 1].low == "of":
         several = _noun_phrase(words, at + 2)
         return replace(several, first=at) if several else None
@@ -281,7 +284,7 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
 
 
 def _before_manner(words: list[Word], first: int, head: int) -> int:
-    """``puts her hand flat against it``, ``a saucer full of pegs``: the hand, the saucer."""
+    """Return the index of the head before an adjective of manner: ``puts her hand flat against it``."""
     while head > first and words[head].low in _BARE and _is_thing(words[head - 1]):
         head -= 1
     return head
@@ -297,24 +300,24 @@ def _describes(word: Word) -> bool:
 
 
 def _is_thing(word: Word) -> bool:
-    """``In the front pew MRS. VOSS``: the noun ends before the name."""
+    """Whether a noun ends before a name: ``In the front pew MRS. VOSS``."""
     return word.text.islower() and lexicon.noun_class(singular(word.low)) in _NO_QUALITY
 
 
 def _tells_a_kind(words: list[Word], at: int) -> bool:
-    """``a barn owl``, ``the hotel porter``: a thing before somebody who has no article of their own."""
+    """Whether a thing names the kind of a person or animal: ``a barn owl``, ``the hotel porter``."""
     somebody = words[at + 1].text.islower() if at + 1 < len(words) else False
     return somebody and words[at].text.islower() and singular(words[at].low) in _KIND_NOUNS
 
 
 def _predicated(words: list[Word], at: int) -> bool:
-    """``turned pale``, ``is asleep``: what somebody becomes is kept."""
+    """Whether an adjective is a predicate: ``turned pale``, ``is asleep``."""
     verb = words[at - 1].verb if at else None
     return verb is not None and verb.lemma in _COPULAS
 
 
 def _whole(words: list[Word], end: int) -> Phrase | None:
-    """The noun after ``of``: ``a bunch of flowers``, ``the handle of the mop``."""
+    """Return the phrase of the noun after ``of``: ``a bunch of flowers``, ``the handle of the mop``."""
     if end + 1 >= len(words) or words[end].low != "of":
         return None
     inner = _noun_phrase(words, end + 1)
@@ -322,17 +325,18 @@ def _whole(words: list[Word], end: int) -> Phrase | None:
 
 
 def _is_superlative(word: Word) -> bool:
-    """``the nearest door``: no preposition; ``the guest`` is somebody."""
+    """Whether a word is a superlative: in ``the nearest door`` it is no preposition."""
     return word.low.endswith("est") and word.mention is None and word.verb is None
 
 
 def _fits(words: list[Word], at: int) -> bool:
-    """``an open coffin``: a word that is no preposition here, because a noun follows it."""
+    """Whether a word is an adjective and no preposition, because a noun follows: ``an open coffin``."""
     word, right = words[at], words[at + 1] if at + 1 < len(words) else None
     return word.low in _FITTING and word.verb is None and right is not None and _in_noun_phrase(right)
 
 
 def _in_noun_phrase(word: Word) -> bool:
+    """Whether a word can be inside a noun phrase."""
     return (
         _PLAIN.match(word.text) is not None
         and word.mention is None
@@ -347,7 +351,7 @@ def _in_noun_phrase(word: Word) -> bool:
 
 
 def _compound(words: list[Word], first: int, head: int, noun: str) -> str:
-    """``coffee cup``, ``rocking chair``, ``BIRTHDAY CARD``: the word before the head, where it names a kind."""
+    """Return a noun with the word before it that names its kind: ``coffee cup``, ``rocking chair``."""
     if head == first:
         return noun
     left = words[head - 1].low

@@ -60,7 +60,13 @@ _ANY_NOUNS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.BODY | lexicon.WORN | 
 
 
 def rare_verb(word: Word, following: Word | None, row: TaggedRow) -> VerbForm | None:
-    """Return the form of a listed verb, or of an unknown word in -s or -ed after a person: ``the train barrels``."""
+    """Return the verb form of a rarely used verb, or of an unknown word in -s or -ed: ``the train barrels``.
+
+    Args:
+        word: The word.
+        following: The next word, or None.
+        row: The words before it, tagged.
+    """
     left = row.neighbour()
     right = following.low if following else "."
     form = RARE_FORMS.get(word.low)
@@ -86,6 +92,7 @@ def rare_verb(word: Word, following: Word | None, row: TaggedRow) -> VerbForm | 
 
 
 def _guessed(word: Word) -> VerbForm | None:
+    """Return the form of an unknown verb by its ending, or None."""
     if re.search(r"[^s]s$", word.low):
         known_noun = singular(word.low) in _ANY_NOUNS
         return None if known_noun else VerbForm(guess_lemma(word.low), "3sg")
@@ -93,12 +100,18 @@ def _guessed(word: Word) -> VerbForm | None:
 
 
 def may_follow_verb(right: str) -> bool:
-    """Whether a word may follow a verb: what opens its object, a direction, an adverb."""
+    """Whether a word may follow a verb: it opens an object, or is a direction or an adverb."""
     return right in AFTER_VERB or right in OBJECTS | DIRECTIONS | {"not", "to"} or right.endswith("ly")
 
 
 def is_listed_part(word: Word, left: Word | None, following: Word | None) -> bool:
-    """``his face weathered, eyes tired``: a part of the body without an object, after a comma."""
+    """Whether a body part after a comma is a noun: ``his face weathered, eyes tired``.
+
+    Args:
+        word: The word.
+        left: The word before it, or None.
+        following: The word after it, or None.
+    """
     right = following.low if following else "."
     return (
         left is not None

@@ -49,14 +49,7 @@ _LOOK_AHEAD = 16
 
 
 def regularise(words: list[Word]) -> list[Word]:
-    """Tag the verbs of a sentence and put in what it leaves out.
-
-    Args:
-        words: A sentence with its mentions marked.
-
-    Returns:
-        The words in the order they are to be read; only inserted words are new.
-    """
+    """Return the words with verbs tagged and elided subjects and verbs inserted."""
     words = _named_kin(_without_all(_on_their_knees(_without_pairs(words))))
     row = TaggedRow()
     at = 0
@@ -94,7 +87,7 @@ def regularise(words: list[Word]) -> list[Word]:
 
 
 def _without_pairs(words: list[Word]) -> list[Word]:
-    """``up and down``, ``, side by side,`` are adverbs, no directions."""
+    """Drop pairs that are adverbs and no directions: ``up and down``, ``, side by side,``."""
     low = [word.low for word in words]
     dropped: set[int] = set()
     dropped |= {i + at for i in range(len(low) - 1) if low[i : i + 2] == ["upside", "down"] for at in (0, 1)}
@@ -109,7 +102,7 @@ def _without_pairs(words: list[Word]) -> list[Word]:
 
 
 def _on_their_knees(words: list[Word]) -> list[Word]:
-    """``Ruiz, on his knees, pumps the jack``: kneeling."""
+    """Make ``Ruiz, on his knees, pumps the jack`` a kneeling."""
     low = [word.low for word in words]
     for i in range(len(low) - 3):
         apart = (i == 0 or low[i - 1] == ",") and low[i + 3] in lexicon.PREPOSITIONS | {","}
@@ -120,7 +113,7 @@ def _on_their_knees(words: list[Word]) -> list[Word]:
 
 
 def _without_all(words: list[Word]) -> list[Word]:
-    """``They all leave``, ``the men both nod``: the word changes nothing."""
+    """Drop ``all`` and ``both`` after a subject: ``They all leave``, ``the men both nod``."""
     return [
         word
         for index, word in enumerate(words)
@@ -130,11 +123,12 @@ def _without_all(words: list[Word]) -> list[Word]:
 
 
 def _is_several(word: Word) -> bool:
+    """Whether a word means several people."""
     return word.low in ("they", "we") or (word.mention is not None and word.mention.kind == "group")
 
 
 def _renames(before: list[Word], words: list[Word], at: int) -> bool:
-    """``a girl named Elin``, ``his niece Clara``: the name is told by the noun before it."""
+    """Whether a name only names the noun before it: ``a girl named Elin``, ``his niece Clara``."""
     left = before[-1].mention if before else None
     named = words[at].low in ("named", "called") and at + 1 < len(words)
     mention = words[at + 1].mention if named else words[at].mention
@@ -147,7 +141,7 @@ def _renames(before: list[Word], words: list[Word], at: int) -> bool:
 
 
 def _named_kin(words: list[Word]) -> list[Word]:
-    """``his companion, Dr. Fell, read``, ``An old man in a cap, GRAHAM, sits``: told by name between commas."""
+    """Drop a name between commas that the noun before it tells: ``his companion, Dr. Fell, read``."""
     kept: list[Word] = []
     at = 0
     while at < len(words):
@@ -164,7 +158,7 @@ def _named_kin(words: list[Word]) -> list[Word]:
 
 
 def _told_before(kept: list[Word], name: Mention, following: list[Word]) -> Word | None:
-    """The noun right before a name between commas, if both are one person."""
+    """Return the noun right before a name between commas, if both are one person; else None."""
     last = kept[-1].mention if kept else None
     if last and last.kind != "name" and (last.head in _RELATED or name.candidates[0] in last.candidates):
         return kept[-1]
@@ -180,7 +174,7 @@ def _told_before(kept: list[Word], name: Mention, following: list[Word]) -> Word
 
 
 def _apposition_end(words: list[Word], comma: int) -> int | None:
-    """``ROOK, a broad man in a dark uniform, pushes``: index of the verb after the second comma."""
+    """Return the index of the verb after an apposition: ``ROOK, a broad man in a uniform, pushes``."""
     for at in range(comma + 2, min(len(words), comma + _LOOK_AHEAD)):
         word = words[at]
         following = words[at + 1] if at + 1 < len(words) else None
@@ -202,14 +196,14 @@ def _apposition_end(words: list[Word], comma: int) -> int | None:
 
 
 def _with_something(apposition: list[Word]) -> list[Word]:
-    """The part of an apposition that tells what somebody has with them."""
+    """Return the part of an apposition that tells what a person has with them."""
     at = next((index for index, word in enumerate(apposition) if word.low == "with"), len(apposition))
     belongs = any(word.low in lexicon.PREPOSITIONS for word in apposition[at + 1 :])
     return apposition[at:] if belongs else []
 
 
 def _complete_fragment(words: list[Word]) -> list[Word]:
-    """Put ``inserted_was`` into a sentence without a verb: ``MAN #2 on the bed``, ``Behind her, JO``."""
+    """Insert ``was`` into a sentence without a verb: ``MAN #2 on the bed``, ``Behind her, JO``."""
     if not words:
         return words
     compound = any(_starts_with(words, each) for each in lexicon.COMPOUND_PREPOSITIONS.get(words[0].low, ()))
@@ -227,17 +221,19 @@ def _complete_fragment(words: list[Word]) -> list[Word]:
 
 
 def _starts_with(words: list[Word], phrase: tuple[str, ...]) -> bool:
+    """Whether the words start with a phrase."""
     return tuple(word.low for word in words[: len(phrase)]) == phrase
 
 
 def _starts_predicate(word: Word) -> bool:
+    """Whether a word can start a predicate."""
     if word.mention:
         return False
     return word.low in _PREDICATES or (word.low in lexicon.PREPOSITIONS and word.low not in _NO_FRAGMENT)
 
 
 def _is_list(words: list[Word]) -> bool:
-    """``On the table, a lamp, two glasses and a gun``: things only."""
+    """Whether a sentence is a list of things: ``On the table, a lamp, two glasses and a gun``."""
     commas = [index for index, word in enumerate(words) if word.text == ","]
     heads = [words[index + 1].low for index in commas if index + 1 < len(words)]
     several = bool(commas) or any(word.low == "and" for word in words)
@@ -246,7 +242,7 @@ def _is_list(words: list[Word]) -> bool:
 
 
 def _turn_around(words: list[Word]) -> list[Word]:
-    """``Behind her, JO holding a doll`` -> JO was behind her, holding a doll; ``On it JO`` -> JO was on it."""
+    """Move a fronted place behind its subject: ``Behind her, JO holding a doll`` -> JO was behind her."""
     comma = next((index for index, word in enumerate(words) if word.text == ","), None)
     while words and words[-1].text in ".!?":
         words = words[:-1]

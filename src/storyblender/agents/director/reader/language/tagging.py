@@ -53,7 +53,13 @@ _INVERTING = lexicon.INVERTING
 
 
 def tag_verb(words: list[Word], at: int, row: TaggedRow) -> None:
-    """Decide whether the word at ``at`` is a verb of this sentence; tag it, put in its subject."""
+    """Tag the word at an index if it is a verb of this sentence, and insert its subject.
+
+    Args:
+        words: Words of the sentence.
+        at: Index of the word.
+        row: The words before it, tagged; extended in place.
+    """
     word = words[at]
     following = words[at + 1] if at + 1 < len(words) else None
     form = FORMS.get(word.low) or rare_verb(word, following, row)
@@ -89,13 +95,18 @@ def tag_verb(words: list[Word], at: int, row: TaggedRow) -> None:
 
 
 def _object_handed(words: list[Word], at: int) -> Word | None:
-    """``hands over the keys``: what follows the particle."""
+    """Return the word after the particle of a handing: ``hands over the keys``."""
     handing = words[at].low == "hands" and at + 2 < len(words) and words[at + 1].low in _HANDING
     return words[at + 2] if handing else None
 
 
 def is_contracted(words: list[Word], at: int) -> bool:
-    """``He's in the booth``, ``They're off``, ``Vance's in the chair``: a short is or are, no possessor."""
+    """Whether ``'s`` or ``'re`` is a short ``is`` or ``are`` and no possessive: ``He's in the booth``.
+
+    Args:
+        words: Words of the sentence.
+        at: Index of the clitic.
+    """
     word, left = words[at], words[at - 1] if at else None
     right = words[at + 1] if at + 1 < len(words) else None
     if left is None or right is None or word.low not in ("'s", "'re", "'m") or right.low in ("got", "been"):
@@ -107,7 +118,7 @@ def is_contracted(words: list[Word], at: int) -> bool:
 
 
 def names_a_kind(word: Word, following: Word | None) -> bool:
-    """``reading glasses``, ``a vending machine``, ``paint cans``: no reading, no painting."""
+    """Whether a word names the kind of the next noun: ``reading glasses``, ``a vending machine``."""
     noun = singular(following.low) if following else ""
     if word.low.endswith("ing") and noun in lexicon.WORN and form_kind(word.low) == "ing":
         return FORMS[word.low].lemma in _SPORTS
@@ -115,7 +126,7 @@ def names_a_kind(word: Word, following: Word | None) -> bool:
 
 
 def _ends_a_kind(word: Word, row: TaggedRow) -> bool:
-    """``a crate of juggling clubs``, ``hiking boots``, ``both hands``: no clubbing, no booting."""
+    """Whether a word ends a compound noun: ``juggling clubs``, ``hiking boots``, ``both hands``."""
     before = row.words[-1] if row.words else None
     if before is not None and before.low == "both" and FORMS.get(word.low, ("", ""))[1] == "3sg":
         return True
@@ -134,7 +145,7 @@ def may_be_verb(word: Word, following: Word | None) -> bool:
 
 
 def _is_bare_infinitive(word: Word, following: Word | None, row: TaggedRow) -> bool:
-    """``watches her go to the window, part the blinds``: a base form after a perceived object, or one more of them."""
+    """Whether a base form follows a perceived object: ``watches her go to the window, part the blinds``."""
     right = following.low if following else "."
     left = row.neighbour()
     if (
@@ -158,7 +169,7 @@ def _is_bare_infinitive(word: Word, following: Word | None, row: TaggedRow) -> b
 
 
 def _opens_sentence(form: VerbForm, word: Word, following: Word | None) -> bool:
-    """``Grabs a shovel.`` is a verb, ``Hands up.`` and ``Sparks.`` are not."""
+    """Whether a form at the start is a verb: ``Grabs a shovel.``, but not ``Hands up.`` or ``Sparks.``"""
     right = following.low if following else "."
     if word.low in _STAGE_ORDERS and following and following.mention:
         return True
@@ -223,7 +234,7 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
 
 
 def _is_relative(left: Word, right: str, row: TaggedRow) -> bool:
-    """``the letter that lies on the mat``, but not ``sees that hats``."""
+    """Whether ``that`` opens a relative clause: ``the letter that lies on the mat``."""
     before = row.words[-2] if len(row.words) > 1 else None
     if left.low != "that" or before is None or not may_follow_verb(right):
         return False
@@ -232,20 +243,20 @@ def _is_relative(left: Word, right: str, row: TaggedRow) -> bool:
 
 
 def _is_behind_her(form: VerbForm, left: Word, row: TaggedRow) -> bool:
-    """``behind her stands a waiter``: no stands of hers."""
+    """Whether the form after ``her`` is a verb: ``behind her stands a waiter``."""
     before = row.words[-2].low if len(row.words) > 1 else ""
     return left.low == "her" and form.lemma in _INVERTING and before in lexicon.PREPOSITIONS
 
 
 def _several_described(row: TaggedRow) -> bool:
-    """``SOLDIERS in white smocks``: several people first, then what they have on, and no verb yet."""
+    """Whether several people with a description precede without a verb: ``SOLDIERS in white smocks``."""
     first, *rest = row.words
     several = first.mention is not None and any(person.count > 1 for person in first.mention.candidates)
     return several and not row.verb_seen and bool(rest) and rest[0].low in ("in", "with", "of", "from")
 
 
 def _is_inverted(form: VerbForm, following: Word | None, row: TaggedRow) -> bool:
-    """``In the far booth, hats low, sit two THUGS``: a place first, then a verb of being somewhere, then who."""
+    """Whether a verb of being follows a fronted place: ``In the far booth, hats low, sit two THUGS``."""
     if following is None or form.lemma not in _INVERTING:
         return False
     start = max((at for at, w in enumerate(row.words) if w.low in (";", "and")), default=-1) + 1
@@ -257,7 +268,7 @@ def _is_inverted(form: VerbForm, following: Word | None, row: TaggedRow) -> bool
 
 
 def _new_clause(row: TaggedRow) -> bool:
-    """Whether the noun before opens a clause of its own: ``Iris slips and the bucket tips over``."""
+    """Whether the noun before opens its own clause: ``Iris slips and the bucket tips over``."""
     measured = any(word.low == "of" for word in row.words[-5:])
     for index in range(len(row.words) - 2, max(len(row.words) - (8 if measured else 5), -1), -1):
         if row.words[index].low in OPENERS:
@@ -269,14 +280,14 @@ def _new_clause(row: TaggedRow) -> bool:
 
 
 def _after_comma(row: TaggedRow) -> bool:
-    """``The boots stand on the mat, the umbrella leans in the corner``."""
+    """Whether the noun before opens a clause after a comma: ``, the umbrella leans in the corner``."""
     start = max((at for at, word in enumerate(row.words) if word.text == ","), default=len(row.words))
     inside = row.words[start + 1 :]
     return bool(inside) and inside[0].low in OPENERS and not any(w.low in lexicon.PREPOSITIONS for w in inside)
 
 
 def _reads_as_noun(word: Word, right: str, row: TaggedRow) -> bool:
-    """Whether a word in a list is rather a noun: ``boots on, drills, hands`` but ``drills a hole``, ``slips in``."""
+    """Whether a word in a list is rather a noun: ``boots on, drills, hands``, but not ``drills a hole``."""
     if not {word.low, singular(word.low)} & _NOUNS or (word.low == "steps" and right != "."):
         return False
     if right in OBJECTS | DIRECTIONS or right.endswith("ly"):
@@ -301,7 +312,7 @@ def _opens_clause(row: TaggedRow) -> bool:
 
 
 def _is_plural(left: Word, row: TaggedRow) -> bool:
-    """Two guards / Kira and Tomas / the officers / the CHILDREN, before a base form."""
+    """Whether the subject before a base form is plural: ``Two guards``, ``Kira and Tomas``, ``the CHILDREN``."""
     if left.mention and left.mention.kind == "group":
         return True
     coordinated = any(w.low == "and" and i and row.words[i - 1].mention for i, w in enumerate(row.words))
@@ -309,7 +320,7 @@ def _is_plural(left: Word, row: TaggedRow) -> bool:
 
 
 def _continues_verb(form: VerbForm, left: Word, right: str, row: TaggedRow) -> bool:
-    """A verb after a comma or conjunction goes on with the verb form before it."""
+    """Whether a verb after a comma or conjunction has the form of the verb before it."""
     if form.kind == "base":
         several = any(w.mention and w.mention.kind == "group" for w in row.words)
         return row.last_kind == "base" or (several and not row.verb_seen and left.low == "," and right in OBJECTS)
@@ -322,7 +333,7 @@ def _continues_verb(form: VerbForm, left: Word, right: str, row: TaggedRow) -> b
 
 
 def _after_noun(word: Word, form: VerbForm, left: Word, right: str) -> bool:
-    """``The phone rings.``, ``The doors slam shut.``, ``A map lies spread out``, but not ``Two yellow eyes,``."""
+    """Whether a form after a noun is its verb: ``The phone rings.``, but not ``Two yellow eyes,``."""
     if form.kind == "3sg" and left.low in lexicon.ADJECTIVES and singular(word.low) in _NOUNS and right not in OBJECTS:
         return False
     if form.kind == "3sg" and form.lemma in _POSED and (form_kind(right) in ("past", "pp") or right in _HOW):
@@ -337,7 +348,7 @@ def _after_noun(word: Word, form: VerbForm, left: Word, right: str) -> bool:
 
 
 def _tag_participle(words: list[Word], at: int, row: TaggedRow) -> None:
-    """``Watching.`` -> He was watching; ``Jo holding a doll`` -> Jo was holding a doll."""
+    """Tag a participle and insert ``was``: ``Watching.`` -> He was watching."""
     start = words[at].start
     if not row.words:
         row.insert_subject(start)
@@ -349,7 +360,7 @@ def _tag_participle(words: list[Word], at: int, row: TaggedRow) -> None:
 
 
 def retag_participles(words: list[Word]) -> None:
-    """``handcuffed``, ``wrapped in feathers`` in the present tense: done to somebody, unless ``he`` did it."""
+    """Make participles in the present tense passive: ``handcuffed``, ``wrapped in feathers``."""
     for index, word in enumerate(words):
         form = FORMS.get(word.low)
         left = words[index - 1] if index else None

@@ -20,11 +20,7 @@ EVERYBODY = 99
 
 @dataclass
 class Mention:
-    """A noun phrase that means somebody.
-
-    ``name``: Nora Vance; ``role``: the waiter, who is one of the cast; ``generic``: the old woman, found by
-    looking who is there; ``group``: the two men.
-    """
+    """A noun phrase that means a person or a group."""
 
     kind: MentionKind
     candidates: list[Person]
@@ -76,11 +72,11 @@ _CLITIC = re.compile(r"^(.+?)(n['’]t|['’](?:s|S|re|ve|ll|d|m))$")
 
 
 def tokenize(text: str, offset: int) -> list[Word]:
-    """Split text into words; ``'s`` and ``n't`` are words of their own.
+    """Return the words of a text; ``'s`` and ``n't`` are words of their own.
 
     Args:
-        text: Any piece of the script.
-        offset: Characters of the script before it.
+        text: The text.
+        offset: Offset of the text in the script.
     """
     words: list[Word] = []
     for match in _TOKEN.finditer(text):
@@ -97,12 +93,12 @@ def tokenize(text: str, offset: int) -> list[Word]:
 
 
 def key_of(name: str) -> tuple[str, ...]:
-    """A name as the lower-case words it is matched by."""
+    """Return a name as the lower-case words by which it is matched."""
     return tuple(word.low for word in tokenize(name, 0))
 
 
 def joined(words: list[Word]) -> str:
-    """The written words in lower case, inserted ones left out, one space between."""
+    """Return the written words in lower case, with one space between; inserted words are left out."""
     return " ".join(word.low for word in words if not word.inserted)
 
 
@@ -111,7 +107,7 @@ _PASSED_OVER = lexicon.ADVERBS - {"there", "here"}
 
 @dataclass
 class TaggedRow:
-    """The words so far."""
+    """The words of a sentence read so far, tagged as verbs and nouns."""
 
     words: list[Word] = field(default_factory=list)
     verb_seen: bool = False
@@ -121,21 +117,21 @@ class TaggedRow:
     """``3sg``, ``base`` or ``inf``: the form of the last finite verb or bare infinitive."""
 
     def insert_subject(self, at: int) -> None:
-        """Put in the elided subject."""
+        """Insert the elided subject at an index."""
         self.words.append(Word("", at, at, inserted=True))
 
     def insert_was(self, at: int) -> None:
-        """Put in the missing verb."""
+        """Insert the missing ``was`` at an index."""
         self.words.append(inserted_was(at))
         self.verb_seen = True
 
     def neighbour(self) -> Word | None:
-        """The last word that is no adverb."""
+        """The last word that is no adverb, or None."""
         return next((word for word in reversed(self.words) if not is_adverb(word)), None)
 
 
 def inserted_was(at: int) -> Word:
-    """An inserted ``inserted_was``."""
+    """Return an inserted ``was`` at an offset."""
     return Word("", at, at, verb=VerbForm("be", "aux"), inserted=True)
 
 
@@ -149,11 +145,7 @@ _WORD = re.compile(r"\w+")
 
 
 class TextIndex:
-    """The places of all words of a text.
-
-    Args:
-        text: Any text.
-    """
+    """The offsets of all words of a text, for quick look-up of names."""
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -162,11 +154,7 @@ class TextIndex:
             self._starts.setdefault(word[0].lower(), []).append(word.start())
 
     def places(self, phrase: str) -> Iterator[int]:
-        """The offsets at which a phrase stands as it is written, no part of a longer word.
-
-        Args:
-            phrase: Starts and ends with a letter, a digit or ``_``.
-        """
+        """Yield the offsets at which a phrase stands as a whole, in the same capitals."""
         first = _WORD.match(phrase)
         for at in self._starts.get(first[0].lower(), ()) if first else ():
             end = at + len(phrase)

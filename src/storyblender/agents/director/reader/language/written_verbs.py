@@ -1,4 +1,4 @@
-"""Verbs known by their written form alone: past tenses, participles, auxiliaries, infinitives after ``to``."""
+"""Verbs known by their form alone: past tenses, participles, auxiliaries, infinitives after ``to``."""
 
 from __future__ import annotations
 
@@ -34,7 +34,12 @@ _THINGS = _SOLID | lexicon.BODY
 
 
 def written_verb(words: list[Word], at: int) -> VerbForm | None:
-    """A verb by its form alone: past tenses, participles, auxiliaries, infinitives after ``to``."""
+    """Return the verb form of a word by its form alone, or None.
+
+    Args:
+        words: Words of the sentence.
+        at: Index of the word.
+    """
     word = words[at]
     before = words[at - 1].low if at else ""
     after_word = words[at + 1].low if at + 1 < len(words) else ""
@@ -67,7 +72,7 @@ def written_verb(words: list[Word], at: int) -> VerbForm | None:
 
 
 def _with_something(words: list[Word], at: int) -> bool:
-    """``with his wrists tied``, ``with the door closed``: how it is, done by nobody there."""
+    """Whether a participle only tells how a thing is: ``with his wrists tied``, ``with the door closed``."""
     back = words[max(0, at - 4) : at]
     noun = words[at - 1] if at else None
     alone = noun is not None and noun.mention is None and noun.verb is None and noun.text.isalpha()
@@ -77,7 +82,12 @@ def _with_something(words: list[Word], at: int) -> bool:
 
 
 def is_outcome(words: list[Word], at: int) -> bool:
-    """``kicks the door shut``, ``pulls the curtains closed``: how it ends, no verb of its own."""
+    """Whether a word is the outcome of the verb before: ``kicks the door shut``.
+
+    Args:
+        words: Words of the sentence.
+        at: Index of the word.
+    """
     for word in reversed(words[max(0, at - 6) : at]):
         if word.verb is not None:
             return word.verb.lemma in _FORCING and word is not words[at - 1]
@@ -87,7 +97,7 @@ def is_outcome(words: list[Word], at: int) -> bool:
 
 
 def _rare_participle(words: list[Word], at: int) -> VerbForm | None:
-    """``kneading the dough``, ``strapped to a cot``: a participle of the large list, not before a noun."""
+    """Return the form of a rare participle that is not before a noun: ``kneading the dough``."""
     form = RARE_FORMS.get(words[at].low)
     after = words[at + 1].low if at + 1 < len(words) else "."
     if form is None or not words[at].text.islower():
@@ -103,7 +113,7 @@ def _rare_participle(words: list[Word], at: int) -> VerbForm | None:
 
 
 def _does_something(words: list[Word], at: int) -> bool:
-    """Whether a past tense that is also a noun is a verb: ``he saw``, ``the wind rose``, ``turned pale and rose``."""
+    """Whether a past tense that is also a noun is a verb: ``he saw``, ``the wind rose``."""
     left = words[at - 1] if at else None
     if left is None:
         return False

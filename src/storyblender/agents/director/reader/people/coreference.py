@@ -1,4 +1,4 @@
-"""Who is meant: pronouns, ``the old woman``, ``the two men``, in reading order (notes of the director, 1d)."""
+"""Resolves noun phrases to people and things in reading order: pronouns, ``the old woman`` (notes, 1d)."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ _CHAIRS = frozenset({"chair", "armchair", "sofa", "couch", "settee", "rocking ch
 
 
 class Referents(NamedTuple):
-    """What a noun phrase means: people, or a thing (its id)."""
+    """What a noun phrase means: people, or the id of a thing."""
 
     people: list[Person]
     thing: str | None = None
@@ -114,6 +114,7 @@ def resolve_pronoun(
 def _resolve_they(
     state: ReaderState, role: GrammaticalRole, subjects: Sequence[Person], excluded: Sequence[Person] = ()
 ) -> list[Person]:
+    """Return the people whom ``they`` or ``them`` means."""
     if role == "possessor" and len(subjects) > 1:
         return list(subjects)
     discourse = state.discourse
@@ -151,6 +152,7 @@ def _resolve_they(
 
 
 def _ids(people: Sequence[Person]) -> list[str]:
+    """Return the ids of people."""
     return [person.id for person in people]
 
 
@@ -165,7 +167,16 @@ def resolve(
     previous: Sequence[Person] = (),
     place: bool = False,
 ) -> Referents:
-    """Decide who or what a noun phrase means, and keep it for the record; ``place``: after a preposition of place."""
+    """Return what a noun phrase means, and record it.
+
+    Args:
+        state: The reader's state.
+        noun: The noun phrase.
+        role: Its grammatical role.
+        subjects: Subjects of the clause.
+        previous: Subjects of the clause or sentence before.
+        place: Whether it follows a preposition of place.
+    """
     if noun.kind == "person" and noun.mention:
         people = _resolve_person(state, noun, noun.mention)
         if people or noun.head not in lexicon.PROPS | lexicon.ANIMALS:
@@ -188,7 +199,7 @@ def resolve(
 
 
 def _whole_of_part(state: ReaderState, noun: NounPhrase) -> str | None:
-    """What a part belongs to: ``on the edge``, ``strapped to the roof``, ``on the seat``, ``on its lid``."""
+    """Return the id of the thing that a part belongs to: ``on the edge``, ``on its lid``; None if unknown."""
     if noun.possessor is not None:
         return (
             state.sentence.pronouns.get(noun.possessor, ([], None))[1] if noun.head in _PARTS | _OF_VEHICLES else None
@@ -212,6 +223,7 @@ def _whole_of_part(state: ReaderState, noun: NounPhrase) -> str | None:
 def _resolve_pronoun_phrase(
     state: ReaderState, noun: NounPhrase, role: GrammaticalRole, subjects: Sequence[Person], previous: Sequence[Person]
 ) -> Referents:
+    """Return what a pronoun as a noun phrase means."""
     discourse, pronoun = state.discourse, noun.head
     kind = lexicon.PRONOUNS[pronoun]
     if kind == "thing":
@@ -230,6 +242,7 @@ def _resolve_pronoun_phrase(
 def _resolve_it(
     state: ReaderState, index: int, role: GrammaticalRole, subjects: Sequence[Person], previous: Sequence[Person]
 ) -> Referents:
+    """Return the thing or animal that ``it`` means."""
     if role == "subject":
         neuter = [person for person in previous if may_be_it(person)] or _animal_of_last_sentence(state)
         return Referents(neuter) if len(neuter) == 1 else Referents([], thing_for_it(state, index, "subject"))
@@ -239,12 +252,12 @@ def _resolve_it(
 
 
 def _possible_animals(state: ReaderState, subjects: Sequence[Person]) -> list[Person]:
-    """Everybody on stage whom ``it`` may mean."""
+    """Return the people and animals on stage that ``it`` may mean."""
     return [person for person in state.on_stage() if may_be_it(person) and person not in subjects]
 
 
 def _animal_of_last_sentence(state: ReaderState) -> list[Person]:
-    """The animal of the last sentence, which may be ``it``."""
+    """Return the animals named in the last sentence."""
     last = state.discourse.last_sentence
     named = [p for p in state.on_stage() if may_be_it(p) and last.get(p.id, -9) >= state.discourse.sentence - 1]
     return [max(named, key=state.prominence)] if named and state.sentence.verb in _LIVING else []
@@ -253,7 +266,7 @@ def _animal_of_last_sentence(state: ReaderState) -> list[Person]:
 def _resolve_its(
     state: ReaderState, noun: NounPhrase, subjects: Sequence[Person], previous: Sequence[Person]
 ) -> Referents:
-    """Whose ``its lid`` is: the animal's that does something, else the thing's that is handled or does something."""
+    """Return whose ``its lid`` is: the acting animal's, else the thing's that was handled or acts."""
     doing = state.sentence.subject_thing
     neuter = [person for person in (subjects or ([] if doing else previous)) if may_be_it(person)]
     if not neuter and noun.head in lexicon.BODY:
@@ -265,7 +278,16 @@ def _resolve_its(
 
 
 def record_reference(state: ReaderState, index: int, referents: Referents) -> Referents:
-    """Keep what the pronoun at a position means, for this sentence and for the record."""
+    """Record what the pronoun at a word index means, for this sentence and for the reading.
+
+    Args:
+        state: The reader's state.
+        index: Index of the pronoun in the sentence.
+        referents: What it means.
+
+    Returns:
+        The same referents.
+    """
     word = state.sentence.words[index]
     state.sentence.pronouns[index] = (referents.people, referents.thing)
     who = [person.id for person in referents.people] or ([referents.thing] if referents.thing else [])
@@ -275,13 +297,14 @@ def record_reference(state: ReaderState, index: int, referents: Referents) -> Re
 
 
 def _resolve_person(state: ReaderState, noun: NounPhrase, mention: Mention) -> list[Person]:
+    """Return the people whom a mention means."""
     people = resolve_mention(state, mention)
     _record_indirect(state, mention, people, state.sentence.words[noun.index].end)
     return people
 
 
 def _record_indirect(state: ReaderState, mention: Mention, people: Sequence[Person], end: int) -> None:
-    """Keep who ``the old woman`` is, once."""
+    """Record once who ``the old woman`` is."""
     indirect = (
         mention.kind in ("group", "generic")
         or mention.head in ALONE
@@ -302,7 +325,15 @@ def resolve_owner(
     subjects: Sequence[Person],
     previous: Sequence[Person],
 ) -> None:
-    """Find out whose a thing is (``her hand``, ``Nora's car``) and note it in the phrase."""
+    """Set the owner of a noun phrase: ``her hand``, ``Nora's car``.
+
+    Args:
+        state: The reader's state.
+        noun: The noun phrase; its ``owner`` is set.
+        role: Grammatical role of the owner.
+        subjects: Subjects of the clause.
+        previous: Subjects of the clause or sentence before.
+    """
     if noun.possessor is None:
         return
     word = state.sentence.words[noun.possessor]

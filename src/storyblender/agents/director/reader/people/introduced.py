@@ -1,5 +1,4 @@
-"""Pronouns of an introduction, which is no clause: ``TEO (33, a bag over his shoulder)``, ``WICKHAM, a bandage across
-his eyes``."""
+"""Resolves the pronouns of an introduction, which is no clause: ``TEO (33, a bag over his shoulder)``."""
 
 from __future__ import annotations
 
@@ -22,13 +21,7 @@ _GENDERED: dict[str, Gender] = {"male": "male", "female": "female"}
 
 @rule("people.pronouns_of_introduction")
 def resolve_introduction_pronouns(state: ReaderState, written: Sequence[Word], end: int) -> None:
-    """Keep what the pronouns of a sentence mean that no clause has: they tell of whoever stands before them.
-
-    Args:
-        state: The state after the clauses of the sentence.
-        written: The words of the sentence as they are written, what is in brackets left out.
-        end: Where it ends in the script.
-    """
+    """Record the pronouns that are in no clause: they mean the person named before them."""
     start = written[0].start
     text = state.reading.screenplay.text[start:end]
     known = {at for at, _, _ in takewhile(lambda pronoun: pronoun[0] >= start, reversed(state.reading.pronouns))}
@@ -43,7 +36,7 @@ def resolve_introduction_pronouns(state: ReaderState, written: Sequence[Word], e
 
 
 def _person_before(state: ReaderState, written: Sequence[Word], word: Word, gender: Gender) -> list[Person]:
-    """Who was named last before a pronoun, if it can be they; else whoever it means in a clause."""
+    """Return the person named last before a pronoun whom it can mean, else whom it means in a clause."""
     named = [each.mention for each in written if each.mention and each.start < word.start]
     people = resolve_mention(state, named[-1]) if named else []
     if len(people) == 1 and gender_fits(people[0], gender):

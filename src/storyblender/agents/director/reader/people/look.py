@@ -78,20 +78,20 @@ def _is_alive(part: str) -> bool:
 
 
 def _keep_surname(person: Person) -> None:
-    """``DESMOND FOX (61)``: whose age is told after a first name is no fox."""
+    """Keep a surname such as ``DESMOND FOX`` from making the person an animal."""
     first, *others = person.name.lower().split()
     if person.kind == "animal" and others and first in lexicon.FIRST_NAMES:
         person.kind, person.role, person.gender = "human", "", lexicon.gender_of_word(first)
 
 
 def _head_noun(words: list[str]) -> str:
-    """The noun a part of a description is about: ``maintenance robot`` of ``a maintenance robot in a cap``."""
+    """Return the noun that a part of a description is about: ``robot`` of ``a robot in a cap``."""
     end = next((i for i, word in enumerate(words) if i and word in lexicon.PREPOSITIONS | {"who"}), len(words))
     return words[end - 1]
 
 
 def _set_role(roster: Roster, person: Person, part: str, head: str) -> None:
-    """``DADI, her grandmother``, ``PIKE, the district attorney``: what somebody is, who has no other role."""
+    """Set what a person is, if unknown: ``DADI, her grandmother``, ``PIKE, the district attorney``."""
     told = re.match(r"(?:the|a|an|her|his|their|[\w.]+['’]s) ", part, re.IGNORECASE)
     vague = head in _GENDER_WORDS or head in lexicon.YOUNG_NOUNS | lexicon.ANIMALS | lexicon.CROWDS
     if told and is_person_noun(head) and not vague and person.kind == "human" and head not in person.aliases:
@@ -100,7 +100,7 @@ def _set_role(roster: Roster, person: Person, part: str, head: str) -> None:
 
 
 def _file_part(person: Person, part: str, words: list[str]) -> None:
-    """Put one part of a description where it belongs."""
+    """Store one part of a description in the field of the person where it belongs."""
     if any(word in lexicon.HAIR or "hair" in word for word in words):
         person.hair = (*person.hair, part)
     elif part.lower().startswith(("in a ", "in an ")) or any(
@@ -114,7 +114,7 @@ def _file_part(person: Person, part: str, words: list[str]) -> None:
 
 
 def approximate_age(person: Person) -> int:
-    """Age in years for comparing; 30 where nothing is said."""
+    """Return a person's age in years for comparison; 30 where the script tells none."""
     number = re.search(r"\d+", person.age)
     return int(number.group(0)) if number else {"infant": 1, "child": 8, "teen": 15}.get(person.age, 30)
 

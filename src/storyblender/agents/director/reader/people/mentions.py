@@ -1,4 +1,4 @@
-"""Finding people in a row of words: the longest known name wins, then nouns for people with a determiner."""
+"""Finds mentions of people in a sentence: the longest known name wins, then nouns for people with a determiner."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def mark_mentions(words: list[Word], roster: Roster) -> list[Word]:
 
 
 def _so_many_of_them(words: list[Word], at: int) -> Word | None:
-    """``the two of them``, ``all three of them``: a group."""
+    """Return a group mention: ``the two of them``, ``all three of them``."""
     run = words[at : at + _OF_THEM]
     low = [word.low for word in run]
     whole = low[:1] in (["all"], ["both"]) or (at > 0 and words[at - 1].low in ("the", "all"))
@@ -73,7 +73,7 @@ def _so_many_of_them(words: list[Word], at: int) -> Word | None:
 
 
 def _all_alone(words: list[Word], at: int) -> Word | None:
-    """``Everybody turns``, ``All three listen``, ``Both turn to the door``: a group that is the subject."""
+    """Return a group mention for a pronoun as subject: ``Everybody turns``, ``All three listen``."""
     low = [word.low for word in words[at : at + 2]]
     opens = at == 0 or not words[at - 1].solid or words[at - 1].low in lexicon.CONJUNCTIONS
     count = 2 if low[0] == "all" and low[1:] and low[1] in _COUNTS else 1
@@ -92,6 +92,7 @@ def _all_alone(words: list[Word], at: int) -> Word | None:
 
 
 def _longest_name(words: list[Word], at: int, roster: Roster) -> tuple[int, list[Person]]:
+    """Return the index after the longest known name at an index, and the people who have it."""
     named = words[at].text[0].isupper()
     for length in range(min(roster.longest.get(words[at].low, 0), len(words) - at), 0, -1):
         key = tuple(word.low for word in words[at : at + length])
@@ -112,7 +113,7 @@ def _longest_name(words: list[Word], at: int, roster: Roster) -> tuple[int, list
 
 
 def _phrase_start(before: list[Word], start: int) -> int:
-    """Offset of the determiner at most three words back, else ``start``."""
+    """Return the offset of the determiner at most three words back, else ``start``."""
     for word in reversed(before[-4:]):
         if word.low in _OPENERS:
             return word.start
@@ -136,13 +137,13 @@ def _after_determiner(words: list[Word]) -> bool:
 
 
 def _is_named_ones(marked: list[Word], words: list[Word], end: int) -> bool:
-    """``Emil's mother``, but not ``Tobin's sister, LARK,``, who has a name."""
+    """Whether kin has an owner by name and no name of its own: ``Emil's mother``."""
     named = len(marked) > 1 and marked[-1].low == "'s" and marked[-2].named
     return named and not (end < len(words) and words[end].text == ",")
 
 
 def _is_compound(words: list[Word], at: int) -> bool:
-    """``the witness stand``, ``a cowboy hat``: the person is only a kind of thing."""
+    """Whether a person noun is only a part of a thing's name: ``the witness stand``, ``a cowboy hat``."""
     following = words[at + 1] if at + 1 < len(words) else None
     if following is None or not following.text.islower() or form_kind(following.low) not in ("", "base"):
         return False
@@ -150,14 +151,14 @@ def _is_compound(words: list[Word], at: int) -> bool:
 
 
 def _acts(words: list[Word], at: int, noun: str) -> bool:
-    """``and rams the hose back``, ``guards the door``: a verb, because an object follows and nothing stands before."""
+    """Whether a person noun is a verb here: ``and rams the hose back``, ``guards the door``."""
     following = words[at + 1].low if at + 1 < len(words) else ""
     alone = at > 0 and words[at - 1].low in ("and", ",", "then", "but")
     return noun != words[at].low and alone and following in _OPENERS | {"him", "her", "it", "them"}
 
 
 def _shared_determiner(words: list[Word], at: int) -> str:
-    """``his wife and son``, ``father and son``: the second of two kin has the determiner of the first."""
+    """Return the determiner that two kin share: ``his wife and son``."""
     if words[at].low not in lexicon.KIN:
         return ""
     before = words[at - 1].low if at else ""
@@ -165,7 +166,7 @@ def _shared_determiner(words: list[Word], at: int) -> str:
 
 
 def _noun_phrase(words: list[Word], at: int, roster: Roster) -> Mention | None:
-    """The old woman, two guards, his niece: a noun for people with its determiner, adjectives and number."""
+    """Return the mention of a noun for people with its determiner: ``the old woman``, ``two guards``."""
     word = words[at]
     noun = singular(word.low)
     if at and f"{words[at - 1].low}-{noun}" in lexicon.COMPOUNDS:

@@ -1,4 +1,4 @@
-"""A story told by one of its people: ``I`` is somebody, whom ``he`` and ``the man`` never mean."""
+"""The narrator of a story in the first person: who ``I``, ``my``, ``we`` and ``us`` mean."""
 
 from __future__ import annotations
 
@@ -36,12 +36,7 @@ _MY_SPOUSE = re.compile(rf"\b[Mm]y ({'|'.join(_SPOUSES)})\b")
 
 @rule("people.narrator")
 def find_narrator(script: Manuscript, roster: Roster) -> None:
-    """Add whoever tells the story to the cast.
-
-    Args:
-        script: A story.
-        roster: Its cast, filled here.
-    """
+    """Add the first-person narrator of a story to the cast, if there is one."""
     told = [(paragraph.start, without_quotations(paragraph.raw)) for paragraph in script.paragraphs]
     uses = [start + match.start() for start, text in told for match in _I.finditer(text)]
     owned = sum(len(_MINE.findall(text)) for _, text in told)
@@ -60,7 +55,7 @@ def find_narrator(script: Manuscript, roster: Roster) -> None:
 
 
 def _acts_in_story(told: str) -> bool:
-    """Whether ``I`` acts in the story, or only writes it: ``I should like to record``."""
+    """Whether ``I`` acts in the story and not only writes it: ``I should like to record``."""
     text = without_asides(told)
     for match in _I_DO.finditer(text):
         form = FORMS.get(match.group(1))
@@ -71,7 +66,12 @@ def _acts_in_story(told: str) -> bool:
 
 
 def mark_narrator(words: Sequence[Word], narrator: Person | None) -> None:
-    """Let ``I`` and ``me`` mention the narrator, ``we`` and ``us`` the narrator and others."""
+    """Mark ``I`` and ``me`` as mentions of the narrator, ``we`` and ``us`` of the narrator and others.
+
+    Args:
+        words: Words of a sentence; changed in place.
+        narrator: The narrator, or None where the story has none.
+    """
     for word in words if narrator else ():
         if word.quotation or (word.low == "us" and word.text.isupper()):
             continue
@@ -82,7 +82,12 @@ def mark_narrator(words: Sequence[Word], narrator: Person | None) -> None:
 
 
 def narrator_group(state: ReaderState, word: str) -> list[Person]:
-    """Who ``my`` or ``our``, ``we`` or ``us`` means."""
+    """Return the people whom ``my``, ``our``, ``we`` or ``us`` means.
+
+    Args:
+        state: The reader's state.
+        word: The pronoun, in lower case.
+    """
     narrator = state.roster.narrator
     if narrator is None:
         return []
@@ -90,7 +95,7 @@ def narrator_group(state: ReaderState, word: str) -> list[Person]:
 
 
 def _narrator_with_others(state: ReaderState, narrator: Person) -> list[Person]:
-    """The narrator with those who last did something with him, else with whoever was spoken of last."""
+    """Return the narrator with those who last acted together with him, else with who was mentioned last."""
     for _, group, _ in reversed(state.discourse.groups):
         if narrator in group and all(person.id in state.scene.on for person in group):
             return group

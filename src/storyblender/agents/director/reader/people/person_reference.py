@@ -22,17 +22,17 @@ _LARGE = frozenset({"big", "large", "huge", "tall", "heavy", "fat", "stout", "bu
 
 
 def gender_fits(person: Person, gender: Gender) -> bool:
-    """Whether nothing speaks against a person having a gender."""
+    """Whether a person may have a gender: theirs is the same or unknown, or the gender is unknown."""
     return "unknown" in (person.gender, gender) or person.gender == gender
 
 
 def may_be_it(person: Person) -> bool:
-    """Whether somebody may be called ``it``: animals, robots."""
+    """Whether a person may be called ``it``: animals and robots."""
     return person.kind == "animal" or person.role in lexicon.NEUTER_ROLES
 
 
 def resolve_mention(state: ReaderState, mention: Mention) -> list[Person]:
-    """Decide who a mention means, once."""
+    """Return the people whom a mention means, and keep the answer in the mention."""
     if not mention.people:
         if mention.kind == "group":
             mention.people = _group(state, mention)
@@ -44,13 +44,13 @@ def resolve_mention(state: ReaderState, mention: Mention) -> list[Person]:
 
 
 def _without_title(people: list[Person]) -> list[Person]:
-    """``Reyes`` is Daniel Reyes, whose mother is always Mrs. Reyes."""
+    """Prefer the person without a title: ``Reyes`` is Daniel Reyes and not his mother, Mrs. Reyes."""
     plain = [person for person in people if person.name.lower().split()[0].strip(".") not in lexicon.TITLES]
     return plain if len(people) > 1 and plain else people
 
 
 def _by_gender_and_age(state: ReaderState, mention: Mention) -> list[Person]:
-    """The old woman, the girl: of those on stage, by gender and age."""
+    """Return the person on stage whom ``the old woman`` or ``the girl`` means by gender and age."""
     candidates = mention.candidates
     if candidates and mention.determiner in ("a", "an"):
         exact = [person for person in candidates if person.first == mention.start]
@@ -100,7 +100,7 @@ def _by_gender_and_age(state: ReaderState, mention: Mention) -> list[Person]:
 
 
 def _without_owner(state: ReaderState, mention: Mention, people: list[Person]) -> list[Person]:
-    """``her sister`` is not she, though she is a sister too."""
+    """Leave out the owner of a possessive: ``her sister`` is not she herself, though she is a sister too."""
     if mention.determiner not in lexicon.POSSESSIVES or mention.head not in _SIBLINGS:
         return people
     acting = state.sentence.subjects or state.discourse.subjects
@@ -108,7 +108,7 @@ def _without_owner(state: ReaderState, mention: Mention, people: list[Person]) -
 
 
 def _oldest(state: ReaderState, mention: Mention) -> list[Person]:
-    """``the old man``: whoever was called so, else the oldest of that gender, a father before his son."""
+    """Return whom ``the old man`` means: who was called so, else the oldest of that gender."""
     gender, name = lexicon.gender_of_word(mention.head), f"old {mention.head}"
     pool = [person for person in state.referable_people() if gender_fits(person, gender) and person.kind == "human"]
     pool = pool or nearest_mentioned(state, mention.start, gender)
@@ -124,12 +124,12 @@ def _oldest(state: ReaderState, mention: Mention) -> list[Person]:
 
 
 def _was_introduced_with(person: Person, sizes: frozenset[str]) -> bool:
-    """Whether somebody was introduced with one of these words."""
+    """Whether a person was introduced with a word of size such as ``small``."""
     return any(word in sizes for build in person.build for word in build.lower().split())
 
 
 def _kin(state: ReaderState, mention: Mention) -> list[Person]:
-    """``her uncle`` where she was introduced as somebody's niece: somebody else of that gender on stage."""
+    """Return whom ``her uncle`` means where she was introduced as a niece: another person of that gender."""
     converse = lexicon.CONVERSE_KIN.get(mention.head, ())
     if not any(person.role in converse for person in state.roster.people):
         return _relative(state, mention) if converse else []
@@ -143,7 +143,7 @@ def _kin(state: ReaderState, mention: Mention) -> list[Person]:
 
 
 def _relative(state: ReaderState, mention: Mention) -> list[Person]:
-    """``Her father`` where nobody said whose: the oldest man there, for a daughter the youngest woman."""
+    """Return whom ``her father`` means without a known kinship: the oldest man, for a daughter the youngest woman."""
     gender = lexicon.gender_of_word(mention.head)
     pool = [p for p in state.referable_people() if p.kind == "human" and p.count == 1 and p.gender == gender]
     young = mention.head in lexicon.YOUNGER_KIN
@@ -154,7 +154,7 @@ def _relative(state: ReaderState, mention: Mention) -> list[Person]:
 
 
 def _group(state: ReaderState, mention: Mention) -> list[Person]:
-    """The guards, two men: numbered members of the cast, those on stage who fit, the last group."""
+    """Return whom ``the guards`` or ``two men`` means: numbered cast, fitting people on stage, or the last group."""
     if mention.head == "listener":
         return listeners(state)
     if mention.head == "them":
@@ -191,7 +191,7 @@ def _group(state: ReaderState, mention: Mention) -> list[Person]:
 
 
 def _pair(state: ReaderState, mention: Mention, gender: Gender) -> list[Person]:
-    """The two, the children: the last group, or those on stage who were spoken of last."""
+    """Return whom ``the two`` or ``the children`` means: the last group, or those mentioned last."""
     young = mention.head in lexicon.YOUNG_NOUNS
     if not young:
         for _, group, _ in reversed(state.discourse.groups):
@@ -211,7 +211,7 @@ def _pair(state: ReaderState, mention: Mention, gender: Gender) -> list[Person]:
 
 
 def _last_mentioned(state: ReaderState, number: int) -> list[Person]:
-    """So many people on stage, those spoken of last."""
+    """Return this number of people on stage, those mentioned last."""
     here = [person for person in state.referable_people() if person.kind == "human" and person.count == 1]
     number = len(here) if number == EVERYBODY else number
     others = [person for person in here if person not in state.sentence.subjects]
@@ -221,20 +221,21 @@ def _last_mentioned(state: ReaderState, number: int) -> list[Person]:
 
 
 def _has_title(person: Person) -> bool:
-    """Whether somebody is called Mr. or Mrs.: no child."""
+    """Whether a person is called Mr. or Mrs., and so is no child."""
     return person.name.lower().split()[0].strip(".") in lexicon.TITLES
 
 
 def is_epithet(noun: str) -> bool:
-    """Whether a noun rather means somebody known than somebody new when it is definite."""
+    """Whether a definite noun rather means a known person than a new one: ``the visitor``."""
     return noun in lexicon.ARRIVALS | lexicon.HOSTS | lexicon.COMPANY | lexicon.CALLINGS
 
 
 def people_for_epithet(state: ReaderState, mention: Mention) -> list[Person]:
-    """Decide who of those on stage an epithet means.
+    """Return the people on stage whom an epithet means: ``the visitor``, ``his host``, ``the other``.
 
-    The visitor came last, the host was there first, the companion is not whoever acted last, the latter was named
-    last. Who was called so before and is still there is called so again.
+    Args:
+        state: The reader's state.
+        mention: The mention of the epithet.
     """
     told = {person.id: person for person in state.referable_people()}
     here = [told[id] for id in state.scene.on if id in told and told[id].kind == "human" and told[id].count == 1]
@@ -263,18 +264,12 @@ def people_for_epithet(state: ReaderState, mention: Mention) -> list[Person]:
 
 
 def listeners(state: ReaderState) -> list[Person]:
-    """``His three listeners``: everybody there but who spoke last."""
+    """Return everybody on stage but the last speaker: ``His three listeners``."""
     return [person for person in state.on_stage() if person not in state.discourse.subjects]
 
 
 def nearest_mentioned(state: ReaderState, at: int, gender: Gender) -> list[Person]:
-    """A story may begin with ``the old lady`` and name her later: the cast by how near their first mention is.
-
-    Args:
-        state: The state before the mention.
-        at: Offset of the mention.
-        gender: What the noun tells; unknown fits everybody.
-    """
+    """Return people of a gender by how near their first mention is to an offset; for a name told later."""
     if state.reading.screenplay.format != "prose":
         return []
     cast = [person for person in state.roster.people if person.kind == "human" and person.count == 1]

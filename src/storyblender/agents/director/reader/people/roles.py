@@ -1,4 +1,4 @@
-"""Who and what takes part in a clause: its noun phrases resolved in reading order."""
+"""The people and things that take part in a clause, resolved from its noun phrases in reading order."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ _SIDES = frozenset({"left", "right", "side"})
 
 @dataclass
 class Place:
-    """A preposition with what follows it."""
+    """A preposition with the people, things and nouns that follow it."""
 
     preposition: str
     people: list[Person]
@@ -48,7 +48,7 @@ class Place:
 
 @dataclass
 class Roles:
-    """A clause's people and things."""
+    """The resolved people and things of a clause by grammatical role: subject, object, recipient, places."""
 
     subjects: list[Person] = field(default_factory=list)
     subject_things: list[str] = field(default_factory=list)
@@ -61,21 +61,21 @@ class Roles:
 
     @property
     def prepositions(self) -> set[str]:
-        """All prepositions of the clause."""
+        """Prepositions of the clause's places."""
         return {place.preposition for place in self.places}
 
     def people_after(self, *prepositions: str) -> list[Person]:
-        """People after one of these prepositions."""
+        """Return the people after one of these prepositions."""
         return [person for place in self.places if place.preposition in prepositions for person in place.people]
 
 
 def resolve_subject(state: ReaderState, clause: Clause, previous: Sequence[Person]) -> Roles:
-    """Resolve the subject of a clause.
+    """Return the roles of a clause with its subject resolved.
 
     Args:
-        state: The state before the clause.
+        state: The reader's state before the clause.
         clause: The clause; a subject that follows its verb is moved before it.
-        previous: Subject of the clause or sentence before.
+        previous: Subjects of the clause or sentence before.
     """
     roles = Roles()
     state.sentence.object_thing = state.sentence.subject_thing = None
@@ -100,7 +100,7 @@ def resolve_subject(state: ReaderState, clause: Clause, previous: Sequence[Perso
 
 
 def _they_without_him(state: ReaderState, clause: Clause, noun: NounPhrase) -> Referents | None:
-    """``They pull him in`` after a sentence about one person: that is him, and they are the others."""
+    """Resolve ``They pull him in`` after a sentence about one person: he is that one, they the others."""
     alone = state.discourse.subjects
     others = [*clause.object, *clause.recipient, *(place for _, nouns in clause.places for place in nouns)]
     singular = any(o.kind == "pronoun" and o.head in ("him", "her") for o in others)
@@ -111,7 +111,7 @@ def _they_without_him(state: ReaderState, clause: Clause, noun: NounPhrase) -> R
 
 
 def _victim_falls(state: ReaderState, clause: Clause, noun: NounPhrase) -> None:
-    """A hits B. He collapses: it is B."""
+    """Resolve the subject of a fall after a blow to who was hit: ``Al hits Bo. He collapses``."""
     victim = state.discourse.victim
     recent = victim is not None and victim[1] >= state.discourse.sentence - 2
     if victim and recent and noun.kind == "pronoun" and noun.head in ("he", "she") and clause.verb in _FALLING:
@@ -119,7 +119,14 @@ def _victim_falls(state: ReaderState, clause: Clause, noun: NounPhrase) -> None:
 
 
 def resolve_objects(state: ReaderState, clause: Clause, roles: Roles, previous: Sequence[Person]) -> None:
-    """Resolve everything after the verb into ``roles``."""
+    """Resolve the objects, recipients and places of a clause into its ``roles``.
+
+    Args:
+        state: The reader's state; what ``it`` may mean is updated.
+        clause: The clause.
+        roles: Its roles with the subject resolved; completed in place.
+        previous: Subjects of the clause or sentence before.
+    """
     state.sentence.object_thing = None
     roles.recipients, roles.recipient_things = _resolve_all(state, clause, clause.recipient, roles.subjects, previous)
     roles.people, roles.things = _resolve_all(state, clause, clause.object, roles.subjects, previous)
@@ -147,6 +154,7 @@ def _resolve_all(
     place: bool = False,
     role: GrammaticalRole = "object",
 ) -> tuple[list[Person], list[str]]:
+    """Return the people and the ids of the things that nouns mean."""
     people: list[Person] = []
     things: list[str] = []
     for noun in nouns:
@@ -166,7 +174,7 @@ def _resolve_all(
 
 
 def _owner_role(state: ReaderState, clause: Clause, noun: NounPhrase, subjects: list[Person]) -> GrammaticalRole:
-    """Holding *her* hand is somebody else's hand; to *her* right, MEI is not Mei's right."""
+    """Return the role of a possessive: in ``holds her hand`` the owner is other than the subject."""
     if noun.possessor is None:
         return "possessor"
     gender = lexicon.PRONOUNS.get(state.sentence.words[noun.possessor].low)

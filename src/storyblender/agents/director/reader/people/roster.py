@@ -1,4 +1,4 @@
-"""The people of the script, and the names they answer to."""
+"""The roster: the people of the script, and all names they answer to."""
 
 from __future__ import annotations
 
@@ -21,32 +21,24 @@ _ARTICLE = re.compile(r"^(the|a|an) ")
 
 @lru_cache(maxsize=16384)
 def bare(name: str) -> str:
-    """A name in lower case, one space between words, without its article."""
+    """Return a name in lower case, with single spaces and without its article."""
     return _ARTICLE.sub("", " ".join(name.lower().split()))
 
 
 def _title_and_surname(name: str) -> tuple[str, str] | None:
-    """The first and the last word of a name of several words."""
+    """Return the first and the last word of a name of several words, or None."""
     words = name.lower().replace(".", "").split()
     return (words[0], words[-1]) if len(words) > 1 else None
 
 
 def _is_full_name(first: str, last: str) -> bool:
-    """``Tom Baker``: a trade after a first name is a surname."""
+    """Whether two words are a first name and a surname: in ``Tom Baker`` the trade is a surname."""
     gendered = lexicon.MALE_NOUNS | lexicon.FEMALE_NOUNS | lexicon.YOUNG_NOUNS | lexicon.ANIMALS
     return first in lexicon.FIRST_NAMES and not is_person_noun(first) and last not in gendered
 
 
 class Roster:
-    """Everybody found so far, in the order they were found.
-
-    Attributes:
-        people: The cast.
-        ids: Asset ids in use, for people and things together.
-        by_name: Name, as words -> the people it can mean; filled by ``index``.
-        longest: First word of a name -> words in the longest name that starts so.
-        narrator: Who tells a story as ``I``.
-    """
+    """All people found so far, in the order in which they were found."""
 
     def __init__(self) -> None:
         self.people: list[Person] = []
@@ -63,11 +55,11 @@ class Roster:
         self.longest: dict[str, int] = {}
 
     def find(self, name: str) -> list[Person]:
-        """Everybody who answers to a name."""
+        """Return the people who answer to a name."""
         return self.in_order(self._answering.get(bare(name), {}).values())
 
     def person(self, id: str) -> Person | None:
-        """The person of an id."""
+        """Return the person of an id, or None."""
         return self._by_id.get(id)
 
     def wearing(self, words: str) -> list[Person]:
@@ -75,21 +67,21 @@ class Roster:
         return self.in_order(self._wearing.get(words, {}).values())
 
     def with_noun(self, noun: str, start: int | None = None) -> list[Person]:
-        """Return the people with a noun as role or name, or first mentioned at an offset; call ``index`` before."""
+        """Return the people with a noun as role or name, or first mentioned at an offset; call ``index`` before.
+
+        Args:
+            noun: A noun such as ``guard``.
+            start: Offset of a first mention, or None.
+        """
         introduced = self._introduced.get(start, {}) if start is not None else {}
         return self.in_order((self._meant.get(noun, {}) | introduced).values())
 
     def in_order(self, people: Iterable[Person]) -> list[Person]:
-        """Some of the people in the order of the cast."""
+        """Return people in the order of the cast."""
         return sorted(people, key=lambda person: self._places[person.id])
 
     def add(self, name: str, first: int = 0) -> Person:
-        """Find the person of a name, or make a new one.
-
-        Args:
-            name: As written: ``OFFICER HALE``, ``Man in a hat``, ``the old woman``.
-            first: Offset of the mention in the script.
-        """
+        """Return the person of a name, new if unknown."""
         known = self._same_title(name) or self._known(name)
         if known:
             return known
@@ -118,7 +110,7 @@ class Roster:
         return person
 
     def _same_title(self, name: str) -> Person | None:
-        """DR. BENNETT is DR. JULIUS BENNETT: same title, same last name."""
+        """Return the person with the same title and last name: DR. BENNETT is DR. JULIUS BENNETT."""
         title = _title_and_surname(name)
         known = self.in_order(self._titled.get(title, ())) if title and title[0] in lexicon.TITLES else []
         if known:
@@ -144,7 +136,7 @@ class Roster:
         return None
 
     def _names_within(self, person: Person, key: str) -> None:
-        """Short forms: the role of MAN IN A HAT, the last name after a title, the first and last name."""
+        """Add short forms: the role of MAN IN A HAT, the last name after a title, the first and last name."""
         core = re.split(r" (?:in|with|of) ", key)[0]
         words = core.split()
         numbered = len(words) > 1 and re.match(r"#?\d", words[-1]) is not None
@@ -174,13 +166,13 @@ class Roster:
             self._answering.setdefault(alias, {})[person.id] = person
 
     def remove_aliases(self, person: Person, *names: str) -> None:
-        """Let a person answer to some names no more."""
+        """Let a person no longer answer to some names."""
         person.aliases = tuple(alias for alias in person.aliases if alias not in names)
         for name in names:
             self._answering.get(name, {}).pop(person.id, None)
 
     def rename(self, person: Person, name: str) -> None:
-        """Give a person another name to be shown by; they answer to the names they had."""
+        """Give a person another display name; they still answer to the old one."""
         self._forget_title(person)
         person.name = name
         self._note_title(person)
@@ -196,12 +188,12 @@ class Roster:
         del self._by_id[person.id]
 
     def sort(self) -> None:
-        """Put the cast in the order of their first mentions."""
+        """Put the cast in the order of first mentions."""
         self.people.sort(key=lambda person: person.first)
         self._places = {person.id: place for place, person in enumerate(self.people)}
 
     def link_variants(self) -> None:
-        """YOUNG EDWARD and ADULT EDWARD are EDWARD at another age."""
+        """Link YOUNG EDWARD and ADULT EDWARD to EDWARD as the same person at another age."""
         first_of: dict[str, Person] = {}
         for person in self.people:
             words = bare(person.name).split()
@@ -220,7 +212,7 @@ class Roster:
                         person.gender = base.gender
 
     def index(self) -> None:
-        """Prepare ``by_name`` for finding mentions."""
+        """Build ``by_name``, by which mentions are found."""
         names: dict[tuple[str, ...], list[Person]] = defaultdict(list)
         for person in self.people:
             for alias in person.aliases:

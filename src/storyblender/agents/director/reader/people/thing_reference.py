@@ -1,4 +1,4 @@
-"""Which thing ``it`` and ``its`` mean: weighed like people, by what was done with each and how long ago."""
+"""Which thing ``it`` and ``its`` mean: by salience, from what was done with each thing and how long ago."""
 
 from __future__ import annotations
 
@@ -30,7 +30,13 @@ _AT = 0.3
 
 
 def raise_things(state: ReaderState, things: Iterable[str], weight: float) -> None:
-    """Something is told of things: ``it`` may mean them from now on."""
+    """Raise the salience of things, so that ``it`` may mean them.
+
+    Args:
+        state: The reader's state.
+        things: Ids of the things.
+        weight: What is added to their salience.
+    """
     weights = state.discourse.things
     for thing in things:
         if thing not in state.sentence.plurals:
@@ -40,7 +46,14 @@ def raise_things(state: ReaderState, things: Iterable[str], weight: float) -> No
 def raise_clause_things(
     state: ReaderState, subjects: Sequence[str], objects: Sequence[str], places: Sequence[str]
 ) -> None:
-    """A clause is told: what did something, what something was done to, where; what was told before fades."""
+    """Raise the salience of the things of a clause by their role in it; earlier things fade.
+
+    Args:
+        state: The reader's state.
+        subjects: Ids of the things that act.
+        objects: Ids of the things that something is done to.
+        places: Ids of the things in places.
+    """
     weights = state.discourse.things
     for thing in weights:
         weights[thing] *= _FADING
@@ -81,7 +94,7 @@ def thing_for_it(state: ReaderState, index: int, use: Use, animals: Sequence[Per
 
 
 def _fitness(state: ReaderState, thing: str, use: Use, aside: bool) -> float:
-    """How well a thing goes with what is said of it."""
+    """Return how well a thing goes with what is said of it, as a factor of its salience."""
     kind, verb = state.inventory.class_of(thing), state.sentence.verb
     motion = lexicon.MOTION_OF_VERB.get(verb)
     fitness = _KINDS.get(kind, 0.0) + _SUITS * (state.inventory.head(thing) in lexicon.SUITING.get(verb, ()))
@@ -95,7 +108,7 @@ def _fitness(state: ReaderState, thing: str, use: Use, aside: bool) -> float:
 
 
 def _placed_here(state: ReaderState, index: int) -> str | None:
-    """``puts the hat on the table and lays a coin beside it``: beside the hat."""
+    """Return the thing beside which ``it`` is: the hat in ``puts the hat down and lays a coin beside it``."""
     last = state.scene.relations[-1][1].asset_id if state.scene.relations else None
     here = {thing for _, thing in state.sentence.things} | {it for _, it in state.sentence.pronouns.values() if it}
     beside = state.sentence.words[index - 1].low in _ASIDE and last in here and last != state.sentence.object_thing
@@ -103,6 +116,7 @@ def _placed_here(state: ReaderState, index: int) -> str | None:
 
 
 def _can_be_it(state: ReaderState, thing: str) -> bool:
+    """Whether ``it`` can mean a thing of this noun class."""
     head = state.inventory.head(thing)
     weather = head in lexicon.WEATHER_NOUNS | lexicon.WEATHER_WORDS.keys()
     return state.inventory.class_of(thing) != "abstract" and not weather and head not in PLURAL_ONLY

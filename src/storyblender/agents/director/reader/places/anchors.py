@@ -25,13 +25,13 @@ _BOXES = frozenset({"crate", "box", "trunk", "barrel", "chest", "basket", "suitc
 
 
 def exact_relation(state: ReaderState, kind: RelationKind, anchor: str, verb: str) -> RelationKind:
-    """In an armchair is on it, leaning on is against, over a chair hangs on it.
+    """Return a relation corrected for its anchor: in an armchair is on it, leaning on is against.
 
     Args:
-        state: The state before.
-        kind: What the preposition says.
-        anchor: Where.
-        verb: Of the clause; ``put`` where a thing is put there.
+        state: The reader's state.
+        kind: The relation that the preposition states.
+        anchor: Id of the thing that the preposition precedes.
+        verb: Verb of the clause; ``put`` where a thing is put there.
     """
     head = state.inventory.head(anchor)
     if kind == "on" and verb in ("lean", "slouch"):
@@ -42,40 +42,42 @@ def exact_relation(state: ReaderState, kind: RelationKind, anchor: str, verb: st
 
 
 def is_scene_place(state: ReaderState, anchor: str) -> bool:
-    """Whether a noun only names the scene's own place: ``He sits in the cafe``."""
+    """Whether a thing's noun only names the place of the scene itself: ``He sits in the cafe``."""
     head = state.inventory.head(anchor)
     return bool(head) and head in state.place.place.lower().split()
 
 
 def is_carried_support(state: ReaderState, subject: str, anchor: str) -> bool:
-    """Somebody on a crutch, a dog on a leash: it goes with them and is no place."""
+    """Whether an anchor moves along with the subject, as a crutch or a leash does, and so is no place."""
     walks = state.person(subject) is not None or state.inventory.class_of(subject) == "set_piece"
     return state.inventory.head(anchor) in (_STICKS if walks else _LEADS)
 
 
 def can_hold_things(state: ReaderState, thing: str) -> bool:
-    """Whether a thing can lie on, in or beside it: an asset, or the floor."""
+    """Whether other things can be on, in or beside a thing: it is an asset, or a surface such as the floor."""
     return state.inventory.class_of(thing) in THING_CLASSES or state.inventory.head(thing) in SURFACES
 
 
 def furniture_and_props(state: ReaderState, things: list[str]) -> list[str]:
-    """Those of some things that are furniture or props."""
+    """Return the ids that are furniture or props."""
     return [thing for thing in things if state.inventory.class_of(thing) in ("prop", "set_piece")]
 
 
 def body_part_at(place: Place) -> tuple[str, str] | None:
-    """The part of somebody a place names and whose it is: ``on her lap``; ``in his coat`` is in a coat."""
+    """Return the body part that a place names and the id of its owner: ``on her lap``; also ``onto his coat``."""
     parts = BODY_OR_DRESS if place.preposition in _ONTO_SOMEBODY else lexicon.BODY
     return next(((noun.head, noun.owner) for noun in place.nouns if noun.owner and noun.head in parts), None)
 
 
 def relation_at_body(preposition: str, part: str, kind: RelationKind | None) -> RelationKind | None:
-    """``at his elbow`` is next to him, ``at his feet`` at him, ``around her neck`` and ``behind his ear`` on him.
+    """Return the relation to the owner of a body part, or None where there is no lasting one.
+
+    ``at his elbow`` is next to him, ``around her neck`` and ``behind his ear`` are on him.
 
     Args:
-        preposition: Before the part of the body.
-        part: Its noun.
-        kind: What the preposition says of a thing.
+        preposition: The preposition before the body part.
+        part: Noun of the body part.
+        kind: The relation that the preposition states for things, or None.
     """
     if part in _BESIDE_PARTS and preposition in ("at", "by", "near", "beside"):
         at_foot = part in _FEET and preposition == "at"

@@ -1,4 +1,4 @@
-"""A noun with a place of its own: ``the phone on the wall``, ``a coffee cup in front of her``."""
+"""Places that belong to a noun and not to a verb: ``the phone on the wall``, ``a coffee cup in front of her``."""
 
 from __future__ import annotations
 
@@ -74,13 +74,13 @@ _LEADS_TO = frozenset({"at", "to", "toward", "towards", "for", "with", "of", "fr
 def relate_noun_phrases(
     state: ReaderState, phrases: list[Phrase], subjects: list[Person], previous: list[Person]
 ) -> None:
-    """State where the nouns of a sentence are that have their place right after them.
+    """State where the nouns are that have a prepositional phrase of their own right after them.
 
     Args:
-        state: The state after the clauses.
-        phrases: Of the sentence.
-        subjects: Of the sentence.
-        previous: Of the sentence before.
+        state: The reader's state after the clauses of the sentence.
+        phrases: Phrases of the sentence.
+        subjects: Subjects of the sentence.
+        previous: Subjects of the sentence before.
     """
     for index, phrase in enumerate(phrases):
         at = _place_after(phrases, index)
@@ -92,11 +92,11 @@ def relate_noun_phrases(
 
 @rule("relations.listed")
 def relate_listed(state: ReaderState, phrases: list[Phrase]) -> None:
-    """``falls on a table laid for one: a plate, an egg cup``: what a colon lists is on or in the thing before it.
+    """State that listed things are on or in the thing before a colon: ``a table laid for one: a plate, a cup``.
 
     Args:
-        state: The state; the sentence has no verb.
-        phrases: Of the sentence.
+        state: The reader's state; the sentence has no verb.
+        phrases: Phrases of the sentence.
     """
     text = state.reading.screenplay.text[: state.unit.start].rstrip()
     here = {thing for _, thing in state.sentence.things}
@@ -111,7 +111,7 @@ def relate_listed(state: ReaderState, phrases: list[Phrase]) -> None:
 
 
 def _place_after(phrases: list[Phrase], index: int) -> int:
-    """Where the preposition after a noun is: ``a book open on her lap``; 0 where there is none."""
+    """Index of the preposition after a noun: ``a book open on her lap``; 0 where there is none."""
     at = index + 1
     if at + 1 < len(phrases) and phrases[at].kind == "preposition" and phrases[at].text in _OPEN:
         at += phrases[at + 1].kind == "preposition"
@@ -119,13 +119,14 @@ def _place_after(phrases: list[Phrase], index: int) -> int:
 
 
 def _stands_apart(phrases: list[Phrase], index: int) -> bool:
-    """``, the helmet on the floor in front of her``: no part of a clause."""
+    """Whether a noun stands apart from the clause: ``, the helmet on the floor in front of her``."""
     return index > 0 and phrases[index - 1].text in (",", "with", ";")
 
 
 def _relate(
     state: ReaderState, phrases: list[Phrase], index: int, at: int, subjects: list[Person], previous: list[Person]
 ) -> None:
+    """State the relation of the noun at ``index`` to the place whose preposition is at ``at``."""
     noun, preposition = phrases[index].noun, phrases[at].text
     kind, first = _relation_of_noun(preposition), phrases[at + 1].noun
     if noun is None or first is None:
@@ -173,25 +174,25 @@ def _relate(
 
 
 def _continues_with(phrases: list[Phrase], index: int) -> bool:
-    """``with Luc on her left and Elise on her right``: whether the list of those who are ``with`` goes on."""
+    """Whether a noun continues a list after ``with``: ``with Luc on her left and Elise on her right``."""
     before = phrases[max(0, index - 5) : index]
     return len(before) > 4 and (before[0].text, before[2].kind, before[4].text) == ("with", "preposition", "and")
 
 
 def _container_of(phrases: list[Phrase], index: int) -> NounPhrase | None:
-    """``a plate of bacon in front of him``: the plate."""
+    """Return the container of a noun: the plate in ``a plate of bacon in front of him``."""
     holder = phrases[index - 2].noun if index > 1 and phrases[index - 1].text == "of" else None
     return holder if holder and holder.head in CONTAINERS | {"plate", "tray", "platter"} else None
 
 
 def _is_depicted(phrases: list[Phrase], index: int) -> bool:
-    """``a portrait of a general on a horse``: nobody is there."""
+    """Whether a noun is only the subject of a picture: ``a portrait of a general on a horse``."""
     picture = phrases[index - 2].noun if index > 1 and phrases[index - 1].text == "of" else None
     return picture is not None and picture.head in _PICTURES
 
 
 def _resolve_it(state: ReaderState, before: list[Phrase], anchor: NounPhrase) -> None:
-    """``A caravan stands by the fence, a trough in front of it``: it is what the sentence is about."""
+    """Record ``it`` as the sentence's first thing: ``A caravan stands by the fence, a trough in front of it``."""
     if anchor.head != "it" or anchor.index in state.sentence.pronouns:
         return
     for index, phrase in enumerate(before):
@@ -203,11 +204,12 @@ def _resolve_it(state: ReaderState, before: list[Phrase], anchor: NounPhrase) ->
 
 
 def _relation_of_noun(preposition: str) -> RelationKind | None:
+    """Return the relation that a preposition states after a noun, or None."""
     return "next_to" if preposition in ("around", "round", "about") else lexicon.relation_of(preposition)
 
 
 def _is_of_the_noun(phrases: list[Phrase], index: int, preposition: str, kind: RelationKind | None) -> bool:
-    """Whether a place belongs to the noun before it and not to the verb: it follows nothing, or a way to it."""
+    """Whether a place belongs to the noun before it and not to the verb of the clause."""
     verb = next((p.verb.lemma for p in reversed(phrases[:index]) if p.verb), "")
     left = phrases[index - 1] if index else None
     if preposition in ("onto", "on to", "into") and verb:
@@ -236,6 +238,7 @@ def _relate_thing(
     subjects: list[Person],
     previous: list[Person],
 ) -> None:
+    """State the relation of a thing's noun to its anchors, or put the thing into a hand."""
     anchor = anchors[0]
     if not _can_be_placed(noun, anchor):
         return
@@ -277,7 +280,7 @@ def _relate_thing(
 
 
 def _can_be_placed(noun: NounPhrase, anchor: NounPhrase) -> bool:
-    """Whether a noun names a thing that has a place of its own; a garment on somebody is worn."""
+    """Whether a noun names a thing that can have a place; a garment on a person is worn."""
     kind = lexicon.noun_class(noun.key)
     if kind == "unknown":
         return anchor.head in _BEARING and anchor.possessor is not None and noun.determiner != ""
@@ -288,6 +291,7 @@ def _can_be_placed(noun: NounPhrase, anchor: NounPhrase) -> bool:
 def _anchors(
     state: ReaderState, anchor: NounPhrase, kind: RelationKind, subjects: list[Person], previous: list[Person]
 ) -> Iterable[str]:
+    """Return the ids that an anchor noun means; empty where it is no anchor."""
     beside = anchor.head in ("left", "right") and anchor.possessor is not None
     dress = anchor.head in lexicon.WORN and anchor.possessor is not None
     if anchor.kind == "thing" and (anchor.head in lexicon.BODY or dress or beside):
@@ -312,7 +316,7 @@ def _anchors(
 
 
 def _listed(phrases: list[Phrase], index: int) -> list[NounPhrase]:
-    """The nouns of a list that starts at an index: ``a lamp, two clocks and a vase``."""
+    """Return the nouns of a list that starts at an index: ``a lamp, two clocks and a vase``."""
     nouns: list[NounPhrase] = []
     while index < len(phrases):
         noun = phrases[index].noun

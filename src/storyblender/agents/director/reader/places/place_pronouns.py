@@ -1,4 +1,4 @@
-"""What ``them`` and a place without a noun mean, settled before the clauses of a sentence are read."""
+"""Resolves ``them``, ``it`` and ``there`` after prepositions of place, before the clauses of a sentence are read."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ _SOLID = ("prop", "set_piece", "worn")
 
 @rule("things.settled")
 def resolve_place_pronouns(state: ReaderState, phrases: list[Phrase]) -> None:
-    """Decide which things ``them`` and ``there`` mean after words of place.
+    """Record which things ``them``, ``it`` and ``there`` mean after prepositions of place.
 
     Args:
-        state: The nouns of the sentence are noticed, its clauses not read yet.
-        phrases: Of the sentence.
+        state: The reader's state; the nouns of the sentence are noted, its clauses are not read yet.
+        phrases: Phrases of the sentence.
     """
     plural: str | None = None
     told: str | None = None
@@ -66,18 +66,19 @@ def resolve_place_pronouns(state: ReaderState, phrases: list[Phrase]) -> None:
 
 
 def _thing(state: ReaderState, phrase: Phrase) -> str | None:
+    """Return the id of the thing that a phrase names, or None."""
     noun = phrase.noun
     return state.inventory.id_of(noun.key, state.sentence.words[noun.index].start) if noun else None
 
 
 def _start_of_with(phrases: list[Phrase], index: int) -> int:
-    """Position among the words before which the whole is named: ``a wardrobe with a suitcase on top``."""
+    """Return the word index before which the whole is named: ``a wardrobe with a suitcase on top``."""
     had = index > 2 and phrases[index - 3].text == "with"
     return phrases[index - 3 if had else index - 1].first
 
 
 def _is_listed(phrases: list[Phrase], index: int) -> bool:
-    """Whether a noun goes on with a list of things: ``a tin, a clamp``, but not ``on the table, his hat on it``."""
+    """Whether a noun continues a list of things: ``a tin, a clamp``, but not ``on the table, his hat on it``."""
     if index < 2 or phrases[index - 1].text not in (",", "and"):
         return False
     before = phrases[index - 2].noun
@@ -86,18 +87,18 @@ def _is_listed(phrases: list[Phrase], index: int) -> bool:
 
 
 def _opens_clause(phrases: list[Phrase], index: int) -> bool:
-    """``A caravan stands by the fence; behind it``: whether the place opens a clause of its own."""
+    """Whether a place opens a clause of its own: ``A caravan stands by the fence; behind it``."""
     return index > 1 and phrases[index - 1].kind == "preposition" and phrases[index - 2].text in (";", ",", "and")
 
 
 def _is_named_after(state: ReaderState, thing: str, index: int) -> bool:
-    """Whether a thing is only named after a pronoun: ``Below them, a row of boots``."""
+    """Whether a thing is only named after the word at an index: ``Below them, a row of boots``."""
     words = state.sentence.words
     return all(words[at].start > words[index].start for at, named in state.sentence.things if named == thing)
 
 
 def _seat_brought(phrases: list[Phrase], index: int) -> int:
-    """``pulls a stool up to the desk and sits on it``: where the seat is named that was brought; 0 for none."""
+    """Index of the seat that was brought: ``pulls a stool up and sits on it``; 0 if there is none."""
     verb = next((at for at in range(index - 1, -1, -1) if phrases[at].verb), 0)
     sits = phrases[verb].verb
     if sits is None or lexicon.MOTION_OF_VERB.get(sits.lemma) not in _SITTING or phrases[index - 1].text not in _UPON:
@@ -110,7 +111,7 @@ def _seat_brought(phrases: list[Phrase], index: int) -> int:
 
 
 def _moved_to_landmark(phrases: list[Phrase], index: int) -> int:
-    """``shoves the table against the door and piles chairs on it``: the table, the door is but where it stands."""
+    """Index of what was moved, not of the landmark: ``shoves the table against the door``; 0 for none."""
     for at in range(index - 3, 2, -1):
         noun, thing = phrases[at].noun, phrases[at - 2].noun
         if noun and phrases[at - 1].kind == "preposition":
@@ -120,13 +121,13 @@ def _moved_to_landmark(phrases: list[Phrase], index: int) -> int:
 
 
 def _recent_plural(state: ReaderState) -> str | None:
-    """The things in the plural that the sentence before named."""
+    """Return the things in the plural that the sentence before named, or None."""
     plural = state.discourse.last_plural
     return plural[0] if plural and plural[1] == state.discourse.sentence - 1 else None
 
 
 def _thing_there(state: ReaderState, index: int, preposition: str) -> str | None:
-    """The thing named last, before the word of place; inside, the last that holds things."""
+    """Return the thing that ``there`` means: the last one named before; after ``inside``, a container."""
     before = [thing for at, thing in reversed(state.sentence.things) if at < index]
     here = {thing for _, thing in state.sentence.things}
     before += [thing for thing in state.discourse.recent_things if thing not in here]

@@ -1,4 +1,4 @@
-"""What one place of a clause states about its subject: which relation, to what."""
+"""The spatial relations that one prepositional phrase states for the subject of its clause."""
 
 from __future__ import annotations
 
@@ -42,14 +42,14 @@ _IMAGES = frozenset({"mirror", "photo", "photograph", "picture", "painting", "sc
 def relations_at_place(
     state: ReaderState, clause: Clause, place: Place, located: list[str], motion: str | None
 ) -> list[StatedRelation]:
-    """What a place says of who or what is there.
+    """Return the relations of the located ids to a place.
 
     Args:
-        state: The state before.
-        clause: Not negated.
-        place: One of its places that tell where its subject is.
+        state: The reader's state.
+        clause: A clause that is not negated.
+        place: A place of the clause that tells where its subject is.
         located: Ids of the subject, at least one.
-        motion: The motion of the subject.
+        motion: Motion of the subject, or None.
     """
     kind = _relation_of_verb(state, clause, place, located)
     if kind is None or kind == "between" or place.preposition == "down":
@@ -102,7 +102,7 @@ def relations_at_place(
 
 
 def _relation_of_verb(state: ReaderState, clause: Clause, place: Place, located: list[str]) -> RelationKind | None:
-    """What the preposition says of this verb: ``pinned to`` and ``hangs from`` are on."""
+    """Return the relation of a preposition after this verb: ``pinned to`` and ``hangs from`` are on."""
     if place.preposition == "to" and clause.verb in ATTACHING:
         living = state.person(located[0]) is not None
         seat = any(state.inventory.head(thing) in lexicon.SEATS for thing in place.things)
@@ -118,7 +118,7 @@ def _relation_of_verb(state: ReaderState, clause: Clause, place: Place, located:
 
 
 def _is_anchor(state: ReaderState, kind: RelationKind, thing: str) -> bool:
-    """Whether something is in, on or beside a thing; scenery is no place to be at."""
+    """Whether something can be in, on or beside a thing by this relation; scenery is nothing to be at."""
     if state.inventory.head(thing) in FLOORING | {"step"} and kind == "on":
         return True
     surface = state.inventory.head(thing) in SURFACES and kind in ("on", "in")
@@ -129,18 +129,20 @@ def _is_anchor(state: ReaderState, kind: RelationKind, thing: str) -> bool:
 
 
 def _is_around_furniture(state: ReaderState, place: Place) -> bool:
-    """``sit around the table``, but not ``stand around the corner``."""
+    """Whether people are around a piece: ``sit around the table``, not ``stand around the corner``."""
     return any(state.inventory.class_of(thing) in ("set_piece", "prop") for thing in place.things)
 
 
 def _is_wrapping(state: ReaderState, place: Place) -> bool:
+    """Whether a place is a cloth or a garment: ``in a blanket``."""
     return any(state.inventory.head(thing) in CLOTHS | lexicon.WORN for thing in place.things)
 
 
 def _is_corner(state: ReaderState, place: Place) -> bool:
+    """Whether a place is a corner of the room."""
     return any(state.inventory.head(thing) == "corner" for thing in place.things)
 
 
 def _is_an_image(state: ReaderState, kind: RelationKind, place: Place) -> bool:
-    """``In the mirror stands a man``: he is somewhere else."""
+    """Whether a place is in an image: ``In the mirror stands a man`` puts him somewhere else."""
     return kind == "in" and any(state.inventory.head(thing) in _IMAGES for thing in place.things)

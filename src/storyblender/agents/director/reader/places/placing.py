@@ -1,4 +1,4 @@
-"""Where things, and people, end up by what somebody does with them: ``puts the tray on the table``."""
+"""Where things and people end up when they are put or moved somewhere: ``puts the tray on the table``."""
 
 from __future__ import annotations
 
@@ -48,7 +48,13 @@ _EMPTYING = frozenset({"empty", "drain", "wring", "squirt"})
 
 
 def moves_something(clause: Clause, roles: Roles, motion: str | None) -> bool:
-    """Whether things, or people, end up somewhere else."""
+    """Whether a clause moves its object, things or people, to another place.
+
+    Args:
+        clause: The clause.
+        roles: The people and things of the clause.
+        motion: Motion of its subject, or None.
+    """
     touches = clause.verb in TOUCHING and clause.particle != "down"
     if clause.passive or roles.people == roles.subjects != [] or clause.verb in _EMPTYING or touches:
         return False
@@ -61,12 +67,12 @@ def moves_something(clause: Clause, roles: Roles, motion: str | None) -> bool:
 
 @rule("relations.put", without=[])
 def placed_relations(state: ReaderState, clause: Clause, roles: Roles) -> list[StatedRelation]:
-    """Puts the tray on the table, the ring into the pocket, the bag over one shoulder.
+    """Return where the objects of a clause end up: ``puts the ring into the pocket``.
 
     Args:
-        state: The state before.
-        clause: It ``moves_something``.
-        roles: Its people and things.
+        state: The reader's state before the clause.
+        clause: A clause for which ``moves_something`` holds.
+        roles: The people and things of the clause.
     """
     moved = [thing for thing in roles.things if _can_be_placed(state, thing)]
     found: list[StatedRelation] = _dropped_in(state, clause, roles, moved)
@@ -90,7 +96,7 @@ def placed_relations(state: ReaderState, clause: Clause, roles: Roles) -> list[S
 
 
 def _dropped_in(state: ReaderState, clause: Clause, roles: Roles, moved: list[str]) -> list[StatedRelation]:
-    """``opens the stove and throws the letter in``: into what was named last that holds things."""
+    """Relations to the container named last: ``opens the stove and throws the letter in``."""
     if clause.particle != "in" or any(place.things or place.people for place in roles.places):
         return []
     lately = [thing for thing in state.discourse.recent_things[:_RECENT_THINGS] if thing not in moved]
@@ -99,7 +105,7 @@ def _dropped_in(state: ReaderState, clause: Clause, roles: Roles, moved: list[st
 
 
 def _describes_anchor(state: ReaderState, before: Place, place: Place) -> bool:
-    """``clips it to the board above the desk``: it is the board that is above it."""
+    """Whether a place describes the place before it: ``clips it to the board above the desk``."""
     kind = lexicon.relation_of(place.preposition)
     pegs = any(state.inventory.head(thing) in PEGS for thing in before.things)
     side = kind in ("over", "under", "behind", "in_front_of") or (pegs and kind in ("next_to", "on"))
@@ -108,19 +114,19 @@ def _describes_anchor(state: ReaderState, before: Place, place: Place) -> bool:
 
 
 def _can_be_placed(state: ReaderState, thing: str) -> bool:
-    """Whether it is a thing of its own, no arm."""
+    """Whether a thing is a prop or piece of its own, and no body part, liquid or fitting."""
     liquid = state.inventory.head(thing) in lexicon.LIQUIDS and state.sentence.verb in ("pour", "splash", "fill")
     part = state.inventory.head(thing) in FITTINGS | OPENINGS
     return state.inventory.class_of(thing) not in ("body", "abstract") and not liquid and not part
 
 
 def _dresses_in(state: ReaderState, roles: Roles, thing: str, owner: str) -> bool:
-    """``jams the helmet onto her own head``: she wears it."""
+    """Whether the subjects put a garment on themselves: ``jams the helmet onto her own head``."""
     return state.inventory.class_of(thing) == "worn" and owner in [person.id for person in roles.subjects]
 
 
 def _relation_of_placing(state: ReaderState, place: Place, thing: str, passed_on: bool) -> RelationKind | None:
-    """What a preposition says of where a thing is put."""
+    """Return the relation that a preposition states for a thing put there, or None."""
     verb, kind = state.sentence.verb, lexicon.relation_of(place.preposition)
     cloth = state.inventory.head(thing) in CLOTHS
     if (kind == "over" and verb in _THROWING and not cloth) or _is_pocketed(state, place):
@@ -156,12 +162,12 @@ def _relation_of_placing(state: ReaderState, place: Place, thing: str, passed_on
 
 
 def _is_pocketed(state: ReaderState, place: Place) -> bool:
-    """``puts the key in his pocket``: he has it with him."""
+    """Whether a place is in the owner's clothes: ``puts the key in his pocket``."""
     return any(noun.head in _POCKETS and noun.possessor is not None for noun in place.nouns)
 
 
 def _placing_anchors(state: ReaderState, roles: Roles, place: Place, thing: str, kind: RelationKind) -> list[str]:
-    """Whom and what a thing is put on, in or beside."""
+    """Return the ids that a thing is put on, in or beside."""
     body = body_part_at(place)
     if body:
         return [] if _dresses_in(state, roles, thing, body[1]) else [body[1]]
@@ -177,11 +183,11 @@ def _placing_anchors(state: ReaderState, roles: Roles, place: Place, thing: str,
 
 @rule("relations.between")
 def relate_between(state: ReaderState, place: Place, located: list[str]) -> None:
-    """``between Joe and the door``, ``between the beds``.
+    """State that things or people are between two anchors: ``between Joe and the door``, ``between the beds``.
 
     Args:
-        state: The state before.
-        place: After ``between``.
+        state: The reader's state.
+        place: The place with ``between``.
         located: Ids of who or what is there.
     """
     anchors = [person.id for person in place.people] + place.things
@@ -193,7 +199,7 @@ def relate_between(state: ReaderState, place: Place, located: list[str]) -> None
 
 
 def _furniture_beside(state: ReaderState, roles: Roles, found: list[StatedRelation]) -> list[StatedRelation]:
-    """``Lays her hat on the chair by the stove``: it is the chair that is by the stove."""
+    """Give the place beside furniture to the support: ``Lays her hat on the chair by the stove``."""
     pieces = [
         anchor for _, kind, anchor in found if kind in ("on", "in") and state.inventory.class_of(anchor) == "set_piece"
     ]

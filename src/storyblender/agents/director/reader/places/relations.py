@@ -47,13 +47,13 @@ _BESIDE_FURNITURE = ("by", "near", "next to", "beside", "in front of")
 
 @rule("relations.clause")
 def relate_clause(state: ReaderState, clause: Clause, roles: Roles, motion: str | None, first: bool) -> None:
-    """State the relations a clause tells.
+    """State in ``state`` the spatial relations that a clause tells.
 
     Args:
-        state: The state before.
-        clause: Not negated.
-        roles: Its people and things.
-        motion: The motion of its subject.
+        state: The reader's state before the clause.
+        clause: A clause that is not negated.
+        roles: The people and things of the clause.
+        motion: Motion of its subject, or None.
         first: Whether it is the first clause of its sentence.
     """
     roles = _with_particle_place(clause, roles)
@@ -86,7 +86,7 @@ def relate_clause(state: ReaderState, clause: Clause, roles: Roles, motion: str 
 
 
 def _relations_on_body(roles: Roles, motion: str | None, located: list[str]) -> list[StatedRelation]:
-    """``The cat jumps into her lap``, ``rides on Jim's back``."""
+    """Relations to people whose lap or back somebody gets on: ``The cat jumps into her lap``."""
     if motion not in _LEAPING:
         return []
     bodies = [
@@ -96,7 +96,7 @@ def _relations_on_body(roles: Roles, motion: str | None, located: list[str]) -> 
 
 
 def _with_particle_place(clause: Clause, roles: Roles) -> Roles:
-    """``is bent over the desk``, ``squats on a basket``: the particle of the verb tells a place."""
+    """Add the verb's particle as a place: ``is bent over the desk``, ``squats on a basket``."""
     bent = clause.verb in BENT and clause.passive
     resting = (clause.verb in STATIVE or bent) and clause.particle in lexicon.RELATION_OF_PREPOSITION
     leaning = clause.verb == "lean" and clause.particle == "over"
@@ -107,7 +107,7 @@ def _with_particle_place(clause: Clause, roles: Roles) -> Roles:
 
 
 def _across_from(places: list[Place]) -> list[Place]:
-    """``across the desk from him`` is across from him."""
+    """Join two places to ``across from``: ``across the desk from him`` is across from him."""
     joined_places: list[Place] = []
     for place in places:
         before = joined_places[-1] if joined_places else None
@@ -119,7 +119,7 @@ def _across_from(places: list[Place]) -> list[Place]:
 
 
 def _boarding_relations(state: ReaderState, roles: Roles, located: list[str]) -> list[StatedRelation]:
-    """``climbs onto a chair``, ``gets into the car``."""
+    """Relations to what a verb of boarding names: ``climbs onto a chair``, ``gets into the car``."""
     found: list[StatedRelation] = []
     for place in roles.places:
         for thing in place.things:
@@ -134,7 +134,7 @@ def _boarding_relations(state: ReaderState, roles: Roles, located: list[str]) ->
 def _boarding_known_vehicle(
     state: ReaderState, clause: Clause, roles: Roles, located: list[str]
 ) -> list[StatedRelation]:
-    """``opens the car door and gets in``, ``steps aboard``: into the vehicle that was named last."""
+    """Relations to the last named vehicle: ``opens the car door and gets in``, ``steps aboard``."""
     after = [word.low for word in state.sentence.words[clause.index + 1 : clause.index + 2]]
     aboard, into = after == ["aboard"], clause.verb in _BOARDING and clause.particle == "in"
     told = roles.things + roles.people or any(place.things for place in roles.places)
@@ -149,7 +149,7 @@ def _boarding_known_vehicle(
 def _relate_between_clause(
     state: ReaderState, clause: Clause, roles: Roles, telling: list[Place], motion: str | None, located: list[str]
 ) -> None:
-    """Who stands, or walks, between two; ``weaves between the stalls`` is between no two of them."""
+    """State who is between two things; ``weaves between the stalls`` states nothing."""
     still = not roles.subjects or subject_stays(state, clause, roles, motion)
     boxes = [
         thing
@@ -165,7 +165,7 @@ def _relate_between_clause(
 
 
 def _relate_left_right(state: ReaderState, subjects: list[Person]) -> None:
-    """``To her left, Dutch chews a toothpick.``"""
+    """State the side of the subjects: ``To her left, Dutch chews a toothpick.``"""
     side = _ON_THE_SIDE.search(joined(state.sentence.words))
     if side is None:
         return
@@ -182,7 +182,7 @@ def _relate_left_right(state: ReaderState, subjects: list[Person]) -> None:
 def _move_to_seat(
     state: ReaderState, roles: Roles, motion: str | None, found: list[StatedRelation]
 ) -> list[StatedRelation]:
-    """``Sits in the armchair by the window``: it is the armchair that is by the window."""
+    """Give the place beside furniture to the seat: in ``Sits in the armchair by the window`` the chair is there."""
     if motion not in ("sit", "lie_down", "sleep"):
         return found
     seats = [
@@ -220,12 +220,12 @@ _SIDE_WORDS = frozenset({"side", "shoulder", "elbow", "hip", "cheek", "knee"})
 
 @rule("relations.side_by_side")
 def relate_side_by_side(state: ReaderState, words: list[Word], subjects: list[Person]) -> None:
-    """``They sit side by side``, ``stand shoulder to shoulder``: each next to the one named before.
+    """State that each subject is next to the one before: ``They stand shoulder to shoulder``.
 
     Args:
-        state: The state after the clauses.
-        words: The sentence as it is written.
-        subjects: Of the sentence.
+        state: The reader's state after the clauses of the sentence.
+        words: Words of the sentence as written.
+        subjects: Subjects of the sentence.
     """
     low = [word.low for word in words]
     if any(low[i] == low[i + 2] in _SIDE_WORDS and low[i + 1] in ("by", "to") for i in range(len(low) - 2)):

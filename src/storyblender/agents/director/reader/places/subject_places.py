@@ -58,13 +58,13 @@ _STATIC = frozenset(
 
 
 def subject_stays(state: ReaderState, clause: Clause, roles: Roles, motion: str | None) -> bool:
-    """Whether a clause tells where its subject is: it stands, is laid, hangs there.
+    """Whether a clause tells where its subject rests: it stands, is laid, hangs there.
 
     Args:
-        state: The state before.
-        clause: Not negated.
-        roles: Its people and things.
-        motion: The motion of its subject.
+        state: The reader's state before the clause.
+        clause: A clause that is not negated.
+        roles: The people and things of the clause.
+        motion: Motion of its subject, or None.
     """
     if _settles_itself(clause, roles):
         return True
@@ -82,32 +82,32 @@ def subject_stays(state: ReaderState, clause: Clause, roles: Roles, motion: str 
 
 
 def _settles_itself(clause: Clause, roles: Roles) -> bool:
-    """``lowers himself into the chair``, ``takes a seat beside Kate``, ``joins her on the bench``."""
+    """Whether the subject settles: ``lowers himself into the chair``, ``joins her on the bench``."""
     own = bool(roles.people) and roles.people == roles.subjects and clause.verb in _PLACING | STATIVE | _BACKING
     seat = clause.verb in ("take", "find", "have", "resume") and any(n.head in _SEATS_TAKEN for n in clause.object)
     return bool(roles.subjects) and (own or seat or clause.verb == "join")
 
 
 def _moves_something(state: ReaderState, roles: Roles, motion: str | None) -> bool:
-    """``sets the doll on the chair``, ``rests her hands on the book``, but not ``leans her head on the chair``."""
+    """Whether the object is what moves: ``sets the doll on the chair``, not ``leans her head on the chair``."""
     classes = {state.inventory.class_of(thing) for thing in roles.things} - {"abstract"}
     classes -= set() if state.sentence.verb in _PLACING else {"unknown"}
     return bool(roles.people) or bool(classes - {"body"}) or (bool(classes) and motion not in _STILL)
 
 
 def _has_furniture(state: ReaderState, place: Place) -> bool:
-    """``writes at the desk``, but not ``works at the knot``."""
+    """Whether a place names furniture or scenery: ``writes at the desk``, but not ``works at the knot``."""
     return any(state.inventory.class_of(thing) in ("set_piece", "scenery") for thing in place.things)
 
 
 def subject_places(state: ReaderState, clause: Clause, roles: Roles, motion: str | None) -> list[Place]:
-    """The places of a clause that tell where its subject is once it is over.
+    """Return the places of a clause that tell where its subject is once the clause is over.
 
     Args:
-        state: The state before.
-        clause: Not negated.
-        roles: Its people and things.
-        motion: The motion of its subject.
+        state: The reader's state before the clause.
+        clause: A clause that is not negated.
+        roles: The people and things of the clause.
+        motion: Motion of its subject, or None.
     """
     if subject_stays(state, clause, roles, motion):
         own = [at for at in range(len(roles.places)) if not locates_support(state, roles, at)]
@@ -140,27 +140,29 @@ def subject_places(state: ReaderState, clause: Clause, roles: Roles, motion: str
 
 
 def _moves_to_place(state: ReaderState, clause: Clause, place: Place) -> bool:
-    """``hops to the floor``, ``crawls under the bed``."""
+    """Whether the subject ends at the place: ``hops to the floor``, ``crawls under the bed``."""
     if place.preposition == "to":
         return clause.verb in GETTING_DOWN and any(state.inventory.head(thing) in FLOOR for thing in place.things)
     return place.preposition in ("under", "underneath", "beneath") and clause.verb in _CREEPING
 
 
 def _is_seat(state: ReaderState, place: Place) -> bool:
+    """Whether a place names a seat."""
     return any(state.inventory.head(thing) in lexicon.SEATS for thing in place.things)
 
 
 def _only_body(state: ReaderState, roles: Roles) -> bool:
+    """Whether the object of the clause is nothing but body parts."""
     return all(state.inventory.class_of(thing) == "body" for thing in roles.things)
 
 
 def _is_beside(state: ReaderState, roles: Roles, place: Place) -> bool:
-    """``runs alongside him``; ``pulls a chair up beside him`` tells where the chair is."""
+    """Whether a place beside is the subject's: ``runs alongside him``, but not ``pulls a chair up beside him``."""
     return not (roles.things + roles.people) or (bool(place.people) and not furniture_and_props(state, roles.things))
 
 
 def _locates_active_thing(state: ReaderState, clause: Clause, place: Place) -> bool:
-    """``A kettle sings on the stove``, ``A lantern swings from a hook``: where a thing is that does something."""
+    """Whether a place tells where an active thing is: ``A kettle sings on the stove``."""
     if place.preposition == "from":
         return clause.verb in HANGING
     return place.preposition in _STATIC and any(
@@ -169,7 +171,7 @@ def _locates_active_thing(state: ReaderState, clause: Clause, place: Place) -> b
 
 
 def _belongs_to_with(state: ReaderState, roles: Roles, at: int) -> bool:
-    """``sits with her feet on the desk``: the feet are on it; ``lies on the sofa behind them``: the sofa is there."""
+    """Whether a place belongs to what follows ``with`` or to a support: ``sits with her feet on the desk``."""
     before, place = roles.places[at - 1], roles.places[at]
     if before.preposition == "of" and at > 1:
         before = roles.places[at - 2]  # with a basket of bread on the handlebars

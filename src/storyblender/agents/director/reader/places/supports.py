@@ -1,4 +1,4 @@
-"""Where the furniture is that somebody or something is on: ``asleep on the couch by the doors``."""
+"""Where the furniture is that supports the subject: ``asleep on the couch by the doors``."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ PEGS = frozenset({"hook", "nail", "peg"})
 
 
 def locates_support(state: ReaderState, roles: Roles, at: int) -> bool:
-    """Whether a place tells where the furniture named right before it is: ``on the hook behind the door``.
+    """Whether a place locates the furniture of the place before it: ``on the hook behind the door``.
 
     Args:
-        state: The state before.
-        roles: Of a clause that tells where its subject is.
-        at: Which of its places.
+        state: The reader's state before the clause.
+        roles: People and things of a clause that tells where its subject is.
+        at: Index of the place in ``roles.places``.
     """
     if not at:
         return False
@@ -52,18 +52,18 @@ def locates_support(state: ReaderState, roles: Roles, at: int) -> bool:
 
 
 def _is_separated(state: ReaderState, before: Place, place: Place) -> bool:
-    """``On the sledge, under a canvas, are crates``: both places are theirs."""
+    """Whether a comma separates two places, so that both are the subject's: ``On the sledge, under a canvas,``."""
     between = state.sentence.words[before.nouns[0].index : place.nouns[0].index]
     return any(word.text == "," for word in between)
 
 
 @rule("relations.support", without=[])
 def support_relations(state: ReaderState, roles: Roles) -> list[StatedRelation]:
-    """The relations of furniture to furniture that the places of a clause tell.
+    """Return the relations between pieces of furniture that the places of a clause tell.
 
     Args:
-        state: The state before.
-        roles: Of a clause that tells where its subject is.
+        state: The reader's state before the clause.
+        roles: People and things of a clause that tells where its subject is.
     """
     found: list[StatedRelation] = []
     for at, place in enumerate(roles.places):
@@ -75,18 +75,18 @@ def support_relations(state: ReaderState, roles: Roles) -> list[StatedRelation]:
 
 
 def _is_opening(state: ReaderState, place: Place) -> bool:
-    """``mounted on a tripod at the window``: it is the tripod that is at it."""
+    """Whether a place is a door or window: in ``on a tripod at the window`` the tripod is at it."""
     return bool(place.things) and state.inventory.head(place.things[0]) in OPENINGS
 
 
 def _is_landmark(state: ReaderState, roles: Roles, place: Place) -> bool:
-    """Furniture; somebody, where nobody but a thing is on it: ``On a table behind him lies a tray``."""
+    """Whether a place is furniture, or a person with only a thing before: ``On a table behind him lies a tray``."""
     if place.people:
         return not roles.subjects and lexicon.relation_of(place.preposition) in ("behind", "in_front_of")
     return state.inventory.class_of(place.things[0]) == "set_piece" or state.inventory.head(place.things[0]) in _LAMPS
 
 
 def _is_fixed_piece(state: ReaderState, place: Place) -> bool:
-    """Whether it is a piece of furniture, or a hook in the wall: no floor, nothing that is carried about."""
+    """Whether a place is furniture or a hook in the wall, and neither floor nor a carried thing."""
     head, kind = state.inventory.head(place.things[0]), state.inventory.class_of(place.things[0])
     return head not in FLOOR | SURFACES and (kind == "set_piece" or (head in PEGS and kind in THING_CLASSES))
