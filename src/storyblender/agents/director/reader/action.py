@@ -1,4 +1,4 @@
-"""One sentence of action: its clauses told to the stage in reading order."""
+"""Reads one sentence of action: its clauses change the reader's state in reading order."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ _POSE_ON = {"knee": "kneel", "knees": "kneel", "back": "lie_down", "stomach": "l
 
 
 def read_action(state: ReaderState, sentence: Sentence) -> None:
-    """Read a sentence into the unit that was opened for it."""
+    """Read a sentence of action into the current unit."""
     lately = [state.inventory.head(thing) for thing in state.discourse.recent_things]
     named = any(word.mention and word.mention.kind == "name" for word in sentence.words)
     elsewhere = sentence.pictured and named  # what somebody known does in another place
@@ -99,7 +99,7 @@ def _note_bearing(state: ReaderState, clauses: list[Clause], people: list[Person
 
 
 def _people_on_screen(state: ReaderState, shown: list[Word]) -> set[str]:
-    """Who is seen on a screen and is not there: people by their names, and animals."""
+    """Return the ids of people who are only seen on a screen: those named there, and animals."""
     seen = [word.mention.candidates[0] for word in shown if word.mention and word.mention.candidates]
     named = {word.mention.candidates[0].id for word in shown if word.named and word.mention and word.mention.candidates}
     return {p.id for p in seen if p.id in named or p.kind == "animal"} - {*state.scene.on}
@@ -107,7 +107,7 @@ def _people_on_screen(state: ReaderState, shown: list[Word]) -> set[str]:
 
 @rule("people.named_without_verb")
 def _enter_named_people(state: ReaderState) -> None:
-    """A sentence without a clause: whoever it names is there."""
+    """Bring the people on stage whom a sentence without a clause names."""
     named: list[Person] = []
     for index, word in enumerate(state.sentence.words):
         definite = word.mention and word.mention.determiner not in ("", "a", "an") and index <= _OPENING
@@ -179,13 +179,13 @@ def _read_clause(state: ReaderState, clause: Clause, previous: list[Person], fir
 
 
 def _agents(clause: Clause, roles: Roles) -> list[Person]:
-    """``followed by Mia``, ``The door is opened by Peg``: who does it, and not who is merely near."""
+    """Return who does a passive clause: ``followed by Mia``, ``The door is opened by Peg``."""
     resting = clause.verb in _STATIVE
     return roles.people_after("by") if clause.verb in _FOLLOWED or (clause.passive and not resting) else []
 
 
 def _owner_is_subject(state: ReaderState, clause: Clause) -> None:
-    """``Ling's goggles slip off. She goes on``: whose they are is who it is about."""
+    """Make the owner of a subject the topic: ``Ling's goggles slip off. She goes on``."""
     owner = next((state.person(noun.owner) for noun in clause.subject if noun.owner), None)
     if owner:
         state.sentence.subjects = [owner]
@@ -194,7 +194,7 @@ def _owner_is_subject(state: ReaderState, clause: Clause) -> None:
 
 @rule("looks.worn_in")
 def _note_clothes(state: ReaderState, roles: Roles) -> None:
-    """``A woman in a grey suit``: what she wears is no place."""
+    """Add clothes to a person, so that they are no place: ``A woman in a grey suit``."""
     for place in [place for place in roles.places if place.preposition == "in" and place.things]:
         if all(state.inventory.class_of(thing) == "worn" for thing in place.things):
             roles.places.remove(place)
@@ -208,6 +208,7 @@ def _note_clothes(state: ReaderState, roles: Roles) -> None:
 
 
 def _motion(state: ReaderState, clause: Clause, roles: Roles) -> str | None:
+    """Return the motion of a clause, or None."""
     if not roles.subjects or (clause.passive and clause.verb not in _POSED):
         return None
     head = state.inventory.head(roles.things[0]) if roles.things else "person" if roles.people else ""
@@ -226,7 +227,7 @@ def _motion(state: ReaderState, clause: Clause, roles: Roles) -> str | None:
 
 @rule("postures.being_somewhere")
 def _posture(state: ReaderState, clause: Clause, roles: Roles) -> str | None:
-    """``MAN #2 is on the bed``, ``Hale is asleep``: a posture without a verb for it."""
+    """Return the motion of a posture without a verb: ``MAN #2 is on the bed``, ``Hale is asleep``; else None."""
     if clause.verb != "be" or not roles.subjects or state.sentence.pictured:
         return None
     if any(noun.head == "asleep" for noun in clause.complement):

@@ -1,6 +1,6 @@
-"""A page as it is usually written: where action stands in capitals, as in sitcoms, capitals tell of nobody.
+"""Writes action in capitals, as in sitcoms, in the usual case, so that capitals name people again.
 
-Everything keeps its place: one letter becomes another, so that all offsets hold.
+One letter becomes one letter, so that all offsets stay.
 """
 
 from __future__ import annotations
@@ -42,12 +42,7 @@ _COMMON = lexicon.PROPS | lexicon.SET_PIECES | lexicon.SCENERY | lexicon.BODY | 
 
 
 def in_sentence_case(screenplay: Screenplay) -> str:
-    """Return the text of a script with its action in the usual capitals: a sentence's first letter, and names.
-
-    Action is changed where a page writes it all without capitals or mostly in them, and a sentence in capitals
-    on any page. Names stay in capitals: those of cues, of a list of people, and of introductions, which have an age or
-    are underlined.
-    """
+    """Return the text of a script with action in capitals written in sentence case, with names."""
     text = screenplay.text
     told = [element for element in screenplay.elements if element.kind in _TOLD]
     sample = "".join(element.text for element in told if " " in element.text.strip())
@@ -70,7 +65,7 @@ def in_sentence_case(screenplay: Screenplay) -> str:
 
 @dataclass(frozen=True)
 class _NameWords:
-    """Words that are names, where capitals do not tell."""
+    """Words of a script that are names, where capitals do not tell."""
 
     spoken: frozenset[str]
     """In capitals: of cues and introductions."""
@@ -97,7 +92,7 @@ class _NameWords:
         return cls(frozenset(kept), frozenset(name for name in named if " " in name), frozenset(given))
 
     def write(self, word: str) -> str:
-        """Return a word in capitals as it is usually written inside a sentence."""
+        """Return a word in capitals as it is written inside a sentence."""
         low = word.lower()
         stem = re.sub(r"['’]s$", "", low)
         if len(low) != len(word):
@@ -109,7 +104,7 @@ class _NameWords:
 
 
 def _last_name(words: str) -> str:
-    """``STANDS MAY BELL``: the words before an age that are a name; empty after an article, which names nobody."""
+    """Return the name before an age: ``STANDS MAY BELL``; empty after an article."""
     name: list[str] = []
     for word in reversed(words.split()):
         low = word.lower().strip(".")
@@ -122,12 +117,12 @@ def _last_name(words: str) -> str:
 
 
 def _is_action(name: str) -> bool:
-    """Whether marked words tell of something that happens: ``_EXITS_``, ``_CROSSES TO THE DOOR_``."""
+    """Whether marked words tell an action: ``_EXITS_``, ``_CROSSES TO THE DOOR_``."""
     return any(form_kind(word.lower()) in ("3sg", "ing") or word.lower() in _SMALL for word in name.split())
 
 
 def _lowered(text: str, names: _NameWords, page: bool) -> str:
-    """Return action with what stands in capitals as it is usually written.
+    """Return action with its capitals in the usual case.
 
     Args:
         text: A paragraph.
@@ -157,7 +152,7 @@ def _lowered(text: str, names: _NameWords, page: bool) -> str:
 
 
 def _is_sentence(words: str) -> bool:
-    """Whether words in capitals on an ordinary page are a sentence: it has a verb and an article or a pronoun."""
+    """Whether words in capitals on an ordinary page are a sentence: a verb, and an article or a pronoun."""
     low = [word.lower() for word in _WORD.findall(words)]
     if len(low) < _SENTENCE_WORDS or not words.rstrip(' \n"”)').endswith((".", "!", "?")):
         return False
@@ -165,17 +160,18 @@ def _is_sentence(words: str) -> bool:
 
 
 def _sentences(text: str) -> Iterator[tuple[int, int]]:
+    """Yield start and end of each sentence."""
     return (match.span() for match in _SENTENCE.finditer(text))
 
 
 def _whole_names(words: str, names: _NameWords) -> Iterator[tuple[int, int]]:
-    """Find the names of several words, ``MAN ON THE STAIRS``, which stay as they are."""
+    """Yield start and end of the names of several words, ``MAN ON THE STAIRS``, which stay in capitals."""
     for name in names.whole:
         yield from (match.span() for match in re.finditer(rf"(?<!\w){re.escape(name)}(?!\w)", words))
 
 
 def _capitalised(text: str, names: _NameWords) -> str:
-    """Return action text in sentence case: sentences and the names of speakers begin with a capital."""
+    """Return text with capitals at the start of sentences and of speakers' names."""
     opens = {start + match.end() for start, end in _sentences(text) if (match := _OPENING.match(text[start:end]))}
 
     def write(match: re.Match[str]) -> str:

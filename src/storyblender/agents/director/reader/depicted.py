@@ -1,4 +1,4 @@
-"""What a sentence tells only of a picture, a screen or a dream: nobody and nothing in it stands on the set."""
+"""What a sentence tells only of a picture, a screen or a dream, so that it is not on the set."""
 
 from __future__ import annotations
 
@@ -24,18 +24,20 @@ _STOPS = frozenset({",", ";", ".", ":", "!", "?", "--", "—", "–", "(", ")"})
 
 
 def split_depicted(words: list[Word], lately: Sequence[str]) -> tuple[list[Word], list[Word]]:
-    """Part the words of a sentence into what is there, and what a screen in it shows; what a picture shows is neither.
+    """Split the words of a sentence into what is there and what a screen in it shows.
+
+    What a picture or a dream shows is in neither.
 
     Args:
-        words: A sentence.
-        lately: Head nouns of the things named before it, the last first.
+        words: Words of the sentence.
+        lately: Head nouns of the things named lately.
     """
     start = _depiction_start(words, lately)
     return words[:start], words[start:]
 
 
 def _depiction_start(words: Sequence[Word], lately: Sequence[str]) -> int:
-    """Index of the first word that tells what a screen or a picture shows; behind the last where none does."""
+    """Return the index of the first word of what a screen or a picture shows; the length if none."""
     screen = any(head in _SCREENS for head in lately)
     place = _opening_place(words, screen)
     if place:
@@ -58,7 +60,7 @@ def _depiction_start(words: Sequence[Word], lately: Sequence[str]) -> int:
 
 
 def _opening_place(words: Sequence[Word], screen: bool) -> int:
-    """Words of ``On the big screen``, ``On monitor three``, where something else is told after it; else 0."""
+    """Return the number of words of ``On the big screen`` before what is told; else 0."""
     if not words or words[0].low not in ("on", "in", "across"):
         return 0
     for at in range(1, min(_OPENING, len(words) - 2)):

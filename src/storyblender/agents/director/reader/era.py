@@ -1,6 +1,6 @@
-"""When a story plays: the age that its own words tell, decided once for clothes, sets and things.
+"""The historical age in which a story plays, decided once from its words, for clothes, sets and things.
 
-Each word is counted once, so that one name or one picture on a wall does not move a story into another century.
+Each word is counted once, so that one name or one picture on a wall does not decide it.
 """
 
 from __future__ import annotations
@@ -73,11 +73,7 @@ _SAID: frozenset[ElementKind] = frozenset({"dialogue", "lyric"})
 
 
 def narration_and_speech(screenplay: Screenplay) -> tuple[str, str]:
-    """Return what the story tells and what its people say, a paragraph a line.
-
-    Of the title page only the title belongs to the story: contact, dates and copyright tell when and where it was
-    written. Notes and cut text do not count either.
-    """
+    """Return the narration and the speeches of a script, a paragraph a line."""
     told, said = [screenplay.title], []
     for element in screenplay.elements:
         if element.kind in _SAID:
@@ -91,7 +87,7 @@ def narration_and_speech(screenplay: Screenplay) -> tuple[str, str]:
 
 
 def age_of(screenplay: Screenplay) -> Age | None:
-    """Return the age that the words of a script speak of most; None where none is sure, and all is as usual today."""
+    """Return the age that a script speaks of most; None where none is sure and today is assumed."""
     return age_in_words(*narration_and_speech(screenplay))
 
 

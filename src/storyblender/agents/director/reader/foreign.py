@@ -38,7 +38,7 @@ _CHANGES = {"open": "open", "close": "closed"}
 
 @rule("deeds.another_language")
 def read_foreign(state: ReaderState, sentence: Sentence, tongue: Tongue) -> None:
-    """Read a sentence of action into its unit, which is already open.
+    """Read a sentence of action in another language into the current unit.
 
     Args:
         state: The state before the sentence.
@@ -53,6 +53,7 @@ def read_foreign(state: ReaderState, sentence: Sentence, tongue: Tongue) -> None
 
 
 def _carried(state: ReaderState) -> list[Person]:
+    """Return the people of the scene before who come along."""
     return [person for person in state.discourse.subjects if person.id in state.scene.on]
 
 
@@ -74,6 +75,7 @@ def _clauses(words: Sequence[Word], tongue: Tongue) -> list[list[Word]]:
 
 
 def _read_clause(state: ReaderState, words: Sequence[Word], tongue: Tongue, before: list[Person]) -> list[Person]:
+    """Read one clause and return its subjects."""
     verb = next((at for at in range(len(words)) if _is_verb(words, at, tongue)), None)
     named = [(at, person) for at, word in enumerate(words) for person in _people(state, words, at, word, tongue)]
     things = [(at, thing) for at, word in enumerate(words) if (thing := _thing(state, word, tongue))]
@@ -99,7 +101,7 @@ def _is_verb(words: Sequence[Word], at: int, tongue: Tongue) -> bool:
 
 
 def _people(state: ReaderState, words: Sequence[Word], at: int, word: Word, tongue: Tongue) -> list[Person]:
-    """Return the people a word names; a person after ``von``, ``de`` only owns something."""
+    """Return the people a word names; a person after ``von`` or ``de`` is only an owner."""
     if at and words[at - 1].low in ("von", "de", "del", "di"):
         return []
     if word.mention is None:
@@ -108,6 +110,7 @@ def _people(state: ReaderState, words: Sequence[Word], at: int, word: Word, tong
 
 
 def _thing(state: ReaderState, word: Word, tongue: Tongue) -> str | None:
+    """Return the id of the thing that a word names, or None."""
     english = _english(word, tongue) if word.mention is None else None
     if english is None:
         return None
@@ -119,7 +122,7 @@ def _thing(state: ReaderState, word: Word, tongue: Tongue) -> str | None:
 
 
 def _english(word: Word, tongue: Tongue) -> str | None:
-    """Return the English noun for a noun; for a German compound by its last part: ``Schuppentür``."""
+    """Return the English noun of a noun, for a German compound of its last part: ``Schuppentür``; else None."""
     if word.low in tongue.things or tongue.key != "de" or not word.text[0].isupper():
         return tongue.things.get(word.low)
     ends = [noun for noun in tongue.things if len(noun) >= _SHORTEST and word.low.endswith(noun)]
@@ -135,7 +138,7 @@ def _subjects(
     before: list[Person],
     tongue: Tongue,
 ) -> list[Person]:
-    """Return the people before the verb, else after it if unambiguous, else the subjects of the clause before."""
+    """Return the people before the verb, else after it if unambiguous, else the subjects before."""
     leading = [person for at, person in named if at < verb and not _is_placed(words, at, tongue)]
     if leading:
         return leading
@@ -153,19 +156,21 @@ def _subjects(
 
 
 def _is_of_a_noun(words: Sequence[Word], tongue: Tongue) -> bool:
-    """``Das Licht``, ``El tubo``, ``Ihr Rad``: an article or possessive with a noun that is no member of the cast."""
+    """Whether an article or possessive stands before a noun that is no member of the cast: ``Das Licht``."""
     if len(words) < 2 or words[0].low not in tongue.articles:
         return False
     return not any(word.mention or word.low in tongue.people for word in words[:4])
 
 
 def _is_placed(words: Sequence[Word], at: int, tongue: Tongue) -> bool:
+    """Whether a preposition stands before a word."""
     return at > 0 and any(
         word.low in tongue.places or word.low in ("a", "zu", "à") for word in words[max(0, at - 2) : at]
     )
 
 
 def _pronoun(state: ReaderState, gender: str, before: list[Person]) -> list[Person]:
+    """Return the people a pronoun means."""
     here = state.referable_people()
     if gender == "unknown":
         return [person for person in here if person.kind != "animal"]
@@ -178,7 +183,7 @@ def _pronoun(state: ReaderState, gender: str, before: list[Person]) -> list[Pers
 
 
 def _motion(words: Sequence[Word], verb: int, tongue: Tongue) -> str | None:
-    """Return the motion of the table row that matches most words near the verb."""
+    """Return the motion of the table row that matches most words near the verb, or None."""
     around = {word.low for word in words}
     for others, motion in tongue.verbs[words[verb].low]:
         if all(other in around for other in others):
@@ -234,7 +239,7 @@ def _act(
 
 
 def _relation(words: Sequence[Word], at: int, tongue: Tongue) -> RelationKind | None:
-    """Return the relation of a preposition at most three words before a thing."""
+    """Return the relation of a preposition at most three words before a thing, or None."""
     for word in reversed(words[max(0, at - 3) : at]):
         if word.low in tongue.places:
             return tongue.places[word.low]

@@ -1,4 +1,4 @@
-"""The thing a camera direction shows: ``CLOSE ON the ring, alone on the table``, ``INSERT - the coin in his palm``."""
+"""Inserts in camera directions: ``CLOSE ON the ring, alone on the table``, ``INSERT - the coin in his palm``."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _SOLID = ("prop", "set_piece")
 
 @rule("things.shown_by_camera")
 def note_insert(state: ReaderState, camera: CameraNote) -> str | None:
-    """Note the thing that a direction shows; in somebody's hand it is theirs. Return its id.
+    """Note the thing that a direction shows, with its owner if it is in a hand; return its id or None.
 
     Args:
         state: Its unit is the one the direction holds for.
@@ -46,7 +46,7 @@ def note_insert(state: ReaderState, camera: CameraNote) -> str | None:
 
 @rule("relations.shown_by_camera")
 def locate_insert(state: ReaderState, thing: str, words: list[Word]) -> None:
-    """``alone on the table``: say where what was shown is; ``it`` is what was shown.
+    """State where the shown thing is, and let ``it`` mean the thing: ``alone on the table``.
 
     Args:
         state: The state after the sentence.
@@ -63,13 +63,13 @@ def locate_insert(state: ReaderState, thing: str, words: list[Word]) -> None:
 
 
 def _set_it(state: ReaderState, thing: str) -> None:
-    """Let ``it`` mean what was shown."""
+    """Let ``it`` mean the shown thing."""
     raise_things(state, [thing], ASIDE)
     state.discourse.recent_things.insert(0, thing)
 
 
 def _hand_owners(state: ReaderState, noun: NounPhrase, words: Sequence[Word]) -> list[Person]:
-    """Whose hand it is."""
+    """Return whose hand a thing is in."""
     if noun.possessor is None:
         return []
     word = words[noun.possessor]

@@ -1,7 +1,6 @@
-"""The screenplay as the reader works on it: paragraphs whose characters still lie where the user wrote them.
+"""The script as the reader works on it: paragraphs with the offsets of the text as the user wrote it.
 
-What is no sentence (markup, camera directions, brackets after a name, quoted writing) is blanked with spaces, so
-every offset in a paragraph's body is an offset in the script.
+What is no sentence (markup, camera directions) is blanked with spaces of equal length.
 """
 
 from __future__ import annotations
@@ -69,7 +68,7 @@ class Paragraph:
 
 @dataclass
 class Manuscript:
-    """The whole script."""
+    """The whole script as paragraphs."""
 
     screenplay: Screenplay
     paragraphs: list[Paragraph]
@@ -83,32 +82,32 @@ class Manuscript:
 
     @property
     def prose(self) -> bool:
-        """Whether it is a story, not a screenplay."""
+        """Whether it is a story and no screenplay."""
         return self.screenplay.format == "prose"
 
 
 def blanked(pattern: re.Pattern[str], text: str) -> str:
-    """Text with every match of a pattern replaced by as many spaces."""
+    """Return a text with every match of a pattern replaced by as many spaces."""
     return pattern.sub(lambda match: " " * len(match.group(0)), text)
 
 
 def without_brackets(text: str) -> str:
-    """Text with descriptions in brackets blanked."""
+    """Return a text with descriptions in brackets blanked."""
     return blanked(_BRACKETS, text)
 
 
 def without_asides(text: str) -> str:
-    """Return the text with everything in round and square brackets blanked."""
+    """Return a text with everything in round and square brackets blanked."""
     return blanked(_ASIDES, text)
 
 
 def without_quotations(text: str) -> str:
-    """Text with everything in quotation marks blanked."""
+    """Return a text with everything in quotation marks blanked."""
     return blanked(QUOTATION, text)
 
 
 def open_manuscript(screenplay: Screenplay) -> Manuscript:
-    """Lay out a screenplay for reading."""
+    """Return a screenplay laid out for reading."""
     text = in_sentence_case(screenplay)
     told: list[tuple[int, ParagraphKind, list[Element]]] = []
     for index, element in enumerate(screenplay.elements):
@@ -123,18 +122,19 @@ def open_manuscript(screenplay: Screenplay) -> Manuscript:
 
 
 def _joined(pieces: list[Element]) -> Element:
-    """One paragraph of what stands around its notes."""
+    """Return one paragraph of the pieces around its notes."""
     if len(pieces) == 1:
         return pieces[0]
     return pieces[-1].model_copy(update={"start": pieces[0].start, "text": " ".join(piece.text for piece in pieces)})
 
 
 def _only_comment(between: str) -> bool:
-    """Whether a note or cut text, and no blank line, divides two pieces of one paragraph."""
+    """Whether only a note or cut text, and no blank line, divides two pieces of one paragraph."""
     return between.strip() != "" and not blanked(_MARKUP, between).strip() and not re.search(r"\n\s*\n", between)
 
 
 def _paragraph(screenplay: Screenplay, text: str, index: int, element: Element, kind: ParagraphKind) -> Paragraph:
+    """Return an element as a paragraph, with its markup blanked."""
     raw = blanked(_MARKUP, text[element.start : element.end])
     paragraph = Paragraph(
         kind, index, element.start, element.end, element.text, raw, element.name, element.extension, element.dual,
@@ -176,12 +176,12 @@ def _without_action(
 
 
 def _acts(left: str, word: str) -> bool:
-    """Whether a word is a verb in the plural after a name: ``Laszlo walk``."""
+    """Whether a word is a plural verb after a name: ``Laszlo walk``."""
     return left[0].isupper() and form_kind(word) == "base"
 
 
 def _sentence_spans(text: str) -> list[tuple[int, int]]:
-    """Rough sentences: after a full stop that ends no abbreviation, before a capital or a quotation mark."""
+    """Return rough sentences: cut after full stops before a capital or a quotation mark."""
     spans: list[tuple[int, int]] = []
     start = 0
     for match in _SENTENCE_END.finditer(text):
@@ -191,5 +191,5 @@ def _sentence_spans(text: str) -> list[tuple[int, int]]:
 
 
 def _pieces(start: int, end: int) -> list[tuple[int, int]]:
-    """Cut what is too long for a sentence."""
+    """Cut a span that is too long for a sentence."""
     return [(at, min(at + _LONGEST, end)) for at in range(start, max(end, start + 1), _LONGEST)]

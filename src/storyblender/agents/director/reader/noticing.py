@@ -1,4 +1,4 @@
-"""How the things of a sentence come up: named, used, held, looked at; what only is said to be like something is not."""
+"""Notes how the things of a sentence come up: named, used, held, looked at; comparisons are left out."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ _ONLY_WORN = frozenset({"touch", "cut", "open", "clean"})
 
 @rule("things.named")
 def notice_nouns(state: ReaderState, phrases: list[Phrase]) -> None:
-    """Every noun that names a thing is seen; in capitals it is shown.
+    """Note every noun that names a thing; one in capitals is shown.
 
     Args:
         state: The state before the sentence; the things of its sentence and unit are noted.
@@ -85,7 +85,7 @@ def notice_nouns(state: ReaderState, phrases: list[Phrase]) -> None:
 
 
 def _is_not_present(state: ReaderState, phrases: list[Phrase], index: int, noun: NounPhrase) -> bool:
-    """Whether a noun names no thing here: ``like a tree``, ``in plaster``, the picture on a screen."""
+    """Whether a noun names nothing that is there: ``like a tree``, ``in plaster``, the picture on a screen."""
     before = phrases[index - 1] if index else None
     if before is not None and before.kind == "preposition" and before.text in _LIKENING | {"without"}:
         return True
@@ -104,7 +104,7 @@ def _is_not_present(state: ReaderState, phrases: list[Phrase], index: int, noun:
 
 @rule("things.likened", without=False)
 def _is_likened(words: Sequence[Word], at: int) -> bool:
-    """``lights like a spaceship landed``, ``as flat as a mirror``: a comparison, so the thing is not there."""
+    """Whether a noun is a comparison: ``lights like a spaceship landed``, ``as flat as a mirror``."""
     back = at - 1
     if _SIZE_OF.search(f"{joined(list(words[max(0, at - _NOUN_PHRASE - 1) : at]))} "):
         return True
@@ -123,7 +123,7 @@ def _is_likened(words: Sequence[Word], at: int) -> bool:
 
 @rule("things.said_of_it", without=False)
 def _is_predicate(phrases: list[Phrase], index: int, noun: NounPhrase) -> bool:
-    """``It's an oven in here``, ``Now it is a boat``: a noun that describes something else."""
+    """Whether a noun describes something else: ``It's an oven in here``, ``Now it is a boat``."""
     if noun.determiner not in ("a", "an") or index < 2:
         return False
     verb, subject = phrases[index - 1], phrases[index - 2]
@@ -133,7 +133,7 @@ def _is_predicate(phrases: list[Phrase], index: int, noun: NounPhrase) -> bool:
 
 @rule("things.idiom", without=False)
 def _is_in_an_idiom(state: ReaderState, noun: NounPhrase) -> bool:
-    """``in any case``, ``knows the ropes``, ``throws a tantrum``: the noun is part of an idiom."""
+    """Whether a noun is part of an idiom: ``in any case``, ``knows the ropes``, ``throws a tantrum``."""
     text = f" {joined(state.sentence.words)} "
     return any(noun.head in idiom and f" {idiom} " in text for idiom in _IDIOMS)
 
@@ -151,20 +151,20 @@ def _is_at_a_part(phrases: list[Phrase], index: int) -> bool:
 
 
 def _notice_weather(state: ReaderState, word: str, left: Phrase | None) -> None:
-    """Rain hammers the windows; somebody walks through the fog. ``like thunder`` is no weather."""
+    """Note weather in the action: rain hammers the windows; ``like thunder`` is no weather."""
     if left is None or left.kind in ("mark", "link") or left.text in ("in", "through", "into", "under", "of"):
         state.place.weather = lexicon.WEATHER_WORDS[word]
 
 
 @rule("things.acted_on")
 def notice_things(state: ReaderState, clause: Clause, roles: Roles, motion: str | None) -> None:
-    """Note how the things of a clause come up.
+    """Note how the things of a clause come up: used, held, looked at.
 
     Args:
-        state: The state before the clause.
-        clause: A clause that happens.
-        roles: Who and what it is about.
-        motion: What its people do; None where they do nothing to see.
+        state: The reader's state before the clause.
+        clause: The clause.
+        roles: Its people and things.
+        motion: Motion of its subject, or None.
     """
     inventory = state.inventory
     if motion == "write" and clause.verb in _DRAWING and not any(_is_existing_thing(noun) for noun in clause.object):
@@ -192,11 +192,11 @@ def notice_things(state: ReaderState, clause: Clause, roles: Roles, motion: str 
 
 
 def _is_existing_thing(noun: NounPhrase) -> bool:
-    """``paints the door``: a thing that is there, while ``draws a tree`` makes none."""
+    """Whether a thing is there: ``paints the door``, while ``draws a tree`` makes none."""
     return noun.determiner not in ("", "a", "an") or noun.possessor is not None
 
 
 def _is_determined(nouns: Sequence[NounPhrase], head: str) -> bool:
-    """Whether a noun with this head is a thing for sure: it has a determiner or an owner."""
+    """Whether a noun with this head has a determiner or an owner, and so is surely a thing."""
     noun = next((n for n in nouns if n.kind == "thing" and n.head == head), None)
     return noun is None or (noun.determiner not in ("", "no")) or noun.possessor is not None

@@ -58,7 +58,11 @@ class Item:
 
 
 class Inventory:
-    """All nouns that name things, by noun and by id."""
+    """All nouns that name things, by noun and by id.
+
+    Args:
+        ids: Asset ids in use; shared with the roster.
+    """
 
     def __init__(self, ids: set[str]) -> None:
         self._ids = ids
@@ -163,7 +167,11 @@ class Inventory:
         return list(self._by_id)
 
     def story_things(self, relations: Sequence[Relation]) -> list[tuple[Thing, bool]]:
-        """Return the things for the asset sheet in order of mention, each with whether its noun is unknown."""
+        """Return the things for the asset sheet in order of mention, each with whether its noun is unknown.
+
+        Args:
+            relations: Where things are; what hangs or lies somewhere is no garment that is only worn.
+        """
         placed = [relation for relation in relations if relation.anchor_asset_id in self._by_id]
         apart = {relation.asset_id for relation in placed}
         borne = {relation.asset_id for relation in placed if relation.kind in ("on", "in")}
@@ -196,7 +204,12 @@ class Inventory:
 
 
 def _belongs_on_sheet(item: Item, apart: bool) -> bool:
-    """Whether a prop, a garment or an unknown noun belongs on the asset sheet."""
+    """Whether a prop, a garment or an unknown noun belongs on the asset sheet.
+
+    Args:
+        item: The noun.
+        apart: Whether it has a place of its own, not on somebody.
+    """
     notices, head = item.notices, item.key.rsplit(" ", 1)[-1]
     used = notices["handled"] + notices["held"]
     if item.noun_class == "unknown":

@@ -1,4 +1,4 @@
-"""The rule-based reader of the Director: a screenplay becomes a Reading, in one pass in reading order."""
+"""The rule-based reader of the Director: a screenplay becomes a Reading in one pass."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ _CARRIED = 8
 
 
 def read_script(screenplay: Screenplay) -> Reading:
-    """Understand a script without a language model.
+    """Return the reading of a script by rules, without a language model.
 
     Args:
         screenplay: Any format.
@@ -68,7 +68,7 @@ def read_script(screenplay: Screenplay) -> Reading:
 
 
 def _find_people(script: Manuscript, reading: Reading) -> Roster:
-    """Find the cast, with the looks that stand beside their names."""
+    """Return the cast, with the looks that are told beside their names."""
     roster = find_prose_cast(script) if script.prose else find_screenplay_cast(script)
     add_foreign(roster, script)
     roster.index()
@@ -78,7 +78,7 @@ def _find_people(script: Manuscript, reading: Reading) -> Roster:
 
 @rule("people.gender_by_pronouns")
 def _guess_genders(sentences: list[Sentence], roster: Roster, prose: bool) -> None:
-    """Where a sentence names one person only, the pronouns after the name, or at the start of the next, vote."""
+    """Set unknown genders by vote: pronouns after the only name of a sentence, or in the next one."""
     votes: dict[str, Counter[str]] = {person.id: Counter() for person in roster.people}
     last: str | None = None
     for sentence in sentences:
@@ -116,7 +116,7 @@ def _guess_genders(sentences: list[Sentence], roster: Roster, prose: bool) -> No
 
 
 def _enough_votes(person: Person) -> tuple[float, float]:
-    """How many pronouns, and what share of them, say more of somebody's gender than their name or role does."""
+    """Return the number and the share of pronouns that outweigh a person's name or role."""
     if person.gender == "unknown":
         return 1, 0.6
     if lexicon.gender_of_word(person.role) != "unknown":
@@ -126,7 +126,7 @@ def _enough_votes(person: Person) -> tuple[float, float]:
 
 
 def _is_other_person(words: list[Word], at: int) -> bool:
-    """``watches her in the mirror``: an object is somebody else; ``her ear`` and ``behind her`` may be one's own."""
+    """Whether ``her`` is another person: ``watches her in the mirror``, but not ``her ear`` or ``behind her``."""
     if not at or words[at - 1].low in lexicon.PREPOSITIONS:
         return False
     after = words[at + 1] if at + 1 < len(words) else None
@@ -135,11 +135,12 @@ def _is_other_person(words: list[Word], at: int) -> bool:
 
 
 def _as_gender(word: str) -> Gender:
+    """Return the gender of a pronoun, or ``unknown``."""
     return "female" if word == "female" else "male"
 
 
 def _read(state: ReaderState, sentence: Sentence) -> None:
-    """Read one sentence: open its unit, tell it to the stage, note who and what is there after it."""
+    """Read one sentence into a new unit, and note who and what is there after it."""
     state.discourse.next_sentence()
     units = state.reading.units
     if not units or units[-1].scene != sentence.scene:
@@ -182,6 +183,7 @@ def _read(state: ReaderState, sentence: Sentence) -> None:
 
 
 def _read_action(state: ReaderState, sentence: Sentence) -> None:
+    """Read the action of a sentence, in English or in the language of the script."""
     if state.reading.screenplay.format != "prose":
         carry_over_people(state, sentence)
     read_action(state, sentence)
@@ -196,7 +198,7 @@ def _keep_people(state: ReaderState, sentence: Sentence) -> None:
 
 
 def _write_present(state: ReaderState) -> None:
-    """Write into the unit the people present, their postures and the things in their hands."""
+    """Write the people present, their postures and the things they hold into the unit."""
     unit = state.unit
     keep_calls(state)
     unit.on_stage = list(state.scene.on)
@@ -206,10 +208,7 @@ def _write_present(state: ReaderState) -> None:
 
 @rule("camera.subject")
 def _note_camera(state: ReaderState, camera: CameraNote) -> str | None:
-    """Note a camera direction: whom it shows or looks through is there; ``She`` after CLOSE ON KIRA is Kira.
-
-    Returns the thing it shows, if it is one.
-    """
+    """Note a camera direction: whom it shows or looks through is on stage. Return whom it shows, or None."""
     state.unit.camera = camera
     person = None
     for name, shown in ((camera.who, False), (camera.subject, True)):
@@ -225,6 +224,7 @@ def _note_camera(state: ReaderState, camera: CameraNote) -> str | None:
 
 @rule("people.carried_over")
 def _open_scene(state: ReaderState, sentence: Sentence) -> None:
+    """Begin a scene: note who may come along, and forget the rest."""
     prose = state.reading.screenplay.format == "prose"
     before = state.scene
     state.intercut = state.intercut and not state.reading.scenes[sentence.scene].heading
@@ -244,20 +244,20 @@ def _open_scene(state: ReaderState, sentence: Sentence) -> None:
 
 
 def _able_to_go_on(scene: SceneState) -> list[str]:
-    """Who is there when a scene ends and can go on: not who left, nor who lies on the floor."""
+    """Return the people on stage at the end of a scene who can come along: not those who left or lie there."""
     down = {person for person, (posture, on) in scene.posture.items() if posture in ("lie", "asleep") and on is None}
     return [person for person in scene.on if person not in down | {*scene.leaving}]
 
 
 def _main_person(state: ReaderState, people: list[str], gender: str) -> list[str]:
-    """``That night she``: of several women there, the one the story has told most of."""
+    """Return the person of a gender whom the story tells most of: ``That night she``."""
     told = Counter(id for unit in state.reading.units for id in unit.people)
     fitting = [id for id in people if (person := state.person(id)) and person.gender == gender]
     return [max(fitting, key=lambda id: told[id])] if len(fitting) > 1 else people
 
 
 def _finish_reading(state: ReaderState) -> None:
-    """Put the things on the sheet, drop targets that name nothing on it, flag unknown nouns."""
+    """Write the asset sheet, drop targets that are not on it, and flag unknown nouns."""
     reading = state.reading
     for thing, unknown in state.inventory.story_things([relation for _, relation in reading.relations]):
         reading.things.append(thing)

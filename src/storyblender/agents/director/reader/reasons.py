@@ -1,4 +1,4 @@
-"""Why a reading says what it says: each of its facts with the rule that decided it and the words it stands on."""
+"""Why a reading is as it is: each of its facts with the rule that decided it and the words it stands on."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _NOTICES = ("held", "handled", "met", "with", "shown", "related", "placed", "see
 
 
 def page_facts(reading: Reading) -> Iterator[Fact]:
-    """Return what is known of places and people before the sentences are read."""
+    """Yield what is known of places and people before the sentences are read."""
     for scene in reading.scenes:
         end = scene.start + max(len(scene.heading), 1)
         what = f"{scene.id}: {scene.place or 'nowhere told'}, {scene.place_kind or 'no kind'}, {scene.scene_type}"
@@ -46,7 +46,7 @@ def page_facts(reading: Reading) -> Iterator[Fact]:
 
 
 def stage_facts(state: ReaderState) -> Iterator[Fact]:
-    """Return everything that is so at one point of the script."""
+    """Yield every fact of the reader's state at one point of the script."""
     reading = state.reading
     yield from page_facts(reading)
     for scene, relation in reading.relations:
@@ -65,6 +65,7 @@ def stage_facts(state: ReaderState) -> Iterator[Fact]:
 
 
 def _unit_facts(unit: Unit, number: int) -> Iterator[Fact]:
+    """Yield the facts of a unit."""
     for deed in unit.deeds:
         yield Fact("deed", _deed_told(deed), number)
     for person in unit.entering:
@@ -97,8 +98,6 @@ def _deed_told(deed: Deed) -> str:
 def reasons_of(reading: Reading, ledger: Ledger) -> list[Reason]:
     """Return the decisions that the finished reading stands on, unit by unit.
 
-    A thing has one: whatever spoke most for it. What was taken back is left out.
-
     Args:
         reading: The finished reading.
         ledger: Kept while it was made.
@@ -128,18 +127,18 @@ def reasons_of(reading: Reading, ledger: Ledger) -> list[Reason]:
 
 
 def _plain(said: Fact | Decision) -> tuple[str, str]:
-    """Return a fact as it is compared: of a deed only actor and motion, because its target may be dropped later."""
+    """Return a fact for comparison: of a deed only actor and motion, as its target may be dropped later."""
     return said.kind, " ".join(said.what.split()[:2]) if said.kind == "deed" else said.what
 
 
 def _unit_at(at: int, reading: Reading, starts: list[int]) -> int:
-    """Return the number of the unit that a character is in, or of the next, counted from 1."""
+    """Return the number of the unit that an offset is in, or of the next, counted from 1."""
     number = bisect_right(starts, at)
     within = number > 0 and at < reading.units[number - 1].end
     return number if within else min(number + 1, len(starts))
 
 
 def _words_about_look(person: Person, look: str, text: str) -> tuple[int, int]:
-    """Return where a look is told: the first time its words stand after the first mention of its person."""
+    """Return start and end of the words that tell a look, after the first mention of its person."""
     at = text.lower().find(look.lower(), person.first)
     return (at, at + len(look)) if at >= 0 else (person.first, person.first + len(person.name))

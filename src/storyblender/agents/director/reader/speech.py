@@ -73,7 +73,13 @@ _TO_THE_YOUNG = frozenset({"child", "kid", "boy", "girl", "son"})
 
 @rule("speech.speaker")
 def read_speech(state: ReaderState, sentence: Sentence, speech: SpokenText) -> None:
-    """Read a speech into the unit: speaker, manner, addressee."""
+    """Read a speech into the current unit: speaker, manner, listener.
+
+    Args:
+        state: The reader's state.
+        sentence: The sentence of the speech.
+        speech: Its words, cue and brackets.
+    """
     unit, prose = state.unit, state.reading.screenplay.format == "prose"
     speaker = _narrated_speaker(state, speech) if prose else state.find(speech.name)
     unit.kind, unit.text, unit.parenthetical, unit.dual = "dialogue", speech.text, speech.parenthetical, speech.dual
@@ -99,7 +105,7 @@ def read_speech(state: ReaderState, sentence: Sentence, speech: SpokenText) -> N
 
 
 def _narrated_speaker(state: ReaderState, speech: SpokenText) -> Person | None:
-    """Prose: the subject of ``said``; without one, whoever acted last."""
+    """Return the speaker in prose: the subject of ``said``, else who acted last."""
     if not speech.subject and speech.verb == "answer" and state.discourse.last_listener:
         return state.discourse.last_listener
     if not speech.subject:
@@ -115,7 +121,7 @@ def _narrated_speaker(state: ReaderState, speech: SpokenText) -> Person | None:
 
 
 def _unnamed_speaker(state: ReaderState, speech: SpokenText) -> Person | None:
-    """Nobody is said to speak: who does something next does, in a dialogue who was spoken to, else who acted last."""
+    """Return the speaker of a quotation without ``said``: who acts next, the listener of the last, or who acted."""
     discourse = state.discourse
     turns = [person for person in (discourse.last_listener, discourse.last_speaker) if person]
     if speech.after and speech.after.mention:
@@ -133,6 +139,7 @@ def _unnamed_speaker(state: ReaderState, speech: SpokenText) -> Person | None:
 
 
 def _add_speech(state: ReaderState, speaker: Person, speech: SpokenText, prose: bool, at: int) -> None:
+    """Write speaker, words, manner and listener into the unit."""
     unit, discourse = state.unit, state.discourse
     device = _INTO.search(speech.parenthetical.lower())
     manner = _manner(speech, prose, device)
@@ -159,7 +166,7 @@ def _add_speech(state: ReaderState, speaker: Person, speech: SpokenText, prose: 
 
 
 def _manner(speech: SpokenText, prose: bool, device: re.Match[str] | None) -> str:
-    """Talk, whisper or shout."""
+    """Return talk, whisper or shout."""
     parenthetical = speech.parenthetical.lower()
     if _QUIET.search(parenthetical):
         return "whisper"
@@ -173,7 +180,7 @@ def _manner(speech: SpokenText, prose: bool, device: re.Match[str] | None) -> st
 
 
 def _is_loud(text: str) -> bool:
-    """Whether a speech is nothing but exclamations, or short and opens with one."""
+    """Whether a speech is only exclamations, or short and opens with one."""
     marks = _MARKS.findall(text)
     only = bool(marks) and all("!" in mark for mark in marks)
     return only or (len(text.split()) <= _SHORT and _CALLED_OUT.match(text) is not None)
@@ -181,7 +188,7 @@ def _is_loud(text: str) -> bool:
 
 @rule("speech.listener")
 def _listener(state: ReaderState, speaker: Person, speech: SpokenText, prose: bool) -> Person | None:
-    """Whom a line is for: said in brackets, called by name, the last speaker, the only other; else a guess."""
+    """Return whom a speech is for: told in brackets, called by name, the last speaker, the only other; else a guess."""
     others = [person for person in state.on_stage() if person is not speaker]
     here = [person for person in others if _may_be_addressed(state, person)]
     if prose and not here:
@@ -212,7 +219,7 @@ def _listener(state: ReaderState, speaker: Person, speech: SpokenText, prose: bo
 
 
 def _absent_addressee(state: ReaderState, speaker: Person, text: str) -> Person | None:
-    """Somebody of the cast who is not there: ``Tully! Open up!`` is for Tully behind the door."""
+    """Return an absent member of the cast who is called: ``Tully! Open up!`` behind the door."""
     called = _CALLED_OUT.match(text)
     if called is None:
         return None
@@ -222,13 +229,13 @@ def _absent_addressee(state: ReaderState, speaker: Person, text: str) -> Person 
 
 
 def _may_be_addressed(state: ReaderState, person: Person) -> bool:
-    """Whether a line may be for somebody who is not named: no sleeper, and an animal only where it speaks too."""
+    """Whether a speech may be for a person not named: no sleeper, and an animal only where it speaks too."""
     awake = state.scene.posture.get(person.id, ("", None))[0] != "asleep"
     return awake and (person.kind != "animal" or person.speaks)
 
 
 def _last_target(state: ReaderState, speaker: Person) -> Person | None:
-    """Whom the speaker did something to last, since the last speech."""
+    """Return whom the speaker did something to since the last speech."""
     for unit in reversed(state.reading.units[:-1]):
         if unit.kind == "dialogue" or unit.scene != state.unit.scene:
             break
@@ -240,7 +247,7 @@ def _last_target(state: ReaderState, speaker: Person) -> Person | None:
 
 
 def _last_actor(state: ReaderState, speaker: Person) -> Person | None:
-    """Who did something last since the last speech, except the speaker."""
+    """Return who acted last since the last speech, except the speaker."""
     for unit in reversed(state.reading.units[:-1]):
         if unit.kind == "dialogue" or unit.scene != state.unit.scene:
             break
@@ -251,7 +258,7 @@ def _last_actor(state: ReaderState, speaker: Person) -> Person | None:
 
 
 def _person_named(people: Iterable[Person], text: str) -> Person | None:
-    """The first of these people whom a speech calls by name."""
+    """Return the first of these people whom a speech calls by name, or None."""
     low = text.lower()
     if not any(mark in low for mark in ",.!?"):
         return None
@@ -264,7 +271,7 @@ def _person_named(people: Iterable[Person], text: str) -> Person | None:
 
 
 def _is_called(name: str, low: str) -> bool:
-    """Whether a name stands as an address: at the start or after a comma, before a mark. Both in small letters."""
+    """Whether a name is an address, at the start or after a comma; both in small letters."""
     at = low.find(name)
     while at >= 0:
         opens = _OPENS_ADDRESS.search(low, max(0, at - _LONG_TITLE), at)
@@ -282,7 +289,7 @@ def _call_names(aliases: tuple[str, ...]) -> tuple[tuple[str, frozenset[str]], .
 
 
 def _vocative_person(state: ReaderState, here: list[Person], text: str) -> Person | None:
-    """Somebody called by name (``Wake up, Tom``) or by what they are (``Careful, child!``)."""
+    """Return who is called by name (``Wake up, Tom``) or by role (``Careful, child!``), or None."""
     named = _person_named(here, text)
     if named:
         return named
@@ -305,7 +312,7 @@ def _vocative_person(state: ReaderState, here: list[Person], text: str) -> Perso
 
 
 def _title(person: Person) -> str:
-    """The title somebody is called by, in full: ``doctor`` for DR. OKORO."""
+    """Return the title of a person in full: ``doctor`` for DR. OKORO."""
     first = person.name.lower().split()[0].strip(".")
     return lexicon.TITLE_SYNONYMS.get(first, first)
 
@@ -316,7 +323,7 @@ _VOICE = frozenset({"talk", "whisper", "shout", "sing", "phone"})
 
 @rule("speech.brackets")
 def read_parenthetical_action(state: ReaderState, sentence: Sentence, speech: SpokenText) -> None:
-    """Read what the brackets of a speech tell of the speaker into the unit of the speech.
+    """Read the actions of a speaker in the brackets of a speech: ``(picking up the rose)``.
 
     Args:
         state: Its unit is the speech, with its speaker.

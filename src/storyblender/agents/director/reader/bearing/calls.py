@@ -24,7 +24,12 @@ _RINGING = 8
 
 @rule("bearing.call")
 def note_calls(state: ReaderState, people: list[Person]) -> None:
-    """Begin and end the telephone calls that a sentence of action tells of."""
+    """Begin and end the telephone calls that a sentence of action tells of.
+
+    Args:
+        state: The state after the deeds of the sentence.
+        people: Who may be meant, the subjects of the sentence first.
+    """
     text = " ".join(state.unit.text.lower().split("\n"))
     if state.sentence.pictured:
         return
@@ -92,9 +97,14 @@ def keep_calls(state: ReaderState) -> None:
 
 
 def is_far_end(state: ReaderState, person: Person, extension: str) -> bool | None:
-    """Tell by the bracket of a cue whether a speaker is heard through a phone; None where it tells nothing of phones.
+    """Whether the bracket of a cue says that its speaker is heard through a phone; None where it says nothing.
 
-    ``INTO PHONE`` is somebody who is seen; so is ``ON PHONE`` of whoever is there.
+    ``INTO PHONE`` is a person who is seen; so is ``ON PHONE`` of a person on stage.
+
+    Args:
+        state: The reader's state.
+        person: The speaker.
+        extension: The bracket after the name in the cue, without its marks.
     """
     if re.search(r"\bIN(?:TO)? (?:THE |HIS |HER )?(?:TELE|CELL)?(?:PHONE|CELL|RECEIVER)\b", extension, re.IGNORECASE):
         return False
@@ -115,7 +125,7 @@ def _place(state: ReaderState) -> int:
 
 
 def _is_ringing(state: ReaderState) -> bool:
-    """Whether a phone rang in the last sentences, or a call is under way."""
+    """Whether a phone rang in the last units of the scene."""
     lately = state.reading.units[-_RINGING:]
     return any("phone" in sound for unit in lately if unit.scene == state.unit.scene for sound in unit.sounds)
 

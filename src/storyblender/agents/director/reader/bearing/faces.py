@@ -84,7 +84,12 @@ _DENIED = re.compile(r"\b(?:not|n't|never|without|cannot)\b")
 
 @rule("bearing.gaze")
 def note_gaze(state: ReaderState, people: Sequence[Person]) -> None:
-    """Note the gaze of the people of a sentence; a gaze ends when they look at something."""
+    """Note the gaze of the people of a sentence; a gaze ends when they look at something.
+
+    Args:
+        state: Its unit takes the directions; the scene remembers the people with a gaze.
+        people: The people of the sentence.
+    """
     turned = state.scene.gaze
     for deed in state.unit.deeds:
         if deed.motion in ("look", "read", "talk", "peek") and deed.target and deed.actor in turned:

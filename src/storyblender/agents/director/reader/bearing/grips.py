@@ -62,7 +62,13 @@ def note_grips(state: ReaderState, words: Sequence[Word], people: Sequence[Perso
 
 @rule("things.had")
 def note_possession(state: ReaderState, clause: Clause, roles: Roles) -> None:
-    """Put a prop that a person has into their hand: ``The kid has a pistol``."""
+    """Put a prop that a person has into their hand: ``The kid has a pistol``.
+
+    Args:
+        state: The state before the clause.
+        clause: A clause that is neither negated nor hypothetical.
+        roles: The people and things of the clause.
+    """
     if clause.verb != "have" or len(roles.subjects) != 1 or clause.earlier:
         return
     apart = any(place.preposition not in ("in", "with") or place.things for place in roles.places)

@@ -40,7 +40,13 @@ _FRAGMENT = 7
 
 @rule("looks.told")
 def note_looks(state: ReaderState, clause: Clause, roles: Roles) -> None:
-    """Add the appearance that a clause describes to its person."""
+    """Add the appearance that a clause describes to its person.
+
+    Args:
+        state: The state before the clause.
+        clause: Any clause that really happens.
+        roles: The people and things of the clause.
+    """
     if clause.negated or clause.unreal or clause.earlier or state.sentence.pictured:
         return
     words = _words_after(state.sentence.words, clause.index)
@@ -59,7 +65,14 @@ def note_looks(state: ReaderState, clause: Clause, roles: Roles) -> None:
 
 @rule("looks.fragment")
 def note_fragment(state: ReaderState, words: Sequence[Word], people: Sequence[Person], start: int) -> None:
-    """Add the appearance that a fragment tells after an introduction: ``Sixty-six.``, ``Bald, in a torn coat.``"""
+    """Add the appearance that a fragment tells after an introduction: ``Sixty-six.``, ``Bald, in a torn coat.``
+
+    Args:
+        state: The state before.
+        words: A sentence without a clause.
+        people: The people of the sentence before.
+        start: Offset of the paragraph.
+    """
     if len(people) != 1 or people[0].first < start or any(word.mention for word in words):
         return
     written = [word.text for word in words if not word.inserted and word.text not in _STOPS]

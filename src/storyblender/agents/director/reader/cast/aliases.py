@@ -61,7 +61,12 @@ _REVEALING = re.compile(
 
 @rule("people.revealed")
 def join_revealed(roster: Roster, text: str) -> None:
-    """Merge a figure with the named person it turns out to be: ``A figure steps out, revealing -- MARCUS``."""
+    """Merge a figure with the named person it turns out to be: ``A figure steps out, revealing -- MARCUS``.
+
+    Args:
+        roster: The cast of a screenplay.
+        text: The script.
+    """
     for match in _REVEALING.finditer(text):
         shown, known = roster.find(match.group("who")), roster.find(match.group("name").strip())
         if shown and known and shown[0] is not known[0] and shown[0].role and shown[0].first < known[0].first:

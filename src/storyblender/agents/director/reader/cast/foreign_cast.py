@@ -28,7 +28,12 @@ _PRONOUNS: dict[str, dict[str, Gender]] = {
 
 @rule("people.another_language")
 def add_foreign(roster: Roster, script: Manuscript) -> None:
-    """Add people and animals named by a noun of the script's language, with kind and gender."""
+    """Add people and animals named by a noun of the script's language, with kind and gender.
+
+    Args:
+        roster: The people with names; changed.
+        script: A script in a language without a grammar in the reader.
+    """
     tongue = script.tongue
     if tongue is None:
         return

@@ -21,7 +21,15 @@ _COMING = frozenset({"came", "comes", "entered", "enters", "arrived", "arrives",
 
 
 def is_known_relative(roster: Roster, phrase: PersonNoun, at: int, after: str, text: str) -> bool:
-    """Whether a noun for kin that occurs once means a person who has a name."""
+    """Whether a noun for kin that occurs once means a person who has a name.
+
+    Args:
+        roster: The cast so far; who is known by their relation answers to it from now on.
+        phrase: The noun with ``his`` or ``her``.
+        at: Its offset in the script.
+        after: What follows it.
+        text: The script.
+    """
     noun = phrase.noun
     for person in roster.people:
         if person.role and person.role == _PARENTS_SIBLING.get(noun) and not phrase.plural:
@@ -97,7 +105,13 @@ def link_surnames(roster: Roster) -> None:
 
 @rule("people.kin")
 def link_kin(roster: Roster, kinships: Sequence[Kinship], names: Sequence[tuple[int, str]]) -> None:
-    """Give kin a role: the person named last before ``his niece Clara`` is her uncle."""
+    """Give kin a role: the person named last before ``his niece Clara`` is her uncle.
+
+    Args:
+        roster: The cast.
+        kinships: Kin who were given a name, in reading order.
+        names: Where names stand.
+    """
     for kinship in kinships:
         gender = lexicon.PRONOUNS.get(kinship.determiner)
         owners = [person for at, name in names if at < kinship.at for person in roster.find(name)]

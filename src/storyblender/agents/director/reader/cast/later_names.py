@@ -66,7 +66,13 @@ def _has_no_name(person: Person) -> bool:
 
 @rule("people.named_later_in_story")
 def name_the_nameless(roster: Roster, told: str, namings: Sequence[Naming]) -> None:
-    """Join people introduced by a noun with the name they get later."""
+    """Join people introduced by a noun with the name they get later.
+
+    Args:
+        roster: The cast of a story; whoever is joined leaves it under the old name.
+        told: The script without what is said.
+        namings: Where people get names.
+    """
     for naming in namings:
         _give_name(roster, told, naming)
     nameless = [person for person in roster.people if is_nameless(person)]

@@ -27,7 +27,12 @@ _OPENS = re.compile(r"(?:^|[.!?;…”\"\n(\[—–-])\s*$")
 
 
 def is_person_name(name: str, told: TextIndex) -> bool:
-    """Whether a name is a person's: it is known, acts, speaks, has an age, or occurs inside sentences."""
+    """Whether a name is a person's: it is known, acts, speaks, has an age, or occurs inside sentences.
+
+    Args:
+        name: The name as written.
+        told: The words of the story without its speeches.
+    """
     words = name.lower().split()
     first = unaccented(words[0].strip("."))
     if first in lexicon.TITLES and len(words) > 1:

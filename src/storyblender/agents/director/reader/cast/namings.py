@@ -129,7 +129,14 @@ def find_spoken_names(script: Manuscript) -> list[tuple[int, str]]:
 
 
 def name_called_soon(roster: Roster, spoken: Sequence[tuple[int, str]], at: int, noun: str) -> str:
-    """Return the name by which ``a tall, burly man`` is called soon after he came in, or an empty string."""
+    """Return the name by which ``a tall, burly man`` is called soon after he came in, or an empty string.
+
+    Args:
+        roster: The cast so far: the name is nobody else's.
+        spoken: From ``find_spoken_names``.
+        at: Offset of the noun phrase.
+        noun: Its head.
+    """
     gender = lexicon.gender_of_word(noun)
     for place, name in spoken:
         title = bare(name).split()[0].strip(".")

@@ -57,7 +57,12 @@ _OPENERS = (
 
 
 def names_in(text: str, start: int) -> list[tuple[int, str]]:
-    """Return the names in a text with their offsets."""
+    """Return the names in a text with their offsets.
+
+    Args:
+        text: A paragraph without its quotations.
+        start: Its offset in the script.
+    """
     found: list[tuple[int, str]] = []
     for match in _NAME.finditer(text):
         name = match.group(0)

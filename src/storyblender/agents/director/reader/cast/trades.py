@@ -38,7 +38,13 @@ _STILL_NEAR, _JUST_NAMED = 1500, 160
 
 @rule("people.trade")
 def join_trades(roster: Roster, text: str, told: str) -> None:
-    """Join a person first called *the surveyor* with the man, or the Mr. Finch, who was there already."""
+    """Join a person first called *the surveyor* with the man, or the Mr. Finch, who was there already.
+
+    Args:
+        roster: The cast of a story.
+        text: The script.
+        told: The same without what is said.
+    """
     for person in sorted(roster.people, key=lambda person: person.first):
         trade = person.role
         if not is_nameless(person) or trade in GENERIC | _ATTENDANTS | lexicon.KIN | lexicon.YOUNG_NOUNS:

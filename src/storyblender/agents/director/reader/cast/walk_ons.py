@@ -66,7 +66,12 @@ _FINITE = frozenset({"3sg", "past", "aux"})
 
 
 def add_walk_ons(roster: Roster, script: Manuscript) -> None:
-    """Cast the people who act in a screenplay without capitals or a cue."""
+    """Cast the people who act in a screenplay without capitals or a cue.
+
+    Args:
+        roster: The people with capitals or a cue; changed.
+        script: A screenplay.
+    """
     told = [paragraph for paragraph in script.paragraphs if paragraph.kind == "action"]
     _add_named(roster, script, told)
     low = script.text.lower()

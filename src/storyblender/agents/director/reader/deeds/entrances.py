@@ -164,7 +164,11 @@ def _put_on_stage(state: ReaderState, people: Sequence[Person]) -> None:
 
 @rule("people.still_there")
 def restore_people(state: ReaderState) -> None:
-    """Put people back on stage, as they were, when the story returns to the place where it left them."""
+    """Put people back on stage, as they were, when the story returns to the place where it left them.
+
+    Args:
+        state: Its scene has just begun; the unit that begins it is not there yet.
+    """
     scenes, units = state.reading.scenes, state.reading.units
     here = scenes[state.scene.index]
     places = {here.id, here.reference} - {None}

@@ -44,7 +44,12 @@ _WORDS = 9
 
 @rule("deeds.nearest_motion")
 def nearest_motion(clause: Clause, roles: Roles) -> str | None:
-    """Return the motion that looks most like a verb without its own, or None if no motion is near."""
+    """Return the motion that looks most like a verb without its own, or None if no motion is near.
+
+    Args:
+        clause: A clause with a person as subject.
+        roles: The people and things of the clause.
+    """
     if not roles.subjects or clause.verb in _INWARD or clause.passive or clause.infinitive:
         return None
     if clause.verb in lexicon.MOTION_OF_VERB:
@@ -54,7 +59,14 @@ def nearest_motion(clause: Clause, roles: Roles) -> str | None:
 
 
 def note_unread(state: ReaderState, clause: Clause, roles: Roles, shown: str | None) -> None:
-    """Flag an action that has no motion of its own, unless it cannot be seen."""
+    """Flag an action that has no motion of its own, unless it cannot be seen.
+
+    Args:
+        state: Its unit takes the flag.
+        clause: A clause that is neither negated nor hypothetical, with a person as subject.
+        roles: The people and things of the clause.
+        shown: The motion played instead, if one is near.
+    """
     spoken = clause.verb in lexicon.SPEECH_VERBS or lexicon.MOTION_OF_VERB.get(clause.verb) in _VOICES
     unseen = clause.verb in _INWARD or clause.passive or clause.earlier or spoken
     if not roles.subjects or unseen or state.sentence.pictured:

@@ -16,7 +16,14 @@ _STOPS = (".", ",", ";", ":", "and")
 
 
 def insert_place_nouns(phrases: list[Phrase]) -> list[Phrase]:
-    """Return the phrases with the noun ``there`` after each word of place without its own."""
+    """Return the phrases with the noun ``there`` after each word of place without its own.
+
+    Args:
+        phrases: Of a sentence.
+
+    Returns:
+        The phrases, with a pronoun ``there`` after every bare word of place.
+    """
     said: list[Phrase] = []
     for index, phrase in enumerate(phrases):
         if phrase.text == "which" and len(said) > 1 and said[-1].kind == "preposition":

@@ -37,7 +37,11 @@ _BY_HAND = frozenset(
 
 @rule("deeds.part_of_body")
 def motion_of_part(clause: Clause) -> str | None:
-    """Return the motion of the owner of the body part that is the subject of a clause, or None."""
+    """Return the motion of the owner of the body part that is the subject of a clause, or None.
+
+    Args:
+        clause: Its subject may be a part of a body with an owner.
+    """
     noun = clause.subject[0] if clause.subject else None
     if noun is None or noun.kind != "thing" or not noun.owner or clause.passive:
         return None

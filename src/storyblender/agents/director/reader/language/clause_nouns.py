@@ -118,7 +118,12 @@ def _start_clause(builder: ClauseBuilder, left: str, noun: NounPhrase, listed: b
 
 
 def is_other_side(builder: ClauseBuilder, index: int) -> bool:
-    """Whether a noun after ``and`` is the other side of ``between a radio and a lamp``."""
+    """Whether a noun after ``and`` is the other side of ``between a radio and a lamp``.
+
+    Args:
+        builder: What has been read.
+        index: Position of the noun among the phrases.
+    """
     places = builder.leading if builder.fronted is None else builder.fronted
     place = places[-1] if places else ("", [])
     return place[0] == "between" and len(place[1]) == 1 and builder.phrases[index - 1].text == "and"

@@ -10,13 +10,22 @@ _ENDS = (".", ",", ";", "and", "of", "with")
 
 
 def is_inverted(phrases: list[Phrase]) -> bool:
-    """Whether a place and a verb come before the subject: ``Above the bed hangs a crucifix``."""
+    """Whether a place and a verb come before the subject: ``Above the bed hangs a crucifix``.
+
+    Args:
+        phrases: Of a sentence that begins with a preposition.
+    """
     verb = phrases[2].verb if len(phrases) > 3 and phrases[1].kind == "noun" else None
     return verb is not None and verb.lemma in lexicon.INVERTING | {"be"} and phrases[3].kind == "noun"
 
 
 def is_verbless_placement(phrases: list[Phrase], index: int) -> bool:
-    """Whether a noun has a place without a verb: ``Kate stands there, Joe in front of it.``"""
+    """Whether a noun has a place without a verb: ``Kate stands there, Joe in front of it.``
+
+    Args:
+        phrases: Of the sentence.
+        index: Of the person.
+    """
     several = [phrase.text for phrase in phrases[index + 1 : index + 2]] == ["and"] and index + 2 < len(phrases)
     index += 2 if several and phrases[index + 2].kind == "noun" else 0  # Iris and Otto after them
     after = phrases[index + 1 : index + 4]
@@ -26,7 +35,12 @@ def is_verbless_placement(phrases: list[Phrase], index: int) -> bool:
 
 
 def is_fronted(phrases: list[Phrase], at: int) -> bool:
-    """Whether places at an index open a clause: ``under the window was a wheel``, ``behind him Al sat``."""
+    """Whether places at an index open a clause: ``under the window was a wheel``, ``behind him Al sat``.
+
+    Args:
+        phrases: Of the sentence.
+        at: Of the first place.
+    """
     start = at
     while at + 1 < len(phrases) and phrases[at].kind == "preposition" and phrases[at + 1].kind == "noun":
         if phrases[at].text not in lexicon.RELATION_OF_PREPOSITION:
@@ -50,7 +64,12 @@ def is_fronted(phrases: list[Phrase], at: int) -> bool:
 
 
 def is_absolute(phrases: list[Phrase], index: int) -> bool:
-    """Whether a noun opens an absolute clause: ``, the robot bumping along behind them``, ``, engine running``."""
+    """Whether a noun opens an absolute clause: ``, the robot bumping along behind them``, ``, engine running``.
+
+    Args:
+        phrases: Of the sentence.
+        index: Of who or what does it; a phrase stands before it.
+    """
     left, following = phrases[index - 1], phrases[index + 1] if index + 1 < len(phrases) else None
     kinds = ("ing", "pp", "past") if left.text == "with" else ("ing", "pp")
     participle = following is not None and following.verb is not None and following.verb.kind in kinds
@@ -58,7 +77,12 @@ def is_absolute(phrases: list[Phrase], index: int) -> bool:
 
 
 def list_ends(phrases: list[Phrase], index: int) -> bool:
-    """Whether the noun at an index is in a list that an ``and`` closes: ``a pistol, a map and a key``."""
+    """Whether the noun at an index is in a list that an ``and`` closes: ``a pistol, a map and a key``.
+
+    Args:
+        phrases: Of the sentence.
+        index: Of the noun.
+    """
     while index > 0 and index < len(phrases) and phrases[index].kind == "noun":
         if phrases[index - 1].text == "and":
             return True
@@ -72,7 +96,12 @@ def list_ends(phrases: list[Phrase], index: int) -> bool:
 
 
 def verb_follows(phrases: list[Phrase], index: int) -> bool:
-    """Whether nouns from an index end at a finite verb: ``but her son, taking it, examined it``."""
+    """Whether nouns from an index end at a finite verb: ``but her son, taking it, examined it``.
+
+    Args:
+        phrases: Of the sentence.
+        index: Of the first noun.
+    """
     linked, aside = index > 0 and phrases[index - 1].kind == "link", phrases[index + 1 : index + 3]
     if linked and len(aside) > 1 and aside[0].text == "," and aside[1].verb and aside[1].verb.kind == "ing":
         return True

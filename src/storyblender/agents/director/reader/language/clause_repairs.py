@@ -22,7 +22,12 @@ _SLIPPING = frozenset({"fall", "drop", "slip", "go"})
 
 
 def repair_clauses(clauses: list[Clause], words: list[Word]) -> None:
-    """Give clauses the subjects that come later, and join verbs that tell one deed."""
+    """Give clauses the subjects that come later, and join verbs that tell one deed.
+
+    Args:
+        clauses: Of one sentence, in order; changed in place.
+        words: The sentence.
+    """
     _give_to_inverted(clauses)
     _give_to_following(clauses, words)
     following = [*clauses[1:], None]

@@ -25,7 +25,12 @@ _ADVERBIAL = frozenset({"outside", "inside", "without", "within", "above", "belo
 
 
 def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
-    """Return the clauses of a sentence."""
+    """Return the clauses of a sentence.
+
+    Args:
+        words: A regular sentence.
+        phrases: Its phrases, in order.
+    """
     builder = ClauseBuilder(phrases, words)
     for index, phrase in enumerate(phrases):
         if phrase.text in (";", "and", ",") and builder.clauses and is_fronted(phrases, index + 1):

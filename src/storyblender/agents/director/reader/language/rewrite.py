@@ -49,7 +49,14 @@ _LOOK_AHEAD = 16
 
 
 def regularise(words: list[Word]) -> list[Word]:
-    """Return the words with verbs tagged and elided subjects and verbs inserted."""
+    """Return the words with verbs tagged and elided subjects and verbs inserted.
+
+    Args:
+        words: A sentence with its mentions marked.
+
+    Returns:
+        The words in the order they are to be read; only inserted words are new.
+    """
     words = _named_kin(_without_all(_on_their_knees(_without_pairs(words))))
     row = TaggedRow()
     at = 0

@@ -145,7 +145,11 @@ _WORD = re.compile(r"\w+")
 
 
 class TextIndex:
-    """The offsets of all words of a text, for quick look-up of names."""
+    """The offsets of all words of a text, for quick look-up of names.
+
+    Args:
+        text: Any text.
+    """
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -154,7 +158,11 @@ class TextIndex:
             self._starts.setdefault(word[0].lower(), []).append(word.start())
 
     def places(self, phrase: str) -> Iterator[int]:
-        """Yield the offsets at which a phrase stands as a whole, in the same capitals."""
+        """Yield the offsets at which a phrase stands as a whole, in the same capitals.
+
+        Args:
+            phrase: Starts and ends with a letter, a digit or ``_``.
+        """
         first = _WORD.match(phrase)
         for at in self._starts.get(first[0].lower(), ()) if first else ():
             end = at + len(phrase)

@@ -1,4 +1,4 @@
-"""Asides of the writer to the reader: opinions, remarks and jokes that cannot be filmed."""
+"""Asides: opinions, remarks and jokes of the writer to the reader, which cannot be filmed."""
 
 from __future__ import annotations
 
@@ -39,10 +39,7 @@ _QUESTION = re.compile(r"\?\W*$")
 
 @rule("page.aside", without=False)
 def is_aside(sentence: Sentence, text: str, *, drawn: bool = False) -> bool:
-    """Return whether a sentence of action only speaks to the reader.
-
-    No character does anything visible in such a sentence; a question without a character in it counts as an aside
-    too.
+    """Whether a sentence of action only speaks to the reader.
 
     Args:
         sentence: A sentence of action in a screenplay.

@@ -1,4 +1,4 @@
-"""Cuts a page into scenes and sentences: by its headings, and without headings by the places its text names."""
+"""Cuts a script into scenes and sentences, by its headings or by the places that its text names."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _PICTURED = frozenset({"comic", "columns"})
 
 
 def cut_page(script: Manuscript, roster: Roster, scenes: list[SceneReading]) -> list[Sentence]:
-    """Return all sentences and speeches in reading order.
+    """Return the sentences and speeches of a script in reading order, and fill its scenes.
 
     Args:
         script: The page.
@@ -82,7 +82,7 @@ class _Cutter:
         self.fresh, self.picture = True, paragraph.picture
 
     def _placed_by_text(self, index: int, scene: SceneReading) -> SceneReading:
-        """``Scene 4``: take the place from the text below it, else stay at the last place."""
+        """Take the place of a heading such as ``Scene 4`` from the text below it, else the last place."""
         below = self.script.paragraphs[index + 1 : index + 1 + _LOOKED_AT]
         side: NamedPlace | None = None
         for paragraph in below:
@@ -135,7 +135,7 @@ class _Cutter:
             self.scenes[-1].time = told.time
 
     def _scene_from_first_paragraphs(self, index: int) -> SceneReading | None:
-        """Return the scene of the place that the first paragraphs name, as in a story."""
+        """Return a scene of the place that the first paragraphs name, or None."""
         title = self.script.screenplay.title
         first = self.script.paragraphs[index]
         for paragraph in self.script.paragraphs[index : index + _LOOKED_AT]:
@@ -145,7 +145,7 @@ class _Cutter:
         return None
 
     def _scene_at(self, told: NamedPlace, paragraph: Paragraph, number: str) -> SceneReading | None:
-        """Return the scene that a named place opens; None if it is the current scene's place."""
+        """Return the scene that a named place opens; None if it is the current place."""
         last = self.scenes[-1] if self.scenes else None
         if last is None:
             return self._new_scene(told, paragraph, number)
@@ -166,7 +166,7 @@ class _Cutter:
         return self._new_scene(told, paragraph, number)
 
     def _other_side(self, told: NamedPlace) -> str:
-        """``Inside.``: return the building that the last scene named."""
+        """Return the building that the last scene named, for ``Inside.``"""
         last = self.scenes[-1]
         if told.scene_type == "outdoor" or last.scene_type == "indoor":
             return last.place
@@ -192,7 +192,7 @@ class _Cutter:
         )
 
     def _scene_of_people(self, paragraph: Paragraph, number: str) -> SceneReading | None:
-        """Return the scene a picture returns to: the last one of all its people, if that is another place."""
+        """Return the last scene of all people in a picture if it is at another place, else None."""
         named = self._people_in(paragraph)
         homes = {self.homes[person] for person in named if person in self.homes}
         last = self.scenes[-1]
@@ -204,13 +204,13 @@ class _Cutter:
         return self._new_scene(NamedPlace(home.place, home.scene_type, None), paragraph, number)
 
     def _people_in(self, paragraph: Paragraph) -> list[str]:
-        """Return the ids of the people whose names occur in a paragraph of action."""
+        """Return the ids of the people named in a paragraph of action."""
         told = action_sentences(paragraph, len(self.scenes) - 1, self.roster)
         mentions = [word.mention for sentence in told for word in sentence.words if word.mention]
         return [mention.candidates[0].id for mention in mentions if len(mention.candidates) == 1]
 
     def _scene_change(self, paragraph: Paragraph) -> SceneReading | None:
-        """Return the scene that a paragraph opens without a heading, if it does."""
+        """Return the scene that a paragraph opens without a heading, or None."""
         number = self.scenes[-1].number
         if self.fresh:
             return None
@@ -273,7 +273,7 @@ class _Cutter:
         return told
 
     def _message(self, paragraph: Paragraph, scene: int) -> list[Sentence]:
-        """Read a message: its sender speaks off screen, and its content is shown."""
+        """Return the sentences of a message: its sender speaks off screen, and its content is shown."""
         assert self.cue is not None, "a message has a sender"
         sender = next(iter(self.roster.find(self.cue.name)), None)
         told = action_sentences(paragraph, scene, self.roster)

@@ -41,13 +41,13 @@ _BRACKET = re.compile(r"\s*\([^)]*\)\s*$")
 
 
 def is_time_passage(text: str) -> bool:
-    """Return whether a part of a heading gives a time but no time of day: ``CONTINUOUS``, ``WINTER``, ``1811``."""
+    """Whether a part of a heading tells time but no time of day: ``CONTINUOUS``, ``WINTER``, ``1811``."""
     bare = _BRACKET.sub("", text).strip(" .,")
     return bool(bare) and _GOES_ON.fullmatch(bare) is not None
 
 
 def heading_time(text: str) -> TimeOfDay | None:
-    """Return the time of day that a part of a heading gives, in any of five languages, or None."""
+    """Return the time of day in a part of a heading, in any of five languages, or None."""
     if clock := _CLOCK.search(text):
         return _time_of_hour(int(clock[1]) % 12 + 12 * (clock[2].upper() == "P"))
     if (clock := _CLOCK_24.search(text)) and (hour := int(clock[1] or clock[3])) < 24:
@@ -58,7 +58,7 @@ def heading_time(text: str) -> TimeOfDay | None:
 
 
 def is_time(text: str) -> bool:
-    """Return whether a part of a heading is a time of day and no place: ``EARLY MORNING``, not ``NIGHT CLUB``."""
+    """Whether a part of a heading is a time of day and no place: ``EARLY MORNING``, not ``NIGHT CLUB``."""
     if heading_time(text) is None:
         return False
     words = re.findall(r"[^\W\d_]+", text.lower())
@@ -69,7 +69,7 @@ _PASSED: dict[TimeOfDay, TimeOfDay] = {"dawn": "morning", "sunset": "evening", "
 
 
 def time_in_text(text: str) -> TimeOfDay | None:
-    """Return the first time of day in an English text."""
+    """Return the first time of day in an English text, or None."""
     low = " ".join(re.findall(r"[a-z]+", text.lower()))
     for phrase, time in lexicon.TIME_PHRASES.items():
         if re.search(rf"\b{phrase}\b", low):
@@ -79,11 +79,13 @@ def time_in_text(text: str) -> TimeOfDay | None:
 
 
 def default_time(scenes: Sequence[SceneReading], place: str) -> TimeOfDay:
-    """Return the hour of a scene that tells none: the one before, but dawn and dusk are over at the next place.
+    """Return the time of a scene that tells none: that of the scene before.
+
+    Dawn and dusk are over in another place.
 
     Args:
-        scenes: The scenes before.
-        place: Of the scene.
+        scenes: The scenes so far.
+        place: The place of the new scene.
     """
     if not scenes:
         return "day"
@@ -118,11 +120,11 @@ _GONE = re.compile(r"\b(?:since|until|till|last|yesterday|tomorrow)\W+(?:\w+ )?$
 
 
 def story_time(told: list[str], title: str) -> TimeOfDay | None:
-    """The time a story begins at, from its first paragraph or its title; None where they tell none.
+    """Return the time at which a story begins, or None.
 
     Args:
-        told: Sentences of the paragraph, in small letters, without speech.
-        title: Of the story.
+        told: Sentences of its first paragraph, in lower case.
+        title: Title of the story.
     """
     whole = " ".join(told)
     return _opening_time(told[0]) or _opening_time(whole) or time_in_text(title)

@@ -1,4 +1,4 @@
-"""Two places cut together: ``INTERCUT - OFFICE / STABLE``; each line then belongs to the place of its character."""
+"""Intercutting: ``INTERCUT - OFFICE / STABLE``; each line then belongs to the place of its character."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def _place(name: str, scenes: Sequence[SceneReading]) -> SceneReading | None:
 
 
 class Intercut:
-    """Assigns the sentences of an intercut to its places.
+    """Assigns the sentences of an intercut to its two or more places.
 
     Args:
         places: Scenes of two or more places.
@@ -117,7 +117,7 @@ class Intercut:
             scenes[-1].end = max(scenes[-1].end, sentence.end)
 
     def _named(self, sentence: Sentence) -> int | None:
-        """Return the index of the place a sentence begins with: ``In the stable, a tail``, ``STABLE: ..``."""
+        """Return the index of the place that a sentence begins with: ``In the stable, a tail``; None if none."""
         opening = sentence.paragraph.raw[sentence.start - sentence.paragraph.start :][:60].lower()
         match = re.match(
             r"\W*(?:back |then,? |meanwhile,? )*(?:in|at|on|inside|outside|from)?\s*(?:the |his "
@@ -137,7 +137,7 @@ class Intercut:
         )
 
     def _place_of_person(self, sentence: Sentence, cue: Paragraph | None) -> int | None:
-        """Return the index of the place of the person who speaks or acts; a new person is at the empty place."""
+        """Return the index of the place of the person who speaks or acts; new people are at the empty one."""
         if sentence.speech:
             seen = cue is not None and not _OFF.search(cue.extension)
             return self.homes.get(cue.name.lower(), self._empty_place()) if cue and seen else None
@@ -146,11 +146,12 @@ class Intercut:
         return next(known, self._empty_place() if people else None)
 
     def _empty_place(self) -> int | None:
-        """Return the index of the one place where nobody has been seen."""
+        """Return the index of the one place where nobody was seen, or None."""
         empty = {*range(len(self.places))} - {*self.homes.values()}
         return empty.pop() if len(empty) == 1 else None
 
     def _assign_people(self, sentence: Sentence, home: int) -> None:
+        """Note that the people of a sentence are at a place."""
         if sentence.speech:
             if sentence.speech.name and not _OFF.search(sentence.speech.extension):
                 self.homes.setdefault(sentence.speech.name.lower(), home)
@@ -163,6 +164,6 @@ class Intercut:
 
 
 def _people(sentence: Sentence) -> list[list[str]]:
-    """Return the names of each person that a sentence names."""
+    """Return the names of each person named in a sentence."""
     mentions = [word.mention for word in sentence.words if word.mention and len(word.mention.candidates) == 1]
     return [[alias.lower() for alias in mention.candidates[0].aliases] for mention in mentions]

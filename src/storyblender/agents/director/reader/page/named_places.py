@@ -79,7 +79,7 @@ def place_without_verb(text: str, *, pictured: bool = False) -> NamedPlace | Non
 
 
 def _in_picture(words: str, *, directed: bool) -> NamedPlace | None:
-    """``Otto on the pier``, ``Wide. The whole street dark but for one house``: the place of a described picture."""
+    """Return the place of a described picture: ``Otto on the pier``, ``Wide. The whole street dark``; else None."""
     low = words.lower().replace("’", "'")
     places = [_kind_at_end(match[1].split()) for match in _SOMEWHERE.finditer(low)]
     place = next((place for place in places if place and place not in _NO_PLACES), "")
@@ -90,6 +90,7 @@ def _in_picture(words: str, *, directed: bool) -> NamedPlace | None:
 
 
 def _in_fragment(words: str) -> NamedPlace | None:
+    """Return the place that a fragment names, or None."""
     if is_heading(words):
         return _place_from_heading(words)
     low = words.lower().replace("’", "'")
@@ -112,6 +113,7 @@ def _in_fragment(words: str) -> NamedPlace | None:
 
 
 def _place_from_heading(words: str) -> NamedPlace:
+    """Return the place of words in the form of a heading."""
     parts = heading_words(words)
     time = heading_time(words)
     place = re.split(r"\s+[-–—]+\s+|,\s*", parts.place.lower())[0].strip(" .")
@@ -119,7 +121,7 @@ def _place_from_heading(words: str) -> NamedPlace:
 
 
 def _place_in_phrase(segment: str, *, alone: bool) -> str:
-    """Return the place a phrase names: ``inside the old lamp room`` -> lamp room; empty if it names none."""
+    """Return the place that a phrase names: ``inside the old lamp room`` -> lamp room; empty if none."""
     lead = _LEAD.match(segment)
     rest = segment[lead.end() :] if lead else segment
     led = bool(lead and lead[0].strip())
@@ -143,7 +145,7 @@ def _place_in_phrase(segment: str, *, alone: bool) -> str:
 
 
 def _kind_at_end(words: list[str]) -> str:
-    """Return the place at the end of a list of words: two words if they are a kind of place together."""
+    """Return the place at the end of a list of words; two words if they are one kind of place."""
     if not words:
         return ""
     pair = " ".join(words[-2:])
@@ -157,11 +159,11 @@ def _kind_at_end(words: list[str]) -> str:
 
 
 def type_of_place(place: str, otherwise: SceneType = "outdoor") -> SceneType:
-    """Return whether a place is indoors: by the lists of places, else by the kit with its name among its words.
+    """Return whether a place is indoors, by the lists of places, else by the kit that it names.
 
     Args:
-        place: The place in lower case.
-        otherwise: The result for an unknown place.
+        place: The place as written.
+        otherwise: What it is where neither tells.
     """
     head = place.rpartition(" ")[2]
     if head in lexicon.PLACES:
@@ -172,7 +174,7 @@ def type_of_place(place: str, otherwise: SceneType = "outdoor") -> SceneType:
 
 @cache
 def place_words() -> dict[str, bool]:
-    """Return every word or phrase that means a set kit -> whether it is indoors."""
+    """Return each word or phrase that means a set kit, with whether the kit is indoors."""
     found: dict[str, bool] = {}
     for kit in SETS.values():
         for tag in (kit.key.replace("_", " "), *kit.tags):
@@ -182,7 +184,7 @@ def place_words() -> dict[str, bool]:
 
 
 def noun_may_be_place(tag: str) -> bool:
-    """Return whether a word of a kit names a place, and no furniture, trade or quality."""
+    """Whether a word of a kit names a place, and no furniture, trade or quality."""
     others = lexicon.PROPS | lexicon.SET_PIECES | lexicon.WORN | lexicon.ADJECTIVES | lexicon.ABSTRACT
     return " " in tag or tag not in others
 
@@ -217,9 +219,7 @@ _SMALL = frozenset({"the", "a", "of", "in", "at"})
 
 @rule("place.slug")
 def place_in_capitals(text: str, scenes: Sequence[SceneReading]) -> NamedPlace | None:
-    """Return the place that a paragraph begins with in capitals, or None.
-
-    It must be known as a place, or be part of the name of an earlier scene's place.
+    """Return the place in capitals that a paragraph begins with (``AT THE DOOR``), or None.
 
     Args:
         text: The paragraph.
@@ -244,7 +244,7 @@ def place_in_capitals(text: str, scenes: Sequence[SceneReading]) -> NamedPlace |
 
 
 def last_scene_with_words(words: str, scenes: Sequence[SceneReading]) -> SceneReading | None:
-    """Return the last scene whose place contains all these words."""
+    """Return the last scene whose place contains all these words, or None."""
     wanted = frozenset(re.findall(r"[^\W_]+", words.lower())) - _SMALL
     if not wanted:
         return None

@@ -1,4 +1,4 @@
-"""The places that sentences of prose name, and how a story comes to them."""
+"""The places that sentences of a prose story name, and how the story gets there."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ WHOLE = {
 
 
 def sentence_place(opening: str, raw: str = "", home: str = "") -> str:
-    """The place a sentence happens in; a known kind of place wins over others, else the first named.
+    """Return the place in which a sentence happens: a known kind of place, else the first one named.
 
     Args:
         opening: The sentence in small letters.
@@ -106,7 +106,7 @@ def first_place(text: str) -> str:
 
 
 def opening_place(opening: str) -> str:
-    """A room or a shop that is the subject of the first sentence of a story, in small letters."""
+    """Return the room or shop that is the subject of a story's first sentence; empty if it is none."""
     subject = _OPENING.match(opening)
     place = place_head(subject.group(1).split()) if subject else ""
     following = opening[opening.find(place) + len(place) :].split() if place else []
@@ -115,7 +115,7 @@ def opening_place(opening: str) -> str:
 
 
 def destination(told: list[str]) -> str:
-    """Where somebody goes in the first sentence, if the paragraph goes on there; a person alone just leaves."""
+    """Return where a person goes in the first sentence, if the paragraph continues there; else empty."""
     match = _GOING.search(told[0])
     if match is None or len(told) < 2 or _THERE_AND_BACK.search(told[0]):
         return ""
@@ -123,7 +123,7 @@ def destination(told: list[str]) -> str:
 
 
 def subject_place(opening: str, current: str) -> str:
-    """A room that a paragraph begins with, or where its first sentence finds somebody.
+    """Return the room that a paragraph begins with, or where its first sentence finds people; else empty.
 
     Args:
         opening: First sentence, in small letters.
@@ -144,13 +144,13 @@ def subject_place(opening: str, current: str) -> str:
 
 
 def scene_type_of(place: str) -> SceneType:
-    """Whether a place is indoors; what is unknown is outdoors."""
+    """Return the scene type of a place; what is unknown is outdoors."""
     head = place.partition(" ")[0] if _NUMBERED.match(place) else place.rpartition(" ")[2]
     return "indoor" if head in lexicon.INDOOR and head not in lexicon.OUTDOOR else "outdoor"
 
 
 def place_head(words: list[str]) -> str:
-    """``small cottage at the edge`` -> cottage; ``castle gate`` stays two words."""
+    """Return the place in a list of words: ``small cottage at the edge`` -> cottage; ``castle gate`` stays."""
     for index, word in enumerate(words):
         if word in _SMALL:
             return ""
@@ -167,7 +167,12 @@ def place_head(words: list[str]) -> str:
 
 
 def room_within(place: str, told: list[str]) -> str:
-    """The room of a building that the first paragraph comes into, else the place itself."""
+    """Return the room of a building that the first paragraph comes into, else the place itself.
+
+    Args:
+        place: The building.
+        told: Sentences of the paragraph, in lower case.
+    """
     for sentence in told if place in WHOLE else ():
         for match in re.finditer(rf"\b(?:into|in)\s+{_DETERMINED}{_WORDS}", sentence):
             room = place_head(match.group(1).split())
@@ -177,6 +182,6 @@ def room_within(place: str, told: list[str]) -> str:
 
 
 def _part(before: str) -> str:
-    """``the yard of the inn``: the yard; where a preposition follows another place, that place."""
+    """Return the yard of ``the yard of the inn``; the place before a preposition, else an empty string."""
     words = before.split()
     return words[-1] if words and words[-1] in lexicon.PLACES and words[-2:-1] == ["the"] else ""

@@ -1,4 +1,4 @@
-"""Where a paragraph of prose changes the scene: a new place or a jump in time at its start."""
+"""Scene changes in prose: a paragraph that begins with a new place or a jump in time."""
 
 from __future__ import annotations
 
@@ -66,10 +66,7 @@ _OTHER_TIME = re.compile(r"(?:that|in the|by|towards?|at) (?:\w+ )?(?:morning|ev
 
 
 def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading], title: str = "") -> SceneReading | None:
-    """The scene a paragraph opens, or None where it goes on with the last.
-
-    A place in the middle of a sentence is only where somebody is (``She led them through the bakery``); a new scene
-    is told by an opening: a place or a time at its start, a room it begins with, or somebody who arrives.
+    """Return the scene that a paragraph opens, or None where the last one continues.
 
     Args:
         paragraph: A paragraph of prose; its first two sentences are searched.
@@ -113,7 +110,7 @@ def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading], title: s
 def _new_place_and_time(
     told: list[str], raw: list[str], scenes: list[SceneReading]
 ) -> tuple[str, TimeOfDay | None] | None:
-    """Where and when a paragraph takes the story, or None where it stays."""
+    """Return where and when a paragraph takes the story, or None where it stays."""
     last = scenes[-1]
     opening = told[0]
     second = told[1] if len(told) > 1 else ""
@@ -141,9 +138,10 @@ def _new_place_and_time(
 
 
 def _just_came_in(last: SceneReading) -> bool:
-    """Whether a story has only just come to an inn: the taproom told of next is where it is."""
+    """Whether a story has only just come to an inn: the taproom told next is the same place."""
     return last.place in WHOLE and last.end - last.start < _A_PARAGRAPH
 
 
 def _is_time_jump(sentence: str) -> bool:
+    """Whether a sentence jumps in time."""
     return any(pattern.match(sentence) for pattern in (_TIME_JUMP, _NEXT_DAY, _CLOCK, _AWHILE))

@@ -1,4 +1,4 @@
-"""Sentences of a story: quoted speech with who says it, and the rest as action."""
+"""Sentences of prose: quoted speech with its speaker, and the rest as action."""
 
 from __future__ import annotations
 
@@ -20,10 +20,12 @@ _SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS
 
 
 def prose_sentences(paragraph: Paragraph, scene: int, roster: Roster) -> list[Sentence]:
-    """Cut a paragraph of prose into sentences.
+    """Return the sentences of a paragraph of prose.
 
-    A quotation is one word. ``"..." whispered the grandmother`` is put in the order subject, verb; every word keeps
-    its place in the script.
+    Args:
+        paragraph: The paragraph.
+        scene: Index of its scene.
+        roster: The cast.
     """
     words = mark_mentions(_words_and_quotations(paragraph.raw, paragraph.start), roster)
     mark_narrator(words, roster.narrator)
@@ -43,7 +45,7 @@ def prose_sentences(paragraph: Paragraph, scene: int, roster: Roster) -> list[Se
 
 
 def _who_follows(sentences: list[Sentence]) -> None:
-    """Note who is spoken of after a quotation that opens a paragraph, and which quotations stand alone."""
+    """Note who is mentioned after an opening quotation, and which quotations stand alone."""
     first = sentences[0] if sentences else None
     if first is None or first.speech is None or first.words:
         return
@@ -55,7 +57,7 @@ def _who_follows(sentences: list[Sentence]) -> None:
 
 
 def _mark_the_other(words: list[Word]) -> None:
-    """``said the other``, ``The latter rose``: somebody, where no noun follows and nothing but a subject can stand."""
+    """Mark ``the other`` and ``The latter`` as a person where no noun follows."""
     for at in range(1, len(words)):
         word, before = words[at], words[at - 2] if at > 1 else None
         following = words[at + 1] if at + 1 < len(words) else None
@@ -68,10 +70,12 @@ def _mark_the_other(words: list[Word]) -> None:
 
 
 def _is_past(word: Word | None) -> bool:
+    """Whether a word is a verb in the past tense."""
     return word is not None and word.low in FORMS and FORMS[word.low].kind == "past"
 
 
 def _words_and_quotations(text: str, offset: int) -> list[Word]:
+    """Return the words of a text, each quotation as one word."""
     words: list[Word] = []
     at = 0
     for match in QUOTATION.finditer(text):
@@ -86,14 +90,14 @@ def _words_and_quotations(text: str, offset: int) -> list[Word]:
 
 
 def _closes(quotation: str) -> bool:
-    """Whether a full stop, an exclamation or a question mark stands behind the last word."""
+    """Whether a quotation ends with a full stop, an exclamation or a question mark."""
     return any(
         mark in ".!?…" for mark in takewhile(lambda mark: not (mark.isalnum() or mark == "_"), reversed(quotation))
     )
 
 
 def _split(words: list[Word]) -> list[list[Word]]:
-    """Cut after full stops outside quotations, and after a quotation that closes with nothing said about it."""
+    """Cut after full stops outside quotations, and after quotations that nothing is said about."""
     sentences: list[list[Word]] = [[]]
     for index, word in enumerate(words):
         sentences[-1].append(word)
@@ -107,7 +111,7 @@ def _split(words: list[Word]) -> list[list[Word]]:
 
 
 def _starts_sentence(following: list[Word]) -> bool:
-    """Whether what follows a closed quotation is a new sentence and not its ``said the fox``."""
+    """Whether a new sentence, and no ``said the fox``, follows a closed quotation."""
     if not following or following[0].quotation:
         return True
     first = following[0]
@@ -118,12 +122,13 @@ def _starts_sentence(following: list[Word]) -> bool:
 
 
 def _is_speech_verb(word: Word) -> bool:
+    """Whether a word is a verb of saying."""
     verb = FORMS[word.low].lemma if word.low in FORMS else ""
     return verb in lexicon.SPEECH_VERBS or lexicon.MOTION_OF_VERB.get(verb) in ("talk", "whisper", "shout")
 
 
 def _split_attribution(words: list[Word], text: str) -> tuple[list[Word], SpokenText]:
-    """Find the verb of saying and its subject; returns the words in plain order and the speech."""
+    """Return the words in plain order, and the speech with the subject of its verb of saying."""
     if _ANSWER.match(" ".join(word.low for word in words)):
         return words, SpokenText(text, verb="answer")
     at = next((index for index, word in enumerate(words) if _is_speech_verb(word)), None)
@@ -140,7 +145,7 @@ def _split_attribution(words: list[Word], text: str) -> tuple[list[Word], Spoken
 
 
 def _subject_end(words: list[Word], start: int) -> int:
-    """Index after the noun phrase that starts at ``start``: ends with the first mention or pronoun."""
+    """Return the index after the noun phrase that starts at ``start``."""
     at = start
     if start + 1 < len(words) and words[start].low in ("one", "all", "both", "some") and words[start + 1].low == "of":
         at = start + 2

@@ -44,7 +44,7 @@ _SMALL = frozenset({"the", "a", "of", "in", "at", "s"})
 
 
 class _Place(NamedTuple):
-    """A heading without its time of day."""
+    """Place and time of a heading."""
 
     whole: str
     first: str
@@ -82,11 +82,12 @@ def read_heading(paragraph: Paragraph, scenes: list[SceneReading]) -> SceneReadi
 
 
 def first_scene(paragraph: Paragraph) -> SceneReading:
-    """A scene for a script that starts without a heading."""
+    """Return the scene of a script that starts without a heading."""
     return SceneReading(1, "", "", "", "outdoor", "day", start=paragraph.start, end=paragraph.end)
 
 
 def _place_and_time(rest: str, scenes: list[SceneReading]) -> _Place:
+    """Return place and time of a heading without its ``INT.`` or ``EXT.``"""
     parts = [part for whole in _DASH.split(rest) if whole for part in _STOP.split(whole) if part.strip()]
     if len(parts) == 1 and "," in rest:
         place, last = rest.rsplit(",", 1)
@@ -118,7 +119,7 @@ def _place_and_time(rest: str, scenes: list[SceneReading]) -> _Place:
 
 
 def _trailing_time(place: str) -> tuple[list[str], TimeOfDay | None, list[str]]:
-    """``KITCHEN NIGHT``: split a heading without dashes; it may be a time of day alone."""
+    """Split a heading without dashes: ``KITCHEN NIGHT``; it may be a time of day alone."""
     words = place.split()
     if is_time(place) and len(words) < 4:
         return [], heading_time(place), [place.upper()]
@@ -172,10 +173,7 @@ _WATERS = frozenset({"sea", "ocean", "river", "lake", "bay", "water", "lagoon"})
 
 @rule("place.side")
 def settle_sides(text: str, scenes: Sequence[SceneReading], *, chat: bool = False) -> None:
-    """Set scenes to inside or outside if only their things can decide it.
-
-    A scene without a place follows its things; one that only inherits its place from the scene before goes outside
-    if all of its things are outdoor things. People in a boat on the water are on its deck.
+    """Set scenes to interior or exterior where only the things in them can decide it.
 
     Args:
         text: The script.

@@ -27,7 +27,7 @@ _ABBREVIATIONS = frozenset({"mr", "mrs", "ms", "dr", "prof", "st", "sgt", "lt", 
 
 @dataclass
 class SpokenText:
-    """Something said."""
+    """The speech of a sentence: its words, speaker and brackets."""
 
     text: str
     name: str = ""
@@ -64,7 +64,13 @@ class Sentence:
 
 
 def action_sentences(paragraph: Paragraph, scene: int, roster: Roster) -> list[Sentence]:
-    """Cut an action paragraph into sentences; each camera direction goes to the sentence it holds from."""
+    """Return the sentences of an action paragraph, each with the camera direction that holds from it.
+
+    Args:
+        paragraph: The paragraph.
+        scene: Index of its scene.
+        roster: The cast.
+    """
     body = without_quotations(without_brackets(paragraph.body))
     words = mark_mentions(tokenize(body, paragraph.start), roster)
     sentences: list[Sentence] = []
@@ -77,7 +83,7 @@ def action_sentences(paragraph: Paragraph, scene: int, roster: Roster) -> list[S
 
 
 def _attach_camera(sentences: list[Sentence], camera: CameraNote, at: int, paragraph: Paragraph, scene: int) -> None:
-    """Give a camera direction to the first sentence that ends after it, else to the last, else to a new empty one."""
+    """Give a camera direction to the first sentence that ends after it, else the last, else a new empty one."""
     free = [sentence for sentence in sentences if sentence.camera is None]
     following = next((sentence for sentence in free if sentence.end >= at), free[-1] if free else None)
     spoken = any(word.solid for sentence in sentences for word in sentence.words)
@@ -88,7 +94,7 @@ def _attach_camera(sentences: list[Sentence], camera: CameraNote, at: int, parag
 
 
 def split_sentences(words: list[Word]) -> list[list[Word]]:
-    """Cut a row of words after full stops, exclamation and question marks; names are never cut."""
+    """Return words cut after full stops, exclamation and question marks; names are never cut."""
     sentences: list[list[Word]] = [[]]
     for index, word in enumerate(words):
         sentences[-1].append(word)
@@ -103,7 +109,7 @@ def split_sentences(words: list[Word]) -> list[list[Word]]:
 
 
 def of_readable_length(words: list[Word]) -> list[list[Word]]:
-    """Cut a row of words without a full stop that is too long for a sentence, after its last pause if it has one."""
+    """Return words cut after their last pause where they are too long for one sentence."""
     parts: list[list[Word]] = []
     at = 0
     while len(words) - at > _LONGEST:
@@ -115,7 +121,7 @@ def of_readable_length(words: list[Word]) -> list[list[Word]]:
 
 
 def _at_colon(words: list[Word]) -> list[tuple[list[Word], bool]]:
-    """Cut at a colon. ``On the monitor: Pip pushes a mop`` leaves what comes after it, which is only pictured."""
+    """Cut at a colon; with each part, whether it is only pictured: ``On the monitor: Pip pushes a mop``."""
     colon = next((index for index, word in enumerate(words) if word.text == ":"), None)
     if colon is None:
         return [(words, False)]
@@ -138,7 +144,14 @@ def _at_colon(words: list[Word]) -> list[tuple[list[Word], bool]]:
 
 
 def speech_sentences(manuscript: Manuscript, index: int, scene: int, cue: Paragraph | None) -> list[Sentence]:
-    """The speech of a dialogue paragraph, with the parenthetical right before it."""
+    """Return the speech of a dialogue paragraph, with the parenthetical right before it.
+
+    Args:
+        manuscript: The script.
+        index: Index of the paragraph.
+        scene: Index of its scene.
+        cue: The paragraph with the name, or None.
+    """
     paragraph = manuscript.paragraphs[index]
     before = manuscript.paragraphs[index - 1] if index else paragraph
     speech = SpokenText(

@@ -21,7 +21,13 @@ _GENDERED: dict[str, Gender] = {"male": "male", "female": "female"}
 
 @rule("people.pronouns_of_introduction")
 def resolve_introduction_pronouns(state: ReaderState, written: Sequence[Word], end: int) -> None:
-    """Record the pronouns that are in no clause: they mean the person named before them."""
+    """Record the pronouns that are in no clause: they mean the person named before them.
+
+    Args:
+        state: The state after the clauses of the sentence.
+        written: The words of the sentence as they are written, what is in brackets left out.
+        end: Where it ends in the script.
+    """
     start = written[0].start
     text = state.reading.screenplay.text[start:end]
     known = {at for at, _, _ in takewhile(lambda pronoun: pronoun[0] >= start, reversed(state.reading.pronouns))}

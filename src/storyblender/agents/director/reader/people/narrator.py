@@ -36,7 +36,12 @@ _MY_SPOUSE = re.compile(rf"\b[Mm]y ({'|'.join(_SPOUSES)})\b")
 
 @rule("people.narrator")
 def find_narrator(script: Manuscript, roster: Roster) -> None:
-    """Add the first-person narrator of a story to the cast, if there is one."""
+    """Add the first-person narrator of a story to the cast, if there is one.
+
+    Args:
+        script: A story.
+        roster: Its cast, filled here.
+    """
     told = [(paragraph.start, without_quotations(paragraph.raw)) for paragraph in script.paragraphs]
     uses = [start + match.start() for start, text in told for match in _I.finditer(text)]
     owned = sum(len(_MINE.findall(text)) for _, text in told)

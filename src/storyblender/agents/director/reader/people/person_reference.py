@@ -269,7 +269,13 @@ def listeners(state: ReaderState) -> list[Person]:
 
 
 def nearest_mentioned(state: ReaderState, at: int, gender: Gender) -> list[Person]:
-    """Return people of a gender by how near their first mention is to an offset; for a name told later."""
+    """Return people of a gender by how near their first mention is to an offset; for a name told later.
+
+    Args:
+        state: The state before the mention.
+        at: Offset of the mention.
+        gender: What the noun tells; unknown fits everybody.
+    """
     if state.reading.screenplay.format != "prose":
         return []
     cast = [person for person in state.roster.people if person.kind == "human" and person.count == 1]

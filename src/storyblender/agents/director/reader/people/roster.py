@@ -38,7 +38,15 @@ def _is_full_name(first: str, last: str) -> bool:
 
 
 class Roster:
-    """All people found so far, in the order in which they were found."""
+    """All people found so far, in the order in which they were found.
+
+    Attributes:
+        people: The cast.
+        ids: Asset ids in use, for people and things together.
+        by_name: Name, as words -> the people it can mean; filled by ``index``.
+        longest: First word of a name -> words in the longest name that starts so.
+        narrator: Who tells a story as ``I``.
+    """
 
     def __init__(self) -> None:
         self.people: list[Person] = []
@@ -81,7 +89,12 @@ class Roster:
         return sorted(people, key=lambda person: self._places[person.id])
 
     def add(self, name: str, first: int = 0) -> Person:
-        """Return the person of a name, new if unknown."""
+        """Return the person of a name, new if unknown.
+
+        Args:
+            name: As written: ``OFFICER HALE``, ``Man in a hat``, ``the old woman``.
+            first: Offset of the mention in the script.
+        """
         known = self._same_title(name) or self._known(name)
         if known:
             return known

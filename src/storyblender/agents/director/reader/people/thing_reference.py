@@ -94,7 +94,7 @@ def thing_for_it(state: ReaderState, index: int, use: Use, animals: Sequence[Per
 
 
 def _fitness(state: ReaderState, thing: str, use: Use, aside: bool) -> float:
-    """Return how well a thing goes with what is said of it, as a factor of its salience."""
+    """Return how well a thing goes with what is said of it, a term added to its salience."""
     kind, verb = state.inventory.class_of(thing), state.sentence.verb
     motion = lexicon.MOTION_OF_VERB.get(verb)
     fitness = _KINDS.get(kind, 0.0) + _SUITS * (state.inventory.head(thing) in lexicon.SUITING.get(verb, ()))
