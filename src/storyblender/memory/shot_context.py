@@ -56,6 +56,12 @@ class CharacterAction(Frozen):
     distance: Coordinate | None = None
     """Metres travelled, where the script says so."""
     mood: Mood = "neutral"
+    company: tuple[Identifier, ...] = ()
+    """People it is done with."""
+    gets_out: bool = False
+    """Of a way: whether it begins in a vehicle."""
+    flies: bool = False
+    """Of an animal: whether it is off the ground."""
     line_index: int | None = None
     """Index into the shot's lines, where the action belongs to one (speech)."""
 

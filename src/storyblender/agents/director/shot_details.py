@@ -7,6 +7,7 @@ from bisect import bisect_left
 from collections.abc import Sequence
 from string import capwords
 
+from storyblender.agents.director.action_words import with_facts
 from storyblender.agents.director.camera_phrases import from_behind
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import frame_count, shot_seconds
@@ -238,7 +239,8 @@ class ShotDetails:
                     target_id=heard if heard in self.story.assets else None,
                 )
             )
-        return actions
+        names = {person: self.story.names[person] for person in on_stage}
+        return [with_facts(action, names) for action in actions]
 
     def _unread(self, draft: ShotDraft, busy: set[str]) -> list[CharacterAction]:
         """Return an action with the unit's own words for its only person, if the reader found no deed of theirs."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -143,7 +142,7 @@ def spatial_planner_view(
         seed=graph.format.seed,
         placements=placements or {},
         handlers=handlers,
-        company=_company(graph, first) if first is not None else {},
+        company=_company(first) if first is not None else {},
         found=_found(shots),
         stations=_stations(shots),
         props=props_of(graph.assets),
@@ -195,17 +194,10 @@ def _deeds(shots: Sequence[ShotContext], props: Mapping[str, str]) -> dict[str, 
     return deeds
 
 
-def _company(graph: ContinuityMemoryGraph, first: ShotContext) -> dict[str, str]:
-    """Return who stands with whom: ``stands at the piano with the two soldiers``."""
-    names = {asset.asset_id: asset.name for asset in graph.assets if asset.asset_id in first.on_stage}
+def _company(first: ShotContext) -> dict[str, str]:
+    """Return the person that each companion stands with as the scene begins."""
     found: dict[str, str] = {}
     for action in first.character_actions:
-        named = re.search(r"\bwith (.+)", action.action_description.lower())
-        if named is None or action.motion not in _RESTING:
-            continue
-        words = {word.removesuffix("s") for word in re.findall(r"[^\W\d_]+", named[1])}
-        for asset_id, name in names.items():
-            own = [word.lower().removesuffix("s") for word in re.findall(r"[^\W\d_]+", name)]
-            if asset_id != action.asset_id and words & set(own[:1] + own[-1:]):
-                found.setdefault(asset_id, action.asset_id)
+        for companion in action.company if action.motion in _RESTING else ():
+            found.setdefault(companion, action.asset_id)
     return found

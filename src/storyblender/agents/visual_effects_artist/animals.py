@@ -27,7 +27,6 @@ START_DELAY = 0.3
 """Seconds of the shot before the first animal acts."""
 LEAST_TURN = math.radians(15)
 """Least turn in radians that is animated."""
-_FLIGHT_WORDS = ("flies", "flew", "flying", "fly ", "soars", "swoops", "flutters", "hovers", "takes off")
 _FLIGHT_HEIGHT = 1.6
 """Metres above the floor at which a bird flies."""
 
@@ -115,14 +114,13 @@ class Animals:
             yaw = facing(here, goal) if math.dist(here, goal) > 0.1 else yaw
         if target is not None and math.dist(goal, target) > 0.05:
             yaw = facing(goal, target)
-        flies = any(word in f"{action.action_description.lower()} " for word in _FLIGHT_WORDS)
-        if math.dist(here, goal) < 0.1 and abs(shortest_turn(animal.yaw, yaw)) < LEAST_TURN and not flies:
+        if math.dist(here, goal) < 0.1 and abs(shortest_turn(animal.yaw, yaw)) < LEAST_TURN and not action.flies:
             return None
         way = math.dist(here, goal)
         seconds = 0.5 + SECONDS_PER_METRE * way / math.sqrt(max(0.2, animal.length)) * (
             0.45 if motion.key == "run" else 1.0
         )
-        animal.place = (round(goal[0], 3), round(goal[1], 3), _FLIGHT_HEIGHT if flies else animal.place[2])
+        animal.place = (round(goal[0], 3), round(goal[1], 3), _FLIGHT_HEIGHT if action.flies else animal.place[2])
         animal.yaw, animal.moved = yaw, True
         mark = Mark(asset_id=name, location=animal.place, yaw=round(math.degrees(yaw), 2))
         length = max(2, min(round(seconds * fps), frames - start - 1))

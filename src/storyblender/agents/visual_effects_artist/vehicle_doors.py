@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -21,11 +20,6 @@ from storyblender.memory.asset_sheet import Anchor, Asset
 from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import AssetModification, BodyState, CharacterAction, Mark, ShotContext
 
-_OUT = re.compile(
-    r"\b(gets?|got|climbs?|climbed|steps?|stepped|jumps?|jumped|hops?|slides?|slid|scrambles?)\b.{0,30}\b(out|off|down)\b"
-    r"|\b(alights?|emerges?|emerged|exits?|exited)\b",
-    re.IGNORECASE,
-)
 _BESIDE, _BEHIND = 0.1, 0.34
 """Metres outward and to the rear from a door's middle to the passenger, clear of the open door."""
 _AT_DOOR = 0.75
@@ -48,11 +42,6 @@ def boarding_station(stage: StageState, person: StagedPerson, state: BodyState) 
     return None if seat is None or seat.node_id != thing.node_id else _station_at_door(thing, seat.anchor)
 
 
-def is_getting_out(action: CharacterAction) -> bool:
-    """Return whether an action leads out of a vehicle, by its words."""
-    return clip_of(action.motion).speed is not None and _OUT.search(action.action_description) is not None
-
-
 def leaving_station(
     stage: StageState, person: StagedPerson, action: CharacterAction
 ) -> tuple[PlacedObject, Station] | None:
@@ -64,7 +53,7 @@ def leaving_station(
         action: What they do.
     """
     anchor, thing = person.anchor, stage.floor.things.get(person.support or "")
-    if thing is None and is_getting_out(action) and (thing := stage.floor.thing(action.target_id)) is not None:
+    if thing is None and action.gets_out and (thing := stage.floor.thing(action.target_id)) is not None:
         seat = stage.seats.choose(person, thing.node_id) if thing.anchors_of("door") else None
         anchor = seat.anchor if seat is not None else ""
     station = _station_at_door(thing, anchor) if thing is not None else None
@@ -139,7 +128,7 @@ def _doors_in_use(
     aboard |= {each.start.asset_id for each in (after.blocking if after else ()) if each.start.support_id in names}
     was = {each.end.asset_id for each in (before.blocking if before else ()) if each.end.support_id in names}
     was |= {state.asset_id for state in shot.states if state.posture == "sit" and state.support_id in names}
-    was |= {each.asset_id for each in shot.character_actions if is_getting_out(each) and each.target_id in names}
+    was |= {each.asset_id for each in shot.character_actions if each.gets_out and each.target_id in names}
     opening = {
         action.asset_id
         for action in shot.character_actions

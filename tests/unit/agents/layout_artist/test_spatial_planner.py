@@ -298,12 +298,12 @@ def test_who_is_at_a_part_of_the_set_stands_there() -> None:
     assert {"ana", "ben"} <= at.keys()
 
 
-def test_with_whom_somebody_stands_is_read_from_the_scenes_first_words() -> None:
+def test_companions_of_the_first_actions_stand_together() -> None:
     people = [
         Asset(asset_id=each, asset_type="character", description="", name=each.title())
         for each in ("ana", "ben", "cal")
     ]
-    action = CharacterAction(asset_id="ana", action_description="stands at the bar with old Ben", motion="idle")
+    action = CharacterAction(asset_id="ana", action_description="stands", motion="idle", company=("ben",))
     camera = CameraInstruction(focus_on_ids=("ana",))
     shot = ShotContext(
         scene_id=1, shot_id=1, on_stage=("ana", "ben", "cal"), character_actions=(action,), camera_instruction=camera

@@ -27,8 +27,8 @@ def _menagerie() -> Animals:
     return Animals(stage, [DOG], [home])  # type: ignore[arg-type]
 
 
-def _shot(motion: str, target: str | None = None, words: str = "goes"):
-    action = CharacterAction(asset_id="dog", action_description=words, motion=motion, target_id=target)
+def _shot(motion: str, target: str | None = None, *, flies: bool = False):
+    action = CharacterAction(asset_id="dog", action_description="", motion=motion, target_id=target, flies=flies)
     return SimpleNamespace(character_actions=(action,))
 
 
@@ -50,5 +50,5 @@ def test_it_stops_beside_whom_it_goes_to_facing_them_and_is_there_in_the_next_sh
 def test_a_look_is_a_turn_and_a_bird_that_flies_is_off_the_floor() -> None:
     (turn,), _ = _menagerie().play(_shot("look", "nora"), 24, 120)  # type: ignore[arg-type]
     assert turn.clip == "turn" and turn.mark is not None and turn.mark.location == (0.0, 0.0, 0.0)
-    (flight,), _ = _menagerie().play(_shot("walk", "nora", "flies to Nora"), 24, 120)  # type: ignore[arg-type]
+    (flight,), _ = _menagerie().play(_shot("walk", "nora", flies=True), 24, 120)  # type: ignore[arg-type]
     assert flight.mark is not None and flight.mark.location[2] > 1

@@ -6,11 +6,11 @@ import math
 
 import pytest
 
-from storyblender.agents.visual_effects_artist.vehicle_doors import add_open_doors, is_getting_out
+from storyblender.agents.visual_effects_artist.vehicle_doors import add_open_doors
 from storyblender.catalog.states import DOORS_CLOSED, after, looks_in
 from storyblender.memory.asset_sheet import Anchor, Asset, CanonicalAsset
 from storyblender.memory.scene_context import LayoutObject
-from storyblender.memory.shot_context import Blocking, BodyState, CameraInstruction, CharacterAction, Mark, ShotContext
+from storyblender.memory.shot_context import Blocking, BodyState, CameraInstruction, Mark, ShotContext
 
 _SIDES = {"driver": 1.4, "passenger": -1.4}
 _ANCHORS = tuple(
@@ -61,18 +61,3 @@ def test_an_open_door_is_built_open_and_the_others_are_not() -> None:
     (look,) = looks_in("car", {}, after((), "driver door open"))
     assert look.params["open"] == "driver"
     assert looks_in("car", {}, after(("driver door open",), DOORS_CLOSED)) == ()
-
-
-@pytest.mark.parametrize(
-    ("words", "out"),
-    [
-        ("gets out of the car", True),
-        ("climbs down from the bus", True),
-        ("walks to the car", False),
-        ("gets in", False),
-    ],
-)
-def test_words_tell_who_gets_out(words: str, out: bool) -> None:
-    assert (
-        is_getting_out(CharacterAction(asset_id="tom", action_description=words, motion="walk", target_id="car")) == out
-    )
