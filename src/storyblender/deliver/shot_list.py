@@ -8,7 +8,7 @@ from pathlib import Path
 from string import capwords
 
 from storyblender.deliver.panel import Panel, frame_of, panels, timecode
-from storyblender.memory.camera_words import camera_sentence, order_of
+from storyblender.memory.camera_words import camera_sentence
 from storyblender.memory.graph import ContinuityMemoryGraph
 
 COLUMNS: tuple[str, ...] = (
@@ -69,7 +69,7 @@ def _description(panel: Panel, names: Mapping[str, str], place: str) -> str:
     wanted = panel.shot.camera_instruction
     way = panel.way if panel.way not in ("in", "out") else None
     became = wanted.model_copy(update={"movement": panel.move, "direction": way})
-    return camera_sentence(became, names, capwords(place), order_of(wanted.description))
+    return camera_sentence(became, names, capwords(place))
 
 
 def _inert(value: object) -> object:

@@ -1,4 +1,4 @@
-"""A camera in one sentence, for the Director who wants it and for the lists that say what became of it."""
+"""A camera in one sentence, for the lists that are delivered."""
 
 from __future__ import annotations
 
@@ -16,18 +16,15 @@ _MOVES: Final[dict[Movement, str]] = {
     "pan": "panning",
     "tilt": "tilting",
 }
-_ORDER: Final = " (script: "
-"""Before the words of the script that ordered this camera."""
 
 
-def camera_sentence(instruction: CameraInstruction, names: Mapping[str, str], place: str, order: str = "") -> str:
+def camera_sentence(instruction: CameraInstruction, names: Mapping[str, str], place: str) -> str:
     """Return one sentence, e.g. ``A static medium close-up of Ilsa over Rick's shoulder, eye-level.``
 
     Args:
         instruction: The camera.
         names: Asset id to what people call it.
         place: What the shot shows if no person is in focus.
-        order: The words of the script that asked for it, if it did.
     """
     form = SIZES[instruction.size].words
     if instruction.kind in _KINDS:
@@ -47,12 +44,7 @@ def camera_sentence(instruction: CameraInstruction, names: Mapping[str, str], pl
         sentence += f" as {names.get(instruction.pov_id, instruction.pov_id)} sees it"
     move = "" if still else _MOVES.get(instruction.movement, instruction.movement)
     sentence += ", ".join(["", *filter(None, [f"{move} {instruction.direction or ''}".strip(), instruction.angle])])
-    return sentence + (f"{_ORDER}{order})" if order else "") + "."
-
-
-def order_of(sentence: str) -> str:
-    """Return the words of the script that a camera's sentence quotes, if it quotes any."""
-    return sentence.partition(_ORDER)[2].removesuffix(".").removesuffix(")")
+    return sentence + (f" (script: {instruction.order})" if instruction.order else "") + "."
 
 
 def listed(names: Sequence[str]) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from storyblender.memory.asset_sheet import ParamValue
 from storyblender.memory.base import Color, Coordinate, Frozen, Identifier, SceneId, Vec3
@@ -63,7 +63,6 @@ class SceneSetup(Frozen):
     time_of_day: TimeOfDay = "day"
     weather: Weather = "clear"
     layout_description: str = ""
-    lighting_description: str = ""
     light: tuple[LightQuality, ...] = ()
     """Qualities of the light."""
     ground_description: str = ""
@@ -71,6 +70,12 @@ class SceneSetup(Frozen):
     relations: tuple[Relation, ...] = ()
     found: dict[Identifier, tuple[str, ...]] = {}
     """States in which things and doors are as the scene opens, left so by earlier scenes: ``broken``, ``open``."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _from_schema_4(cls, value: object) -> object:
+        """Older projects kept a sentence on the light, which follows from hour and weather."""
+        return {k: v for k, v in value.items() if k != "lighting_description"} if isinstance(value, dict) else value
 
 
 class SceneSize(Frozen):

@@ -9,7 +9,7 @@ from pydantic import Field, field_validator, model_validator
 
 from storyblender.memory.base import Coordinate, Frames, Frozen, Identifier, SceneId, ShotId, Vec3
 from storyblender.memory.scene_context import Light, Lighting, Spot
-from storyblender.memory.shot_sizes import SIZES, Distance, ShotSize
+from storyblender.memory.shot_sizes import ShotSize
 from storyblender.memory.vocabulary import (
     Angle,
     BodyPart,
@@ -106,7 +106,7 @@ class LightChange(Frozen):
 
 
 class CameraInstruction(Frozen):
-    """The camera as the Director wants it (the paper's fields; ``distance`` follows ``size``)."""
+    """The camera as the Director wants it: the paper's fields; its ``distance`` follows from ``size``."""
 
     focus_on_ids: tuple[Identifier, ...] = ()
     kind: ShotKind = "action"
@@ -114,7 +114,6 @@ class CameraInstruction(Frozen):
     angle: Angle = "eye-level"
     detail: BodyPart | None = None
     """Of the first focus person: an insert shows this part of them and nothing else."""
-    distance: Distance = "medium shot"
     movement: Movement = "static"
     direction: CameraDirection | None = None
     over_id: Identifier | None = None
@@ -133,13 +132,24 @@ class CameraInstruction(Frozen):
     """Seen through a diffusion filter: sharp, with a glow around what is bright."""
     axis: tuple[Identifier, Identifier] | None = None
     """The pair that defines the 180-degree line."""
-    description: str = ""
+    order: str = ""
+    """The script's words that asked for this camera."""
     explicit: bool = False
     """Written in the script: never overruled by taste."""
     through: str = ""
     """POV shots: what the camera looks through: ``binoculars``, ``keyhole``, ``scope``, ``window``."""
     behind: bool = False
     """The script shows its people from behind: ``his back to us``."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _from_schema_4(cls, value: object) -> object:
+        """Older projects kept a distance beside the size, and a sentence that ends in the words that ordered it."""
+        if not isinstance(value, dict) or "description" not in value:
+            return value
+        kept = {name: each for name, each in value.items() if name not in ("description", "distance")}
+        order = str(value["description"]).partition(" (script: ")[2]
+        return {"order": order.removesuffix(".").removesuffix(")"), **kept}
 
 
 class CameraDecision(Frozen):
@@ -180,7 +190,7 @@ class CameraDecision(Frozen):
         """Return an instruction as it was decided."""
         changes = self.model_dump(exclude_none=True, exclude={"moment"})
         if self.size is not None:
-            changes = {"lens": None, **changes, "distance": SIZES[self.size].distance}
+            changes = {"lens": None, **changes}
         if self.movement is not None:
             changes = {"direction": None, **changes}
         if self.focus is not None:
@@ -367,6 +377,8 @@ class ShotContext(Frozen):
     """Moment that the storyboard frame shows, if the script or the user sets it."""
     moment_line: int | None = None
     """Index into the shot's lines of the one whose actions ``moment`` is about; None if it is about the whole shot."""
+    frame: Frames | None = None
+    """Frame from the start of the shot that the storyboard shows; chosen by the Camera Operator with the camera."""
     asset_modifications: tuple[AssetModification, ...] = ()
     character_actions: tuple[CharacterAction, ...] = ()
     new_lighting_description: str | None = None

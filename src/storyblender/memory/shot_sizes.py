@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Literal
 
 ShotSize = Literal["EWS", "WS", "FS", "MWS", "MS", "MCU", "CU", "ECU"]
-Distance = Literal["long shot", "medium shot", "close-up"]
 
 
 @dataclass(frozen=True)
@@ -16,7 +15,6 @@ class SizeStandard:
 
     Attributes:
         words: As people say it.
-        distance: The paper's word.
         lens: Default focal length in mm on a 36 mm wide sensor; a lens kit may replace it.
         widest: Shortest focal length in mm that the lens may be widened to where the room is short; inf keeps it.
         f_number: Aperture; tight shots part the face from its background, in wider ones everything is sharp unless the
@@ -32,7 +30,6 @@ class SizeStandard:
     """
 
     words: str
-    distance: Distance
     lens: float
     widest: float
     f_number: float
@@ -50,14 +47,14 @@ class SizeStandard:
 
 
 SIZES: dict[ShotSize, SizeStandard] = {
-    "EWS": SizeStandard("extreme wide shot", "long shot", 24, 18, 8.0, 0.030, 0.42, fill_large=0.25),
-    "WS": SizeStandard("wide shot", "long shot", 28, 18, 8.0, 0.062, 0.26, fill_large=0.5),
-    "FS": SizeStandard("full shot", "long shot", 35, 20, 5.6, 0.108, 0.08, fill_large=0.7, reach=4.0),
-    "MWS": SizeStandard("medium wide shot", "medium shot", 40, 22, 4.0, 0.150, 0.09, fill_large=0.8, reach=3.0),
-    "MS": SizeStandard("medium shot", "medium shot", 50, 27, 4.0, 0.210, 0.10, 36.0, 0.3, reach=2.6),
-    "MCU": SizeStandard("medium close-up", "close-up", 65, 35, 4.0, 0.310, 0.09, 34.0, 0.42),
-    "CU": SizeStandard("close-up", "close-up", 85, math.inf, 4.0, 0.450, 0.06, 30.0, 0.55),
-    "ECU": SizeStandard("extreme close-up", "close-up", 100, math.inf, 5.6, 0.750, -0.12, 24.0, 0.75),
+    "EWS": SizeStandard("extreme wide shot", 24, 18, 8.0, 0.030, 0.42, fill_large=0.25),
+    "WS": SizeStandard("wide shot", 28, 18, 8.0, 0.062, 0.26, fill_large=0.5),
+    "FS": SizeStandard("full shot", 35, 20, 5.6, 0.108, 0.08, fill_large=0.7, reach=4.0),
+    "MWS": SizeStandard("medium wide shot", 40, 22, 4.0, 0.150, 0.09, fill_large=0.8, reach=3.0),
+    "MS": SizeStandard("medium shot", 50, 27, 4.0, 0.210, 0.10, 36.0, 0.3, reach=2.6),
+    "MCU": SizeStandard("medium close-up", 65, 35, 4.0, 0.310, 0.09, 34.0, 0.42),
+    "CU": SizeStandard("close-up", 85, math.inf, 4.0, 0.450, 0.06, 30.0, 0.55),
+    "ECU": SizeStandard("extreme close-up", 100, math.inf, 5.6, 0.750, -0.12, 24.0, 0.75),
 }
 """From the widest to the tightest."""
 SHOT_SIZES: tuple[ShotSize, ...] = tuple(SIZES)

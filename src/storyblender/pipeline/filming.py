@@ -13,6 +13,7 @@ from storyblender.agents.layout_artist.camera_continuity import judge_cuts
 from storyblender.agents.layout_artist.camera_operator_view import Moment
 from storyblender.agents.layout_artist.camera_scene import camera_operator_view, shoot_scene, telling_frames
 from storyblender.agents.layout_artist.spatial_planner_view import measures_of
+from storyblender.agents.layout_artist.story_moment import story_moment
 from storyblender.catalog.sets import plan_of
 from storyblender.geometry.framing import Figure
 from storyblender.memory.base import scene_name
@@ -94,7 +95,7 @@ def with_cuts_judged(run: Run) -> ContinuityMemoryGraph:
 
 def film(run: Run) -> None:
     """Set every camera that is not set yet, and commit scene by scene; stopped, it keeps the scenes that are done."""
-    graph = run.graph
+    graph = with_frames(run)
     scenes = [scene.scene_id for scene in graph.scenes if any(s.camera is None for s in graph.shots_of(scene.scene_id))]
     total = sum(len(graph.shots_of(scene_id)) for scene_id in scenes)
     done = 0
@@ -110,6 +111,16 @@ def film(run: Run) -> None:
         for scene_id, operator in operators.items():
             if operator.done() and not operator.cancelled() and operator.exception() is None:
                 _commit_scene(run, graph, scene_id, *operator.result())
+
+
+def with_frames(run: Run) -> ContinuityMemoryGraph:
+    """Return the graph with the frame that the storyboard shows of every shot whose camera is to be set."""
+    fresh = [
+        shot.model_copy(update={"frame": story_moment(shot, run.packs[shot.scene_id].played(shot.shot_id))})
+        for shot in run.graph.shots
+        if shot.camera is None
+    ]
+    return replace(run.graph, *fresh)
 
 
 def _commit_scene(

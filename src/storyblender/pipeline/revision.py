@@ -27,8 +27,8 @@ Designer = Callable[[ContinuityMemoryGraph, int], Environment]
 
 _DECIDED = tuple(CameraDecision.model_fields)
 _STAGED = (
-    "blocking", "cues", "prop_states", "asset_modifications", "duration", "lighting", "camera", "lights", "flaws",
-    "locked",
+    "blocking", "cues", "prop_states", "asset_modifications", "duration", "lighting", "frame", "camera", "lights",
+    "flaws", "locked",
 )  # fmt: skip
 """What the crew, and later a person, adds to the Director's shot."""
 

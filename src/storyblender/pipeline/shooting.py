@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 from concurrent.futures import Future
 from pathlib import Path
 
-from storyblender.agents.layout_artist.story_moment import story_moment
+from storyblender.agents.layout_artist.story_moment import board_frame
 from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.jobs import FrameJob, FrameReport, Look, MotionJob
 from storyblender.memory.scene_context import Lighting
@@ -145,7 +145,7 @@ def _frame_job(run: Run, shot: ShotContext, look: Look) -> FrameJob:
         lighting=light_of(run, shot),
         format=run.graph.format,
         look=look,
-        frame=story_moment(shot, run.packs[shot.scene_id].played(shot.shot_id)),
+        frame=board_frame(shot, run.packs[shot.scene_id].played(shot.shot_id)),
         out="",
     )
     return job.model_copy(update={"out": f"build/frames/{job.digest}.png"})

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from storyblender.agents.frame_critic.frame_view import things_to_see
 from storyblender.agents.layout_artist.camera_operator_view import pose_of
-from storyblender.agents.layout_artist.story_moment import story_moment
+from storyblender.agents.layout_artist.story_moment import board_frame
 from storyblender.geometry.camera_path import camera_at
 from storyblender.geometry.framing import Figure, Film
 from storyblender.memory.base import Frozen, shot_name
@@ -66,7 +66,7 @@ def _request(
     shot: ShotContext, film: Film, nodes: Mapping[str, tuple[str, ...]], played: Sequence[PlayedCue]
 ) -> ViewRequest:
     assert shot.camera is not None, "only shots with a camera are looked at"
-    frame = story_moment(shot, played)
+    frame = board_frame(shot, played)
     return ViewRequest(
         scene_id=shot.scene_id,
         shot_id=shot.shot_id,

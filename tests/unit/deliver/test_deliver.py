@@ -122,9 +122,7 @@ def test_timeline_reads_back_with_relative_media(
 def test_the_shot_list_describes_the_camera_as_it_became(graph: ContinuityMemoryGraph, tmp_path: Path) -> None:
     still = orbit.camera_around((0, 0, 1.5), 30, 5, 5.0, 35)
     pose = CameraPose(frame=0, pivot=still.pivot, rotation=still.rotation, distance=still.distance, lens=35)
-    wanted = CameraInstruction(
-        size="CU", kind="insert", movement="pan", description="A panning shot of Rick (script: CLOSE ON)."
-    )
+    wanted = CameraInstruction(size="CU", kind="insert", movement="pan", order="CLOSE ON")
     changes = {"camera_instruction": wanted, "camera": CameraState(poses=(pose,))}
     shots = (graph.shots[0].model_copy(update=changes), graph.shots[1])
     shot_list.write_shot_list(graph.model_copy(update={"shots": shots}), tmp_path / "shots.csv")

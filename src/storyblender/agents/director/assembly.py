@@ -11,9 +11,8 @@ from string import capwords
 from storyblender.agents.director.casting import age_word, cast_look, describe_person, introduction_words
 from storyblender.agents.director.creatures import describe_creature, size_in_script
 from storyblender.agents.director.draft import Beat, ShotDraft
-from storyblender.agents.director.lighting import light_qualities
 from storyblender.agents.director.motion_families import GETTING, PARTING
-from storyblender.agents.director.place_words import ground_words, light_words, wall_words
+from storyblender.agents.director.place_words import ground_words, usual_light, wall_words
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Thing, Unit
 from storyblender.agents.director.scene_continuity import LIGHT, inherited_positions, inherited_states
 from storyblender.agents.director.script_notes import notes_by_scene, notes_by_shot
@@ -166,8 +165,7 @@ class Assembly:
                 time_of_day=scene.time,
                 weather=scene.weather,
                 layout_description=self._layout(scene, relations),
-                lighting_description=light_words(scene),
-                light=light_qualities(light_words(scene)),
+                light=usual_light(scene),
                 ground_description=ground_words(scene),
                 wall_description=wall_words(scene),
                 relations=tuple(relations),

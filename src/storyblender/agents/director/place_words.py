@@ -1,32 +1,18 @@
-"""What a place looks like in words: light by the hour, ground and walls by the kind of place (notes, 4.4 and 4.5)."""
+"""What a place looks like: qualities of its light by the hour; ground and walls by its kind (notes, 4.4 and 4.5)."""
 
 from __future__ import annotations
 
 from typing import Final
 
 from storyblender.agents.director.reading import SceneReading
-from storyblender.memory.vocabulary import TimeOfDay, Weather
+from storyblender.memory.vocabulary import LightQuality, TimeOfDay
 
-_LIGHT: Final[dict[TimeOfDay, tuple[str, str]]] = {
-    "dawn": ("first cold daylight at the windows, lamps still lit", "cold blue dawn, the sun on the horizon"),
-    "morning": ("clear morning light through the windows", "low clear morning sun, long soft shadows"),
-    "day": ("daylight through the windows, soft and even", "bright daylight, the sun half high"),
-    "noon": ("bright daylight from outside, little shadow", "hard noon sun from above, short shadows"),
-    "afternoon": ("warm afternoon light slanting through the windows", "warm afternoon sun from the side"),
-    "sunset": ("low golden light through the windows", "golden sunset, the sun almost on the horizon"),
-    "dusk": ("blue dusk outside, the first lamps lit", "blue dusk with a last orange rim of sky"),
-    "evening": ("warm lamps against dark windows", "warm street lamps under a dark blue sky"),
-    "night": ("warm lamps, deep shadows, dark windows", "moonlight and a few warm lamps in the dark"),
-}
+_LIGHT: Final[dict[TimeOfDay, tuple[tuple[LightQuality, ...], tuple[LightQuality, ...]]]] = {
+    "dawn": (("cold",), ("cold",)), "morning": ((), ("soft",)), "day": (("soft",), ("bright",)),
+    "noon": (("bright",), ()), "afternoon": (("warm",), ("warm",)), "sunset": (("warm",), ("warm",)),
+    "dusk": ((), ()), "evening": (("warm",), ("warm",)), "night": (("warm",), ("cold", "warm")),
+}  # fmt: skip
 """Indoors and outdoors."""
-_WEATHER: Final[dict[Weather, str]] = {
-    "clear": "",
-    "cloudy": "an overcast sky",
-    "fog": "fog that swallows the distance and glows around lamps",
-    "rain": "rain, wet reflecting ground",
-    "storm": "a storm with flashes of lightning",
-    "snow": "falling snow and a pale bounce from the ground",
-}
 _GROUND: Final = {
     "kitchen": "worn tiles", "bathroom": "small tiles", "diner": "chequered linoleum", "cafe": "patterned tiles",
     "bar": "dark boards", "office": "parquet", "ward": "pale linoleum", "warehouse": "stained concrete",
@@ -62,13 +48,10 @@ _WALLS: Final = {
 }  # fmt: skip
 
 
-def light_words(scene: SceneReading) -> str:
-    """Return the light of a scene in words."""
+def usual_light(scene: SceneReading) -> tuple[LightQuality, ...]:
+    """Return the qualities that the light of a scene has by its hour."""
     indoor, outdoor = _LIGHT[scene.time]
-    weather = _WEATHER[scene.weather]
-    if scene.scene_type == "indoor":
-        return f"{indoor}; outside, {weather}" if weather else indoor
-    return f"{outdoor}; {weather}" if weather else outdoor
+    return indoor if scene.scene_type == "indoor" else outdoor
 
 
 def ground_words(scene: SceneReading) -> str:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 from collections.abc import Sequence
-from string import capwords
 
 from storyblender.agents.director.action_words import with_facts
 from storyblender.agents.director.camera_phrases import from_behind
@@ -19,7 +18,7 @@ from storyblender.agents.director.reading import Deed, SceneReading, Unit
 from storyblender.agents.director.scene_continuity import absent_until_brought
 from storyblender.agents.director.staging import Staging
 from storyblender.agents.director.story_assets import StoryAssets, unique
-from storyblender.agents.director.wording import deed_words, wanted_camera
+from storyblender.agents.director.wording import deed_words, one_line
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.places import find_kit
 from storyblender.memory.scene_context import Spot
@@ -31,7 +30,7 @@ from storyblender.memory.shot_context import (
     ShotContext,
     Tether,
 )
-from storyblender.memory.shot_sizes import SIZES, TIGHT
+from storyblender.memory.shot_sizes import TIGHT
 
 _OUT_OF = (
     r"(?:draws?|drew|produces?d?|fish(?:es|ed)?)\b|(?:pulls?|pulled|takes?|took)\b.*\b(?:out"
@@ -176,14 +175,13 @@ class ShotDetails:
             size=draft.size,
             angle=draft.angle,
             detail=draft.detail,
-            distance=SIZES[draft.size].distance,
             movement=draft.movement,
             direction=draft.direction,
             over_id=draft.over,
             pov_id=draft.pov if draft.pov in self.story.actors else None,
             lens=_POV_LENS if draft.kind == "pov" else None,
             axis=draft.axis,
-            description=wanted_camera(draft, self.story.names, capwords(self.scene.place)),
+            order=one_line(draft.note.phrase) if draft.note else "",
             explicit=draft.script_directed,
             through=draft.note.through if draft.note and draft.kind == "pov" else "",
             behind=draft.kind in _SHOWS_FACES

@@ -10,8 +10,7 @@ from storyblender.agents.director.draft import ShotDraft
 from storyblender.agents.director.lexicon import ADJECTIVES, DETERMINERS, POSSESSIVES, PREPOSITIONS
 from storyblender.agents.director.reading import Deed, Thing, Unit
 from storyblender.catalog.props.variants import COLORS, MATERIALS, PLAIN, TOY_WORDS
-from storyblender.memory.camera_words import camera_sentence, listed
-from storyblender.memory.shot_context import CameraInstruction
+from storyblender.memory.camera_words import listed
 from storyblender.screenplay.comments import without_comments
 from storyblender.screenplay.cues import strip_emphasis
 
@@ -49,15 +48,6 @@ def modifiers_of(thing: Thing, text: str) -> str:
     if not found and len(words) > 1 and words[-2] in _DETERMINERS and words[-1] not in _DETERMINERS | PREPOSITIONS:
         found = [words[-1]]
     return " ".join(found)
-
-
-def wanted_camera(draft: ShotDraft, names: Mapping[str, str], place: str) -> str:
-    """Return one sentence for the camera, e.g. ``A static medium close-up of Ilsa over Rick's shoulder, eye-level.``"""
-    camera = CameraInstruction.model_construct(
-        focus_on_ids=tuple(draft.focus), kind=draft.kind, size=draft.size, angle=draft.angle, detail=draft.detail,
-        movement=draft.movement, direction=draft.direction, over_id=draft.over, pov_id=draft.pov,
-    )  # fmt: skip
-    return camera_sentence(camera, names, place, one_line(draft.note.phrase) if draft.note else "")
 
 
 def shot_sentence(draft: ShotDraft, text: str, names: Mapping[str, str], place: str) -> str:

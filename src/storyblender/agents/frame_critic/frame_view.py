@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from storyblender.agents.layout_artist.story_moment import cues_of, span_of, story_moment
+from storyblender.agents.layout_artist.story_moment import board_frame, cues_of, span_of
 from storyblender.catalog.motions import clip_of
 from storyblender.look.picture_measure import PictureMeasure
 from storyblender.memory.asset_sheet import Asset
@@ -73,7 +73,7 @@ def deeds_not_shown(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> list
     Looks do not count, nor does having what is in the hand already, nor the way to where somebody then does something,
     nor a posture that somebody has taken by then.
     """
-    moment = story_moment(shot, played)
+    moment = board_frame(shot, played)
     held = {(state.asset_id, prop) for state in shot.states for prop in state.held}
     missed: dict[tuple[str, str], CharacterAction] = {}
     shown: set[tuple[str, str]] = set()

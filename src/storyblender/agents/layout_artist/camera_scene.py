@@ -11,7 +11,7 @@ from storyblender.agents.layout_artist.camera_details import detail_of, held_at,
 from storyblender.agents.layout_artist.camera_operator import Operator, operate, rules_operator
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment, too_far_to_frame
 from storyblender.agents.layout_artist.layout_things import size_of
-from storyblender.agents.layout_artist.story_moment import AT_REST, story_moment
+from storyblender.agents.layout_artist.story_moment import AT_REST, board_frame
 from storyblender.catalog.motions import clip_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box
@@ -51,7 +51,7 @@ def put_away(shot: ShotContext, frame: int) -> set[str]:
 def telling_frames(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> tuple[int, ...]:
     """Return the frames at which a shot's faces are wanted: start, the moment that is drawn, and end."""
     last = max(shot.duration - 1, 0)
-    middle = min(max(story_moment(shot, played), 1), max(last - 1, 0))
+    middle = min(max(board_frame(shot, played), 1), max(last - 1, 0))
     return tuple(dict.fromkeys((0, middle, last)))
 
 

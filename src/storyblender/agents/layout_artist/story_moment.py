@@ -32,6 +32,11 @@ _BEGUN = 0.45
 """Share of the time until its key pose at which an action has begun."""
 
 
+def board_frame(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> int:
+    """Return the frame from the start of a shot that the storyboard shows: the stored one, else its story moment."""
+    return shot.frame if shot.frame is not None else story_moment(shot, played)
+
+
 def story_moment(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> int:
     """Return the frame that tells the shot: when the last of its strongest actions has reached its key pose.
 

@@ -208,7 +208,7 @@ def test_relations_hold_as_the_scene_opens() -> None:
     setup = storyboard(reading, FULL).scene_details[0].setup
     assert [relation.asset_id for relation in setup.relations] == ["lamp"]
     assert "lamp on table" in setup.layout_description
-    assert setup.wall_description and setup.lighting_description and setup.ground_description
+    assert setup.wall_description and setup.light and setup.ground_description
 
 
 @pytest.mark.parametrize(
