@@ -84,8 +84,10 @@ def test_stopped_it_keeps_the_scenes_that_are_done(
     monkeypatch.setattr(filming, "film_scene", film_scene)
     with Project(tmp_path / "p") as project:
         run = Run(project, cast(Any, SimpleNamespace(processes=2)), RULES, Settings(), lambda _: None)
+        run.packs = {scene.scene_id: PackRef(scene_id=scene.scene_id, path="", starts=()) for scene in graph.scenes}
         with pytest.raises(KeyboardInterrupt):
             film(run)
     with Project(tmp_path / "p") as project:
         cameras = {shot.scene_id: shot.camera for shot in project.graph.shots}
         assert cameras[1] is None and cameras[2] is not None
+        assert all((shot.frame is None) == (shot.camera is None) for shot in project.graph.shots)
