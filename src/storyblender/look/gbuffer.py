@@ -135,6 +135,7 @@ class GBuffer:
         glow_gain: float32 (materials,) the same as a multiple of its albedo, for textured screens and cards.
         roughness: float32 (materials,) 0 mirror to 1 matt.
         patchy: float32 (materials,) how much ground of this material varies over metres, 0 to 1.
+        relief: float16 (h, w, 3) world normals by the normal maps in view, 0 where none; None without any.
     """
 
     view: View
@@ -148,6 +149,7 @@ class GBuffer:
     glow_gain: NDArray[np.float32]
     roughness: NDArray[np.float32]
     patchy: NDArray[np.float32]
+    relief: NDArray[np.float16] | None = None
 
     def reduced(self, step: int) -> GBuffer:
         """Return a point sample of every ``step``-th pixel, for light at low resolution."""
@@ -165,6 +167,7 @@ class GBuffer:
             self.glow_gain,
             self.roughness,
             self.patchy,
+            None if self.relief is None else every(self.relief, step),
         )
 
     @property

@@ -130,8 +130,8 @@ def _make(name: str, digest: str, plain: PlainMaterial) -> bpy.types.Material:
     mean = plain.color
     _link_maps(tree, shader, plain)
     if plain.is_mapped:  # Workbench and glTF take the active image, which must not be another map
-        picture = plain.picture if min(plain.color) > 0.99 else tinted(plain.picture, plain.color)
-        texture = _texture(tree, picture or flat_picture(plain.color), 240)
+        picture = plain.picture or flat_picture((1.0, 1.0, 1.0))
+        texture = _texture(tree, picture if min(plain.color) > 0.99 else tinted(picture, plain.color), 240)
         mean = _mean_color(texture.image)
         tree.links.new(texture.outputs["Color"], shader.inputs["Base Color"])
         tree.nodes.active = texture

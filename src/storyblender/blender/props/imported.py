@@ -17,6 +17,7 @@ from storyblender.blender.models.gltf import read_gltf
 from storyblender.blender.models.obj import read_obj
 from storyblender.blender.models.plain import PlainModel
 from storyblender.blender.models.rebuild import build_mesh
+from storyblender.blender.models.tangents import add_tangents
 from storyblender.blender.props.anchors import Anchors, grip
 from storyblender.blender.props.build import PropBuild, settle
 from storyblender.catalog.props import PropEntry
@@ -85,6 +86,8 @@ def build_from_file(
     build = settle(mesh, places.anchors)
     if not build.anchors:
         build = replace(build, anchors=_grips(find_hold(_points(mesh), _triangles(mesh))))
+    if any(material.normal_map for material in model.materials):
+        add_tangents(build.mesh)
     return replace(build, notes=tuple(f"{path.name}: {note}" for note in notes), credit=credit)
 
 

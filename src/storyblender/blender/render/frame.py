@@ -29,6 +29,7 @@ from storyblender.look.looks import LOOKS, Look
 from storyblender.look.modelling import lift_hands, model_flesh
 from storyblender.look.pencil import draw_pencil, level_ground
 from storyblender.look.raster import Image, blur, luminance, shrink
+from storyblender.look.relief import emboss
 from storyblender.look.relight import demodulate, mean_albedo, remodulate, upsample
 from storyblender.look.smoke import Puff, add_smoke, through_smoke
 from storyblender.look.surface import FLESH
@@ -219,6 +220,7 @@ def _relit(
         light = shot.illumination() * shot.patches
         lift_hands(light, shot.flesh)
         light = upsample(light, gbuffer, look.light_step)
+        emboss(light, gbuffer, shot.set_lights + shot.lights)
         share = shrink(gbuffer.sky.astype(np.float32), step)[..., None]
         return mean_albedo(gbuffer, step) * light + gbuffer.emission(step) + sky * share
     cast = [obj for obj in session.visible_objects() if obj.get("kind") == "character"]
@@ -242,6 +244,7 @@ def _relit(
     lift_hands(light, shot.flesh)
     light = upsample(light, gbuffer, look.light_step)
     model_flesh(light, gbuffer, shot.lights)
+    emboss(light, gbuffer, shot.set_lights + shot.lights)
     return remodulate(light, mean_albedo(gbuffer, step, sky)) + gbuffer.emission(step)
 
 

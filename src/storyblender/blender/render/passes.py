@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.blender.render.exr import Channels, color
+from storyblender.blender.render.relief import normals_in_maps, turns_of, with_normal_maps
 from storyblender.blender.render.session import RenderSession, changed
 from storyblender.blender.render.turning import told_in_blue, turned_and_made, turning_matcap
 from storyblender.catalog.materials import MATERIALS, MaterialEntry
@@ -79,8 +80,9 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
             painted = skin_colored[window.cut]
             colored.result()[window.cut][painted] = color(skin)[painted]
         (normal, material), albedo = turned.result(), colored.result()
-    material[material > len(materials)] = 0
-    material[ids == 0] = 0
+        material[material > len(materials)] = 0
+        material[ids == 0] = 0
+        relief = _relief(session, objects, materials, ids, material, normal)
     normal[ids == 0] = 0
     albedo[ids == 0] = 0
     entries = [MATERIALS.get(str(made.get("key", ""))) for made in materials]
@@ -88,8 +90,38 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
     glow_color, glow_gain = glow_of(materials)
     roughness = np.array([1.0, *(m.roughness for m in materials)], np.float32)
     patchy = np.array([0.0, *(entry.patchy if entry else 0.0 for entry in entries)], np.float32)
-    gbuffer = GBuffer(view, ids, surface, material, depth, normal, albedo, glow_color, glow_gain, roughness, patchy)
+    gbuffer = GBuffer(
+        view, ids, surface, material, depth, normal, albedo, glow_color, glow_gain, roughness, patchy, relief
+    )
     return Passes(gbuffer, nodes)
+
+
+def _relief(
+    session: RenderSession,
+    objects: Sequence[bpy.types.Object],
+    materials: Sequence[bpy.types.Material],
+    ids: NDArray[np.uint16],
+    material: NDArray[np.uint16],
+    normal: NDArray[np.float16],
+) -> NDArray[np.float16] | None:
+    """Return the (h, w, 3) normals by the normal maps in view, 0 where there is none; None where there are none."""
+    mapped = with_normal_maps(materials)[material]
+    if not mapped.any():
+        return None
+    window = _around(mapped)
+    there = mapped[window.cut]
+    turns = turns_of(objects, _gids(objects))[ids[window.cut][there]]
+    smooth = normal[window.cut][there].astype(np.float32)
+    height, width = ids.shape
+    found = np.zeros(normal.shape, np.float16)
+    found[window.cut][there] = normals_in_maps(session, (width, height), window, there, turns, smooth, materials)
+    return found
+
+
+def _gids(objects: Sequence[bpy.types.Object]) -> list[int]:
+    """Return the number of each object's ink group, from 1 in the order in which they are met."""
+    known: dict[str, int] = {}
+    return [known.setdefault(str(obj.get("ink_group", obj.name)), len(known) + 1) for obj in objects]
 
 
 def has_painted_skin(obj: bpy.types.Object) -> bool:
@@ -129,16 +161,13 @@ def shading(scene: bpy.types.Scene, **values: Any) -> Iterator[None]:
 @contextmanager
 def _identity_colors(objects: Sequence[bpy.types.Object]) -> Iterator[tuple[Node, ...]]:
     """Write gid and class of every object into its viewport colour; one gid for each ink group."""
-    gids: dict[str, int] = {}
     nodes: list[Node] = []
     with ExitStack() as stack:
-        for obj in objects:
-            group = str(obj.get("ink_group", obj.name))
-            if group not in gids:
-                gids[group] = len(nodes) + 1
+        for obj, gid in zip(objects, _gids(objects), strict=True):
+            if gid > len(nodes):
                 node_id = str(obj.get("node_id", obj.name))
                 nodes.append(Node(node_id, str(obj.get("asset_id", "")), str(obj.get("kind", "prop"))))
-            gid, code = gids[group], int(obj.get("surface", Surface.PROP))
+            code = int(obj.get("surface", Surface.PROP))
             if has_painted_skin(obj):
                 code += _HAS_SKIN_COLORS
             stack.enter_context(changed(obj, {"color": (gid % 256 / 255, gid // 256 / 255, code / 255, 1.0)}))
