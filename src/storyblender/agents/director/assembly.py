@@ -1,4 +1,4 @@
-"""Assembly: the reading and the final cut become outline, asset sheet and scene contexts."""
+"""Builds outline, asset sheet and scene contexts from the reading and the final cut."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ from storyblender.memory.scene_context import Relation, SceneContext, SceneSetup
 
 
 class Assembly:
-    """Builds the layers above the shots.
+    """Builds the layers of the graph above the shots.
 
     Args:
-        reading: What the script says.
-        company: Who and what is on the sheet.
+        reading: The reading of the script.
+        story: The people and things on the asset sheet.
     """
 
     def __init__(self, reading: Reading, story: StoryAssets) -> None:
@@ -52,7 +52,7 @@ class Assembly:
             self.relations.setdefault(reading.scenes[index].id, []).append(relation)
 
     def asset_sheet(self) -> tuple[Asset, ...]:
-        """Return everybody who is ever on stage, then every thing."""
+        """Return the people who are ever on stage, then the things."""
         people: list[Asset] = []
         for person in self.story.people:
             people.append(self._person(person, [other.look.garments for other in people if other.look is not None]))
@@ -74,7 +74,7 @@ class Assembly:
         )
 
     def _look(self, person: Person, worn_by_others: Sequence[tuple[Garment, ...]]) -> CharacterLook:
-        """How somebody looks where the story has come to when they are first named, or else begins."""
+        """Return the look of a person, dressed for where the story is when they are first named."""
         scene = bisect_right(self.starts, person.first) - 1
         reached = self.latest_homelands[scene] if scene >= 0 else None
         homeland = reached or next((homeland for homeland in self.homelands if homeland), None)
@@ -96,7 +96,12 @@ class Assembly:
         )
 
     def scene_outline(self, scene: SceneReading, drafts: Sequence[ShotDraft]) -> SceneOutline:
-        """Return the scene with its shots and their lines."""
+        """Return a scene with its shots and their lines.
+
+        Args:
+            scene: The scene.
+            drafts: The final cut of the scene.
+        """
         first = next((b.unit.text for d in drafts for b in d.beats if b.unit.kind == "action"), "")
         place = scene.place or scene.heading
         where = f"{capwords(place)}, {scene.time}" if place else scene.time.capitalize()
@@ -133,7 +138,12 @@ class Assembly:
         )
 
     def scene_context(self, scene: SceneReading, units: Sequence[Unit]) -> SceneContext:
-        """Return what the scene starts with."""
+        """Return what a scene starts with: set, assets and relations.
+
+        Args:
+            scene: The scene.
+            units: The units of the scene.
+        """
         relations = self._relations(scene, units)
         present = unique(
             each
@@ -174,7 +184,7 @@ class Assembly:
         )
 
     def _inherited_relations(self, scene: SceneReading) -> Iterator[Relation]:
-        """Yield where things are that an earlier scene in this place left broken, tipped over or burning."""
+        """Yield the positions of things that an earlier scene in this place left broken, tipped or burning."""
         left = {thing for thing, states in self.inherited[scene.id].items() if LEFT & {*states} and GONE not in states}
         for earlier in self.reading.scenes:
             same = scene.reference is not None and scene.reference in (earlier.id, earlier.reference)
@@ -182,10 +192,11 @@ class Assembly:
                 yield from (each for each in self.relations.get(earlier.id, ()) if each.asset_id in left)
 
     def _is_known(self, id_: str) -> bool:
+        """Whether an id is on the asset sheet, part of the set, or the light of the place."""
         return id_ == LIGHT or id_ in self.story.assets or id_ in self.story.fixtures
 
     def _relations(self, scene: SceneReading, units: Sequence[Unit]) -> list[Relation]:
-        """The relations that hold as the scene opens; what its people bring about later is left to them."""
+        """Return the relations that hold as the scene opens, without those that deeds bring about later."""
         staging = Staging(units, self.story.assets)
         handling = [deed for unit in units for deed in unit.deeds if deed.prop and deed.motion in GETTING | PARTING]
         first = {deed.prop: deed.motion for deed in reversed(handling)}
@@ -207,6 +218,7 @@ class Assembly:
         return list(found.values())
 
     def _layout(self, scene: SceneReading, relations: Sequence[Relation]) -> str:
+        """Return one sentence about the place, its furniture and the relations."""
         names = self.story.names
         stated = [
             f"{names[relation.asset_id]} {relation.kind.replace('_', ' ')} {names[relation.anchor_asset_id]}"

@@ -1,4 +1,4 @@
-"""The shot breakdown: from what the script says to the skeleton of the Continuity Memory Graph (paper, section 3.2)."""
+"""The shot breakdown: cuts a reading into shots and lays out the Continuity Memory Graph (paper, section 3.2)."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ from storyblender.memory.graph import Storyboard
 
 
 def storyboard(reading: Reading, settings: DirectorSettings | None = None) -> Storyboard:
-    """Cut a script into shots and lay out the graph.
+    """Return the storyboard of a reading.
 
     Every unit of the script is covered by one shot, or by the two that share a long speech, in the order of the script.
     Directions written in the script are always obeyed.
 
     Args:
-        reading: What the script says.
-        settings: How finely to cut.
+        reading: The reading of the script.
+        settings: How finely to cut; None for the defaults.
     """
     settings = settings or DirectorSettings()
     reading = add_writing_changes(copy_shared_things(expand_groups(reading)))
@@ -61,10 +61,10 @@ def storyboard(reading: Reading, settings: DirectorSettings | None = None) -> St
 
 
 def cut(drafts: list[ShotDraft], people: Collection[str], text: str, settings: DirectorSettings) -> list[ShotDraft]:
-    """Return the final cut of a scene: joined to its budget, turned from face to face, without jump cuts.
+    """Return the final cut of a scene: within its budget, alternating between speakers, without jump cuts.
 
     Args:
-        drafts: Full coverage.
+        drafts: Full coverage of the scene.
         people: Ids of people, to tell faces from things in a focus.
         text: The script.
         settings: How finely to cut.

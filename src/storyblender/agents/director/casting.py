@@ -1,4 +1,4 @@
-"""Casting: from the words of the script to how a person looks. What is not said stays open or gets a plain default."""
+"""Casting: how a person looks, from the words of the script. What is not said stays open or gets a plain default."""
 
 from __future__ import annotations
 
@@ -152,7 +152,7 @@ _GREYING_AGE: Final = 50.0
 
 
 def age_word(person: Person, text: str) -> str:
-    """Return the word of age that stands before a name where it is first told: ``Baby TOM``, ``little Ann``."""
+    """Return the word of age before the first mention of a name (``Baby TOM``, ``little Ann``), or an empty string."""
     before = re.search(r"([^\W\d_]+)\s+$", text[max(0, person.first - 20) : person.first])
     return before[1].lower() if before and before[1].lower() in _AGES else ""
 
@@ -161,7 +161,7 @@ def introduction_words(person: Person, text: str) -> str:
     """Return the words that introduce a person: in brackets after the name, in apposition, or after ``in``.
 
     Args:
-        person: ``first`` is where the name first stands in ``text``.
+        person: ``first`` is the offset of the first mention in ``text``.
         text: The script.
     """
     match = _INTRODUCTION.match(text, person.first)
@@ -177,12 +177,13 @@ def cast_look(
 ) -> CharacterLook:
     """Return the look of a person from the words of the script.
 
+    What the words leave open is drawn from the person's id, so that the same person always looks the same.
+
     Args:
-        person: As read. Words the script does not use leave the default; the seed of the default is the person's id,
-            so the same person always looks the same.
+        person: The person as read.
         introduced: The words of the introduction, for what the reader did not sort (skin, glasses, a beard).
-        era: Of the story; with what they are, it dresses whom the script does not.
-        homeland: What is usual where the story is set; who is said to be a foreigner is not from there.
+        era: Age of the story; with the person's role, it dresses whom the script does not.
+        homeland: What is usual where the story is set, except for a foreigner.
         worn_by_others: Outfits of the people cast before.
     """
     if re.search(rf"\b(?:{_FOREIGNER_WORDS})\b", f"{person.role} {person.name} {introduced}".lower()):
@@ -240,11 +241,10 @@ def age_in_years(person: Person, seed: int = 0) -> float:
 
 
 def garments_in(words: str) -> tuple[Garment, ...]:
-    """Return the garments that a description names, from the inside out; the last one named wins a place.
+    """Return the garments that a description names, innermost first; the last one named wins a place on the body.
 
-    Args:
-        words: e.g. ``white dinner jacket, black bow tie``. A colour holds for the next garment named; a garment named
-            again without one, ``cream suit, jacket``, is the same one.
+    A colour holds for the next garment named: ``white dinner jacket, black bow tie``. A garment named again without a
+    colour, ``cream suit, jacket``, is the same one.
     """
     chosen: dict[str, Garment] = {}
     implied: dict[str, Garment] = {}
@@ -259,7 +259,7 @@ def garments_in(words: str) -> tuple[Garment, ...]:
 
 
 def _with_heels(worn: tuple[Garment, ...], gender: str, age: float) -> tuple[Garment, ...]:
-    """Return what is worn, with heels for a woman in a dress whose feet the script does not name."""
+    """Return an outfit with heels added for a woman in a dress whose shoes the script does not name."""
     keys = {garment.key for garment in worn}
     if gender != "female" or not 16 <= age < 65 or not keys & {"gown", "dress"} or keys & _FEET:
         return worn
@@ -267,7 +267,7 @@ def _with_heels(worn: tuple[Garment, ...], gender: str, age: float) -> tuple[Gar
 
 
 def _with_swimsuit(worn: tuple[Garment, ...], gender: str) -> tuple[Garment, ...]:
-    """Return the outfit, with a swimsuit for a woman whose ``swimming costume`` was taken for trunks."""
+    """Return an outfit with a swimsuit for a woman whose ``swimming costume`` was taken for trunks."""
     if gender != "female":
         return worn
     return tuple(
@@ -276,7 +276,7 @@ def _with_swimsuit(worn: tuple[Garment, ...], gender: str) -> tuple[Garment, ...
 
 
 def _named_garments(words: str) -> list[tuple[str, Color | None]]:
-    """Return the garments behind every garment word, and the colour before it; the longest word wins a place."""
+    """Return the garment keys and colour of each garment word; the longest word wins."""
     named = [
         (match, keys) for keys, pattern in _GARMENTS.items() for match in re.finditer(rf"\b(?:{pattern})s?\b", words)
     ]
@@ -309,11 +309,12 @@ def describe_person(person: Person) -> str:
 
 
 def _first_match(table: Mapping[_Key, str], words: str) -> _Key | None:
-    """Return the first key whose words occur."""
+    """Return the first key whose pattern occurs in the words, or None."""
     return next((key for key, pattern in table.items() if re.search(rf"\b(?:{pattern})\b", words.lower())), None)
 
 
 def _hair_style(person: Person, hair: str, age: float, seed: int, homeland: Homeland | None) -> str:
+    """Return the hair style told, else one usual for gender, age and homeland."""
     words = _without_facial_hair(", ".join((hair, *(face for face in person.face if "bald" in face))))
     style = _first_match(_HAIR, words)
     if style:
@@ -327,7 +328,7 @@ def _hair_style(person: Person, hair: str, age: float, seed: int, homeland: Home
 
 
 def _hair_words(introduced: str) -> str:
-    """The parts of an introduction that speak of hair."""
+    """Return the parts of an introduction about hair."""
     parts = re.split(r",|;|\band\b|\bwith\b", introduced)
     return ", ".join(
         part for part in parts if re.search(r"hair|braid|bun\b|bob\b|ponytail|curls|bald|blond|brunette", part)
@@ -335,12 +336,12 @@ def _hair_words(introduced: str) -> str:
 
 
 def _without_facial_hair(words: str) -> str:
-    """Hair words only: the colour of a beard or a moustache is not the colour of the head."""
+    """Return words about hair without beard and moustache, whose colour is not the head's."""
     return ", ".join(part for part in words.split(",") if not re.search(r"beard|moustache|mustache|stubble", part))
 
 
 def _animal_height(person: Person, beast: Species, age: float) -> float:
-    """Return the height in metres of an animal on two legs: by its species, its age and words of size."""
+    """Return the height in metres of an animal on two legs, by species, age and words of size."""
     words = " ".join((*person.build, *person.face)).lower()
     told = next((offset for word, offset in (_TALL | _SMALL).items() if re.search(rf"\b{word}\b", words)), 0.0)
     grown = 0.62 if age < 10 else 0.8 if age < 15 else 1.0
@@ -348,6 +349,7 @@ def _animal_height(person: Person, beast: Species, age: float) -> float:
 
 
 def _height(person: Person, age: float) -> float | None:
+    """Return the height in metres that words of size tell of an adult, or None."""
     words = ", ".join((*person.build, *person.face)).lower()
     if age < 16:
         return None

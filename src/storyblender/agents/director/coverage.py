@@ -1,4 +1,4 @@
-"""Coverage: which shots a scene needs before anybody counts them (notes of the director, section 2).
+"""Coverage: every shot that a scene calls for, before the budget cuts it (notes of the director, section 2).
 
 One pass over the units of a scene. Geography before detail; the whole body while it travels; hands and both faces
 when a thing changes hands; a master, then over the shoulder, then singles that tighten while people talk.
@@ -43,11 +43,7 @@ ATTACHED_KINDS = frozenset({"title", "sound", "aside"})
 
 
 class Coverage:
-    """Finds the shots that the scenes of a story call for.
-
-    Args:
-        reading: What the script says.
-    """
+    """Finds the shots that the scenes of a reading call for."""
 
     def __init__(self, reading: Reading) -> None:
         self.text = reading.screenplay.text
@@ -67,12 +63,14 @@ class Coverage:
         return _SceneCoverage(self, scene, units, notes).shots()
 
     def is_new(self, scene: SceneReading) -> bool:
-        """Whether the audience has not seen this place at this hour."""
+        """Whether the audience has not seen the place of a scene at this time of day."""
         earlier = self._scenes.get(scene.reference or 0)
         return earlier is None or earlier.time != scene.time
 
 
 class _SceneCoverage:
+    """Coverage of one scene, built unit by unit."""
+
     def __init__(
         self, story: Coverage, scene: SceneReading, units: Sequence[Unit], notes: Mapping[int, CameraNote]
     ) -> None:
@@ -122,33 +120,37 @@ class _SceneCoverage:
         return self.drafts
 
     def _cover(self, index: int, unit: Unit) -> None:
+        """Add the shots of a unit of action or speech."""
         if unit.kind == "action":
             self._action(index, unit)
         else:
             self._speech(index, unit)
 
     def _attach(self, unit: Unit) -> None:
-        """Attach on-screen text, a sound or an aside to the shot before, or to the first of the scene or picture."""
+        """Attach on-screen text, a sound or an aside to the shot before, or to the next first shot."""
         if self._last and self._last.beats and unit.picture in (None, self._last.picture):
             self._last.beats.append(Beat.whole(unit))
         else:
             self.waiting.append(unit)
 
     def _add_waiting_shot(self) -> None:
-        """Give on-screen text and the like a shot of the place, where there is nothing else in a scene or picture."""
+        """Add a shot of the place for on-screen text that no other shot takes."""
         draft = self._add("action" if self.drafts else "establishing", self._widest, [], *self.waiting)
         draft.add_focus(*draft.on_stage[:2])
         self.waiting = []
 
     @property
     def _widest(self) -> ShotSize:
+        """Size of the establishing shot."""
         return "EWS" if self.scene.scene_type == "outdoor" else "WS"
 
     @property
     def _last(self) -> ShotDraft | None:
+        """The last shot so far, or None."""
         return self.drafts[-1] if self.drafts else None
 
     def _add(self, kind: ShotKind, size: ShotSize, focus: Sequence[str | None], *units: Unit) -> ShotDraft:
+        """Add a shot that covers whole units."""
         draft = ShotDraft(kind, size, beats=[Beat.whole(unit) for unit in units])
         draft.add_focus(*focus)
         draft.on_stage = list(units[0].on_stage) if units else list(self._last.on_stage) if self._last else []
@@ -156,12 +158,13 @@ class _SceneCoverage:
         return draft
 
     def _axis(self, one: str | None, other: str | None) -> tuple[str, str] | None:
-        """The line between two people: the same two ends, in the same order, all through the scene."""
+        """Return the line between two people, in the same order all through the scene; None for fewer."""
         if not one or not other or one == other:
             return None
         return self.axes.setdefault(frozenset((one, other)), (one, other))
 
     def _follow_direction(self, index: int, unit: Unit, note: CameraNote) -> None:
+        """Add the shot that a written direction orders, and what the unit tells besides."""
         default = size_for_motions({deed.motion for deed in unit.deeds}) if unit.deeds else "MS"
         draft = directed_shot(unit, note, self.names, default, self._last)
         if draft.kind in ("ots", "two_shot"):
@@ -196,7 +199,7 @@ class _SceneCoverage:
         return unit.kind == "dialogue" or self._can_show(shot, unit)
 
     def _can_show(self, shot: ShotDraft, unit: Unit) -> bool:
-        """Whether a shot that was ordered can show what people do in a unit."""
+        """Whether a directed shot can show what people do in a unit."""
         actors = {deed.actor for deed in unit.deeds}
         if shot.kind == "insert" and any(thing in self.things for thing in shot.focus):
             return not does_more_than_handle(unit, shot.focus)
@@ -205,6 +208,7 @@ class _SceneCoverage:
         return actors <= {*shot.focus} or size_steps(shot.size, "MS") <= 0
 
     def _continue_direction(self, unit: Unit) -> None:
+        """Add a unit to the directed shot that is still open."""
         shot = self.open_direction
         assert shot is not None, "it was asked whether there is one"
         shot.beats.append(Beat.whole(unit))
@@ -218,6 +222,7 @@ class _SceneCoverage:
 
     # -- action ----------------------------------------------------------------------------------------------------
     def _action(self, index: int, unit: Unit) -> None:
+        """Add the shots of a unit of action, or join it to the last shot."""
         motions = {deed.motion for deed in unit.deeds}
         if motions & (TRAVEL | WHOLE_BODY) or len(unit.on_stage) != self.people_shown:
             self.speeches = 0
@@ -233,6 +238,7 @@ class _SceneCoverage:
             self.drafts += drafts
 
     def _action_shots(self, index: int, unit: Unit, motions: set[str]) -> list[ShotDraft]:
+        """Return the shots of a unit of action."""
         actors = unique(deed.actor for deed in unit.deeds)
         if not unit.deeds:
             return [self._actionless_shot(unit)]
@@ -263,7 +269,7 @@ class _SceneCoverage:
         return [draft]
 
     def _actionless_shot(self, unit: Unit) -> ShotDraft:
-        """A sentence in which nobody does anything: faces, things, weather."""
+        """Return the shot of a sentence in which nobody acts: faces, things, weather."""
         people = [person for person in unit.people if person in unit.on_stage]
         shown = [thing for thing in unit.things if thing in self.things]
         if people:
@@ -280,7 +286,7 @@ class _SceneCoverage:
         return draft
 
     def _joins(self, new: ShotDraft) -> bool:
-        """Sentences of one paragraph about the same people, in sizes that are close, share a shot."""
+        """Whether a shot joins the last: one paragraph, the same people, sizes that are close."""
         last = self._last
         if (
             last is None
@@ -309,6 +315,7 @@ class _SceneCoverage:
         return nested and seconds <= _JOINED_SECONDS and abs(size_steps(new.size, last.size)) <= 2
 
     def _join(self, new: ShotDraft) -> None:
+        """Join a shot to the last one."""
         last = self.drafts[-1]
         last.beats += new.beats
         last.on_stage = unique([*last.on_stage, *new.on_stage])
@@ -326,6 +333,7 @@ class _SceneCoverage:
 
     # -- speech ----------------------------------------------------------------------------------------------------
     def _speech(self, index: int, unit: Unit) -> None:
+        """Add the shots of a speech, or join it to the last shot."""
         if self.establish:
             self.establish = False
             self._add("establishing", self._widest, []).on_stage = [p for p in unit.on_stage if p not in unit.entering]
@@ -345,6 +353,7 @@ class _SceneCoverage:
         self._cut_to_listener(draft, unit, listener)
 
     def _speech_shot(self, unit: Unit, speaker: str, listener: str | None, *, final: bool) -> ShotDraft:
+        """Add the shot of a speaker: group or two-shot first, then over the shoulder, then singles."""
         others = [p for p in unit.on_stage if p in self.talkers and p not in (speaker, listener)]
         crowd = bool(others) if listener else len(unit.on_stage) > 1
         if self.speeches == 1:
@@ -363,7 +372,7 @@ class _SceneCoverage:
         )
 
     def _off_screen_speech(self, unit: Unit) -> None:
-        """A voice from outside: hold the listener, or the place."""
+        """Cover a voice from off screen by the listener, or by the place."""
         last = self._last
         listeners = [person for person in unit.on_stage if person != unit.speaker]
         seen = [person for draft in reversed(self.drafts) for person in draft.focus if person in listeners]
@@ -377,7 +386,7 @@ class _SceneCoverage:
         self._add("reaction" if acting else "action", "MCU" if acting else "WS", [acting], unit)
 
     def _continues_shot(self, unit: Unit, speaker: str) -> bool:
-        """Whether a speech needs no cut: a short reply, a speech that goes on, or one of two at the same time."""
+        """Whether a speech needs no cut: a short reply, the same speaker, or dual dialogue."""
         last = self._last
         if not last or last.has_note or not last.beats or last.beats[-1].unit.kind != "dialogue":
             return False
@@ -393,6 +402,7 @@ class _SceneCoverage:
         return shown and word_count(unit.text) <= _REPLY_WORDS and len(last.beats) < 3
 
     def _continue_shot(self, unit: Unit) -> None:
+        """Add a speech to the last shot."""
         last = self.drafts[-1]
         if unit.dual and unit.speaker not in last.focus:
             last.kind, last.size, last.over = "two_shot", "MS", None
@@ -402,7 +412,7 @@ class _SceneCoverage:
         last.on_stage = unique([*last.on_stage, *unit.on_stage])
 
     def _cut_to_listener(self, draft: ShotDraft, unit: Unit, listener: str | None) -> None:
-        """Give the second half of a long speech to the one who hears it."""
+        """Give the second half of a long speech to the listener."""
         long = listener and word_count(unit.text) > _LONG_SPEECH_WORDS and unit.picture is None
         if not long or (cut := split_of_speech(self.text, unit)) is None:
             return

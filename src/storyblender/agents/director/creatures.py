@@ -31,7 +31,7 @@ _REACH: Final = 70
 
 
 def is_creature(person: Person, reading: Reading) -> bool:
-    """Return whether a character is an animal on its own feet or a machine, and not a figure on two legs.
+    """Whether a character is an animal on its own feet or a machine, and not a figure on two legs.
 
     Args:
         person: One of ``reading.people``.
@@ -45,11 +45,11 @@ def is_creature(person: Person, reading: Reading) -> bool:
 
 
 def describe_creature(person: Person, reading: Reading) -> str:
-    """Return the phrase for an animal or a robot, e.g. ``sleeping brown dog``, if it does nothing but lie and sleep.
+    """Return a phrase for an animal or a robot, e.g. ``sleeping brown dog`` if it only sleeps.
 
     Args:
         person: One of ``reading.people``.
-        reading: What the script says.
+        reading: The reading of the script.
     """
     text, noun = reading.screenplay.text, person.role or person.name
     told = [unit.posture[person.id][0] for unit in reading.units if person.id in unit.posture]
@@ -62,7 +62,7 @@ def describe_creature(person: Person, reading: Reading) -> str:
 
 
 def size_in_script(thing: Thing, text: str) -> str:
-    """Return the size that a script gives a thing where it first names it, as in ``compared_size``.
+    """Return the size that the script gives a thing at its first mention, as in ``compared_size``.
 
     Args:
         thing: A prop or a set piece.
@@ -73,7 +73,7 @@ def size_in_script(thing: Thing, text: str) -> str:
 
 
 def compared_size(words: str) -> str:
-    """Return a height for ``the size of a goat``: ``110 cm tall``; empty where nothing the catalog has is named."""
+    """Return the height in ``the size of a goat`` as ``110 cm tall``; empty if the catalog has no such thing."""
     found = _COMPARED_SIZE.search(words)
     likened = found[1].lower().split() if found else []
     for count in range(len(likened), 0, -1):
@@ -100,10 +100,10 @@ _RESTING_POSTURES: Final = frozenset({"sit", "lie", "asleep", "lean"})
 
 
 def acts_like_a_person(person: Person, reading: Reading) -> bool:
-    """Return whether an animal or a robot speaks, wears clothes, has things in its hands or lives among furniture.
+    """Whether an animal or a robot speaks, wears clothes, uses hands or lives among furniture.
 
-    In a story whose animals talk to each other, every animal that does something is cast. An animal that is ridden or
-    led stays an animal, unless it speaks; so does a parrot that only speaks.
+    In a story whose animals talk to each other, every animal that acts is cast. A ridden or led animal stays an
+    animal, unless it speaks; so does a parrot that only speaks.
 
     Args:
         person: An animal or a robot.
@@ -129,13 +129,13 @@ def acts_like_a_person(person: Person, reading: Reading) -> bool:
 
 
 def _is_dressed(person: Person) -> bool:
-    """Whether the description of an animal names clothes, beyond its coat or collar."""
+    """Whether the description of an animal names clothes besides a coat of fur or tack."""
     worn = [words for words in person.outfit if not _TACK & {*words.lower().split()}]
     return bool(garments_in(", ".join(worn)))
 
 
 def _uses_hands(person: Person, reading: Reading) -> bool:
-    """Whether the animal does what no mouth or paw can do, carries in a hand, or puts something on."""
+    """Whether an animal does what no mouth or paw can do, carries in a hand, or puts a thing on."""
     names = {thing.id: thing.name for thing in reading.things}
     for unit in reading.units:
         for deed in unit.deeds:

@@ -1,4 +1,4 @@
-"""How many people of no name the words of a scene put into its place: a crowded café, a packed bar, an audience."""
+"""How many background people a scene has, from its words: a crowded café, a packed bar, an audience."""
 
 from __future__ import annotations
 
@@ -31,12 +31,12 @@ _LARGE_AREA, _LARGE_EXTRA = 80.0, 8
 
 
 def background_crowd_size(place: str, words: str, area: float) -> int:
-    """Return how many people of the background a scene has; 0 where none are told.
+    """Return the number of background people in a scene; 0 where its words tell of none.
 
     Args:
         place: The place as written.
-        words: What the scene tells, without its dialogue.
-        area: Square metres of the place.
+        words: The action of the scene, without its dialogue.
+        area: Floor of the place in square metres.
     """
     told = f"{place}. {words}".lower()
     if re.search(_MANY, told) or re.search(_FULL_ALONE, told) or _place_pattern(_FULL).search(told):
@@ -49,13 +49,13 @@ def background_crowd_size(place: str, words: str, area: float) -> int:
 
 
 def is_crowd_gone(words: str) -> bool:
-    """Return whether a scene says that the crowd of its place is gone."""
+    """Whether the words of a scene say that its place is empty."""
     return re.search(_EMPTY, words.lower()) is not None
 
 
 @cache
 def _place_pattern(adjectives: str) -> re.Pattern[str]:
-    """Return what finds such a place: ``a packed bar``, ``the busy little market``, ``the bar is packed``."""
+    """Return the pattern of a place with one of these adjectives: ``a packed bar``, ``the bar is packed``."""
     nouns = {tag.split()[-1].lower() for kit in SETS.values() for tag in (*kit.tags, kit.name)} | {
         "place",
         "room",

@@ -1,4 +1,4 @@
-"""Cutting: neighbouring shots must differ enough, and talk must alternate (notes of the director, section 2)."""
+"""Cutting: neighbouring shots must differ enough, and talk alternates (notes of the director, section 2)."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ _LONG_SPEECH_SECONDS: Final = 9.0
 
 
 def size_steps(tighter: ShotSize, wider: ShotSize) -> int:
-    """Return how many sizes ``tighter`` is tighter than ``wider``; negative where it is wider."""
+    """Return how many sizes ``tighter`` is tighter than ``wider``; negative if it is wider."""
     return SHOT_SIZES.index(tighter) - SHOT_SIZES.index(wider)
 
 
 def alternate_speakers(drafts: list[ShotDraft]) -> None:
-    """Let a long conversation turn from face to face: after the master, who speaks most; the last word is close.
+    """Turn a long conversation from face to face after the master; the last word is a close-up.
 
-    When somebody has moved, the master comes back: the audience must see the new geography.
+    After a move the master comes back: the audience must see the new geography. Shots are changed in place.
     """
     before: ShotDraft | None = None
     turns = 0
@@ -54,7 +54,7 @@ def alternate_speakers(drafts: list[ShotDraft]) -> None:
 
 
 def _narrow_master(draft: ShotDraft, before: ShotDraft, size: ShotSize) -> None:
-    """Make a master narrower: a group becomes its speakers, a two-shot the one the shot before did not favour."""
+    """Narrow a master: a group to its speakers, a two-shot to the one the shot before did not favour."""
     speakers = [speaker for speaker in _speakers(draft) if speaker in draft.on_stage]
     if draft.kind == "group" and 0 < len(speakers) < 3:
         draft.focus = speakers
@@ -68,7 +68,7 @@ def _narrow_master(draft: ShotDraft, before: ShotDraft, size: ShotSize) -> None:
 
 
 def avoid_jump_cuts(drafts: list[ShotDraft]) -> None:
-    """Put two sizes between neighbours with the same subject (the 30-degree rule), without touching ordered shots."""
+    """Put two sizes between neighbours with the same subject (the 30-degree rule), except ordered shots."""
     for index in range(1, len(drafts)):
         before, draft = drafts[index - 1], drafts[index]
         if not _is_jump_cut(before, draft):
@@ -85,7 +85,7 @@ def avoid_jump_cuts(drafts: list[ShotDraft]) -> None:
 
 
 def push_in_on_long_speeches(drafts: list[ShotDraft], text: str) -> None:
-    """Push in slowly while one person speaks at length."""
+    """Push in slowly while one person speaks at length; ``text`` is the script."""
     for draft in drafts:
         still = draft.movement == "static" and not draft.has_note and draft.kind in ("single", "ots")
         if (
@@ -98,7 +98,7 @@ def push_in_on_long_speeches(drafts: list[ShotDraft], text: str) -> None:
 
 
 def _speakers(draft: ShotDraft) -> list[str]:
-    """Who speaks in a shot, most words first."""
+    """Return who speaks in a shot, most words first."""
     words: Counter[str] = Counter()
     for beat in draft.beats:
         words[beat.unit.speaker or ""] += word_count(beat.unit.text)
@@ -106,13 +106,14 @@ def _speakers(draft: ShotDraft) -> list[str]:
 
 
 def _is_jump_cut(before: ShotDraft, draft: ShotDraft) -> bool:
+    """Whether two neighbouring shots show the same subject in nearly the same size."""
     same = set(before.focus) == set(draft.focus) and (before.kind == "pov") == (draft.kind == "pov")
     cut_in = before.kind == "establishing" and draft.whole_body
     return same and not cut_in and abs(size_steps(draft.size, before.size)) < 2
 
 
 def _fits_over_shoulder(draft: ShotDraft, before: ShotDraft) -> bool:
-    """Whether a small action of two people who talk can be told over a shoulder."""
+    """Whether a small action of two people who talk can be shown over a shoulder."""
     talkers = (
         before.axis is not None and set(draft.focus) == set(before.axis) and set(draft.focus) <= set(draft.on_stage)
     )
@@ -120,7 +121,7 @@ def _fits_over_shoulder(draft: ShotDraft, before: ShotDraft) -> bool:
 
 
 def _resize(draft: ShotDraft, *neighbours: ShotDraft | None) -> None:
-    """Take the nearest size that is two steps from every neighbour with the same subject; tighter is better."""
+    """Set the nearest size two steps from neighbours with the same subject; of two, the tighter."""
     limits = _SIZE_RANGES.get(draft.kind, ("EWS", "CU"))
     widest = SHOT_SIZES.index(limits[0])
     tightest = SHOT_SIZES.index("MWS" if draft.motions & (TRAVEL | WHOLE_BODY) else limits[1])
@@ -135,9 +136,13 @@ def _resize(draft: ShotDraft, *neighbours: ShotDraft | None) -> None:
 
 
 def split_of_speech(text: str, unit: Unit) -> tuple[int, int] | None:
-    """Return where to cut a speech: the end of the first part and the start of the second, near the middle.
+    """Return where to split a speech near its middle: end of the first part and start of the second.
 
-    A sentence end is best, a comma will do; each part keeps at least a quarter of the speech.
+    A sentence end is best, a comma will do; each part keeps at least a quarter. None where there is neither.
+
+    Args:
+        text: The script.
+        unit: The speech.
     """
     words = text[unit.start : unit.end]
     for pattern in (r"[.!?…]+[\"”'’)]*\s+", r"[,;:–—]\s+"):
@@ -159,12 +164,22 @@ def size_for_motions(motions: Collection[str]) -> ShotSize:
 
 
 def does_more_than_handle(unit: Unit, things: Sequence[str]) -> bool:
-    """Return whether people in a unit do more than handle the things of an insert."""
+    """Whether people in a unit do more than handle the things of an insert.
+
+    Args:
+        unit: The unit.
+        things: Ids of the things of the insert.
+    """
     return any(deed.motion not in HANDS or not {deed.prop, deed.target} & {*things} for deed in unit.deeds)
 
 
 def listener_of(unit: Unit, speaker: str) -> str | None:
-    """Return the listener of a speech: its addressee, else the only other person there."""
+    """Return the listener of a speech: its addressee, else the only other person on stage, else None.
+
+    Args:
+        unit: The speech.
+        speaker: Id of its speaker.
+    """
     if unit.to in unit.on_stage and unit.to != speaker:
         return unit.to
     others = [person for person in unit.on_stage if person != speaker]
@@ -172,7 +187,12 @@ def listener_of(unit: Unit, speaker: str) -> str | None:
 
 
 def looked_at_prop(deeds: Sequence[Deed], props: Collection[str]) -> str | None:
-    """Return the prop that a character points at, glances at or reads."""
+    """Return the prop that a person looks at or reads in these deeds, or None.
+
+    Args:
+        deeds: The deeds.
+        props: Ids of all props.
+    """
     for deed in deeds:
         if deed.motion in ("look", "read"):
             return next((each for each in (deed.prop, deed.target) if each in props), None)

@@ -1,4 +1,4 @@
-"""Camera directions of the script become shots; whatever they say is obeyed (notes, sections 2 and 3)."""
+"""Turns camera directions of the script into shots; whatever they say is obeyed (notes, sections 2 and 3)."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class NameFinder:
             self._ids[name].append(id_)
 
     def find(self, words: str) -> list[str]:
-        """Return the ids named in ``words``, in order: by id or whole name, else by the longest names they hold."""
+        """Return the ids named in ``words``, in order: by id or whole name, else by the longest names inside."""
         found = [
             id_
             for item in words.split(",")
@@ -62,7 +62,7 @@ class NameFinder:
         return list(dict.fromkeys(found))
 
     def _exactly_named(self, name: str) -> list[str]:
-        """Return the ids with that id or whole name, else the first one that the name may refer to."""
+        """Return the ids with that id or whole name, else the first that the name may refer to."""
         return self._whole.get(name, self._ids.get(name, []))[:1]
 
     def _named_inside(self, words: str) -> list[str]:
@@ -79,10 +79,7 @@ class NameFinder:
 
 
 def camera_notes_by_unit(reading: Reading) -> dict[int, CameraNote]:
-    """Return the camera direction of every unit by its index: its own, or the ``SHOT`` note that stands before it.
-
-    A note after the last unit of a scene belongs to that unit.
-    """
+    """Return the camera direction of each unit by index: its own, or the ``SHOT`` note before it."""
     notes = {index: unit.camera for index, unit in enumerate(reading.units) if unit.camera}
     starts = [unit.start for unit in reading.units]
     headings = [element.start for element in reading.screenplay.elements if element.kind == "heading"]
@@ -102,13 +99,13 @@ def camera_notes_by_unit(reading: Reading) -> dict[int, CameraNote]:
 
 
 def is_direction_only(words: str) -> bool:
-    """Whether words are a camera direction and tell nothing else: ``CLOSE ON the ring.``"""
+    """Whether words are a camera direction and nothing else: ``CLOSE ON the ring.``"""
     note, (start, end) = parse_direction(words)
     return note is not None and not words[start:end].strip()
 
 
 def _first_word(name: str) -> str:
-    """The first run of letters of a name; empty where it has none."""
+    """Return the first word of a name, or an empty string."""
     word = re.search(r"\w+", name)
     return word[0] if word else ""
 
@@ -158,13 +155,13 @@ def directed_shot(
 
 
 def _optical_device(words: str) -> str:
-    """Return the optical device of a point of view as written: ``THROUGH THE BINOCULARS``."""
+    """Return the device of a point of view as written: ``THROUGH THE BINOCULARS``."""
     match = re.search(r"\bthrough (?:the |an? |his |her |its |their )?([\w' -]{3,30})", words, re.IGNORECASE)
     return match[1].strip().lower() if match else ""
 
 
 def _body_part(subject: str) -> BodyPart | None:
-    """Return the part of a body that a direction ends on: ``Rick's hand``, ``the eyes of the guard``."""
+    """Return the body part that a direction ends on (``Rick's hand``), or None."""
     head = re.split(r"\b(?:of|on|as|in|with)\b", subject, maxsplit=1, flags=re.IGNORECASE)[0].strip()
     for part, words in _PARTS.items():
         if re.search(rf"\b(?:{words})$", head, re.IGNORECASE):
@@ -173,7 +170,7 @@ def _body_part(subject: str) -> BodyPart | None:
 
 
 def _over_shoulder(shot: ShotDraft, who: str | None, unit: Unit, last: ShotDraft | None) -> None:
-    """Settle whose shoulder and whose face; without two people on stage it is a single."""
+    """Set whose shoulder and whose face a shot shows; without two people on stage it is a single."""
     if shot.note and shot.note.kind == "reverse" and who is None and last and last.focus:
         who = last.focus[0]
     candidates = [unit.speaker, *shot.focus, unit.to, *unit.on_stage]
@@ -186,6 +183,7 @@ def _over_shoulder(shot: ShotDraft, who: str | None, unit: Unit, last: ShotDraft
 
 
 def _shot_kind(note: CameraNote, focus: list[str], names: NameFinder, unit: Unit) -> ShotKind:
+    """Return the kind of shot that a direction orders."""
     if note.through:
         return "pov"
     if note.kind in get_args(ShotKind):

@@ -12,7 +12,7 @@ from storyblender.memory.vocabulary import Angle, BodyPart, CameraDirection, Mov
 
 @dataclass
 class Beat:
-    """What a shot covers of a unit: all of it, or a part of a long speech."""
+    """The part of a unit that a shot covers: all of it, or a part of a long speech."""
 
     unit: Unit
     start: int
@@ -20,13 +20,13 @@ class Beat:
 
     @classmethod
     def whole(cls, unit: Unit) -> Beat:
-        """Cover all of a unit."""
+        """Return the beat that covers all of a unit."""
         return cls(unit, unit.start, unit.end)
 
 
 @dataclass
 class ShotDraft:
-    """A shot as planned."""
+    """A planned shot."""
 
     kind: ShotKind
     size: ShotSize
@@ -52,35 +52,35 @@ class ShotDraft:
 
     @property
     def has_note(self) -> bool:
-        """Whether it is a picture of its own: a direction asks for it."""
+        """Whether a camera direction asks for this shot."""
         return self.note is not None
 
     @property
     def script_directed(self) -> bool:
-        """Whether the script itself says how the camera sees it; a careful reader only advises."""
+        """Whether the script itself orders this shot; a corrected reading only advises."""
         return self.note is not None and bool(self.note.phrase)
 
     @property
     def picture(self) -> int | None:
-        """Number of the panel, series item or table row that it draws, or of a careful reading's picture."""
+        """Number of the panel, series item or table row that it draws, or of a corrected reading's picture."""
         return self.beats[0].unit.picture if self.beats else None
 
     @property
     def speech_only(self) -> bool:
-        """Whether it covers speech and nothing else."""
+        """Whether it covers speech and no action."""
         told = [beat.unit.kind for beat in self.beats if beat.unit.kind in ("action", "dialogue")]
         return bool(told) and all(kind == "dialogue" for kind in told)
 
     @property
     def motions(self) -> set[str]:
-        """Everything that is done in it."""
+        """Motions of all deeds in it."""
         return {deed.motion for beat in self.beats for deed in beat.unit.deeds}
 
     @property
     def has_key_action(self) -> bool:
-        """Whether something is done in it that wants to be seen."""
+        """Whether it has a motion that must be seen."""
         return bool(self.motions & STRONG)
 
     def add_focus(self, *ids: str | None) -> None:
-        """Add to the focus, each once."""
+        """Add ids to the focus, each once."""
         self.focus += [each for each in dict.fromkeys(ids) if each and each not in self.focus]

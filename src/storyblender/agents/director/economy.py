@@ -1,8 +1,7 @@
-"""Economy: as few boards as the scene can bear (notes of the director, section 2, last paragraph).
+"""Economy: joins the shots of a scene to fit its budget (notes of the director, section 2, last paragraph).
 
-Given up in this order: inserts without a line of their own, reactions, over-the-shoulder pairs (they become the
-two-shot), neighbouring actions of one actor, any close neighbours. What the script orders is never given up, and no
-word of the script is lost: what a dropped shot covered goes to its neighbour. Two strong acts keep two pictures.
+Given up in this order: inserts without a line of their own, split speeches, reactions, talk, actions of one actor, and
+last whatever is short and close.
 """
 
 from __future__ import annotations
@@ -46,7 +45,7 @@ def economise(
 
 
 class _Economy:
-    """Gives up shots of one scene; every step takes time in proportion to the shots (times their logarithm)."""
+    """Joins the shots of one scene step by step."""
 
     def __init__(self, drafts: list[ShotDraft], people: Collection[str], text: str, settings: DirectorSettings) -> None:
         self.drafts = drafts
@@ -125,7 +124,7 @@ class _Economy:
         self._join_closest(fits, self._distance)
 
     def neighbours(self) -> None:
-        """Join whatever is short and close."""
+        """Join neighbours that are short and close."""
         self._join_closest(lambda a, b: True, self._distance)
 
     def _join_closest(
@@ -175,7 +174,7 @@ class _Economy:
         self.drafts = [draft for draft in drafts if draft]
 
     def _may_share(self, a: ShotDraft, b: ShotDraft) -> bool:
-        """Whether neighbours are short enough together, and only one of them wants a picture of its own."""
+        """Whether neighbours are short enough together, and at most one of them was ordered."""
         ordered = (
             a.has_note
             or b.has_note

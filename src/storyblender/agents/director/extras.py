@@ -28,11 +28,7 @@ _Value = TypeVar("_Value")
 
 
 def expand_groups(reading: Reading) -> Reading:
-    """Return the reading with every group replaced by its members; one member speaks and is spoken to.
-
-    Args:
-        reading: Left as it is.
-    """
+    """Return the reading with each group replaced by its members; one member speaks and is spoken to."""
     people: list[Person] = []
     members: dict[str, list[str]] = {}
     for person in reading.people:
@@ -56,14 +52,14 @@ def expand_groups(reading: Reading) -> Reading:
 
 
 def _count(group: Person, text: str) -> int:
-    """The number word before the group's first mention, else what the reader counted."""
+    """Return the number before the group's first mention, else the reader's count."""
     before = text[max(0, group.first - _NUMBER) : group.first].split()[-1:]
     stated = lexicon.NUMBERS.get(before[0].lower(), 0) if before and group.count > 1 else 0
     return stated if stated > 1 else group.count
 
 
 def _member(group: Person, number: int) -> Person:
-    """Return one member of a group; without a description, women and men in turn, at several ages."""
+    """Return one member of a group; without a description, women and men in turn, of several ages."""
     words = {noun_key(word) for word in f"{group.name} {group.role}".lower().split()}
     mixed: Gender = "male" if words & _MEN else ("female", "male")[number % 2]
     gender = group.gender if group.gender != "unknown" or group.count < _CROWD else mixed
@@ -74,6 +70,7 @@ def _member(group: Person, number: int) -> Person:
 
 
 def _expand_unit(unit: Unit, members: dict[str, list[str]]) -> Unit:
+    """Return a unit with each group replaced by its members."""
     return replace(
         unit,
         deeds=[
@@ -104,6 +101,7 @@ def _expand_unit(unit: Unit, members: dict[str, list[str]]) -> Unit:
 
 
 def _expand_spot(spot: Spot, members: dict[str, list[str]]) -> Spot:
+    """Return a spot with a group anchor replaced by its first member."""
     return spot.model_copy(
         update={
             "anchor_id": _expand_optional(spot.anchor_id, members),
@@ -113,6 +111,7 @@ def _expand_spot(spot: Spot, members: dict[str, list[str]]) -> Spot:
 
 
 def _expand_relation(relation: Relation, members: dict[str, list[str]]) -> list[Relation]:
+    """Return a relation once for each member of a group."""
     anchor = _first_member(relation.anchor_asset_id, members)
     return [
         relation.model_copy(update={"asset_id": member, "anchor_asset_id": anchor})
@@ -121,16 +120,20 @@ def _expand_relation(relation: Relation, members: dict[str, list[str]]) -> list[
 
 
 def _expand_ids(ids: list[str], members: dict[str, list[str]]) -> list[str]:
+    """Return ids with each group replaced by its members."""
     return [member for id_ in ids for member in members.get(id_, [id_])]
 
 
 def _expand_values(values: dict[str, _Value], members: dict[str, list[str]]) -> dict[str, _Value]:
+    """Return a table by id with the value of a group given to each member."""
     return {member: value for person, value in values.items() for member in members.get(person, [person])}
 
 
 def _first_member(id_: str, members: dict[str, list[str]]) -> str:
+    """Return the first member of a group, or the id itself."""
     return members[id_][0] if id_ in members else id_
 
 
 def _expand_optional(id_: str | None, members: dict[str, list[str]]) -> str | None:
+    """Return the first member of a group, the id itself, or None."""
     return _first_member(id_, members) if id_ else None

@@ -1,4 +1,4 @@
-"""Refines a coarse motion of the reader by the words around it: ``look`` with "over the shoulder" is ``look_back``."""
+"""Refines a coarse motion by the words around it: ``look`` with "over the shoulder" is ``look_back``."""
 
 from __future__ import annotations
 
@@ -66,5 +66,5 @@ def fine_motion(motion: str, verb: str, words: str) -> str:
 
 
 def _has_form_of(verb: str, words: str) -> bool:
-    """Tell whether a verb occurs in the words, in one of its regular forms."""
+    """Whether a verb occurs in the words, in one of its regular forms."""
     return re.search(rf"\b{verb.removesuffix('e')}(e|es|s|ed|ing|{verb[-1]}ed|{verb[-1]}ing)?\b", words) is not None

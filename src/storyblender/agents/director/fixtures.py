@@ -35,7 +35,7 @@ def head_of(name: str) -> str:
 
 
 def is_fixture(thing: Thing) -> bool:
-    """Return whether the set shows a thing: its parts, and land, sky and weather that the catalog does not build."""
+    """Whether the set shows a thing: its parts, and land, sky and weather that the catalog does not build."""
     heads = {thing.id.rsplit("_", 1)[-1], head_of(thing.name)}
     if heads & FIXTURES:
         return True
@@ -44,7 +44,7 @@ def is_fixture(thing: Thing) -> bool:
 
 
 def fixture_ids(things: Iterable[tuple[str, str]]) -> dict[str, str]:
-    """Return the ids to use for parts of the set whose own ids do not end with the noun, which finds them in the set.
+    """Return new ids for parts of the set whose ids do not end with their noun, by which the set is searched.
 
     Args:
         things: Ids and names: ``fdoor``, ``front door`` becomes ``fdoor_door``.

@@ -31,8 +31,8 @@ def choose_kits_by_meaning(reading: Reading, load: Callable[[], Embedder]) -> No
     """Give each scene of unknown place the most similar set kit, and flag the guess.
 
     Args:
-        reading: Changed: the scenes take the kind of their place.
-        load: Loads the sentence model; called only where a place is unknown.
+        reading: The reading; its scenes and flags are changed.
+        load: Loads the sentence embedder; called only if a place is unknown.
     """
     unknown = [
         (index, scene)
@@ -71,7 +71,7 @@ def _choose_by_things(reading: Reading, index: int, scene: SceneReading) -> bool
 
 
 def _copy_to_same_place(reading: Reading) -> None:
-    """Copy the kind of a place to all scenes in the same place."""
+    """Copy the kit of a place to all scenes in the same place."""
     kinds = {scene.id: scene.place_kind for scene in reading.scenes}
     for scene in reading.scenes:
         first = kinds.get(scene.reference or 0)
@@ -80,6 +80,7 @@ def _copy_to_same_place(reading: Reading) -> None:
 
 
 def _meaning_text(reading: Reading, index: int) -> str:
+    """Return the words of a scene that are compared with the kits."""
     told = [unit.text for unit in reading.units if unit.scene == index and unit.kind == "action"]
     return " ".join(" ".join(told).split())[:_TEXT] or reading.scenes[index].place
 

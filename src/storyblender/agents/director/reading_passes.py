@@ -14,10 +14,9 @@ Owners = dict[tuple[str, str], str]
 
 
 def copy_shared_things(reading: Reading) -> Reading:
-    """Return the reading with a copy of a thing for each of those who use it in one sentence, if it is in the plural.
+    """Return the reading with a copy of a plural thing for each person who uses it in one sentence.
 
-    Args:
-        reading: Left as it is; groups are people already.
+    Groups must be people already.
     """
     copies: list[Thing] = []
     owners: Owners = {}
@@ -39,7 +38,7 @@ def copy_shared_things(reading: Reading) -> Reading:
 
 
 def _shared_uses(units: Sequence[Unit]) -> dict[str, list[tuple[Unit, list[str]]]]:
-    """The units in which several people use a thing, and who they are, by thing."""
+    """Return the units in which several people use a thing, with those people, by thing."""
     found: dict[str, list[tuple[Unit, list[str]]]] = {}
     for unit in units:
         users: dict[str, list[str]] = {}
@@ -53,10 +52,13 @@ def _shared_uses(units: Sequence[Unit]) -> dict[str, list[tuple[Unit, list[str]]
 
 
 def _is_plural(thing: Thing, unit: Unit) -> bool:
+    """Whether the words of a unit name a thing in the plural."""
     return re.search(rf"\b{re.escape(thing.name.split()[-1])}e?s\b", unit.text, re.IGNORECASE) is not None
 
 
 def _with_copies(unit: Unit, owners: Owners) -> Unit:
+    """Return a unit in which everybody uses their own copy."""
+
     def own(deed: Deed) -> Deed:
         prop, target = deed.prop or "", deed.target or ""
         return replace(
@@ -77,12 +79,10 @@ def _with_copies(unit: Unit, owners: Owners) -> Unit:
 
 
 def order_scenes_by_units(reading: Reading) -> Reading:
-    """Return the reading with its scenes in the order of its units, a scene that is cut away from in several parts.
+    """Return the reading with scenes in the order of units; a scene that is cut away from is split.
 
-    The parts keep the number that the script gives their scene, and share its set.
-
-    Args:
-        reading: Left as it is. A scene without units stays where it is only if no scene is cut up.
+    The parts keep the number that the script gives their scene, and share its set. Where any scene is split, scenes
+    without units are left out.
     """
     runs = [list(run) for _, run in groupby(reading.units, key=lambda unit: unit.scene)]
     order = [run[0].scene for run in runs]

@@ -24,12 +24,9 @@ LIGHT = "light"
 
 
 def inherited_states(reading: Reading) -> dict[int, dict[str, Condition]]:
-    """Return, for each scene id, the states that earlier scenes left things and doors in.
+    """Return, by scene id, the states in which earlier scenes left things and doors.
 
-    A thing that can be carried is in its state wherever it is; a part of a place, and what is gone from it, only there.
-
-    Args:
-        reading: What the script says.
+    A portable thing keeps its state everywhere; a part of a place, and what is gone from it, only there.
     """
     bound = {thing.id for thing in reading.things if thing.kind == "set_piece" or is_fixture(thing)} | {LIGHT}
     units_of: dict[int, list[Unit]] = {}
@@ -69,13 +66,14 @@ def _state(change: StateChange) -> str | None:
 
 
 def _things_in_action(units: Iterable[Unit]) -> set[str]:
-    """Return the things that the words of a scene show or use."""
+    """Return the things that the action of a scene shows or uses."""
     told = {thing for unit in units for thing in unit.things if unit.kind == "action" and thing not in unit.absent}
     used = {name for unit in units for deed in unit.deeds for name in (deed.prop, deed.target) if name}
     return told | used
 
 
 def _time_passes(since: SceneReading, scene: SceneReading) -> bool:
+    """Whether so much time passes between two scenes that doors are shut and lamps switched again."""
     words = f"{scene.heading} {scene.time_written}"
     return since.time != scene.time or _LATER_DAY.search(words) is not None
 
@@ -84,11 +82,7 @@ _RESTING_KINDS = ("on", "in", "under")
 
 
 def inherited_positions(reading: Reading) -> dict[int, list[Relation]]:
-    """Return, for each scene id, where things lie that an earlier scene in the same place left there.
-
-    Args:
-        reading: What the script says.
-    """
+    """Return, by scene id, where things are that an earlier scene in the same place put down."""
     props = {thing.id for thing in reading.things if thing.kind == "prop"}
     roots: dict[int, int] = {}
     lying: dict[int, dict[str, Relation]] = {}
@@ -117,7 +111,7 @@ def inherited_positions(reading: Reading) -> dict[int, list[Relation]]:
 
 
 def _update_positions(relation: Relation, here: dict[str, Relation]) -> bool:
-    """Note where a thing lies; what is put beside another lies where that lies. Return whether it lies somewhere."""
+    """Note where a thing is put; beside another it is where that is. Return whether it is on, in or under."""
     beside = here.get(relation.anchor_asset_id)
     if relation.kind in _RESTING_KINDS:
         here[relation.asset_id] = relation
@@ -139,13 +133,13 @@ _CARRYING_MOTIONS = frozenset({"carry", "hold", "push", "pull"})
 
 
 def absent_until_brought(units: Sequence[Unit], things: Collection[str]) -> dict[int, set[str]]:
-    """Return, for each unit of a scene by its start, the things that come only later.
+    """Return, by the start of each unit of a scene, the things that arrive only later.
 
-    A reading that says itself when a thing is absent is left alone, and so is a thing that was told before.
+    A reading that tells itself when a thing is absent is kept, and so is a thing that was seen before.
 
     Args:
-        units: Of one scene, in order.
-        things: Ids of what can come: props and vehicles.
+        units: Units of one scene, in order.
+        things: Ids of what can arrive: props and vehicles.
     """
     told = {thing for unit in units for thing in unit.absent}
     known: set[str] = set()
@@ -161,7 +155,7 @@ def absent_until_brought(units: Sequence[Unit], things: Collection[str]) -> dict
 
 
 def _arriving_things(unit: Unit) -> set[str]:
-    """Return what comes into the scene in a unit."""
+    """Return the things that arrive in a unit."""
     found = {change.subject for change in unit.changes if change.state == "there"}
     for person in unit.entering:
         found |= {*unit.held.get(person, ())} | {*unit.grips.get(person, {})}

@@ -1,4 +1,4 @@
-"""Notes of a Fountain or Final Draft script: which scene and which shot each one belongs to."""
+"""Notes of a Fountain or Final Draft script, assigned to scenes and shots."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Who is where in which posture with what in hand, at the start of every shot."""
+"""Where everybody is, in which posture and with what in hand, at the start and end of every shot."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ class Staging:
 
     @staticmethod
     def _brought(units: Sequence[Unit]) -> dict[str, dict[str, int]]:
-        """What people have with them, though nobody saw them take it: person -> thing -> where they part with it."""
+        """Return what people have from the start: person -> thing -> offset where they part with it."""
         brought: dict[str, dict[str, int]] = {}
         seen: set[str] = set()
         for unit in units:
@@ -80,7 +80,12 @@ class Staging:
         return brought
 
     def already(self, deed: Deed, unit: Unit) -> bool:
-        """Whether a deed tells how somebody is found, e.g. ``Nora sits in a booth`` as a scene opens."""
+        """Whether a deed only tells how a person is found, e.g. ``Nora sits in a booth`` as a scene opens.
+
+        Args:
+            deed: The deed.
+            unit: Its unit.
+        """
         if self.opening.get(deed.actor) is not unit:
             return False
         mine = [other for other in unit.deeds if other.actor == deed.actor]
@@ -108,7 +113,7 @@ class Staging:
         return states, changed
 
     def _set_scene(self, units: Sequence[Unit]) -> None:
-        """Put bodies into the postures and places that the units state without a deed that leads there."""
+        """Put people into the postures and places that units state without a deed that leads there."""
         deeds = [deed for unit in units for deed in unit.deeds]
         movers = {deed.actor for deed in deeds if deed.motion in TRAVEL}
         posing = movers | {deed.actor for deed in deeds if deed.motion in POSING}
@@ -148,14 +153,14 @@ class Staging:
         return spot.model_copy(update={"anchor_id": anchor, "facing": facing})
 
     def _hold_what_is_shown(self, unit: Unit, shown: Sequence[str]) -> None:
-        """``CLOSE ON the coin in his palm``: it is there before the unit of these words begins."""
+        """Put a thing into the hand before its unit: ``CLOSE ON the coin in his palm``."""
         taken = {(deed.actor, deed.prop) for deed in unit.deeds if deed.motion in GETTING}
         for person, things in unit.held.items():
             body = self._body(person)
             body.held += [t for t in things if t in shown and t not in body.held and (person, t) not in taken]
 
     def _found(self, person: str) -> _Body:
-        """How a person is seen for the first time in the scene."""
+        """Return how a person is first seen in the scene."""
         unit = self.first.get(person)
         sits = self.seated and person in self.opening and not self.on_foot & {*person.split("_")}
         usual: Posture = "sit" if sits else "stand"
@@ -241,12 +246,12 @@ class Staging:
 
 
 def _keyboard(deeds: Sequence[Deed]) -> str | None:
-    """Return the keyboard that somebody plays, or sits down at, in these deeds."""
+    """Return the keyboard that a person plays, or sits down at, in these deeds; else None."""
     at_it = (deed for deed in deeds if deed.motion in ("play_music", "sit"))
     played = (thing for deed in at_it for thing in (deed.target, deed.prop) if thing)
     return next((thing for thing in played if thing.endswith(_KEYBOARDS)), None)
 
 
 def _comes_in(person: str, unit: Unit) -> bool:
-    """Whether a person's first unit brings them on stage, instead of finding them there."""
+    """Whether a person's first unit brings them on stage."""
     return person in unit.entering and any(deed.actor == person and deed.motion in TRAVEL for deed in unit.deeds)

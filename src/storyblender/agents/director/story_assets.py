@@ -1,4 +1,4 @@
-"""The company: who and what of a reading is on the asset sheet, under which id and name."""
+"""Which people and things of a reading are on the asset sheet, under which id and name."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def _held_things(reading: Reading) -> set[str]:
 
 
 def _fixed_parts(reading: Reading) -> dict[str, str]:
-    """Return part -> whole of the parts that never come off: never held, and without a place of their own."""
+    """Return part -> whole of parts that never come off: never held, and without a place of their own."""
     loose = _held_things(reading) | {id_ for unit in reading.units for id_ in unit.spots}
     loose |= {deed.prop for unit in reading.units for deed in unit.deeds if deed.prop}
     loose |= {change.subject for unit in reading.units for change in unit.changes}
@@ -66,13 +66,14 @@ def _fixed_parts(reading: Reading) -> dict[str, str]:
 
 
 def _taps_of_basins(reading: Reading) -> dict[str, str]:
-    """Return tap -> sink or bath: of what runs from it, the first that the story names."""
+    """Return tap -> sink or bath: the first basin that the story names."""
     basins = [thing.id for thing in reading.things if head_of(thing.name) in _BASINS]
     taps = [thing.id for thing in reading.things if head_of(thing.name) in _TAPS and thing.part_of is None]
     return dict.fromkeys(taps, basins[0]) if basins else {}
 
 
 def _is_circular(part: str, wholes: Mapping[str, str | None]) -> bool:
+    """Whether a part belongs to itself through its wholes."""
     seen, at = {part}, wholes.get(part)
     while at is not None and at in wholes:
         if at in seen:
@@ -83,7 +84,7 @@ def _is_circular(part: str, wholes: Mapping[str, str | None]) -> bool:
 
 
 def unique(items: Iterable[str | None]) -> list[str]:
-    """Return the ids in order, each once, without gaps."""
+    """Return the ids in order, each once, without None."""
     return list(dict.fromkeys(item for item in items if item))
 
 

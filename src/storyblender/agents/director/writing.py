@@ -41,11 +41,7 @@ def writing_on(name: str, first: int, text: str) -> str:
 
 
 def add_writing_changes(reading: Reading) -> Reading:
-    """Return a reading in which a change says so wherever other words are read on a thing than before.
-
-    Args:
-        reading: Left as it is.
-    """
+    """Return a reading in which a change tells wherever new words are read on a thing."""
     text = reading.screenplay.text
     names = {thing.id: thing.name for thing in reading.things}
     written = {thing.id: thing.writing or writing_on(thing.name, thing.first, text) for thing in reading.things}
