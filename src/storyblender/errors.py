@@ -52,3 +52,17 @@ class Cancelled(StoryBlenderError):
 
     def __init__(self) -> None:
         super().__init__("cancelled", mend="what is finished is kept; the same call again goes on from there")
+
+
+class StaleEdit(InputError):
+    """An edit was made on an older revision, and what it touches has changed since.
+
+    Args:
+        names: Of the shots, scenes or assets.
+        changes: What was done to them since, one sentence each.
+    """
+
+    def __init__(self, names: tuple[str, ...], changes: tuple[str, ...]) -> None:
+        problem = f"{', '.join(names)} changed since: {'; '.join(changes)}"
+        super().__init__(problem, mend="look at it as it is now, then edit it")
+        self.changes = changes

@@ -100,6 +100,11 @@ class Project:
         """What the program wrote here, but for the graph and its history."""
         return Outputs(self.files)
 
+    @property
+    def version(self) -> str:
+        """The revision with the digest of its commit: after an undo, other commits may have the same numbers."""
+        return f"{self.revision}.{self._digest[:8]}"
+
     def path(self, *parts: str) -> Path:
         """Return where a file lies. Raises InputError if that is outside the folder or behind a link."""
         return self.files.path(*parts)
@@ -120,7 +125,7 @@ class Project:
             graph = apply(self.graph, commit)  # as it will be read again
         except ValueError as error:
             raise Rejected((str(error),)) from error
-        Gatekeeper(self.graph).admit(graph, changes)
+        Gatekeeper(self.graph).admit(graph, changes, author)
         self._forget_undone()
         self.files.write(commit_name(commit.revision), commit.model_dump_json())
         self._move_head(Saved(graph, commit.revision, commit.digest))

@@ -6,10 +6,10 @@ its next step or job. The graph and the files are whole at every moment, so the 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import CancelledError
 from contextlib import AbstractContextManager, ExitStack, contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from pathlib import Path
 from threading import Event as Signal
@@ -18,16 +18,19 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
 from storyblender.crew import Crew
-from storyblender.edits import camera_decision, decide_cameras, redo_edit, shots_named, undo_edit
+from storyblender.edits.dispatcher import Applied, apply_edits
+from storyblender.edits.targets import shots_named
+from storyblender.edits.undo import redo_edit, undo_edit
 from storyblender.errors import Cancelled, InputError, StoryBlenderError
 from storyblender.inspection import Inspection, inspect
+from storyblender.memory.edits import Edit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit
-from storyblender.memory.shot_context import ShotContext
+from storyblender.memory.shot_context import Flaw, ShotContext
 from storyblender.pipeline.adopting import adopt_earlier_outputs
 from storyblender.pipeline.asset_files import assets_to_build
 from storyblender.pipeline.compiling import Compilation, story_files
-from storyblender.pipeline.filming import film, with_cuts_judged
+from storyblender.pipeline.filming import cuts_made_wrong, film, with_cuts_judged
 from storyblender.pipeline.packing import pack_scenes
 from storyblender.pipeline.retaking import retake_poor_frames
 from storyblender.pipeline.reviewing import FrameReview, review_frames
@@ -54,12 +57,14 @@ class Delivery:
         files: Names in it, in the order people open them.
         graph: The story as it is now.
         reasons: Which rule read what in the script, if that was asked.
+        wrong_cuts: What is wrong with the cuts to and from cameras that the call set.
     """
 
     folder: Path
     files: list[str]
     graph: ContinuityMemoryGraph
     reasons: list[Reason] = field(default_factory=list)
+    wrong_cuts: tuple[Flaw, ...] = ()
 
 
 class Session:
@@ -120,9 +125,15 @@ class Session:
         return self._project.graph
 
     @property
-    def revision(self) -> int:
-        """Number of the last commit; an undo goes back to an earlier one."""
-        return self._project.revision
+    def revision(self) -> str:
+        """The last commit's number, a dot, and its digest; an edit names the one that it was made on."""
+        return self._project.version
+
+    @property
+    def made(self) -> bool:
+        """Whether every scene is staged; a project that is only planned has nothing to draw."""
+        parts = [(scene.layout, scene.environment, scene.lighting) for scene in self.graph.scenes]
+        return bool(parts) and all(part is not None for scene in parts for part in scene)
 
     def listen(self, listener: Listener) -> Callable[[], None]:
         """Let one more listener hear the events; return what ends that."""
@@ -168,28 +179,47 @@ class Session:
             film(run)
             return self._draw(run, run.graph.shots)
 
-    def render(self, names: Sequence[str] = (), camera: Mapping[str, str | float] | None = None) -> Delivery:
-        """Draw again what changed, with a changed camera if one is given.
+    def apply(self, edits: Sequence[Edit], revision: str | None = None) -> Applied:
+        """Commit a batch of edits, all or none, as one undo; ``render`` then draws what they made stale.
+
+        Args:
+            edits: In order.
+            revision: What they were made on, as ``revision`` was then; None for the present one.
+
+        Raises:
+            InputError: An edit names what does not exist or cannot be, or what is locked.
+            StaleEdit: What they touch has changed since that revision.
+        """
+        with self._alone():
+            applied = apply_edits(self._project, edits, revision)
+            self._tell(Event(kind="commit", role="user", message=applied.words, turn=self._project.revision))
+            return applied
+
+    def render(self, names: Sequence[str] = (), edits: Sequence[Edit] = ()) -> Delivery:
+        """Draw again what changed.
 
         Args:
             names: Shots to draw, such as ``SC010_SH020``; all if empty.
-            camera: ``size``, ``angle``, ``lens``, ``movement`` for the named shots.
+            edits: To apply first.
 
         Raises:
-            InputError: No such shot, a project that is only planned, or a camera without a shot.
+            InputError: No such shot, a project that is only planned, or an edit that cannot be.
             Cancelled: ``cancel`` was called.
         """
         with self._call() as run:
             shots = shots_named(run.graph, names)
-            if camera and not names:
-                raise InputError("a changed camera needs a shot", mend="name it, e.g. --shot SC010_SH020")
-            _refuse_unmade(run)
-            if camera:
+            self._refuse_unmade()
+            if edits:
                 run.engine.warm()
-                decide_cameras(run, shots, camera_decision(camera))
+                self.apply(edits)
             self._bring_up_to_date(run)
+            new = [shot for shot in run.graph.shots if shot.camera is None]
             film(run)
-            return self._draw(run, [run.graph.shot(shot.scene_id, shot.shot_id) for shot in shots])
+            wrong = cuts_made_wrong(run, new)
+            for flaw in wrong:
+                run.tell(Event(kind="warning", role="camera_operator", subject=flaw.shot, message=flaw.message))
+            drawn = self._draw(run, [run.graph.shot(shot.scene_id, shot.shot_id) for shot in shots])
+            return replace(drawn, wrong_cuts=tuple(wrong))
 
     def undo(self) -> list[Commit]:
         """Take back the last change and what followed from it; the next render draws only what that changes.
@@ -197,7 +227,7 @@ class Session:
         Raises:
             InputError: Nothing to undo.
         """
-        with self._busy:
+        with self._alone():
             return undo_edit(self._project)
 
     def redo(self) -> list[Commit]:
@@ -206,7 +236,7 @@ class Session:
         Raises:
             InputError: Nothing to redo.
         """
-        with self._busy:
+        with self._alone():
             return redo_edit(self._project)
 
     def check(self) -> Inspection:
@@ -217,7 +247,7 @@ class Session:
             Cancelled: ``cancel`` was called.
         """
         with self._call() as run:
-            _refuse_unmade(run)
+            self._refuse_unmade()
             if any(shot.camera is None for shot in run.graph.shots):
                 mend = "run `storyblender render` first: it goes on where it was stopped"
                 raise InputError("has shots without a camera yet", mend=mend, path=self.folder)
@@ -236,7 +266,7 @@ class Session:
             Cancelled: ``cancel`` was called.
         """
         with self._call() as run:
-            _refuse_unmade(run)
+            self._refuse_unmade()
             self._bring_up_to_date(run)
             film(run)
             shoot_frames(run, run.graph.shots)
@@ -277,11 +307,17 @@ class Session:
         return self._held.enter_context(self._make_engine(self._tell))
 
     @contextmanager
-    def _call(self) -> Iterator[Run]:
-        """Make one call: alone, told apart from those before it, and ended by ``cancel``."""
+    def _alone(self) -> Iterator[None]:
+        """Wait for the end of the call under way, if it is another thread's."""
         with self._busy:
             if self._closed:
                 raise StoryBlenderError("the session is closed", mend="open the project again")
+            yield
+
+    @contextmanager
+    def _call(self) -> Iterator[Run]:
+        """Make one call: alone, told apart from those before it, and ended by ``cancel``."""
+        with self._alone():
             self._cancelled = Signal()
             first = "_engine" not in self.__dict__
             parts = self._project, self._engine, self._crew, self._settings, self._tell, self._sources
@@ -302,7 +338,7 @@ class Session:
                 listener(event)
 
     def _bring_up_to_date(self, run: Run) -> None:
-        """Restore missing assets, in the look that the project was made in, and build the packs."""
+        """Restore missing assets, animate what an edit made stale, and build the packs."""
         staged = any(scene.lighting is not None for scene in run.graph.scenes)
         if staged and not (self.folder / REMEMBERED).exists():
             message = f"{REMEMBERED} is missing; look, width and lenses are the defaults"
@@ -311,7 +347,16 @@ class Session:
             from storyblender.pipeline.materializing import materialize
 
             materialize(run)
+        if any(shot.stale for shot in run.graph.shots):
+            from storyblender.pipeline.staging import animate_again
+
+            animate_again(run)
         pack_scenes(run)
+
+    def _refuse_unmade(self) -> None:
+        if not self.made:
+            mend = "run `storyblender make SCRIPT` first"
+            raise InputError("is planned, not made yet", mend=mend, path=self.folder)
 
     def _draw(self, run: Run, shots: Sequence[ShotContext]) -> Delivery:
         """Draw shots, take poor ones again, and deliver; the film has every shot moving, whichever are named."""
@@ -326,13 +371,3 @@ class Session:
         if len(shots) == len(run.graph.shots):
             prune(run, run.graph.shots)
         return Delivery(self.folder, deliver(run, clips, story), run.graph)
-
-
-def _refuse_unmade(run: Run) -> None:
-    scenes = run.graph.scenes
-    if not scenes or any(
-        scene.layout is None or scene.environment is None or scene.lighting is None for scene in scenes
-    ):
-        raise InputError(
-            "is planned, not made yet", mend="run `storyblender make SCRIPT` first", path=run.project.folder
-        )

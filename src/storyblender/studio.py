@@ -22,6 +22,8 @@ from storyblender.catalog.props import PROPS
 from storyblender.catalog.registry import Entry
 from storyblender.catalog.sets import SETS
 from storyblender.crew import rules_crew
+from storyblender.edits.dispatcher import Applied
+from storyblender.edits.words import Word, camera_decision
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.engine.worker import Worker
 from storyblender.errors import InputError
@@ -31,6 +33,7 @@ from storyblender.library.embedder import load_embedder
 from storyblender.library.sources import asset_sources
 from storyblender.look.looks import LOOKS
 from storyblender.memory.base import shot_name
+from storyblender.memory.edits import CameraEdit, Edit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit
 from storyblender.memory.jobs import AssetJob
@@ -106,10 +109,37 @@ class Studio:
         read_project_graph(folder)
         return self._open(None, folder)
 
-    def render(self, folder: Path, names: Sequence[str], camera: Mapping[str, str | float]) -> Delivery:
-        """Open a project for one call of ``Session.render``."""
+    def render(self, folder: Path, names: Sequence[str], camera: Mapping[str, Word]) -> Delivery:
+        """Open a project, decide about the cameras of the named shots if anything is said of them, and draw.
+
+        Args:
+            folder: The project.
+            names: Shots to draw; all if empty.
+            camera: Fields of ``CameraDecision`` for the named shots.
+
+        Raises:
+            InputError: No such project or shot, a project that is only planned, or a camera without a shot.
+        """
         with self.open(folder) as session:
-            return session.render(names, camera)
+            if camera and not names:
+                raise InputError("a changed camera needs a shot", mend="name it, e.g. --shot SC010_SH020")
+            decision = camera_decision(camera)
+            return session.render(names, [CameraEdit(shot=name, decision=decision) for name in names if camera])
+
+    def edit(self, folder: Path, edits: Sequence[Edit], *, draw: bool = True) -> tuple[Applied, Delivery | None]:
+        """Open a project, apply a batch of edits, and draw what they made stale.
+
+        Args:
+            folder: The project.
+            edits: In order; one undo takes all of them back.
+            draw: Whether to draw at once; a later ``render`` does as well.
+
+        Raises:
+            InputError: No such project, or an edit that cannot be.
+        """
+        with self.open(folder) as session:
+            applied = session.apply(edits)
+            return applied, session.render(applied.stale) if draw and applied.stale and session.made else None
 
     def undo(self, folder: Path) -> list[Commit]:
         """Open a project for one call of ``Session.undo``."""

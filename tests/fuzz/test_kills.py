@@ -17,7 +17,7 @@ from typing import Any
 import pytest
 
 from storyblender import studio
-from storyblender.edits import redo_edit, undo_edit
+from storyblender.edits.undo import redo_edit, undo_edit
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from storyblender.edits import redo_edit, undo_edit
+from storyblender.edits.undo import redo_edit, undo_edit
 from storyblender.errors import InputError
 from storyblender.history_files import UPGRADES, load
 from storyblender.memory.graph import SCHEMA_VERSION

@@ -150,3 +150,5 @@ class Asset(Frozen):
     """Characters only."""
     dimension: AssetDimension | None = None
     canonical: CanonicalAsset | None = None
+    locked: bool = Field(default=False, exclude_if=lambda value: not value)
+    """Whether a person locked its look, its size and its model."""

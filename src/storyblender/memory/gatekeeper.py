@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 
 from storyblender.errors import Rejected
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.history import Change
+from storyblender.memory.history import Change, key_of
+from storyblender.memory.keeping import lock_violations
 from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.shot_context import ShotContext
 
@@ -21,7 +22,7 @@ class Gatekeeper:
     def __init__(self, existing: ContinuityMemoryGraph) -> None:
         self.existing = existing
 
-    def admit(self, graph: ContinuityMemoryGraph, changes: Sequence[Change]) -> None:
+    def admit(self, graph: ContinuityMemoryGraph, changes: Sequence[Change], author: str = "user") -> None:
         """Let the new state in, or raise.
 
         Only what changed is checked, except where something was removed: then every reference is.
@@ -29,32 +30,27 @@ class Gatekeeper:
         Args:
             graph: The proposed graph.
             changes: What differs from the existing one.
+            author: Who proposes it; what a person decided, the crew leaves alone.
 
         Raises:
             Rejected: With one sentence per violation.
         """
-        violations = tuple(self._violations(graph, changes))
+        violations = tuple(self._violations(graph, changes, author))
         if violations:
             raise Rejected(violations)
 
-    def _violations(self, graph: ContinuityMemoryGraph, changes: Sequence[Change]) -> Iterator[str]:
+    def _violations(self, graph: ContinuityMemoryGraph, changes: Sequence[Change], author: str) -> Iterator[str]:
         removed = any(change.after is None for change in changes)
         touched = {(change.layer, change.key) for change in changes}
         yield from _faulty_references(graph, None if removed else touched)
-        yield from self._lock_violations(graph, touched)
-
-    def _lock_violations(
-        self, graph: ContinuityMemoryGraph, touched: set[tuple[str, tuple[int | str, ...]]]
-    ) -> Iterator[str]:
-        """What a person locked stays as it is while the lock stands."""
-        proposed = {(shot.scene_id, shot.shot_id): shot for shot in graph.shots}
-        for old in self.existing.shots:
-            new = proposed.get((old.scene_id, old.shot_id))
-            if new is None or ("shots", (old.scene_id, old.shot_id)) not in touched:
-                continue
-            for field in old.locked:
-                if field in new.locked and getattr(old, field) != getattr(new, field):
-                    yield f"the {field} of shot {old.scene_id}/{old.shot_id} is locked"
+        if author == "director":  # another reading of the script moves shots; ``revise`` keeps locks with their words
+            return
+        for layer in ("assets", "scenes", "shots"):
+            proposed = {key_of(item): item for item in getattr(graph, layer)}
+            for old in getattr(self.existing, layer):
+                key = key_of(old)
+                if (layer, key) in touched and key in proposed:
+                    yield from lock_violations(old, proposed[key], author)
 
 
 def faults_of(graph: ContinuityMemoryGraph) -> Iterator[str]:

@@ -6,7 +6,7 @@ from which a killed run resumes. Each commit carries its digest and that of the 
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import Any, Final, Literal
 
 from pydantic import Field
 
@@ -23,6 +23,11 @@ _ByKey = dict[tuple[int | str, ...], Item]
 
 HEAD_FIELDS = ("title", "script_name", "edition", "plan_digest", "settings_digest", "format", "story_summary", "age")
 """The graph's own fields, kept as the single item of the layer ``head``."""
+
+PEOPLE: Final = ("user", "sync")
+"""Authors of edits that a person made: here, or in Blender."""
+CAUSED_BY_PERSON: Final = (*PEOPLE, "director")
+"""Authors of commits that a person caused: an edit, or a script that was read. The crew's follow from them."""
 
 
 class Change(Frozen):

@@ -85,7 +85,7 @@ class SceneJob(Frozen):
     @property
     def digest(self) -> str:
         """Names the pack: everything that the scene's geometry and motion depend on."""
-        scene = self.scene.model_dump(mode="json", exclude={"lighting"})
+        scene = self.scene.model_dump(mode="json", exclude={"lighting", "locked"})
         scene["setup"] = None
         shots = [
             shot.model_dump(

@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 
 from storyblender.memory.asset_sheet import ParamValue
 from storyblender.memory.base import Color, Coordinate, Frozen, Identifier, SceneId, Vec3
+from storyblender.memory.locks import SceneLock
 from storyblender.memory.vocabulary import (
     Facing,
     LightQuality,
@@ -186,3 +187,5 @@ class SceneContext(Frozen):
     environment: Environment | None = None
     layout: Layout | None = None
     lighting: Lighting | None = None
+    locked: tuple[SceneLock, ...] = Field(default=(), exclude_if=lambda value: not value)
+    """What a person locked: it stays as it is until it is unlocked."""

@@ -8,6 +8,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, field_validator, model_validator
 
 from storyblender.memory.base import Coordinate, Frames, Frozen, Identifier, SceneId, ShotId, Vec3
+from storyblender.memory.locks import ShotLock
 from storyblender.memory.scene_context import Light, Lighting, Spot
 from storyblender.memory.shot_sizes import ShotSize
 from storyblender.memory.vocabulary import (
@@ -152,9 +153,41 @@ class CameraInstruction(Frozen):
         return {"order": order.removesuffix(".").removesuffix(")"), **kept}
 
 
+class CameraPosition(Frozen):
+    """Where a camera stands and what it looks at."""
+
+    location: Vec3
+    """Optical centre."""
+    target: Vec3
+    """A point in the middle of the picture; its distance is that of the orbit's pivot."""
+    roll: Coordinate = 0.0
+    """Degrees, counter-clockwise as seen from behind the camera."""
+
+    @model_validator(mode="after")
+    def _looks_somewhere(self) -> Self:
+        if math.dist(self.location, self.target) < 0.05:
+            raise ValueError("a camera looks at a point at least 5 cm away")
+        return self
+
+
+class FreeCamera(Frozen):
+    """A camera that a person placed: one position, or two for a camera that travels from the first to the second."""
+
+    start: CameraPosition
+    end: CameraPosition | None = None
+
+
 class CameraDecision(Frozen):
     """What a person decided about the camera of a shot; fields left out are the crew's to choose."""
 
+    kind: ShotKind | None = None
+    """Kind of picture."""
+    focus_on_ids: tuple[Identifier, ...] | None = Field(default=None, min_length=1)
+    """Subjects of the picture."""
+    over_id: Identifier | None = None
+    """Over the shoulder: whose."""
+    pov_id: Identifier | None = None
+    """Point of view: whose."""
     size: ShotSize | None = None
     angle: Angle | None = None
     movement: Movement | None = None
@@ -168,42 +201,57 @@ class CameraDecision(Frozen):
     """asset_id or node_id the lens is focused on."""
     focus_to: Identifier | None = None
     """Rack focus: what it is focused on when the shot ends."""
+    placed: FreeCamera | None = None
+    """A camera that stands just there; the crew sets its lens if no lens is decided."""
 
     @property
     def words(self) -> str:
         """The decision as a person reads it, e.g. ``size CU, lens 50``."""
-        said = self.model_dump(exclude_none=True).items()
-        told = ((key.replace("_", " "), ", ".join(value) if isinstance(value, tuple) else value) for key, value in said)
-        return ", ".join(f"{key} {value:g}" if isinstance(value, float) else f"{key} {value}" for key, value in told)
+        said = self.model_dump(exclude_none=True, exclude={"placed"}).items()
+        told = ((key.removesuffix("_ids").removesuffix("_id").replace("_", " "), value) for key, value in said)
+        words = [f"{key} {value:g}" if isinstance(value, float) else f"{key} {_listed(value)}" for key, value in told]
+        return ", ".join([*words, *(["placed by hand"] if self.placed else [])])
 
     def then(self, later: CameraDecision) -> Self:
-        """Return this decision with a later one on top: a new size drops the old lens, a new move its direction, a new
-        focus the old rack focus.
+        """Return this decision with a later one on top.
+
+        A new size drops the old lens, a new move its direction, a new focus the old rack focus, a new kind or subject
+        whose shoulder or eyes it was; and whatever asks for another picture drops a place chosen by hand.
         """
         dropped = {"lens"} if later.size else set()
         dropped |= {"direction"} if later.movement else set()
         dropped |= {"focus_to"} if later.focus else set()
+        dropped |= {"over_id", "pov_id"} if later.kind or later.focus_on_ids else set()
+        dropped |= {"placed"} if later.reframes else set()
         kept = self.model_dump(exclude_none=True, exclude=dropped)
         return self.model_validate({**kept, **later.model_dump(exclude_none=True)})
 
+    @property
+    def reframes(self) -> bool:
+        """Whether it asks the crew for another picture."""
+        return any((self.kind, self.focus_on_ids, self.size, self.angle, self.movement))
+
     def applied(self, instruction: CameraInstruction) -> CameraInstruction:
         """Return an instruction as it was decided."""
-        changes = self.model_dump(exclude_none=True, exclude={"moment"})
+        changes = self.model_dump(exclude_none=True, exclude={"moment", "placed"})
         if self.size is not None:
             changes = {"lens": None, **changes}
         if self.movement is not None:
             changes = {"direction": None, **changes}
         if self.focus is not None:
             changes = {"focus_to": None, **changes}
+        if self.kind is not None or self.focus_on_ids is not None:
+            shown = {*(self.focus_on_ids or instruction.focus_on_ids), self.over_id or ""}
+            axis = instruction.axis if shown.intersection(instruction.axis or ()) else None
+            changes = {"over_id": None, "pov_id": None, "detail": None, "through": "", "axis": axis, **changes}
+        if self.placed is not None:
+            changes |= {"movement": "static" if self.placed.end is None else "track", "direction": None}
         return CameraInstruction.model_validate({**instruction.model_dump(), **changes})
 
 
 class CameraRetake(CameraDecision):
     """What the Frame Critic changed of a shot whose frame did not tell its lines; fields left out are as planned."""
 
-    kind: ShotKind | None = None
-    focus_on_ids: tuple[Identifier, ...] | None = None
-    """Subjects of a simpler picture."""
     moment: Moment | None = None
 
     @property
@@ -405,10 +453,19 @@ class ShotContext(Frozen):
     """Replaces the scene's light plan from this shot on, where the script changes the light."""
     flaws: tuple[Flaw, ...] = ()
     """What could not be staged as it was read: cheats, deeds that nobody does, things left out or stood in for."""
-    locked: tuple[Literal["camera", "blocking", "duration"], ...] = ()
+    locked: tuple[ShotLock, ...] = ()
+    """What a person locked: it stays as it is until it is unlocked."""
+    decided_duration: Frames | None = Field(default=None, exclude_if=lambda value: value is None)
+    """Length in frames that a person gave the shot; it stays with the words of the shot when the script changes."""
+    stale: tuple[Literal["motion"], ...] = Field(default=(), exclude_if=lambda value: not value)
+    """What an edit made stale and the crew has not made anew yet."""
 
     @property
     def shown(self) -> tuple[str, ...]:
         """Characters the shot is meant to show, without those its camera leaves out."""
         left = self.camera.leaves_out if self.camera else ()
         return tuple(asset_id for asset_id in self.in_frame if asset_id not in left)
+
+
+def _listed(value: object) -> object:
+    return ", ".join(value) if isinstance(value, tuple) else value

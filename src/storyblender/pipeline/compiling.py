@@ -28,6 +28,9 @@ MOST_SCENES = 40
 SEQUENCE = 20
 """Scenes in the file of a sequence."""
 
+_NOT_SHOWN = ("locked", "decided_duration", "stale")
+"""Fields of the graph that make no difference to a .blend."""
+
 
 class StoryRecord(Frozen):
     """What a file on disk was compiled from."""
@@ -177,7 +180,9 @@ def _cut(run: Run, packs: Sequence[PackRef], sequences: tuple[SequenceFile, ...]
         out=STORY,
     )
     lengths = [[shot.scene_id, shot.shot_id, shot.duration] for shot in graph.shots]
-    plain = job.model_dump(mode="json", include={"format", "assets", "sequences"})
+    plain = job.model_dump(
+        mode="json", include={"format", "assets", "sequences"}, exclude={"assets": {"__all__": {"locked"}}}
+    )
     record = StoryRecord(common=content_hash(__version__, STORY_VERSION, plain, list(lengths)), scenes={})
 
     def compiled(_: tuple[int, ...] | None) -> Future[str]:
@@ -188,6 +193,8 @@ def _cut(run: Run, packs: Sequence[PackRef], sequences: tuple[SequenceFile, ...]
 
 def _record_of(job: StoryJob) -> StoryRecord:
     plain = job.model_dump(mode="json")
+    for name in ("assets", "scenes", "shots"):  # a lock changes nothing in the file
+        plain[name] = [{key: value for key, value in part.items() if key not in _NOT_SHOWN} for part in plain[name]]
     scenes: dict[int, str] = {}
     for pack in job.packs:
         of_scene = [[part for part in plain[name] if part["scene_id"] == pack.scene_id] for name in ("scenes", "shots")]

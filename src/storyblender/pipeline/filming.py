@@ -2,26 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import cached_property
 from pathlib import Path
 
 from pydantic import TypeAdapter
 
-from storyblender.agents.layout_artist.camera_continuity import judge_cuts
+from storyblender.agents.layout_artist.camera_continuity import CUT_KINDS, judge_cuts
 from storyblender.agents.layout_artist.camera_operator_view import Moment
 from storyblender.agents.layout_artist.camera_scene import camera_operator_view, shoot_scene, telling_frames
 from storyblender.agents.layout_artist.spatial_planner_view import measures_of
 from storyblender.agents.layout_artist.story_moment import story_moment
 from storyblender.catalog.sets import plan_of
 from storyblender.geometry.framing import Figure
-from storyblender.memory.base import scene_name
+from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
 from storyblender.memory.jobs import PackRef
 from storyblender.memory.measure import CameraView, ViewRequest
-from storyblender.memory.shot_context import CameraState, ShotContext
+from storyblender.memory.shot_context import CameraState, Flaw, ShotContext
 from storyblender.pipeline.run import Run
 from storyblender.trace import Event
 
@@ -76,14 +76,39 @@ def figures_of(pack: PackRef) -> str:
     return f"{FIGURES}/{Path(pack.path).stem}.json"
 
 
-def with_cuts_judged(run: Run) -> ContinuityMemoryGraph:
+def cuts_made_wrong(run: Run, edited: Collection[ShotContext]) -> list[Flaw]:
+    """Return the faults that the cuts to and from new cameras have, of these shots and of their neighbours.
+
+    Args:
+        run: With all cameras set.
+        edited: The shots whose cameras are new.
+    """
+    keys = {(shot.scene_id, shot.shot_id) for shot in edited}
+    committed = {(shot.scene_id, shot.shot_id): shot.camera for shot in run.graph.shots}
+    found: list[Flaw] = []
+    for shot in with_cuts_judged(run, {scene_id for scene_id, _ in keys}).shots:
+        key, camera = (shot.scene_id, shot.shot_id), committed[shot.scene_id, shot.shot_id]
+        if camera is not shot.camera and camera is not None and shot.camera is not None:
+            known = {flaw.message for flaw in camera.residual} if key not in keys else set[str]()
+            wrong = (flaw for flaw in shot.camera.residual if flaw.kind in CUT_KINDS and flaw.message not in known)
+            found += [flaw.model_copy(update={"shot": shot_name(*key)}) for flaw in wrong]
+    return found
+
+
+def with_cuts_judged(run: Run, scenes: Collection[int] | None = None) -> ContinuityMemoryGraph:
     """Return the graph with the faults that its cuts have now, for reports.
 
     A changed camera changes the cuts of its neighbours too. Scenes whose faces nobody has measured keep the faults that
     their cameras were left with.
+
+    Args:
+        run: With packs and cameras.
+        scenes: Ids of the scenes to judge; None judges all.
     """
     graph, fresh = run.graph, list[ShotContext]()
     for scene_id, pack in run.packs.items():
+        if scenes is not None and scene_id not in scenes:
+            continue
         shots, environment = graph.shots_of(scene_id), graph.scene(scene_id).environment
         if environment is None or len(shots) < 2 or not run.outputs.whole(figures_of(pack)):
             continue

@@ -19,6 +19,8 @@ from storyblender.pipeline.shooting import frame_picture
 from storyblender.pipeline.sighting import ShotSight, Sighting, nodes_of
 from storyblender.reflection import Critique, Fault
 
+_NOT_JUDGED = {"lights", "blocking", "cues", "camera", "camera_retake", "locked", "decided_duration", "stale"}
+"""Fields of a shot that the Frame Critic does not see, or sees in the picture."""
 CRITIC_VERSION = 5
 """Raised with every change of the critic's rules: kept reviews are then redone."""
 
@@ -152,5 +154,5 @@ def _record(run: Run, shot: ShotContext) -> str:
 
 
 def _judged(run: Run, shot: ShotContext) -> str:
-    told = shot.model_dump(mode="json", exclude={"lights", "blocking", "cues", "camera", "camera_retake"})
+    told = shot.model_dump(mode="json", exclude=_NOT_JUDGED)
     return content_hash(CRITIC_VERSION, told, frame_picture(run, shot))

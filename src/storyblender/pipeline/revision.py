@@ -7,7 +7,7 @@ they went; one whose words are gone is told. The crew's work stays in scenes whe
 from __future__ import annotations
 
 from collections import defaultdict, deque
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
 
@@ -15,9 +15,10 @@ from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import content_hash, scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit, replace
+from storyblender.memory.locks import SHOT_LOCKS, ShotLock
 from storyblender.memory.outline import SceneOutline, ShotOutline
 from storyblender.memory.scene_context import Environment, SceneContext
-from storyblender.memory.shot_context import CameraDecision, CameraState, ShotContext
+from storyblender.memory.shot_context import CameraDecision, CameraInstruction, CameraState, ShotContext
 
 ShotKey = tuple[int, int]
 """Scene id and shot id."""
@@ -25,10 +26,10 @@ Words = tuple[tuple[str, str], ...]
 Designer = Callable[[ContinuityMemoryGraph, int], Environment]
 """The set that a scene of a graph would get."""
 
-_DECIDED = tuple(CameraDecision.model_fields)
+_DECIDED = tuple(name for name in CameraDecision.model_fields if name in CameraInstruction.model_fields)
 _STAGED = (
     "blocking", "cues", "prop_states", "asset_modifications", "duration", "lighting", "frame", "camera", "lights",
-    "flaws", "locked",
+    "flaws", "locked", "decided_duration", "stale",
 )  # fmt: skip
 """What the crew, and later a person, adds to the Director's shot."""
 
@@ -39,7 +40,7 @@ class Revision:
 
     Attributes:
         graph: The new plan.
-        lost: Name of an old shot and what was decided about it, where its words are gone.
+        lost: Name of an old shot or scene and what was decided or locked of it, where that is not kept.
         kept_scenes: Ids, in the new plan, of the scenes that need no staging.
     """
 
@@ -58,7 +59,9 @@ def with_digests(plan: ContinuityMemoryGraph) -> ContinuityMemoryGraph:
         context = contexts[scene.scene_id]
         reference = digests.get(context.setup.reference_scene_id or 0, "")
         shots: list[object] = [_planned(shot) for shot in plan.shots_of(scene.scene_id)]
-        cast: list[object] = [assets[asset_id].model_dump(mode="json") for asset_id in context.setup.asset_ids]
+        cast: list[object] = [
+            assets[asset_id].model_dump(mode="json", exclude={"locked"}) for asset_id in context.setup.asset_ids
+        ]
         setup = context.setup.model_dump(mode="json", exclude={"reference_scene_id"})
         words = [[list(line) for line in _words(shot)] for shot in scene.shots]
         about = [plan.settings_digest, reference, scene.heading, words, setup]
@@ -102,8 +105,13 @@ def revise(
     matched = matched_shots(old.outline, plan.outline)
     decided = decisions(old, log)
     former_of = {new: decided.get(past) for new, past in matched.items()}
-    shots = tuple(_with_decision(shot, former_of.get((shot.scene_id, shot.shot_id))) for shot in plan.shots)
-    graph = _with_assets(old, plan.model_copy(update={"shots": shots}))
+    graph = _with_assets(old, plan)
+    shots = [_with_decision(shot, former_of.get((shot.scene_id, shot.shot_id))) for shot in graph.shots]
+    pasts = {(shot.scene_id, shot.shot_id): shot for shot in old.shots}
+    rate = plan.format.fps / old.format.fps
+    kept_shots = {key: pasts[past] for key, past in matched.items() if past in pasts}
+    shots = [_as_locked(shot, kept_shots.get((shot.scene_id, shot.shot_id)), graph, rate) for shot in shots]
+    graph = graph.model_copy(update={"shots": tuple(shots)})
     kept: dict[int, int] = {}
     for scene in graph.outline:
         former = _same_scene(old, scene, matched)
@@ -115,6 +123,7 @@ def revise(
             graph = staged
     there = set(matched.values())
     lost = [(shot_name(*key), decision.words) for key, decision in sorted(decided.items()) if key not in there]
+    lost += [(name, words) for name, words in _lost_locks(old, graph, matched, kept) if words]
     return Revision(graph, tuple(lost), tuple(kept))
 
 
@@ -178,9 +187,55 @@ def _with_decision(shot: ShotContext, decision: CameraDecision | None) -> ShotCo
     return shot.model_copy(update={"camera_instruction": instruction, "camera_decision": decision})
 
 
+def _as_locked(shot: ShotContext, past: ShotContext | None, graph: ContinuityMemoryGraph, rate: float) -> ShotContext:
+    """Return a planned shot with the length that a person gave to its words, and with what they locked.
+
+    Args:
+        shot: Of the new plan.
+        past: The old shot with its words.
+        graph: The new plan: what is locked stays unlocked where it needs somebody who is not in it.
+        rate: Frames a second now, over those of the old plan.
+    """
+    if past is None:
+        return shot
+    update: dict[str, object] = {}
+    if past.decided_duration is not None:
+        frames = max(1, round(past.decided_duration * rate))
+        update |= {"duration": frames, "decided_duration": frames}
+    there = {asset.asset_id for asset in graph.assets}
+    used = {*past.on_stage, *past.in_frame, *past.camera_instruction.focus_on_ids}
+    locked: list[ShotLock] = [lock for lock in past.locked if (lock == "duration" or used <= there) and rate == 1]
+    fields = [field for lock in locked for field in SHOT_LOCKS[lock]]
+    update |= {field: getattr(past, field) for field in fields} | {"locked": tuple(locked)}
+    if "camera" in locked and past.camera is not None and past.scene_id != shot.scene_id:
+        update["camera"] = _renamed(past.camera, scene_name(past.scene_id), scene_name(shot.scene_id))
+    return shot.model_copy(update=update)
+
+
+def _lost_locks(
+    old: ContinuityMemoryGraph,
+    new: ContinuityMemoryGraph,
+    matched: Mapping[ShotKey, ShotKey],
+    kept: Mapping[int, int],
+) -> Iterator[tuple[str, str]]:
+    """Yield the names of old shots and scenes, and what a person locked or set of each that the new plan has not."""
+    present = {matched[key]: shot for shot in new.shots if (key := (shot.scene_id, shot.shot_id)) in matched}
+    for shot in old.shots:
+        after = present.get((shot.scene_id, shot.shot_id))
+        gone = [f"the lock of its {lock}" for lock in shot.locked if after is None or lock not in after.locked]
+        if shot.decided_duration is not None and after is None:
+            gone.append(f"its length of {shot.decided_duration} frames")
+        yield shot_name(shot.scene_id, shot.shot_id), ", ".join(gone)
+    for scene in old.scenes:
+        if scene.scene_id not in kept.values():
+            gone = [f"the lock of its {lock}" for lock in scene.locked]
+            yield scene_name(scene.scene_id), ", ".join(gone)
+
+
 def _planned(shot: ShotContext) -> dict[str, object]:
     """Return what the Director planned for a shot, without where it stands in the story and in the script."""
-    return shot.model_dump(mode="json", exclude={"scene_id", "shot_id", "flags", "camera_decision", "camera_retake"})
+    people = {"camera_decision", "camera_retake", "decided_duration", "stale"}
+    return shot.model_dump(mode="json", exclude={"scene_id", "shot_id", "flags", *people})
 
 
 def _with_assets(old: ContinuityMemoryGraph, plan: ContinuityMemoryGraph) -> ContinuityMemoryGraph:
@@ -188,12 +243,19 @@ def _with_assets(old: ContinuityMemoryGraph, plan: ContinuityMemoryGraph) -> Con
     if old.settings_digest != plan.settings_digest:
         return plan
     former = {asset.asset_id: asset for asset in old.assets}
-    kept = [former[a.asset_id] for a in plan.assets if a.asset_id in former and _told(former[a.asset_id]) == _told(a)]
+    kept: list[Asset] = []
+    for asset in plan.assets:
+        past = former.get(asset.asset_id)
+        if past is not None and _told(past) == _told(asset):
+            kept.append(past)
+        elif past is not None and past.locked:
+            same = {name: getattr(past, name) for name in ("look", "dimension", "canonical", "locked")}
+            kept.append(asset.model_copy(update=same))
     return replace(plan, *kept)
 
 
 def _told(asset: Asset) -> Asset:
-    return asset.model_copy(update={"canonical": None, "dimension": None})
+    return asset.model_copy(update={"canonical": None, "dimension": None, "locked": False})
 
 
 def _same_scene(old: ContinuityMemoryGraph, scene: SceneOutline, matched: dict[ShotKey, ShotKey]) -> int | None:
@@ -221,7 +283,7 @@ def _staged(
     wanted = {*present.setup.asset_ids, *(item.asset_id for item in past.layout.objects)}
     if any(news.get(asset_id, olds[asset_id]) != olds[asset_id] for asset_id in wanted):
         return None
-    update = {name: getattr(past, name) for name in ("environment", "layout", "lighting")}
+    update = {name: getattr(past, name) for name in ("environment", "layout", "lighting", "locked")}
     dressing = [asset for asset in old.assets if asset.asset_id in wanted - news.keys()]
     shots = [
         _kept_shot(before, after) for before, after in zip(old.shots_of(former), plan.shots_of(scene_id), strict=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
 from storyblender.agents.director.crowds import background_crowd_size, is_crowd_gone
 from storyblender.agents.layout_artist.bystanders import bystanders, placed
@@ -26,6 +26,7 @@ from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.materializing import materialize
 from storyblender.pipeline.run import Run
 from storyblender.reflection import Outcome
+from storyblender.trace import Event
 
 
 def stage(run: Run) -> None:
@@ -55,8 +56,36 @@ def _stage_scene(run: Run, scene_id: int) -> None:
     assets = {asset.asset_id: asset for asset in run.graph.assets}
     left_out = {*fitted.outcome.view.pending} - {item.asset_id for item in layout.objects}
     flaws = {shot.shot_id: staging_flaws(shot, assets, left_out) for shot in shots}
-    shots = tuple(shot.model_copy(update={"flaws": flaws[shot.shot_id]}) for shot in shots)
+    shots = tuple(shot.model_copy(update={"flaws": flaws[shot.shot_id], "stale": ()}) for shot in shots)
     run.commit("animator", f"motion and light of {name}", scene, *shots)
+
+
+def animate_again(run: Run) -> None:
+    """Animate the scenes of shots whose motion an edit made stale; shots that come out as they were stay untouched.
+
+    A shot whose people stand or go elsewhere now gets a new camera, unless a person locked or placed it.
+    """
+    for scene_id in sorted({shot.scene_id for shot in run.graph.shots if shot.stale}):
+        assets = {asset.asset_id: asset for asset in run.graph.assets}
+        before = {shot.shot_id: shot for shot in run.graph.shots_of(scene_id)}
+        shots = [_again(before[shot.shot_id], shot, assets) for shot in _animate(run, scene_id)]
+        names = ", ".join(shot_name(scene_id, shot_id) for shot_id, shot in before.items() if shot.stale)
+        run.commit("animator", f"motion of {names}", *shots)
+        for shot in shots:
+            for flaw in shot.flaws:
+                if flaw not in before[shot.shot_id].flaws:
+                    subject = shot_name(scene_id, shot.shot_id)
+                    run.tell(Event(kind="warning", role="animator", subject=subject, message=flaw.message))
+
+
+def _again(before: ShotContext, shot: ShotContext, assets: Mapping[str, Asset]) -> ShotContext:
+    """Return a shot that was animated again, with its flaws; its camera goes where its people are elsewhere."""
+    kept = tuple(flaw for flaw in before.flaws if flaw.kind == "left_out")
+    update: dict[str, object] = {"flaws": (*staging_flaws(shot, assets, ()), *kept), "stale": ()}
+    placed = before.camera_decision is not None and before.camera_decision.placed is not None
+    if shot.blocking != before.blocking and "camera" not in before.locked and not placed:
+        update |= {"camera": None, "lights": ()}
+    return shot.model_copy(update=update)
 
 
 def _laid_out(

@@ -111,7 +111,7 @@ class Rehearsal:
         speeches.add_idle_looks(shot, cast)
         PostureCues(stage, sheet).add_posture_cues(shot)
         duration = shot.duration
-        if "duration" not in shot.locked:
+        if "duration" not in shot.locked and shot.decided_duration is None:
             needed = math.ceil((max((person.busy for person in cast), default=0.0) + 0.25) * self.fps)
             duration = min(max(duration, needed), math.ceil(sheet.hard_limit * self.fps))
         blocking = tuple(Blocking(start=sheet.starts[person.asset_id], end=person.mark()) for person in cast)

@@ -1,0 +1,1 @@
+"""Edits: data that becomes one commit, checked against the graph, and can be taken back."""

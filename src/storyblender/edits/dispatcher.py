@@ -1,0 +1,61 @@
+"""The one way in for edits: a batch is checked against the graph and becomes one commit, so one undo."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import groupby
+
+from storyblender.edits.conflicts import refuse_stale
+from storyblender.edits.families import Effect, effect_of
+from storyblender.memory.base import Frozen
+from storyblender.memory.edits import Edit
+from storyblender.memory.history import replace
+from storyblender.project import Project
+
+_NAMED = 4
+"""Most items whose names a sentence lists."""
+
+
+class Applied(Frozen):
+    """What a batch of edits did.
+
+    Attributes:
+        version: Of the project now; the next edit names it.
+        words: What was done, as the history has it.
+        stale: Names of the shots whose frames show something else now; nothing else is drawn anew.
+    """
+
+    version: str
+    words: str
+    stale: tuple[str, ...]
+
+
+def apply_edits(project: Project, edits: Sequence[Edit], version: str | None = None) -> Applied:
+    """Commit a batch of edits: all of them or none.
+
+    Args:
+        project: Open.
+        edits: In order; a later one sees what an earlier one did.
+        version: What they were made on; None for the present one.
+
+    Raises:
+        InputError: An edit names what does not exist or cannot be, or what is locked.
+        StaleEdit: What they touch has changed since that version.
+        Rejected: The Gatekeeper refused.
+    """
+    graph, effects = project.graph, list[Effect]()
+    for edit in edits:
+        effects.append(effect_of(graph, edit))
+        graph = replace(graph, effects[-1].item)
+    if version is not None:
+        refuse_stale(project, version, {(each.name, aspect) for each in effects for aspect in each.aspects})
+    words = "; ".join(
+        f"{_listed([each.name for each in same])}: {said}" for said, same in groupby(effects, lambda each: each.words)
+    )
+    project.commit(graph, "user", words)
+    stale = dict.fromkeys(name for each in effects for name in each.stale)
+    return Applied(version=project.version, words=words, stale=tuple(stale))
+
+
+def _listed(names: Sequence[str]) -> str:
+    return ", ".join(names) if len(names) <= _NAMED else f"{names[0]} to {names[-1]} ({len(names)} shots)"

@@ -1,0 +1,65 @@
+"""Names that an edit uses: of shots, scenes and assets; a wrong one is refused with the nearest right one."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from difflib import get_close_matches
+
+from storyblender.errors import InputError
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.base import scene_name, shot_name
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.scene_context import SceneContext
+from storyblender.memory.shot_context import ShotContext
+
+Target = ShotContext | SceneContext | Asset
+
+
+def shots_named(graph: ContinuityMemoryGraph, names: Sequence[str]) -> list[ShotContext]:
+    """Return the shots with these names, in that order; all shots if no name is given.
+
+    Args:
+        graph: The story.
+        names: Such as ``SC010_SH020``, in any case.
+
+    Raises:
+        InputError: There is no shot of that name.
+    """
+    known = {shot_name(shot.scene_id, shot.shot_id): shot for shot in graph.shots}
+    return [known[_known("shot", name, name.upper(), known)] for name in names] if names else list(graph.shots)
+
+
+def target_named(graph: ContinuityMemoryGraph, name: str) -> Target:
+    """Return the shot, the scene or the asset with a name.
+
+    Args:
+        graph: The story.
+        name: ``SC010_SH020``, ``SC010`` (both in any case), or an asset's id.
+
+    Raises:
+        InputError: There is none of that name.
+    """
+    known: dict[str, Target] = {asset.asset_id: asset for asset in graph.assets}
+    known |= {scene_name(scene.scene_id): scene for scene in graph.scenes}
+    known |= {shot_name(shot.scene_id, shot.shot_id): shot for shot in graph.shots}
+    return known[_known("shot, scene or asset", name, name if name in known else name.upper(), known)]
+
+
+def person_or_thing(graph: ContinuityMemoryGraph, name: str) -> str:
+    """Return the id of an asset, which may be given by its name in the script.
+
+    Raises:
+        InputError: There is no such asset.
+    """
+    ids = {asset.asset_id: asset.asset_id for asset in graph.assets}
+    called = {asset.name.lower(): asset.asset_id for asset in graph.assets if asset.name}
+    return ids.get(name) or called.get(name.lower()) or _known("person or thing", name, name.lower(), ids)
+
+
+def _known(what: str, written: str, name: str, known: Collection[str]) -> str:
+    if name in known:
+        return name
+    near = get_close_matches(name, known, n=1, cutoff=0.8)
+    names = list(known)
+    mend = f"did you mean {near[0]}?" if near else f"they go from {names[0]} to {names[-1]}" if names else ""
+    raise InputError(f"there is no {what} {written!r}", mend=mend)

@@ -1,0 +1,20 @@
+"""What can be locked, and which fields of the graph each lock holds."""
+
+from __future__ import annotations
+
+from typing import Final, Literal
+
+ShotLock = Literal["camera", "blocking", "duration"]
+SceneLock = Literal["layout", "light", "set"]
+LockName = Literal["camera", "blocking", "duration", "layout", "light", "set", "asset"]
+
+SHOT_LOCKS: Final[dict[ShotLock, tuple[str, ...]]] = {
+    "camera": ("camera", "camera_instruction", "camera_decision"),
+    "blocking": ("blocking", "cues", "prop_states"),
+    "duration": ("duration", "decided_duration"),
+}
+SCENE_LOCKS: Final[dict[SceneLock, tuple[str, ...]]] = {
+    "layout": ("layout",),
+    "light": ("lighting",),
+    "set": ("environment",),
+}
