@@ -4,17 +4,13 @@ from __future__ import annotations
 
 from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 import typer
 
-from storyblender import __version__
+from storyblender import __version__, cli_edits
+from storyblender.cli_options import Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
 from storyblender.shell import Commands, shown
-from storyblender.terminal import Terminal
-
-if TYPE_CHECKING:
-    from storyblender.engine.worker import Worker
-    from storyblender.studio import Studio
 
 app = typer.Typer(
     cls=Commands,
@@ -26,16 +22,12 @@ app = typer.Typer(
     "[bold]index.html[/bold] first. In it are the frames, the board to print (board.pdf), a film with subtitles "
     "(animatic.mp4), the shot list "
     "(shots.csv), a timeline for editors (timeline.otio) and the scenes for Blender (story.blend).\n\n"
-    "Then look at it with [bold]check[/bold], change a camera with [bold]render --shot[/bold], take it back with "
-    "[bold]undo[/bold], or change the script and run [bold]make[/bold] again: only what changed is drawn.",
+    "Then look at it with [bold]check[/bold], change a camera or a length with [bold]edit[/bold], keep what is good "
+    "with [bold]lock[/bold], take a change back with [bold]undo[/bold], or change the script and run "
+    "[bold]make[/bold] again: only what changed is drawn.",
     epilog="storyblender COMMAND --help explains a command, with examples. A file storyblender.toml beside the script "
     "holds settings for it; docs/settings.md lists them all.",
 )
-
-
-def _examples(*lines: str) -> str:
-    """Return what stands below the help of a command: one line each."""
-    return "\n\n".join(["[bold]Examples[/bold]", *(f"  storyblender {line}" for line in lines)])
 
 
 class ExportName(StrEnum):
@@ -50,22 +42,9 @@ class ExportName(StrEnum):
 Script = Annotated[
     Path, typer.Argument(metavar="SCRIPT", help="A .fountain, .fdx, .txt or .md file.", show_default=False)
 ]
-Folder = Annotated[
-    Path, typer.Argument(metavar="FOLDER", help="A project folder, NAME.storyboard.", show_default=False)
-]
 Out = Annotated[
     Path | None, typer.Option("--out", "-o", help="The project folder; NAME.storyboard beside the script if not given.")
 ]
-LookOption = Annotated[
-    str | None,
-    typer.Option(
-        help="How frames are drawn: board (lit and inked, the default), fast (quicker light), pencil, "
-        "or render (Blender's Cycles, minutes a frame)."
-    ),
-]
-Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Say nothing but errors.")]
-Json = Annotated[bool, typer.Option("--json", help="For programs: events, results and errors as JSON, one a line.")]
-Jobs = Annotated[int | None, typer.Option(help="Blender processes; by default one for each processor, two at most.")]
 Seed = Annotated[
     int | None,
     typer.Option(
@@ -92,7 +71,7 @@ Models = Annotated[
 
 
 @app.command(
-    epilog=_examples(
+    epilog=examples(
         "make my_film.fountain",
         "make my_film.fdx --look pencil --aspect 2.39",
         "make my_film.fountain --look fast --no-animatic",
@@ -128,15 +107,13 @@ def make(
     )  # fmt: skip
     with shown(quiet, json_lines) as terminal:
         project = out or _folder_of(script)
-        studio = _studio(terminal, script, project, **settings)
+        studio = open_studio(terminal, script, project, **settings)
         delivery = studio.make(script, project, reading)
         terminal.files(delivery.folder, delivery.files)
 
 
 @app.command(
-    epilog=_examples(
-        "plan my_film.fountain", "plan my_film.fountain --shots-per-scene 8", "plan my_film.fountain --why"
-    )
+    epilog=examples("plan my_film.fountain", "plan my_film.fountain --shots-per-scene 8", "plan my_film.fountain --why")
 )
 def plan(
     script: Script,
@@ -160,7 +137,7 @@ def plan(
     settings: dict[str, Any] = dict(crew=crew, shots_per_scene=shots_per_scene, aspect=aspect, fps=fps, seed=seed)
     with shown(quiet, json_lines) as terminal:
         project = out or _folder_of(script)
-        studio = _studio(terminal, script, project, **settings)
+        studio = open_studio(terminal, script, project, **settings)
         delivery = studio.plan(script, project, reading, write_reading, why=why)
         terminal.plan(delivery.graph)
         if why:
@@ -169,7 +146,7 @@ def plan(
 
 
 @app.command(
-    epilog=_examples(
+    epilog=examples(
         "render my_film.storyboard --shot SC010_SH020 --size CU --lens 85",
         'render my_film.storyboard --shot SC010_SH020 --move "push in" --animatic',
         "render my_film.storyboard --look pencil",
@@ -197,38 +174,25 @@ def render(
     change = {key: value for key, value in camera.items() if value is not None}
     settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=animatic)
     with shown(quiet, json_lines) as terminal:
-        studio = _studio(terminal, project=folder, ahead=context.obj, **settings)
+        studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
         delivery = studio.render(folder, shot or [], change)
         terminal.files(delivery.folder, delivery.files)
 
 
-@app.command()
-def undo(folder: Folder, quiet: Quiet = False, json_lines: Json = False) -> None:
-    """Take back the last change of a project. `render` then draws only what that changes."""
-    with shown(quiet, json_lines) as terminal:
-        studio = _studio(terminal)
-        terminal.commits("undone", studio.undo(folder))
+cli_edits.add_to(app)
 
 
-@app.command()
-def redo(folder: Folder, quiet: Quiet = False, json_lines: Json = False) -> None:
-    """Make the change again that was undone last."""
-    with shown(quiet, json_lines) as terminal:
-        studio = _studio(terminal)
-        terminal.commits("redone", studio.redo(folder))
-
-
-@app.command(epilog=_examples("check my_film.storyboard"))
+@app.command(epilog=examples("check my_film.storyboard"))
 def check(context: typer.Context, folder: Folder, json_lines: Json = False) -> None:
     """Check a project: layout, framing, continuity, collisions, people in frame. Exits 1 if something is wrong."""
     with shown(quiet=False, json_lines=json_lines) as terminal:
-        studio = _studio(terminal, project=folder, ahead=context.obj)
+        studio = open_studio(terminal, project=folder, ahead=context.obj)
         report = studio.check(folder)
         terminal.check(report)
     raise typer.Exit(0 if report.clean else 1)
 
 
-@app.command(epilog=_examples("evaluate my_film.storyboard", "evaluate *.storyboard --json"))
+@app.command(epilog=examples("evaluate my_film.storyboard", "evaluate *.storyboard --json"))
 def evaluate(
     folders: Annotated[
         list[Path], typer.Argument(metavar="FOLDER...", help="Project folders, NAME.storyboard.", show_default=False)
@@ -238,10 +202,10 @@ def evaluate(
     """Say of every frame how well it tells its lines, 1 to 10, and what is wrong with it."""
     with shown(quiet=False, json_lines=json_lines) as terminal:
         for folder in folders:
-            terminal.reviews(folder, _studio(terminal, project=folder).evaluate(folder))
+            terminal.reviews(folder, open_studio(terminal, project=folder).evaluate(folder))
 
 
-@app.command(epilog=_examples("export my_film.storyboard --to glb", "export my_film.storyboard --to edl --to fcpxml"))
+@app.command(epilog=examples("export my_film.storyboard --to glb", "export my_film.storyboard --to edl --to fcpxml"))
 def export(
     context: typer.Context,
     folder: Folder,
@@ -254,7 +218,7 @@ def export(
 ) -> None:
     """Write scenes for other 3D programs (glTF, USD) or the timeline for other editors (EDL, FCPXML)."""
     with shown(quiet, json_lines) as terminal:
-        studio = _studio(terminal, project=folder, ahead=context.obj)
+        studio = open_studio(terminal, project=folder, ahead=context.obj)
         delivery = studio.export(folder, [str(name.value) for name in to])
         terminal.files(delivery.folder, delivery.files)
 
@@ -270,7 +234,7 @@ def examine(json_lines: Json = False) -> None:
     raise typer.Exit(0 if all(finding.healthy for finding in findings) else 1)
 
 
-@app.command(epilog=_examples("catalog props", "catalog sets --picture cafe --out cafe.png"))
+@app.command(epilog=examples("catalog props", "catalog sets --picture cafe --out cafe.png"))
 def catalog(
     kind: Annotated[
         str,
@@ -284,7 +248,7 @@ def catalog(
 ) -> None:
     """List what the built-in library can make, or render a picture of an entry."""
     with shown(quiet=False, json_lines=json_lines) as terminal:
-        studio = _studio(terminal)
+        studio = open_studio(terminal)
         if picture is not None:
             studio.picture(picture, out, kind)
             terminal.files(out.parent, [out.name])
@@ -303,20 +267,6 @@ def main(
         raise typer.Exit
     if context.invoked_subcommand is None:
         typer.echo(context.get_help())
-
-
-def _studio(
-    terminal: Terminal,
-    script: Path | None = None,
-    project: Path | None = None,
-    ahead: Worker | None = None,
-    **overrides: Any,
-) -> Studio:
-    """Open the studio. Imported here, because its crew takes a second to load and ``--help`` needs none of it."""
-    from storyblender.settings import Settings
-    from storyblender.studio import Studio
-
-    return Studio(Settings.load(script, project, **overrides), terminal.show, ahead)
 
 
 def _folder_of(script: Path) -> Path:

@@ -126,19 +126,23 @@ class Studio:
             decision = camera_decision(camera)
             return session.render(names, [CameraEdit(shot=name, decision=decision) for name in names if camera])
 
-    def edit(self, folder: Path, edits: Sequence[Edit], *, draw: bool = True) -> tuple[Applied, Delivery | None]:
+    def edit(
+        self, folder: Path, edits: Sequence[Edit], revision: str | None = None, *, draw: bool = True
+    ) -> tuple[Applied, Delivery | None]:
         """Open a project, apply a batch of edits, and draw what they made stale.
 
         Args:
             folder: The project.
             edits: In order; one undo takes all of them back.
+            revision: What they were made on, as ``Session.revision`` was then; None for the present one.
             draw: Whether to draw at once; a later ``render`` does as well.
 
         Raises:
             InputError: No such project, or an edit that cannot be.
+            StaleEdit: What they touch has changed since that revision.
         """
         with self.open(folder) as session:
-            applied = session.apply(edits)
+            applied = session.apply(edits, revision)
             return applied, session.render(applied.stale) if draw and applied.stale and session.made else None
 
     def undo(self, folder: Path) -> list[Commit]:

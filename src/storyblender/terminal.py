@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from storyblender.agents.director.reader.reasons import Reason
     from storyblender.catalog.registry import Entry
     from storyblender.doctor import Finding
+    from storyblender.edits.dispatcher import Applied
     from storyblender.errors import StoryBlenderError
     from storyblender.inspection import Inspection
     from storyblender.memory.graph import ContinuityMemoryGraph
@@ -139,6 +140,13 @@ class Terminal:
             self._write({done: [{"author": commit.author, "reason": commit.reason} for commit in commits]})
         draws = "`storyblender render` draws what this changes"
         self._results.print(f"[bold]{done}[/] {_plain(commits[0].reason)}; {draws}", soft_wrap=True)
+
+    def applied(self, applied: Applied) -> None:
+        """Say what was changed, and which shots show something else now."""
+        self._progress.stop()
+        if self._json:
+            self._write({"edited": applied.words, "revision": applied.version, "stale": list(applied.stale)})
+        self._results.print(f"[bold]done[/] {_plain(applied.words)}", soft_wrap=True)
 
     def plan(self, graph: ContinuityMemoryGraph) -> None:
         """Print cast and shots."""

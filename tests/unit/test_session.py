@@ -14,12 +14,14 @@ from tests.stage import SETTINGS, Stage
 from tests.stand_in_engine import StandInEngine
 
 from storyblender.errors import Cancelled, ProjectLocked, StoryBlenderError
+from storyblender.memory.edits import CameraEdit
+from storyblender.memory.shot_context import CameraDecision
 from storyblender.session import Session
 from storyblender.studio import Studio
 from storyblender.trace import Event
 
 MOVING, STILL = (SETTINGS.model_copy(update={"animatic": moving}) for moving in (True, False))
-EDIT = {"size": "ECU", "lens": 90.0}
+EDIT = [CameraEdit(shot="SC010_SH010", decision=CameraDecision(size="ECU", lens=90.0))]
 
 
 @pytest.fixture
@@ -69,7 +71,7 @@ def test_a_session_is_open_for_many_calls_and_takes_no_second_one(stage: Stage) 
 def test_a_render_that_was_cancelled_goes_on_to_what_it_would_have_been(stage: Stage, tmp_path: Path) -> None:
     heard: list[Event] = []
     copies = {step: shutil.copytree(stage.folder, tmp_path / str(step)) for step in (1, 4, 9, 13)}
-    Studio(STILL, heard.append).render(stage.folder, ["SC010_SH010"], EDIT)
+    Studio(STILL, heard.append).render(stage.folder, ["SC010_SH010"], {"size": "ECU", "lens": 90.0})
     whole = graph_of(stage.folder), frames_of(stage.folder)
     assert len(heard) > max(copies), "every cancel comes before the end"
     for step, folder in copies.items():
@@ -80,7 +82,7 @@ def test_a_render_that_was_cancelled_goes_on_to_what_it_would_have_been(stage: S
                 session.render(["SC010_SH010"], EDIT)
             assert [event.kind for event in told].count("cancel") == 1
             assert not [path for path in folder.rglob("*.part*")], "nothing is half-written"
-            session.render(["SC010_SH010"], {} if session.graph.shots[0].camera_decision else EDIT)
+            session.render(["SC010_SH010"], [] if session.graph.shots[0].camera_decision else EDIT)
         assert (graph_of(folder), frames_of(folder)) == whole, step
 
 

@@ -1,18 +1,21 @@
-"""What a person types about a camera becomes a decision; a word that is not in the vocabulary is refused."""
+"""What a person types, or a program writes, becomes typed edits; what is not in the vocabulary is refused."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import get_args
 
 from pydantic import ValidationError
+from pydantic_core import from_json
 
 from storyblender.errors import InputError
-from storyblender.memory.shot_context import CameraDecision
+from storyblender.memory.edits import EDITS, Edit
+from storyblender.memory.shot_context import CameraDecision, CameraPosition, FreeCamera
 from storyblender.memory.shot_sizes import ShotSize
 from storyblender.memory.vocabulary import Angle, CameraDirection, Movement, ShotKind
 
-Word = str | float | Sequence[str] | Mapping[str, object]
+Word = str | float | Sequence[str] | FreeCamera
 CHOICES = {
     "size": get_args(ShotSize),
     "angle": get_args(Angle),
@@ -49,3 +52,71 @@ def camera_decision(words: Mapping[str, Word]) -> CameraDecision:
         else:
             mend = fault["msg"][:1].lower() + fault["msg"][1:]
         raise InputError(f"{name.replace('_', ' ')} cannot be {given!r}", mend=mend) from error
+
+
+def placed_camera(at: str | None, look_at: str | None, to: str | None, to_look_at: str | None) -> FreeCamera:
+    """Read where a person places a camera.
+
+    Args:
+        at: Where it stands: ``X,Y,Z`` in metres.
+        look_at: What it looks at, likewise.
+        to: Where it travels, if it does.
+        to_look_at: What it looks at there; None for what it looked at before.
+
+    Raises:
+        InputError: A point is missing, or cannot be read.
+    """
+    if at is None or look_at is None:
+        raise InputError("a placed camera stands somewhere and looks somewhere", mend="give --at and --look-at")
+    try:
+        start = CameraPosition(location=_point(at), target=_point(look_at))
+        if to is None and to_look_at is None:
+            return FreeCamera(start=start)
+        end = CameraPosition(location=_point(to or at), target=_point(to_look_at or look_at))
+        return FreeCamera(start=start, end=end)
+    except ValidationError as error:
+        raise InputError(_message(error), mend="see `storyblender edit --help`") from error
+
+
+def _point(text: str) -> tuple[float, float, float]:
+    try:
+        x, y, z = map(float, text.split(","))
+    except ValueError as error:
+        raise InputError(f"{text!r} is no point", mend="a point is X,Y,Z in metres, as in 2,-3,1.6") from error
+    return x, y, z
+
+
+def read_edits(path: Path) -> tuple[Edit, ...]:
+    """Read a batch of edits from a JSON file.
+
+    Raises:
+        InputError: It cannot be read, or holds something else.
+    """
+    try:
+        return edits_of(from_json(path.read_bytes(), allow_inf_nan=False), path)
+    except (OSError, ValueError) as error:
+        raise InputError(f"cannot be read as JSON ({error})", mend="see docs/edits.md", path=path) from error
+
+
+def edits_of(values: object, path: Path | None = None) -> tuple[Edit, ...]:
+    """Return plain values as edits.
+
+    Args:
+        values: A list of objects, each with the ``kind`` of its edit.
+        path: The file they are from, if they are.
+
+    Raises:
+        InputError: One of them is no edit.
+    """
+    try:
+        return EDITS.validate_python(values)
+    except ValidationError as error:
+        raise InputError(_message(error), mend="see docs/edits.md", path=path) from error
+
+
+def _message(error: ValidationError) -> str:
+    """Return the first fault as a sentence, with the place where it is."""
+    fault = error.errors()[0]
+    place = ".".join(str(part) for part in fault["loc"])
+    message = fault["msg"].removeprefix("Value error, ")
+    return f"{place}: {message[:1].lower()}{message[1:]}" if place else message

@@ -62,9 +62,7 @@ def _differs(old: object, new: object) -> bool:
 def _overruled(name: str, old: ShotContext, new: ShotContext) -> Iterator[str]:
     """Yield what the crew would change of a person's decisions."""
     decision = old.camera_decision
-    if decision is not None and (
-        new.camera_decision != decision or decision.applied(new.camera_instruction) != new.camera_instruction
-    ):
+    if decision is not None and (new.camera_decision != decision or not decision.holds(new.camera_instruction)):
         yield f"a person decided about the camera of {name}: {decision.words}"
     length = old.decided_duration
     if length is not None and (new.decided_duration, new.duration) != (length, length):

@@ -35,6 +35,11 @@ FNumber = Annotated[float, Field(ge=0.5, le=64)]
 """Focal length / diameter of the aperture."""
 
 
+def _is_none(value: object) -> bool:
+    """Return whether a field added since older projects is unused; the graph then is written as it was."""
+    return value is None
+
+
 class AssetModification(Frozen):
     """A change of an asset's state within a shot (the paper's; a part such as a door may be named)."""
 
@@ -184,9 +189,9 @@ class CameraDecision(Frozen):
     """Kind of picture."""
     focus_on_ids: tuple[Identifier, ...] | None = Field(default=None, min_length=1)
     """Subjects of the picture."""
-    over_id: Identifier | None = None
+    over_id: Identifier | None = Field(default=None, exclude_if=_is_none)
     """Over the shoulder: whose."""
-    pov_id: Identifier | None = None
+    pov_id: Identifier | None = Field(default=None, exclude_if=_is_none)
     """Point of view: whose."""
     size: ShotSize | None = None
     angle: Angle | None = None
@@ -201,7 +206,7 @@ class CameraDecision(Frozen):
     """asset_id or node_id the lens is focused on."""
     focus_to: Identifier | None = None
     """Rack focus: what it is focused on when the shot ends."""
-    placed: FreeCamera | None = None
+    placed: FreeCamera | None = Field(default=None, exclude_if=_is_none)
     """A camera that stands just there; the crew sets its lens if no lens is decided."""
 
     @property
@@ -230,6 +235,11 @@ class CameraDecision(Frozen):
     def reframes(self) -> bool:
         """Whether it asks the crew for another picture."""
         return any((self.kind, self.focus_on_ids, self.size, self.angle, self.movement))
+
+    def holds(self, instruction: CameraInstruction) -> bool:
+        """Return whether an instruction is as it was decided."""
+        decided = self.model_dump(exclude_none=True, exclude={"moment", "placed"})
+        return all(getattr(instruction, name) == value for name, value in decided.items())
 
     def applied(self, instruction: CameraInstruction) -> CameraInstruction:
         """Return an instruction as it was decided."""
@@ -455,7 +465,7 @@ class ShotContext(Frozen):
     """What could not be staged as it was read: cheats, deeds that nobody does, things left out or stood in for."""
     locked: tuple[ShotLock, ...] = ()
     """What a person locked: it stays as it is until it is unlocked."""
-    decided_duration: Frames | None = Field(default=None, exclude_if=lambda value: value is None)
+    decided_duration: Frames | None = Field(default=None, exclude_if=_is_none)
     """Length in frames that a person gave the shot; it stays with the words of the shot when the script changes."""
     stale: tuple[Literal["motion"], ...] = Field(default=(), exclude_if=lambda value: not value)
     """What an edit made stale and the crew has not made anew yet."""

@@ -9,7 +9,10 @@ from pathlib import Path
 import pytest
 from tests.crew import RULES
 
-from storyblender.edits import decide_cameras, redo_edit, undo_edit
+from storyblender.edits.dispatcher import apply_edits
+from storyblender.edits.undo import redo_edit, undo_edit
+from storyblender.memory.base import shot_name
+from storyblender.memory.edits import CameraEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline, SourceSpan
@@ -76,7 +79,9 @@ class Stage:
     def decide(self, words: str, decision: CameraDecision) -> None:
         """Set the camera of the shot with these words by hand."""
         with Project(self.folder) as project:
-            decide_cameras(self._run(project), [shot_of(project.graph, words)], decision)
+            shot = shot_of(project.graph, words)
+            name = shot_name(shot.scene_id, shot.shot_id)
+            apply_edits(project, [CameraEdit(shot=name, decision=decision)])
 
     def _run(self, project: Project) -> Run:
         return Run(project, None, RULES, Settings(), lambda _: None)  # type: ignore[arg-type]

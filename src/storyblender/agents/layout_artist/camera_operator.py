@@ -13,7 +13,7 @@ from storyblender.agents.layout_artist.camera_furniture import covers
 from storyblender.agents.layout_artist.camera_operator_critic import CameraOperatorCritic, telling_moments
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorDraft, CameraOperatorView
 from storyblender.agents.layout_artist.camera_scout import scout_takes, take_cost, with_hidden
-from storyblender.agents.layout_artist.camera_start import take_with_camera
+from storyblender.agents.layout_artist.camera_start import placed_take, take_with_camera
 from storyblender.geometry.camera_path import orbit_of
 from storyblender.geometry.continuity import side_of_line
 from storyblender.geometry.orbit import Orbit, dolly, orbit, pan, roll
@@ -150,7 +150,7 @@ def rules_operator(
 def operate(
     view: CameraOperatorView, viewfinder: Viewfinder, operator: Operator = rules_operator, listener: Listener = silent
 ) -> CameraState:
-    """Return the camera of a shot with its score and what the critic still minds.
+    """Return the camera of a shot with its score and what the critic still minds; one placed by a person stays there.
 
     Args:
         view: The shot.
@@ -158,13 +158,18 @@ def operate(
         operator: The member of the crew who decides.
         listener: Receives the trace.
     """
-    outcome = reflect(operator(viewfinder), shot_name(view.scene_id, view.shot_id), view, listener)
+    role = operator(viewfinder)
+    if view.placed is not None:
+        chosen = placed_take(view, view.placed)
+        critique = role.critic.judge(chosen, view)
+    else:
+        outcome = reflect(role, shot_name(view.scene_id, view.shot_id), view, listener)
+        chosen, critique = outcome.draft, outcome.critique
     residual = tuple(
         Flaw(kind=fault.kind, subject=fault.subject, weight=fault.severity, message=fault.message)
-        for fault in outcome.critique.faults
+        for fault in critique.faults
     )
-    chosen = outcome.draft
-    return chosen.state(view.duration, SIZES[view.instruction.size].f_number, outcome.critique.score, residual)
+    return chosen.state(view.duration, SIZES[view.instruction.size].f_number, critique.score, residual)
 
 
 def side_used(view: CameraOperatorView, state: CameraState) -> int:

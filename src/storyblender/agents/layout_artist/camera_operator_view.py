@@ -15,7 +15,7 @@ from storyblender.geometry.boxes import Box, corners, distance_to_point
 from storyblender.geometry.framing import Figure, Film, can_frame_over_shoulder
 from storyblender.geometry.moves import ease_in_out, interpolate_cameras
 from storyblender.geometry.orbit import Floats, Orbit
-from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Flaw
+from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Flaw, FreeCamera
 from storyblender.memory.shot_sizes import SHOT_SIZES, SIZES, TIGHT, WHOLE, ShotSize
 
 _ONE_PERSON = ("single", "reaction", "ots")
@@ -82,6 +82,7 @@ class CameraOperatorView:
         carried: node_ids of things in people's hands, by the person's node_id.
         detail: Box of the part of a person that an insert shows, such as a hand; None for any other shot.
         used: node_ids of the things that people handle; they are never hidden.
+        placed: Where a person placed the camera, if they did.
     """
 
     scene_id: int
@@ -101,6 +102,7 @@ class CameraOperatorView:
     carried: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     detail: Box | None = None
     used: tuple[str, ...] = ()
+    placed: FreeCamera | None = None
 
     def node(self, asset_id: str) -> str:
         """Return the node_id that shows an asset."""

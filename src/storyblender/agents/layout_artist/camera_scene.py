@@ -176,4 +176,5 @@ def camera_operator_view(
         carried=carried,
         detail=detail_of(shot, moments),
         used=tuple(used),
+        placed=shot.camera_decision.placed if shot.camera_decision is not None else None,
     )

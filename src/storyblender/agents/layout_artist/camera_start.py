@@ -29,8 +29,9 @@ from storyblender.geometry.boxes import corners, distance_to_point
 from storyblender.geometry.camera_path import orbit_of
 from storyblender.geometry.continuity import JUMP_CUT_DEGREES, mirror_azimuth, side_of_line
 from storyblender.geometry.framing import Figure
-from storyblender.geometry.moves import ease_in_out, follow_subject, move_camera
-from storyblender.geometry.orbit import Orbit, orbit, pan, roll
+from storyblender.geometry.moves import ease_in_out, follow_subject, interpolate_cameras, move_camera
+from storyblender.geometry.orbit import Orbit, camera_looking_at, orbit, pan, roll
+from storyblender.memory.shot_context import FreeCamera
 from storyblender.memory.shot_sizes import SIZES, TIGHT, WHOLE
 
 _OFF_BACK = 30.0
@@ -111,6 +112,25 @@ def take_with_camera(view: CameraOperatorView, camera: Orbit) -> CameraOperatorD
     if instruction.kind == "pov" and instruction.pov_id is not None:
         hidden.append(view.node(instruction.pov_id))
     return CameraOperatorDraft(camera, first, last, tuple(hidden), span)
+
+
+def placed_take(view: CameraOperatorView, placed: FreeCamera) -> CameraOperatorDraft:
+    """Return the take of a camera that a person placed, with the wild walls it needs.
+
+    Args:
+        view: The shot; its instruction may give the lens.
+        placed: Where the camera stands, and where it ends if it travels.
+    """
+    lens = view.instruction.lens or SIZES[view.instruction.size].lens
+    film = {"sensor_width": view.film.sensor_width, "aspect": view.film.aspect}
+    ends = [placed.start, placed.end or placed.start]
+    first, last = (camera_looking_at(end.location, end.target, lens, roll=end.roll, **film) for end in ends)
+    middle = interpolate_cameras(first, last, 0.5)
+    hidden = ()
+    if view.plan is not None:
+        cameras = dict.fromkeys((first, middle, last))
+        hidden = taken_away(view.plan, view.removable_props, cameras, _sight_targets(view))
+    return CameraOperatorDraft(middle, first, last, tuple(hidden))
 
 
 def _sight_targets(view: CameraOperatorView) -> list[np.ndarray]:

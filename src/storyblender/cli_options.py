@@ -1,0 +1,47 @@
+"""What the commands of several modules share: arguments, options, examples, and the studio they open."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from storyblender.terminal import Terminal
+
+if TYPE_CHECKING:
+    from storyblender.engine.worker import Worker
+    from storyblender.studio import Studio
+
+Folder = Annotated[
+    Path, typer.Argument(metavar="FOLDER", help="A project folder, NAME.storyboard.", show_default=False)
+]
+LookOption = Annotated[
+    str | None,
+    typer.Option(
+        help="How frames are drawn: board (lit and inked, the default), fast (quicker light), pencil, "
+        "or render (Blender's Cycles, minutes a frame)."
+    ),
+]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Say nothing but errors.")]
+Json = Annotated[bool, typer.Option("--json", help="For programs: events, results and errors as JSON, one a line.")]
+Jobs = Annotated[int | None, typer.Option(help="Blender processes; by default one for each processor, two at most.")]
+
+
+def examples(*lines: str) -> str:
+    """Return what stands below the help of a command: one line each."""
+    return "\n\n".join(["[bold]Examples[/bold]", *(f"  storyblender {line}" for line in lines)])
+
+
+def open_studio(
+    terminal: Terminal,
+    script: Path | None = None,
+    project: Path | None = None,
+    ahead: Worker | None = None,
+    **overrides: Any,
+) -> Studio:
+    """Open the studio. Imported here, because its crew takes a second to load and ``--help`` needs none of it."""
+    from storyblender.settings import Settings
+    from storyblender.studio import Studio
+
+    return Studio(Settings.load(script, project, **overrides), terminal.show, ahead)
