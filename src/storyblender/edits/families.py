@@ -116,6 +116,7 @@ def _duration(graph: ContinuityMemoryGraph, edit: DurationEdit) -> Effect:
         "duration": frames,
         "decided_duration": frames,
         "camera": shot.camera and retimed(shot.camera, shot.duration, frames),
+        "frame": None,
         "stale": ("motion",),
     }
     scene = tuple(shot_name(each.scene_id, each.shot_id) for each in graph.shots_of(shot.scene_id))
