@@ -16,6 +16,9 @@ _MOVES: Final[dict[Movement, str]] = {
     "pan": "panning",
     "tilt": "tilting",
 }
+_SHALLOW: Final = 2.0
+_DEEP: Final = 16.0
+"""f-numbers up to which focus is called shallow, and from which it is called deep."""
 
 
 def camera_sentence(instruction: CameraInstruction, names: Mapping[str, str], place: str) -> str:
@@ -43,8 +46,22 @@ def camera_sentence(instruction: CameraInstruction, names: Mapping[str, str], pl
     if instruction.pov_id:
         sentence += f" as {names.get(instruction.pov_id, instruction.pov_id)} sees it"
     move = "" if still else _MOVES.get(instruction.movement, instruction.movement)
-    sentence += ", ".join(["", *filter(None, [f"{move} {instruction.direction or ''}".strip(), instruction.angle])])
+    details = [f"{move} {instruction.direction or ''}".strip(), instruction.angle, *_focus_words(instruction, names)]
+    sentence += ", ".join(["", *filter(None, details)])
     return sentence + (f" (script: {instruction.order})" if instruction.order else "") + "."
+
+
+def _focus_words(instruction: CameraInstruction, names: Mapping[str, str]) -> list[str]:
+    """Return what is special about the focus, e.g. ``shallow focus on Ana`` or ``rack focus from Ana to Ben``."""
+    first, last = (names.get(each or "", each or "") for each in (instruction.focus, instruction.focus_to))
+    f_number = instruction.f_number
+    words: list[str] = []
+    if last:
+        words.append(f"rack focus from {first} to {last}" if first else f"rack focus to {last}")
+    elif f_number is not None or first:
+        depth = "" if f_number is None else "shallow " if f_number <= _SHALLOW else "deep " if f_number >= _DEEP else ""
+        words.append(f"{depth}focus on {first}" if first else f"{depth}focus" if depth else f"f/{f_number:g}")
+    return words + (["soft focus"] if instruction.soft_focus else [])
 
 
 def listed(names: Sequence[str]) -> str:

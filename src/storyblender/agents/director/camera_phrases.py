@@ -17,6 +17,12 @@ from storyblender.agents.director.reading import CameraNote
 
 Span = tuple[int, int]
 
+_SHALLOW = (
+    r"(?:SHALLOW|NARROW|SELECTIVE) (?:FOCUS|DEPTH OF FIELD)|FAIBLE PROFONDEUR DE CHAMP|POCA PROFUNDIDAD DE CAMPO"
+    r"|GERINGE TIEFENSCH[ÄA]RFE"
+)
+_RACK = r"(?:RACK|PULL|SHIFT)(?:S|ING)? FOCUS|FOCUS (?:RACKS|PULLS|SHIFTS)|RACK(?:S|ING)?(?= TO\b)"
+_FOCUS = rf"{_SHALLOW}|(?:DEEP|SOFT) FOCUS|{_RACK}"
 _MEANINGS: Final[tuple[tuple[str, dict[str, str | float]], ...]] = (
     (
         r"EXTREME(?:LY)? (?:CLOSE|CU)|ECU|XCU|BCU|PRIMER[IÍ]SIMO|TR[ÈE]S GROS PLAN|DETAILAUFNAHME|PRIMISSIMO"
@@ -70,6 +76,10 @@ _MEANINGS: Final[tuple[tuple[str, dict[str, str | float]], ...]] = (
     (r"ORBIT(?:S|ING)?|CIRCL(?:E|ES|ING)|ARC(?:S|ING)?", {"movement": "orbit"}),
     (r"TRACK(?:S|ING)?|DOLLY|STEADICAM|FOLLOW(?:S|ING)?|DRIFT(?:S|ING)?", {"movement": "track"}),
     (r"HOLD(?:S|ING)?|STAY(?:S|ING)?|LINGER(?:S|ING)?|STATIC|LOCKED[- ]OFF|HANDHELD", {"movement": "static"}),
+    (_SHALLOW, {"focus": "shallow"}),
+    (r"DEEP FOCUS", {"focus": "deep"}),
+    (r"SOFT FOCUS", {"focus": "soft"}),
+    (_RACK, {"focus": "rack"}),
     (r"LEFT", {"direction": "left"}),
     (r"RIGHT", {"direction": "right"}),
     (r"UP(?:WARDS?)?", {"direction": "up"}),
@@ -95,7 +105,7 @@ _MOVE = (
     r"|DOLLY(?:ING)?(?: IN| OUT| BACK| WITH)?|ZOOM(?:S|ING)?(?: IN| OUT)?|(?:WHIP |SWISH )?PAN(?:S|NING)?"
     r"|TILT(?:S|ING)?|CRAN(?:E|ES|ING)(?= SHOT| UP| DOWN| OVER)|BOOM(?:S|ING)? (?:UP|DOWN)|TRACK(?:S|ING)?"
     r"|TRUCK(?:S|ING)?(?= LEFT| RIGHT)|STEADICAM|ORBIT(?:S|ING)?|CIRCL(?:E|ES|ING)(?= AROUND)|ARC(?:S|ING)? (?:AROUND)"
-    r"|HOLD(?:S|ING)?(?= ON)"
+    rf"|HOLD(?:S|ING)?(?= ON)|{_FOCUS}"
 )
 _SPOKEN_MOVE = (
     rf"{_MOVE}|CRAN(?:E|ES)|CIRCLE(?:S)?|RISE(?:S)?|DRIFT(?:S)?|FOLLOW(?:S)?|TRUCK(?:S)?"
@@ -134,7 +144,7 @@ _ALWAYS = (
     rf"|(?:EXTREME(?:LY)? )?(?:CLOSE|TIGHT|WIDE|CLOSER|WIDER|TIGHTER)(?=\s*[.:](?:\s|$)|$)|(?:LOW|HIGH) ANGLE\b"
     rf"|FULL[- ](?:WIDTH|BLEED)|SPLASH PAGE|SPLASH(?=[.:])"
     rf"|INSET(?=\s*[.:])|OPEN(?:S|ING)? ON(?=\s*:)|PAN(?:S|NING)? (?:TO|ACROSS|OVER)(?= (?:THE|A|AN)\b)"
-    rf"|BIRD['’]?S[- ]EYE VIEW"
+    rf"|BIRD['’]?S[- ]EYE VIEW|{_FOCUS}"
     r"|(?:PRIMER[IÍ]SIMO )?PRIMER[IÍ]?(?:SIMO)? PLANO|PLANO (?:GENERAL|MEDIO|DETALLE|ENTERO|AMERICANO)"
     r"|GRAN PLANO GENERAL|C[ÁA]MARA SUBJETIVA|(?:CONTRA)?PICADO"
     r"|(?:TR[ÈE]S )?GROS PLAN|PLAN (?:LARGE|D['’]ENSEMBLE|MOYEN|AM[ÉE]RICAIN|RAPPROCH[ÉE])|(?:CONTRE-)?PLONG[ÉE]E"
@@ -149,6 +159,10 @@ _TOLD_CAMERA = re.compile(
     r"|faces?|frames?|shows?|reveals?|finds?|drops?"
     r"|lowers?|closes?|focus(?:es)?|settles?|stops?|sweeps?|glides?|travels?|pulls?|pushes|comes?|rises?|flies|looks?|shoots?|captures?|switches"
     r"|zooms?)\b(?:\s+(?:in|out|up|down|back|away|over|around|past|left|right|close))*",
+    re.IGNORECASE,
+)
+_FOCUSED = re.compile(
+    rf"(?:\b(?:in|with) )?(?:an? )?(?P<focus>{_SHALLOW}|(?:DEEP|SOFT) FOCUS)\b(?:,(?= (?:as|while|when|and)\b))?",
     re.IGNORECASE,
 )
 _FROM_BEHIND = re.compile(
@@ -184,17 +198,36 @@ def parse_direction(sentence: str) -> tuple[CameraNote | None, Span]:
     Returns:
         The direction, or None; and the span of ``sentence`` that still tells action (empty where nothing is left).
     """
-    for pattern in (_POINT_OF_VIEW, _SHOULDER, _LEAD):
+    for pattern in (_POINT_OF_VIEW, _SHOULDER, _LEAD, _LOOSE):
         if (match := pattern.match(sentence)) and match[0].strip():
-            return _parse_match(sentence, match, 0)
-    if match := _LOOSE.match(sentence):
-        return _parse_match(sentence, match, 0)
+            return _with_focus(sentence, *_parse_match(sentence, match, 0))
     match = _SPOKEN.search(sentence) or _TOLD_CAMERA.search(sentence) or _INSIDE.search(sentence)
     if match is None:
         return None, (0, len(sentence))
     before = _TRAILING_JOIN.sub("", sentence[: match.start()])
     note, after = _parse_match(sentence, match, match.start())
     return note, (0, len(before)) if len(before.split()) >= 2 else after
+
+
+def _with_focus(sentence: str, note: CameraNote, left: Span) -> tuple[CameraNote, Span]:
+    """Read what a direction says of the focus after its subject: ``CLOSE ON ANA, shallow focus.``"""
+    match = None if note.focus else _FOCUSED.search(sentence)
+    if match is None:
+        return note, left
+    said = _to_note(match["focus"].upper(), "", {}).focus
+    note = replace(note, focus=said, subject=_FOCUSED.sub("", note.subject).strip(" ,"))
+    before = sentence[left[0] : match.start()]
+    return note, left if re.search(r"\w", before) else _action_span(sentence, max(left[0], match.end()))
+
+
+def both_directions(first: CameraNote, second: CameraNote) -> CameraNote | None:
+    """Return two directions as one, where one of them is about the focus alone: ``CLOSE ON ANA. Rack focus to Ben.``"""
+    for camera, other in ((first, second), (second, first)):
+        if other.focus and not (other.size or other.kind or other.angle or other.movement or camera.focus):
+            phrase = ", ".join(filter(None, (first.phrase, second.phrase)))
+            subject = camera.subject or other.subject
+            return replace(camera, phrase=phrase, focus=other.focus, rack=other.rack, subject=subject)
+    return None
 
 
 def from_behind(words: str) -> bool:
@@ -224,7 +257,7 @@ def parse_note(text: str) -> CameraNote | None:
         note = replace(note, subject=_subject(words, start.end() if start else opening.end())[0])
     elif not any((note.size, note.kind, note.angle, note.movement)):
         note = replace(note, subject=words)
-    return note
+    return replace(note, rack=note.subject) if note.focus == "rack" else note
 
 
 def _parse_match(sentence: str, match: re.Match[str], start: int) -> tuple[CameraNote, Span]:
@@ -235,7 +268,7 @@ def _parse_match(sentence: str, match: re.Match[str], start: int) -> tuple[Camer
     if end == match.end() or sentence[match.end() : end].strip() in (".", ","):
         return note, _action_span(sentence, end)
     subject, left = _subject(sentence, end)
-    return replace(note, subject=subject), left
+    return replace(note, subject=subject, rack=subject if note.focus == "rack" else ""), left
 
 
 def _subject(sentence: str, start: int) -> tuple[str, Span]:

@@ -17,7 +17,7 @@ from storyblender.agents.director.cutting import (
     size_steps,
     split_of_speech,
 )
-from storyblender.agents.director.directions import NameFinder, directed_shot, is_direction_only
+from storyblender.agents.director.directions import NameFinder, directed_shot, is_direction_only, racks_within
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import action_seconds, speech_seconds, word_count
 from storyblender.agents.director.fixtures import is_fixture
@@ -165,6 +165,9 @@ class _SceneCoverage:
 
     def _follow_direction(self, index: int, unit: Unit, note: CameraNote) -> None:
         """Add the shot that a written direction orders, and what the unit tells besides."""
+        if self._last and racks_within(self._last, unit, note, self.names):
+            self.open_direction = self._last if not unit.deeds and is_direction_only(unit.text) else None
+            return
         default = size_for_motions({deed.motion for deed in unit.deeds}) if unit.deeds else "MS"
         draft = directed_shot(unit, note, self.names, default, self._last)
         if draft.kind in ("ots", "two_shot"):

@@ -139,8 +139,11 @@ def directed_shot(
         movement=cast(Movement, note.movement or "static"),
         direction=cast(CameraDirection, note.direction) if note.direction else None,
         note=note,
+        rack=rack_of(unit, note, names, last),
         on_stage=list(unit.on_stage),
     )
+    if shot.rack:
+        shot.focus = list(dict.fromkeys((*shot.rack, *shot.focus)))
     who = next(iter(names.find(note.who)), None)
     if shot.kind == "pov":
         shot.pov = who or next((each for each in (last.focus if last else []) if each in names.people), None)
@@ -152,6 +155,48 @@ def directed_shot(
     if shot.kind == "ots":
         _over_shoulder(shot, who, unit, last)
     return shot
+
+
+def rack_of(unit: Unit, note: CameraNote, names: NameFinder, last: ShotDraft | None) -> tuple[str, str] | None:
+    """Return what a rack focus starts on and what it ends on; None where the direction orders none or names nothing.
+
+    Args:
+        unit: Under the direction.
+        note: The direction.
+        names: To find its subject: ``from Ana to Ben``, or ``to Ben``.
+        last: The shot before; a rack focus that says only where it goes starts on its first subject.
+    """
+    named = names.find(note.rack) if note.focus == "rack" else []
+    if len(named) == 1:
+        own = names.find(note.subject) if note.subject != note.rack else []
+        others = (*own, *(last.focus if last else ()), *unit.on_stage)
+        named = [*[each for each in others if each != named[0]][:1], *named]
+    return (named[0], named[1]) if len(named) > 1 else None
+
+
+def racks_within(shot: ShotDraft, unit: Unit, note: CameraNote, names: NameFinder) -> bool:
+    """Let a shot go over from one subject to another where a direction says so, and return whether it does.
+
+    A rack focus is no cut: what the unit tells plays in the shot that runs, unless the direction gives it a size.
+
+    Args:
+        shot: The last one.
+        unit: Under the direction.
+        note: The direction.
+        names: To find its subject.
+    """
+    rack = rack_of(unit, note, names, shot)
+    if rack is None or note.size or shot.kind not in ("action", "single", "reaction", "two_shot", "group"):
+        return False
+    shot.rack = rack
+    shot.add_focus(*rack)
+    if shot.kind in ("single", "reaction"):
+        shot.kind, shot.size = "action", shot.size if shot.has_note else "MS"
+    phrases = (shot.note.phrase, note.phrase) if shot.note else (note.phrase,)
+    shot.note = replace(shot.note or note, focus="rack", phrase=", ".join(filter(None, phrases)))
+    shot.beats.append(Beat.whole(unit))
+    shot.on_stage = list(dict.fromkeys((*shot.on_stage, *unit.on_stage)))
+    return True
 
 
 def _optical_device(words: str) -> str:

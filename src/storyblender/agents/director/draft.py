@@ -46,6 +46,8 @@ class ShotDraft:
     """Somebody travels in it: it must not be tightened beyond the body."""
     note: CameraNote | None = None
     """The direction in the script that ordered it."""
+    rack: tuple[str, str] | None = None
+    """Rack focus: what is sharp at first and what in the end."""
     on_stage: list[str] = field(default_factory=list)
     before: Unit | None = None
     """The unit that begins when it ends, where it has no line of its own: a thing it shows is in that hand already."""

@@ -98,6 +98,10 @@ class CameraNote(Facts):
     who: str = ""
     """POV and OTS: whose."""
     roll: float = 0.0
+    focus: str = ""
+    """``shallow``, ``deep``, ``soft`` or ``rack``."""
+    rack: str = ""
+    """Rack focus: the words for where it goes, ``Ben`` or ``Ana to Ben``."""
     through: str = ""
     """POV: the device it looks through: ``binoculars``, ``keyhole``."""
 

@@ -38,6 +38,7 @@ _CAMERA_WORDS: dict[str, frozenset[str]] = {
     "angle": frozenset(get_args(Angle)),
     "movement": frozenset(get_args(Movement)),
     "direction": frozenset(get_args(CameraDirection)),
+    "focus": frozenset({"shallow", "deep", "soft", "rack"}),
 }
 """Fields of a camera direction with a fixed set of values."""
 _WORD = re.compile(r"\w+")

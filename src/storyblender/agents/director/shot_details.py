@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 from collections.abc import Sequence
+from typing import Any
 
 from storyblender.agents.director.action_words import with_facts
 from storyblender.agents.director.camera_phrases import from_behind
@@ -40,6 +41,8 @@ _UNSTAGED = ("intercut", "split_screen", "match_cut")
 """Sizes that hold one face."""
 _SHOWS_FACES = ("action", "single", "reaction", "group", "two_shot")
 """Kinds of shots that turn to the faces of their people unless the script shows them from behind."""
+_F_NUMBER_OF = {"shallow": 1.4, "deep": 32.0}
+"""f-number of what a script says of the focus."""
 _POV_LENS = 35.0
 """mm: about what an eye takes in."""
 
@@ -166,6 +169,13 @@ class ShotDetails:
         told = {(tether.holder, tether.held): tether for unit in units for tether in unit.tethers}
         return tuple(tether for ends, tether in told.items() if self.story.assets.issuperset(ends))
 
+    def _focus(self, draft: ShotDraft) -> dict[str, Any]:
+        """Return the fields of the camera that say what is sharp, where the script does."""
+        said = draft.note.focus if draft.note else ""
+        rack = [self.story.visible_id(each) for each in draft.rack or ()]
+        racked = dict(zip(("focus", "focus_to"), rack, strict=False)) if self.story.assets.issuperset(rack) else {}
+        return {"f_number": _F_NUMBER_OF.get(said), "soft_focus": said == "soft", **racked}
+
     def _camera(self, draft: ShotDraft) -> CameraInstruction:
         return CameraInstruction(
             focus_on_ids=tuple(
@@ -180,6 +190,7 @@ class ShotDetails:
             over_id=draft.over,
             pov_id=draft.pov if draft.pov in self.story.actors else None,
             lens=_POV_LENS if draft.kind == "pov" else None,
+            **self._focus(draft),
             axis=draft.axis,
             order=one_line(draft.note.phrase) if draft.note else "",
             explicit=draft.script_directed,

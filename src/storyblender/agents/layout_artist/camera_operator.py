@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
+from storyblender.agents.layout_artist.camera_focus import with_focus
 from storyblender.agents.layout_artist.camera_furniture import covers
 from storyblender.agents.layout_artist.camera_operator_critic import CameraOperatorCritic, telling_moments
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorDraft, CameraOperatorView
@@ -169,7 +170,8 @@ def operate(
         Flaw(kind=fault.kind, subject=fault.subject, weight=fault.severity, message=fault.message)
         for fault in critique.faults
     )
-    return chosen.state(view.duration, SIZES[view.instruction.size].f_number, critique.score, residual)
+    f_number = SIZES[view.instruction.size].f_number
+    return with_focus(view, chosen.state(view.duration, f_number, critique.score, residual))
 
 
 def side_used(view: CameraOperatorView, state: CameraState) -> int:

@@ -5,9 +5,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.unit.agents.layout_artist.test_camera_operator import figure
+from tests.unit.agents.layout_artist.test_camera_operator import NumberFinder, figure
 
 from storyblender.agents.layout_artist.camera_focus import with_focus
+from storyblender.agents.layout_artist.camera_operator import operate
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment, pose_of
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.camera_path import camera_at, focus_at
@@ -84,3 +85,9 @@ def test_the_focus_follows_who_walks() -> None:
     found = with_focus(walk, STATE)
     depths = [focus_at(found, frame, FILM) or 0 for frame in (0, 48, 95)]
     assert depths[0] == pytest.approx(depths[1]) and depths[1] - depths[2] == pytest.approx(1.0, abs=0.05)
+
+
+def test_the_operator_hands_over_a_focused_camera() -> None:
+    tight = view()
+    found = operate(tight, NumberFinder(tight.moments, {}))
+    assert found.focus and found.focus[0].node_id == "ana"

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from storyblender.agents.director import lexicon
+from storyblender.agents.director.camera_phrases import both_directions
 from storyblender.agents.director.reader.language.morphology import FORMS
 from storyblender.agents.director.reader.language.words import Word, joined, tokenize
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph, without_brackets, without_quotations
@@ -83,7 +84,14 @@ def action_sentences(paragraph: Paragraph, scene: int, roster: Roster) -> list[S
 
 
 def _attach_camera(sentences: list[Sentence], camera: CameraNote, at: int, paragraph: Paragraph, scene: int) -> None:
-    """Give a camera direction to the first sentence that ends after it, else the last, else a new empty one."""
+    """Give a camera direction to the first sentence that ends after it, else to the last, else to a new empty one.
+
+    What is said of the focus alone joins the direction that the sentence has.
+    """
+    holder = next((sentence for sentence in sentences if sentence.end >= at and sentence.camera), None)
+    if holder and holder.camera and (joined := both_directions(holder.camera, camera)):
+        holder.camera = joined
+        return
     free = [sentence for sentence in sentences if sentence.camera is None]
     following = next((sentence for sentence in free if sentence.end >= at), free[-1] if free else None)
     spoken = any(word.solid for sentence in sentences for word in sentence.words)
