@@ -8,13 +8,11 @@ import numpy as np
 
 from storyblender.look.gbuffer import GBuffer
 from storyblender.look.illumination import light_field
-from storyblender.look.raster import LUMA, Image, shrink
+from storyblender.look.raster import LUMA, Image, luminance, shrink
 from storyblender.memory.scene_context import Light
 
-_AROUND = 0.35
-"""Light from all sides, as a share of the mean light of the lamps on the relief."""
 _FROM_ABOVE = 0.3
-"""How much more of that comes from above than from the side."""
+"""How much more of the light from all sides comes from above than from the side."""
 _DARKEST, _LIGHTEST = 0.35, 1.9
 
 
@@ -39,12 +37,13 @@ def emboss(light: Image, gbuffer: GBuffer, lamps: Sequence[Light]) -> None:
     x, y = gbuffer.view.slopes()
     rays = np.stack([x[sampled[1]], y[sampled[0]], np.full(len(rows), -1, np.float32)], axis=1)
     places = (rays * gbuffer.depth[sampled][:, None]) @ gbuffer.view.axes.T + gbuffer.view.eye
-    direct = [_given(lamps, places.astype(np.float32), normal) for normal in (rough, smooth)]
-    even = _AROUND * float(direct[1].mean()) + 1e-4
-    told, plain = (
-        given + even * (1 + _FROM_ABOVE * normal[:, 2]) for given, normal in zip(direct, (rough, smooth), strict=True)
-    )
-    light[rows, columns] *= np.clip(told / plain, _DARKEST, _LIGHTEST)[:, None]
+    told, plain = (_given(lamps, places.astype(np.float32), normal) for normal in (rough, smooth))
+    whole = luminance(light[rows, columns])
+    around = np.maximum(whole - plain, 0)
+    more = told - plain + around * (_FROM_ABOVE * (rough[:, 2] - smooth[:, 2]))
+    # Less light than the lamps give means a shadow, which takes the same share of the relief.
+    form = 1 + more / np.maximum(np.maximum(whole, plain), 1e-6)
+    light[rows, columns] *= np.clip(form, _DARKEST, _LIGHTEST)[:, None]
 
 
 def _given(lamps: Sequence[Light], places: Image, normal: Image) -> Image:

@@ -27,7 +27,7 @@ def wall(relief: np.ndarray | None) -> GBuffer:
 
 
 def lamp(x: float) -> Light:
-    return Light(name="lamp", kind="POINT", location=(x, -2.0, 1.0), power=100.0)
+    return Light(name="lamp", kind="POINT", location=(x, -2.0, 1.0), power=2000.0)
 
 
 def tilted() -> np.ndarray:
