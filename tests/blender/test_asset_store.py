@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from tests.unit.models.model_corpus import glb, square
 
 pytestmark = pytest.mark.blender
 bpy = pytest.importorskip("bpy")
@@ -17,8 +18,9 @@ from storyblender.blender.session import BlenderSession  # noqa: E402
 from storyblender.errors import InputError  # noqa: E402
 from storyblender.folder import Folder  # noqa: E402
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset  # noqa: E402
-from storyblender.memory.jobs import AssetJob, SceneJob  # noqa: E402
+from storyblender.memory.jobs import FETCHED, AssetJob, SceneJob  # noqa: E402
 from storyblender.memory.scene_context import Environment, Layout, SceneContext, SceneSetup, SceneSize  # noqa: E402
+from storyblender.model_content import content_of  # noqa: E402
 
 CUP = CanonicalAsset(source="catalog", key="cup", dimensions=(0.1, 0.1, 0.1), digest="")
 JOB = AssetJob(asset=Asset(asset_id="cup", asset_type="object", description="a cup", canonical=CUP))
@@ -38,6 +40,24 @@ def test_a_damaged_asset_is_built_again(tmp_path: Path, suffix: str, damage: Cal
     assert store.append_mesh(
         JOB.asset.model_copy(update={"canonical": CUP.model_copy(update={"digest": first.digest})})
     )
+
+
+def test_a_model_is_known_by_its_content_wherever_the_folders_are(tmp_path: Path) -> None:
+    here, there = tmp_path / "here", tmp_path / "there"
+    for folder, content in ((here, b"another"), (there, glb(*square()))):
+        folder.mkdir()
+        (folder / "square.glb").write_bytes(content)
+    key, content = "square.glb", content_of(there / "square.glb", there)
+    model = CanonicalAsset(source="file", key=key, params={"content": content}, dimensions=(1, 1, 1), digest="")
+    job = AssetJob(asset=JOB.asset.model_copy(update={"canonical": model}))
+    found = AssetStore(Folder(tmp_path / "a"), [here, there]).measure(job)
+    moved = there.rename(tmp_path / "moved")
+    assert AssetStore(Folder(tmp_path / "b"), [moved]).measure(job) == found, "a worker elsewhere builds the same"
+    with pytest.raises(InputError, match="has changed"):
+        AssetStore(Folder(tmp_path / "c"), [here]).measure(job)
+    fetched = Folder(tmp_path / "d")
+    fetched.write(f"{FETCHED}/{key}", (moved / key).read_bytes())
+    assert AssetStore(fetched).measure(job) == found, "what a source fetched is in the project"
 
 
 def scene_job() -> SceneJob:

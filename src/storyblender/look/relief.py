@@ -13,6 +13,8 @@ from storyblender.memory.scene_context import Light
 
 _FROM_ABOVE = 0.3
 """How much more of the light from all sides comes from above than from the side."""
+_STRENGTH = 0.5
+"""Lamps have a size and light comes back from everywhere, which softens relief (held against Cycles)."""
 _DARKEST, _LIGHTEST = 0.35, 1.9
 
 
@@ -42,7 +44,7 @@ def emboss(light: Image, gbuffer: GBuffer, lamps: Sequence[Light]) -> None:
     around = np.maximum(whole - plain, 0)
     more = told - plain + around * (_FROM_ABOVE * (rough[:, 2] - smooth[:, 2]))
     # Less light than the lamps give means a shadow, which takes the same share of the relief.
-    form = 1 + more / np.maximum(np.maximum(whole, plain), 1e-6)
+    form = 1 + _STRENGTH * more / np.maximum(np.maximum(whole, plain), 1e-6)
     light[rows, columns] *= np.clip(form, _DARKEST, _LIGHTEST)[:, None]
 
 
