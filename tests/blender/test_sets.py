@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 from tests.every import every
 
-from storyblender.blender.light import make_lights
 from storyblender.blender.props.build import build_prop
 from storyblender.blender.sets.build import build_set, swing_door
 from storyblender.blender.sets.pieces import piece_mesh
 from storyblender.blender.sets.world import set_world
+from storyblender.blender.story_light import make_lights
 from storyblender.blender.windows import night_of
 from storyblender.catalog.set_plan import Piece, SetPlan
 from storyblender.catalog.sets import SETS, plan_of

@@ -10,8 +10,7 @@ import bpy
 
 from storyblender.blender.asset_store import AssetStore
 from storyblender.blender.library_scene import add_assets, new_file
-from storyblender.blender.opening import show_on_opening
-from storyblender.blender.tidying import write_version_note
+from storyblender.blender.tidying import show_on_opening, write_version_note
 from storyblender.folder import Folder
 from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.graph import ProjectFormat

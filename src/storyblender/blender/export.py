@@ -70,7 +70,7 @@ def _export_glb(scene: bpy.types.Scene, shots: list[tuple[str, int]], shown: dic
         export_force_sampling=False,
         export_anim_slide_to_zero=True,
         export_current_frame=True,  # without motion people stand where the scene begins
-        export_optimize_animation_keep_anim_object=True,  # who stands still in a shot stands there
+        export_optimize_animation_keep_anim_object=True,  # or people without motion in a shot would not be placed
     )
     hide_nodes(part, [(name, (last - first) / scene.render.fps) for name, first, last in spans], shown)
 

@@ -71,7 +71,7 @@ class _BufferWriter:
         self._known: dict[tuple[float, ...], int] = {}
 
     def accessor(self, values: Sequence[float], kind: str, *, bounds: bool = False) -> int:
-        """Return an accessor of two elements of a glTF ``kind``; glTF wants ``bounds`` for times."""
+        """Return an accessor of two elements of a glTF ``kind``; glTF requires ``bounds`` for times."""
         key = tuple(values)
         if key not in self._known:
             views, accessors = self._scene["bufferViews"], self._scene["accessors"]

@@ -47,7 +47,7 @@ def add_assets(assets: Sequence[Asset], store: AssetStore) -> None:
 
 
 def _credit(data: bpy.types.AssetMetaData, provenance: Provenance | None) -> None:
-    """Write whose work an asset is into its metadata."""
+    """Write author, licence and source of an asset into its metadata."""
     if provenance is None:
         data.author = "StoryBlender"
         return

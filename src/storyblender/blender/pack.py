@@ -155,7 +155,7 @@ class ScenePacker:
         ]
 
     def _key_visibility(self) -> None:
-        """People off planner and props out of the picture are hidden shot by shot, with constant keys."""
+        """Key which people and props are hidden in each shot."""
         for asset_id, member in self._cast.items():
             shown = [
                 (self._starts[shot.shot_id], any(b.start.asset_id == asset_id and b.visible for b in shot.blocking))

@@ -102,7 +102,7 @@ class BlenderSession:
         return self._store.measure(job)
 
     def pack_scene(self, job: SceneJob) -> PackRef:
-        """Build one scene."""
+        """Build one scene and save it as a pack."""
         from storyblender.blender.pack import ScenePacker, save_pack, shot_starts
 
         self._close_pack()
@@ -121,7 +121,7 @@ class BlenderSession:
         return [list(figures(scene, frame)) for frame in frames]
 
     def find_collisions(self, pack: PackRef) -> list[Collision]:
-        """Find people inside furniture, in every shot of a pack."""
+        """Return the collisions of people with props and with each other in every shot of a pack."""
         scene = self._open_pack(pack)
         bodies = {
             str(obj["asset_id"]): self._store.body(str(obj.data["digest"]))
@@ -153,7 +153,7 @@ class BlenderSession:
         return views
 
     def render_frame(self, job: FrameJob) -> FrameReport:
-        """Render the board frame of one shot."""
+        """Render the board frame of one shot and return its report."""
         scene = self._open_pack(job.pack)
         start = job.pack.start_of(job.shot.shot_id)
         assert job.shot.camera is not None, "the Camera Operator comes before the camera"

@@ -20,7 +20,7 @@ from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import PropState, ShotContext
 
 LOW_TOP = 0.12
-"""Metres: what is lower is stepped over (rugs, kerbs)."""
+"""Metres; lower objects (rugs, kerbs) are stepped over."""
 OVERHEAD = 2.0
 """Metres: what begins higher is walked under (lamps)."""
 

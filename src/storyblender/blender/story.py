@@ -15,11 +15,10 @@ from storyblender.blender.cut import EDIT, add_edit
 from storyblender.blender.hiding import is_hidden, key_hidden
 from storyblender.blender.library_scene import LIBRARY, add_assets, new_file
 from storyblender.blender.merge import merge_duplicates
-from storyblender.blender.opening import show_on_opening
 from storyblender.blender.pack import save_pack
 from storyblender.blender.progress import Report, ignore
 from storyblender.blender.story_light import light_scene
-from storyblender.blender.tidying import set_render_defaults, tidy, write_version_note
+from storyblender.blender.tidying import set_render_defaults, show_on_opening, tidy, write_version_note
 from storyblender.folder import Folder
 from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.jobs import PackRef, StoryJob

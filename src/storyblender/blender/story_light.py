@@ -8,9 +8,10 @@ from collections.abc import Sequence
 import bpy
 
 from storyblender.blender.hiding import key_hidden
-from storyblender.blender.light import make_lights
+from storyblender.blender.render.lamps import make_lamp
 from storyblender.blender.render.meter import balanced
 from storyblender.blender.sets.world import set_world
+from storyblender.blender.tags import tag
 from storyblender.look.illumination import sky_colors
 from storyblender.memory.base import shot_name
 from storyblender.memory.jobs import PackRef
@@ -66,6 +67,27 @@ def light_scene(
         for lamp in make_lights(shot.lights, collection, shot_name(shot.scene_id, shot.shot_id)):
             lamp.light_linking.blocker_collection = people  # only people cast shadows from them, as on the board
             key_hidden(lamp, [(start, other == index) for other, start in enumerate(starts)])
+
+
+def make_lights(lights: Sequence[Light], collection: bpy.types.Collection, prefix: str) -> list[bpy.types.Object]:
+    """Make one light object per lamp, tagged with its name and the person it lights.
+
+    Args:
+        lights: Of the scene or of a shot.
+        collection: Receives the objects.
+        prefix: Leads the objects' names: that of the scene, or of the shot that they are for.
+
+    Returns:
+        The objects, in order; area lights are not seen by cameras.
+    """
+    objects = []
+    for light in lights:
+        lamp = make_lamp(light, f"{prefix}.{light.name}")
+        tag(lamp, kind="light", node_id=light.name, asset_id=light.for_asset or "")
+        lamp["role"], lamp["glow"] = light.role, light.glow
+        collection.objects.link(lamp)
+        objects.append(lamp)
+    return objects
 
 
 def _ambient(plan: Lighting, roofed: float) -> list[Light]:

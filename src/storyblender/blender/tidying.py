@@ -74,6 +74,17 @@ def write_version_note() -> None:
     text.use_fake_user = True
 
 
+def show_on_opening(scene: bpy.types.Scene) -> None:
+    """Show a scene through its camera in every 3D view; the scene of the cut has only strips, and its view is empty."""
+    bpy.context.window.scene = scene
+    for screen in bpy.data.screens:
+        for area in screen.areas:
+            for space in area.spaces:
+                if isinstance(space, bpy.types.SpaceView3D):
+                    space.region_3d.view_perspective = "CAMERA"
+                    space.shading.type = "MATERIAL"
+
+
 def _name_object(obj: bpy.types.Object) -> None:
     """Remove a copy's number from an object's name, and name its own data after it."""
     copy = _COPY.search(obj.name)

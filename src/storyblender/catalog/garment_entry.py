@@ -1,4 +1,4 @@
-"""Data model of one garment of the wardrobe. Data only."""
+"""Data model of one garment of the wardrobe."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ class GarmentSpec:
         key: Key in the catalog.
         name: Display name.
         tags: Synonyms.
-        layer: Dressing order, innermost first: a jacket goes over a shirt in whatever order they were named.
+        layer: Dressing order, innermost first: a jacket goes over a shirt, in whatever order they are listed.
         covers: Body areas it dresses; an undressed upper or lower body gets the default garment.
-        colors: Typical colours (hex); the seed picks one where none is given.
+        colors: Typical colours (hex); the seed picks one if none is given.
         pieces: Pattern pieces it is made of.
-        bares: Body areas left bare with it: no shoes with a swimsuit.
+        bares: Body areas that stay bare with it: no shoes with a swimsuit.
     """
 
     key: str
@@ -38,7 +38,17 @@ class GarmentSpec:
 def garment(
     key: str, words: str, layer: int, covers: str, colors: str, *pieces: AnyPiece, name: str = ""
 ) -> GarmentSpec:
-    """Return a garment; an area of ``covers`` with a leading minus stays bare."""
+    """Return a garment from the short form of the catalogue.
+
+    Args:
+        key: Key in the catalog.
+        words: Synonyms, separated by commas.
+        layer: Dressing order.
+        covers: Body areas it dresses, separated by blanks; areas with a leading minus stay bare.
+        colors: Typical hex colours, separated by blanks.
+        pieces: Pattern pieces.
+        name: Display name; empty for the key in words.
+    """
     return GarmentSpec(
         key=key,
         name=name or key.replace("_", " "),

@@ -1,7 +1,7 @@
 """The wardrobe: every garment as data, and the default clothes where the script names none.
 
-Everyday clothes are here, costumes in ``garments_of_trades``, hats and accessories in ``worn``. To add a
-garment, add one entry (docs/add-a-garment.md).
+Everyday clothes are here, costumes in ``garments_of_trades``, hats and accessories in ``worn``. To add a garment, add
+one entry (docs/add-a-garment.md).
 """
 
 from __future__ import annotations
@@ -147,7 +147,7 @@ OUTER_LAYER = 45
 
 
 def default_outfit(gender: str, age: float, seed: int) -> tuple[Garment, ...]:
-    """Return what a ``female`` or ``male`` of ``age`` years wears where the script does not say."""
+    """Return what a ``female`` or ``male`` of ``age`` years wears if the script does not say; ``seed`` varies it."""
     rng = np.random.default_rng(seed + 2)
     if age < 13:
         choices = ("tee shorts socks shoes", "shirt shorts socks shoes") if gender == "male" else ("dress socks shoes",)
@@ -159,7 +159,7 @@ def default_outfit(gender: str, age: float, seed: int) -> tuple[Garment, ...]:
 
 
 def worn_open(key: str) -> bool:
-    """Return whether something must be worn under a garment: a jacket, not a buttoned tunic; False if unknown."""
+    """Return whether a garment needs another below it: a jacket, not a buttoned tunic; False for an unknown key."""
     spec = GARMENTS.get(key)
     return (
         spec is not None
@@ -169,9 +169,7 @@ def worn_open(key: str) -> bool:
 
 
 def dressed(look: CharacterLook, gender: str, seed: int) -> tuple[Garment, ...]:
-    """Return what a person wears from the inside out, with nothing missing: nobody is ever without clothes.
-
-    Keys that the wardrobe does not know are left out.
+    """Return a person's garments from the inside out, completed so that nobody is unclothed; unknown keys are left out.
 
     Args:
         look: Casting words.

@@ -1,6 +1,6 @@
-"""Hairstyles as data: where hair grows, which way it is combed, how long the locks are. Pure data.
+"""Hairstyles as data: where hair grows, how it is combed, how long the locks are.
 
-Lengths are metres on a grown-up's head. Directions are on the head's unit sphere: +x the person's left, +y back, +z up.
+Lengths are metres on an adult's head. Directions are on the head's unit sphere: +x the person's left, +y back, +z up.
 """
 
 from __future__ import annotations
@@ -17,23 +17,23 @@ class HairSpec:
 
     Attributes:
         key: Key in the catalog.
-        name: For people.
-        tags: Other words for it.
+        name: Display name.
+        tags: Synonyms.
         top: Thickness on top.
         side: Thickness at the sides.
         comb: ``part`` away from the parting, ``back``, ``crown`` outwards from the whorl, ``gather`` to the knot.
-        parting: Where the parting runs, x on the unit sphere.
+        parting: x of the parting on the unit sphere.
         sweep: How much a parted lock also runs back (+) or forward (-).
-        locks: How many locks.
+        locks: Number of locks.
         width: Width of a lock.
         reach: Length of a lock on the head, radians.
-        hang: Length of a lock below the ear, 0 = it ends on the head.
-        mess: How much each lock leaves its way, 0 to 1.
-        lift: How far the locks stand off.
+        hang: Length of a lock below the ear; 0 for hair that ends on the head.
+        mess: How much locks stray from the combing direction, 0 to 1.
+        lift: Height of the locks above the head.
         wave: Sideways wave of hanging locks.
-        tip: Width at the end of a lock as a share.
+        tip: Width at the end of a lock, as a share.
         growth: ``full``, ``receding`` or ``wreath`` (bald on top).
-        knot: ``bun``, ``tail`` or ``braid`` at the back.
+        knot: ``bun``, ``tail`` or ``braid`` at the back; empty for none.
         curls: Round curls instead of locks.
     """
 
@@ -111,5 +111,5 @@ HAIRSTYLES: Catalog[HairSpec] = Catalog("hairstyle", (
 
 
 def hairstyle(key: str) -> HairSpec:
-    """Return a hairstyle; a key that the catalog does not know gives short hair."""
+    """Return the hairstyle of a key; short hair for an unknown key."""
     return HAIRSTYLES.get(key, HAIRSTYLES["short"])

@@ -21,16 +21,16 @@ class Motion:
         key: Name of the clip.
         name: Display name.
         tags: Synonyms.
-        seconds: Natural duration at a stature of 1.7 m without the walk to it; the usual one for stretching motions.
+        seconds: Natural duration at a stature of 1.7 m, without the walk to it; the usual one for stretching motions.
         directs: Motions of the Director's vocabulary that this clip plays, besides its own name.
         speed: Metres per second of motions that travel.
-        stretches: Whether the cue sets its duration.
+        stretches: Whether a cue may set its duration.
         before: Postures it can start from, empty for any; the actor leaves other postures first.
         after: Posture it ends in; None keeps the one before.
         reach: Kind of target that the actor must be near.
         distance: Metres to the other person for ``reach`` person, or to the object.
         hands: Number of hands it needs.
-        lasts: Whether it continues under talking and looking until the hands are needed for another cue.
+        lasts: Whether it continues during talking and looking until another cue needs the hands.
         telling: Share of the duration at which a still frame shows it best: on landing, or at its extreme.
     """
 

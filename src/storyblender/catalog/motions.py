@@ -1,6 +1,6 @@
-"""The motions people can perform: names, tags, how long they take, what postures they need. Pure data and arithmetic.
+"""The motions people can perform: names, tags, durations, postures. Pure data and arithmetic.
 
-The clips themselves are in ``blender/motion/clips``; the Director's motion vocabulary maps onto them here.
+The clips that play them are in ``blender/motion/clips``; the Director's motion vocabulary maps onto them here.
 """
 
 from __future__ import annotations
@@ -13,42 +13,37 @@ from storyblender.catalog.motion_entry import AWAKE, UPRIGHT, Motion
 from storyblender.catalog.registry import Catalog
 
 TURN_IN_STRIDE = 50.0
-"""Degrees; larger turns are done on the spot."""
-TURN_STEP = 55.0
-"""Degrees; both feet step once per this much of a turn on the spot."""
-TURN_STEP_SECONDS = 0.26
+"""Largest turn, in degrees, within the steps of a walk; larger ones are done on the spot."""
+TURN_STEP, TURN_STEP_SECONDS = 55.0, 0.26
+"""Turning on the spot: degrees for which both feet step once, and the seconds of each step."""
 
 AIMED: frozenset[str] = frozenset({"put_down", "look"})
-"""Motions whose mark is where a thing goes or where a person looks, not where the person goes."""
+"""Motions whose mark is the place of a prop or of a look, not of the person."""
 
 IN_THEIR_SEAT: dict[str, str] = {
     "hit": "slam", "punch": "raise_fist", "push": "offer", "push_away": "halt", "pull": "row", "bow": "nod",
     "bend": "look_down", "curtsy": "nod", "recoil": "flinch", "cower": "cover_face", "dance": "clap",
     "stamp": "raise_fist", "guard": "raise_fist",
 }  # fmt: skip
-"""Motion of a standing body -> motion of a person who stays seated."""
+"""Motion of a standing person -> the motion of a seated one instead."""
 
 MOTIONS: Catalog[Motion] = Catalog(
     "motion",
     (
         Motion("idle", "stand at ease", ("wait", "stay", "stand"), 1.0, ("idle", "stand"), stretches=True),
         # travel
-        Motion(
-            "walk", "walk", ("go", "enter", "leave", "cross"), 0.9, ("walk",), 1.25, True, UPRIGHT, "stand",
-            "place",
-        ),
+        Motion("walk", "walk", ("go", "enter", "leave", "cross"), 0.9, ("walk",), 1.25, True, UPRIGHT, "stand",
+            "place"),
         Motion("run", "run", ("rush", "flee", "chase"), 0.6, ("run",), 3.1, True, UPRIGHT, "stand", "place"),
         Motion("sneak", "sneak", ("tiptoe", "creep"), 0.8, ("sneak",), 0.7, True, UPRIGHT, "stand", "place"),
         Motion("stagger", "stagger", ("limp", "stumble"), 0.8, ("stagger",), 0.75, True, UPRIGHT, "stand", "place"),
         Motion("crawl", "crawl", ("on all fours",), 2.2, ("crawl",), 0.55, True, UPRIGHT, "stand", "place"),
         Motion("turn", "turn around", ("spin", "face"), 1.3, ("turn",), before=AWAKE, telling=0.95),
         Motion("jump", "jump", ("leap", "hop"), 1.6, ("jump",), before=UPRIGHT, after="stand", telling=0.45),
-        Motion(
-            "climb", "climb", ("clamber", "scale"), 3.5, ("climb",), None, True, UPRIGHT, "stand", "thing", 0.55, 2,
-            telling=0.6),
+        Motion("climb", "climb", ("clamber", "scale"), 3.5, ("climb",), None, True, UPRIGHT, "stand", "thing", 0.55,
+            2, telling=0.6),
         # seats, beds, floor
-        Motion(
-            "sit", "sit down", ("take a seat",), 1.4, ("sit",), None, False, UPRIGHT, "sit", "thing", telling=0.95),
+        Motion("sit", "sit down", ("take a seat",), 1.4, ("sit",), None, False, UPRIGHT, "sit", "thing", telling=0.95),
         Motion("rise", "stand up", ("get up", "rise"), 1.7, ("stand_up",), after="stand", telling=0.9),
         Motion("get_up", "get up", ("from the floor", "out of bed"), 3.2, (), after="stand", telling=0.9),
         Motion("kneel", "kneel down", ("on one knee",), 1.1, ("kneel",), None, False, UPRIGHT, "kneel", telling=0.97),
@@ -63,26 +58,16 @@ MOTIONS: Catalog[Motion] = Catalog(
         Motion("lean", "lean", ("against a wall", "on the bar"), 1.2, ("lean",), None, False, UPRIGHT, "lean",
             "thing", telling=0.97),
         # off the floor
-        Motion(
-            "hang", "hang", ("dangle", "cling", "hang from a rope"), 1.0, ("hang", "dangle"), before=UPRIGHT,
-            after="hang", telling=0.97,
-        ),
-        Motion(
-            "upside_down", "hang upside down", ("head down",), 1.0, ("upside_down",), before=UPRIGHT,
-            after="upside_down", telling=0.97,
-        ),
-        Motion(
-            "float", "float", ("drift", "hover", "levitate"), 1.0, ("float", "swim"), before=UPRIGHT,
-            after="float", telling=0.97,
-        ),
-        Motion(
-            "ride", "ride", ("on horseback", "on a bicycle", "mount"), 1.0, ("ride", "mount"), before=UPRIGHT,
-            after="ride", telling=0.97,
-        ),
-        Motion(
-            "on_all_fours", "on all fours", ("hands and knees",), 1.0, (), before=UPRIGHT, after="crawl",
-            telling=0.97,
-        ),
+        Motion("hang", "hang", ("dangle", "cling", "hang from a rope"), 1.0, ("hang", "dangle"), before=UPRIGHT,
+            after="hang", telling=0.97),
+        Motion("upside_down", "hang upside down", ("head down",), 1.0, ("upside_down",), before=UPRIGHT,
+            after="upside_down", telling=0.97),
+        Motion("float", "float", ("drift", "hover", "levitate"), 1.0, ("float", "swim"), before=UPRIGHT,
+            after="float", telling=0.97),
+        Motion("ride", "ride", ("on horseback", "on a bicycle", "mount"), 1.0, ("ride", "mount"), before=UPRIGHT,
+            after="ride", telling=0.97),
+        Motion("on_all_fours", "on all fours", ("hands and knees",), 1.0, (), before=UPRIGHT, after="crawl",
+            telling=0.97),
         # gaze and head
         Motion("face", "put on a face", ("show a feeling",), 0.3),
         Motion("look", "look", ("watch", "stare", "glance"), 0.6, ("look",), stretches=True, telling=0.9),
@@ -149,29 +134,18 @@ MOTIONS: Catalog[Motion] = Catalog(
         Motion("pull", "pull", ("drag",), 2.9, ("pull",), None, True, UPRIGHT, None, "thing", 0.5, 2, telling=0.6),
         Motion("type", "type", ("keyboard",), 3.0, ("type",), stretches=True, hands=2, lasts=True),
         Motion("play_piano", "play", ("piano", "music"), 4.0, ("play_music",), stretches=True, hands=2, lasts=True),
-        Motion(
-            "wipe", "wipe", ("clean", "stir", "cook"), 3.0, ("clean",), stretches=True, reach="thing",
+        Motion("wipe", "wipe", ("clean", "stir", "cook"), 3.0, ("clean",), stretches=True, reach="thing",
             distance=0.5, hands=1, lasts=True),
-        Motion(
-            "work", "work", ("hammer", "dig", "cut"), 3.2, ("work",), stretches=True, reach="thing", distance=0.5,
+        Motion("work", "work", ("hammer", "dig", "cut"), 3.2, ("work",), stretches=True, reach="thing", distance=0.5,
             hands=2, lasts=True),
-        Motion(
-            "search",
-            "search",
-            ("rummage",),
-            3.2,
-            ("search",),
-            stretches=True,
-            reach="thing",
-            distance=0.5,
-            hands=2,
-        ),
+        Motion("search", "search", ("rummage",), 3.2, ("search",), stretches=True, reach="thing", distance=0.5,
+            hands=2),
         Motion("dress", "put on or take off clothes", ("wear", "undress"), 2.4, ("wear", "take_off"), hands=2,
             telling=0.6),
         *(act.motion for act in ACTS.values()),
     ),
 )  # fmt: skip
-"""Every motion, in the order it is shown to people."""
+"""Every motion, in the order of the printed catalogue."""
 
 CLIP_OF: dict[str, str] = {word: motion.key for motion in MOTIONS.values() for word in motion.directs}
 """The Director's motion -> key of ``MOTIONS``."""
@@ -194,7 +168,7 @@ def clip_of(motion: str) -> Motion:
 
 
 def _called(words: str) -> str:
-    """Return the key of the motion that the words name: all words, else verb and particle, else the verb."""
+    """Return the key of the motion that words name: all words, else verb and particle, else the verb; else ``idle``."""
     verb, *rest = words.split() or [""]
     for count in range(len(rest), -1, -1):
         for form in _forms(verb):
@@ -205,7 +179,7 @@ def _called(words: str) -> str:
 
 
 def _forms(verb: str) -> list[str]:
-    """Return the candidate base forms of an inflected verb."""
+    """Return the possible base forms of an inflected verb."""
     forms = [verb]
     for ending in ("ing", "es", "s", "ed", "d"):
         stem = verb.removesuffix(ending)
@@ -215,12 +189,12 @@ def _forms(verb: str) -> list[str]:
 
 
 def natural_seconds(motion: Motion, *, distance: float = 0.0, stature: float = 1.7) -> float:
-    """Return how long a motion takes.
+    """Return the duration of a motion.
 
     Args:
-        motion: Which.
-        distance: Metres of the way, for motions that travel.
-        stature: Metres; small people step faster but travel slower: time and speed grow with its root.
+        motion: The motion.
+        distance: Metres to travel, for motions that travel.
+        stature: Metres; duration and speed grow with its square root.
     """
     root = math.sqrt(stature / 1.7)
     seconds = motion.seconds * (root if motion.speed or motion.after else 1.0)
@@ -230,7 +204,7 @@ def natural_seconds(motion: Motion, *, distance: float = 0.0, stature: float = 1
 
 
 def turning_seconds(degrees: float, stature: float = 1.7) -> float:
-    """Return how long a turn on the spot takes; small turns are done in the first or last step of a walk."""
+    """Return the duration of a turn on the spot; small turns take none, as they are part of a walk's steps."""
     if abs(degrees) <= TURN_IN_STRIDE:
         return 0.0
     return 2 * TURN_STEP_SECONDS * math.ceil(abs(degrees) / TURN_STEP) * math.sqrt(stature / 1.7) + 0.1

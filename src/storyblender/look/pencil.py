@@ -45,7 +45,7 @@ _GRAPHITE = 0.90
 
 
 @dataclass(frozen=True)
-class _Sheet:
+class _PencilPaper:
     """What does not depend on the picture: the tooth of the paper and the habits of the hand.
 
     Attributes:
@@ -111,7 +111,7 @@ def _texture(seen: Image) -> Image:
     return np.clip(1.6 * seen / around - 0.57, 0.84, 1)
 
 
-def _hatched(wash: Image, level: Image, sheet: _Sheet) -> Image:
+def _hatched(wash: Image, level: Image, sheet: _PencilPaper) -> Image:
     """Return the wash with strokes in its shade, other strokes across them in its dark, and the tooth showing."""
     shade, down = _SHADE + (_GROUND - _SHADE) * level, sheet.down + (sheet.flat - sheet.down) * level
     first = np.clip((shade - wash) * 2.2, 0, 0.9) - down
@@ -123,14 +123,14 @@ def _hatched(wash: Image, level: Image, sheet: _Sheet) -> Image:
     return 0.04 + 0.94 * drawn
 
 
-def _by_hand(ink: Image, sheet: _Sheet) -> Image:
+def _by_hand(ink: Image, sheet: _PencilPaper) -> Image:
     """Return the lines as a hand draws them: they waver, swell with the pressure and break on the tooth."""
     wavering = np.einsum("kn,kn->n", ink.ravel()[sheet.near], sheet.weight).reshape(ink.shape)
     return np.clip(wavering * sheet.pressure + 0.5 * sheet.tooth * wavering, 0, 1)
 
 
 @lru_cache(maxsize=2)
-def _sheet(height: int, width: int) -> _Sheet:
+def _sheet(height: int, width: int) -> _PencilPaper:
     """Return the sheet for pictures of this size; the same in every frame, so that a film does not boil."""
     size = max(height / _ROWS, _LEAST_SIZE)
     tile = noise(_TILE, 0.6, 5) - 0.5
@@ -139,7 +139,7 @@ def _sheet(height: int, width: int) -> _Sheet:
     rows, columns = np.mgrid[0:height, 0:width].astype(np.float32)
     pitch = _PITCH * size
     near, weight = _wavering(rows + _WAVER * size * down, columns + _WAVER * size * aside)
-    return _Sheet(
+    return _PencilPaper(
         tooth,
         _strokes(rows, columns, 58, pitch, hand, 1),
         _strokes(rows, columns, 22, 0.9 * pitch, hand, 2),

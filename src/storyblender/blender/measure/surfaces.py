@@ -6,6 +6,7 @@ desk, not the upper edge of its mirror.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import bmesh
@@ -104,34 +105,45 @@ def _grid(mesh: bpy.types.Mesh) -> tuple[float, Floats, tuple[int, int]]:
     return cell, low - (np.array([columns, rows]) * cell - extent) / 2, (rows, columns)
 
 
-def _fall(mesh: bpy.types.Mesh, cell: float, origin: Floats, shape: tuple[int, int]) -> _Hits:
-    """Drop one ray through every cell and return the level faces that are entered from outside."""
+def _cast_rays(
+    mesh: bpy.types.Mesh, cell: float, origin: Floats, shape: tuple[int, int]
+) -> Iterator[tuple[int, int, list[tuple[float, float]]]]:
+    """Yield row and column of each cell, and z and normal z of the surfaces below it, the highest first."""
     solid = bmesh.new()
     solid.from_mesh(mesh)
     tree = BVHTree.FromBMesh(solid)
     solid.free()
     start = max(vertex.co.z for vertex in mesh.vertices) + 1.0
+    for row, column in np.ndindex(shape):
+        x, y, z = origin[0] + (column + 0.5) * cell, origin[1] + (row + 0.5) * cell, start
+        surfaces: list[tuple[float, float]] = []
+        for _ in range(LAYERS):
+            point, normal, _, _ = tree.ray_cast((x, y, z), (0, 0, -1))
+            if point is None:
+                break
+            surfaces.append((point.z, normal.z))
+            z = point.z - 1e-4
+        yield row, column, surfaces
+
+
+def _fall(mesh: bpy.types.Mesh, cell: float, origin: Floats, shape: tuple[int, int]) -> _Hits:
+    """Drop one ray through every cell and return the level faces that are entered from outside."""
     found: list[tuple[int, int, float, float]] = []
     matter: list[tuple[int, int, float, float]] = []
-    for row in range(shape[0]):
-        for column in range(shape[1]):
-            x, y = origin[0] + (column + 0.5) * cell, origin[1] + (row + 0.5) * cell
-            z, ceiling, inside, upper = start, np.inf, 0, start
-            for _ in range(LAYERS):
-                point, normal, _, _ = tree.ray_cast((x, y, z), (0, 0, -1))
-                if point is None:
-                    break
-                if normal.z > 0:
-                    room = ceiling - point.z
-                    if inside == 0 and normal.z > LEVEL and room > ROOM:
-                        found.append((row, column, point.z, room))
-                    upper = point.z if inside == 0 else upper
-                    inside += 1
-                else:
-                    inside = max(0, inside - 1)
-                    if inside == 0:
-                        matter.append((row, column, upper, point.z))
-                ceiling, z = point.z, point.z - 1e-4
+    start = max(vertex.co.z for vertex in mesh.vertices) + 1.0
+    for row, column, surfaces in _cast_rays(mesh, cell, origin, shape):
+        ceiling, inside, upper = np.inf, 0, start
+        for z, rise in surfaces:
+            if rise > 0:
+                if inside == 0 and rise > LEVEL and ceiling - z > ROOM:
+                    found.append((row, column, z, ceiling - z))
+                upper = z if inside == 0 else upper
+                inside += 1
+            else:
+                inside = max(0, inside - 1)
+                if inside == 0:
+                    matter.append((row, column, upper, z))
+            ceiling = z
     table = np.array(found).reshape(-1, 4)
     solids = np.array(matter).reshape(-1, 4)
     return _Hits(table[:, 0].astype(int), table[:, 1].astype(int), table[:, 2], table[:, 3], solids)
@@ -140,25 +152,15 @@ def _fall(mesh: bpy.types.Mesh, cell: float, origin: Floats, shape: tuple[int, i
 def level_field(mesh: bpy.types.Mesh) -> LevelGrid:
     """Return the level places of a mesh (metres, Z up) from any modeller, whichever way its faces point."""
     cell, origin, shape = _grid(mesh)
-    solid = bmesh.new()
-    solid.from_mesh(mesh)
-    tree = BVHTree.FromBMesh(solid)
-    solid.free()
-    start = max(vertex.co.z for vertex in mesh.vertices) + 1.0
     top = np.full(shape, -np.inf)
     found: list[tuple[int, int, float, float]] = []
-    for row in range(shape[0]):
-        for column in range(shape[1]):
-            x, y = origin[0] + (column + 0.5) * cell, origin[1] + (row + 0.5) * cell
-            z, ceiling = start, np.inf
-            for _ in range(LAYERS):
-                point, normal, _, _ = tree.ray_cast((x, y, z), (0, 0, -1))
-                if point is None:
-                    break
-                top[row, column] = max(top[row, column], point.z)
-                if abs(normal.z) > LEVEL and ceiling - point.z > ROOM:
-                    found.append((row, column, point.z, ceiling - point.z))
-                ceiling, z = point.z, point.z - 1e-4
+    for row, column, surfaces in _cast_rays(mesh, cell, origin, shape):
+        ceiling = np.inf
+        for z, rise in surfaces:
+            top[row, column] = max(top[row, column], z)
+            if abs(rise) > LEVEL and ceiling - z > ROOM:
+                found.append((row, column, z, ceiling - z))
+            ceiling = z
     table = np.array(found).reshape(-1, 4)
     return LevelGrid(cell, origin, top, table[:, 0].astype(int), table[:, 1].astype(int), table[:, 2], table[:, 3])
 

@@ -45,7 +45,7 @@ def clamp(x: float, low: float = 0.0, high: float = 1.0) -> float:
 
 
 @dataclass(frozen=True)
-class Key:
+class ChannelKey:
     """Blend to ``target`` from ``start`` on, in ``duration`` seconds.
 
     ``bump`` is added to the first three values along a half sine: a hand goes around, not through.
@@ -76,7 +76,7 @@ class Channel:
     """
 
     def __init__(self, value: Target, mix: Callable[[Floats, Floats, float], Floats] = linear) -> None:
-        self.keys, self.mix = [Key(LONG_AGO, 0.0, value)], mix
+        self.keys, self.mix = [ChannelKey(LONG_AGO, 0.0, value)], mix
 
     def set(
         self, start: float, duration: float, target: Target, ease: Easing = smooth, bump: ArrayLike | None = None
@@ -86,7 +86,7 @@ class Channel:
         The blend begins at ``start`` and takes ``duration`` seconds. ``bump`` is added to the first three values along
         a half sine, so that a hand goes around something.
         """
-        key = Key(start, duration, target, ease, None if bump is None else np.asarray(bump, float))
+        key = ChannelKey(start, duration, target, ease, None if bump is None else np.asarray(bump, float))
         insort(self.keys, key, key=lambda each: each.start)
         return start + duration
 

@@ -220,12 +220,12 @@ class FootstepPlan:
             landing = begin + self.swing
             if last:
                 place = way.place(way.length)
-                plant = who.plant(side, place.x, place.y, self.final_yaw)
+                plant = who.plant(side, place, self.final_yaw)
             else:
                 middle = (landing + self.start + (index + 2) * self.step) / 2
                 gone = max(0.0, self.travelled(middle) - style.settle * stride)
                 place = way.place(gone)
-                plant = who.plant(side, place.x, place.y, self._yaw(gone), width=style.width, splay=4)
+                plant = who.plant(side, place, self._yaw(gone), width=style.width, splay=4)
             plant[3] = now[side][3] + shortest_turn(now[side][3], plant[3])
             length = math.dist(plant[:2], now[side][:2])
             self.widest = max(self.widest, math.dist(plant[:2], now[other(side)][:2]))

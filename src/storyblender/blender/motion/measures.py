@@ -36,7 +36,6 @@ class Measures:
         shoulder_height: Of the upper arm's joint.
         eye_height: Of the eyes.
         foot_y: y of the ankles.
-        foot_length: Ankle to toe joint.
         toe_out: Yaw of each resting foot, radians.
         chest_front: Extent of the chest towards -Y.
         chest_back: Extent of the chest towards +Y.
@@ -60,7 +59,6 @@ class Measures:
     shoulder_height: float
     eye_height: float
     foot_y: float
-    foot_length: float
     toe_out: dict[str, float]
     chest_front: float
     chest_back: float
@@ -122,7 +120,6 @@ def measure(body: RiggedBody) -> Measures:
         shoulder_height=head["upper_arm.L"].z,
         eye_height=head["eye.L"].z,
         foot_y=head["foot.L"].y,
-        foot_length=(head["toe.L"] - head["foot.L"]).length,
         toe_out={side: _toe_out(bones, side) for side in SIDES},
         chest_front=chest_front,
         chest_back=chest_back,

@@ -21,6 +21,8 @@ from storyblender.blender.motion.skeleton import IDENTITY, SIDES, Skeleton, abou
 from storyblender.blender.people.body import RiggedBody
 from storyblender.catalog.expressions import FACE, values_of
 
+FloorPoint = Vector | tuple[float, float]
+"""x and y, metres."""
 MOUTH, BLINK = FACE.index("mouth_open"), FACE.index("blink")
 NEAREST = 0.42
 """Arm lengths between shoulder and wrist; nearer hands make a detour around the shoulder."""
@@ -82,7 +84,7 @@ class Performer:
         self.seated = Channel(0.0)
         """Weight of the ``sit`` shape key of clothes."""
         self.home: dict[str, TargetOf] = {}
-        self.feet = {side: Channel(self.plant(side, 0, 0, 0)) for side in SIDES}
+        self.feet = {side: Channel(self.plant(side, (0, 0), 0)) for side in SIDES}
         self.hands = {side: Channel((0,) * 15) for side in SIDES}
         self.gaits: list[Gait] = []
         self.speeches: list[tuple[float, float, float, float]] = []
@@ -117,7 +119,7 @@ class Performer:
         self.level, self.ground = Channel(level), level
         self.position, self.yaw = Vector((x, y)), yaw
         self.root = Channel((x, y, yaw))
-        self.feet = {side: Channel(self.plant(side, x, y, yaw)) for side in SIDES}
+        self.feet = {side: Channel(self.plant(side, (x, y), yaw)) for side in SIDES}
 
     @property
     def forward(self) -> Vector:
@@ -148,30 +150,23 @@ class Performer:
         return x + 8 * math.sin(yaw), y - 8 * math.cos(yaw), level + self.measures.eye_height * 0.93
 
     def plant(
-        self, side: str, x: float, y: float, yaw: float, *, width: float = 1.0, splay: float = 7.0, back: float = 0.0
+        self, side: str, place: FloorPoint, yaw: float, *, width: float = 1.0, splay: float = 7.0, back: float = 0.0
     ) -> Floats:
         """Return the target of a foot that stands: (9,) ankle x, y, z, yaw, pitch, toe pitch, knee direction.
 
         Args:
             side: ``L`` or ``R``.
-            x: Of the person, metres.
-            y: Of the person, metres.
+            place: x and y of the person, metres.
             yaw: Of the person, radians.
             width: Factor on the normal distance of the feet.
             splay: Degrees the toes point outwards.
             back: Metres the foot is behind its normal place.
         """
-        cos, sin = math.cos(yaw), math.sin(yaw)
+        (x, y), cos, sin = place[:2], math.cos(yaw), math.sin(yaw)
         aside, behind = sign(side) * self.measures.stance * width, self.measures.foot_y + back
         turned = yaw + sign(side) * math.radians(splay)
         ankle = (x + cos * aside - sin * behind, y + sin * aside + cos * behind, self.measures.ankle)
         return np.array([*ankle, turned, 0, 0, math.sin(turned), -math.cos(turned), 0])
-
-    def plant_at(
-        self, side: str, place: Vector, yaw: float, *, width: float = 1.0, splay: float = 7.0, back: float = 0.0
-    ) -> Floats:
-        """Return the target of a foot that stands, for a person at ``place`` (x, y); see ``plant``."""
-        return self.plant(side, place.x, place.y, yaw, width=width, splay=splay, back=back)
 
     def rolled_ankle(self, side: str, ankle: Floats, yaw: float, pitch: float) -> Vector:
         """Return the ankle of a planted foot that is rolled by ``pitch`` degrees: above 0 about its heel, below 0 about

@@ -74,14 +74,12 @@ class Obstacle:
         centre: World, metres.
         size: Metres along its own axes, before turning.
         yaw: Radians.
-        soft: Metres that a body may sink in, for cushions.
     """
 
     node_id: str
     centre: tuple[float, float, float]
     size: tuple[float, float, float]
     yaw: float = 0.0
-    soft: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -176,9 +174,9 @@ class Performance:
     played: dict[tuple[str, str, int], tuple[float, float]] = field(default_factory=dict)
 
 
-def box_of(node_id: str, furniture: StageFurniture, soft: float = 0.0) -> Obstacle:
-    """Return the bounding box of upright furniture as an obstacle; bodies may sink ``soft`` metres into it."""
+def box_of(node_id: str, furniture: StageFurniture) -> Obstacle:
+    """Return the bounding box of upright furniture as an obstacle."""
     width, depth, height = furniture.dimensions
     x, y, z = (float(value) for value in furniture.world[:3, 3])
     yaw = math.atan2(furniture.world[1, 0], furniture.world[0, 0])
-    return Obstacle(node_id, (x, y, z + height / 2), (width, depth, height), yaw, soft)
+    return Obstacle(node_id, (x, y, z + height / 2), (width, depth, height), yaw)

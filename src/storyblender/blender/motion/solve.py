@@ -48,7 +48,7 @@ POSTURE_CLIPS: dict[Posture, Play] = {
 def solve_shot(plan: StagePlan, fps: int, step: int = 1) -> Performance:
     """Perform one shot.
 
-    Everybody starts as the start marks say (already sitting, already holding), plays the cues in order of their start
+    Everybody starts at their start mark (already sitting, already holding), plays the cues in order of their start
     frames, and is posed on every ``step``-th frame. Equal plans give equal performances.
 
     Args:
@@ -216,8 +216,8 @@ def _record(stage: MotionStage, frames: np.ndarray, ends: dict[str, float]) -> P
             _, who, side, staged = contacts.pop(0)
             missed = who.missed[side]
             if missed > MISSED:
-                told = f"{who.asset_id}'s hand misses{_target_of(staged)} by {missed:.2f} m"
-                stage.report("unreachable", who, staged, told, missed)
+                message = f"{who.asset_id}'s hand misses{_target_of(staged)} by {missed:.2f} m"
+                stage.report("unreachable", who, staged, message, missed)
     tracks = {name: rows[name].track(who) for name, who in stage.people.items()}
     return Performance(stage.fps, frames, tracks, matrices, tuple(stage.problems), ends, stage.grasps, stage.played)
 

@@ -130,10 +130,6 @@ class StagedProp:
                 return _from_anchor(first, side, named=first.name)
         return self._side_grip(side)
 
-    def has(self, name: str) -> bool:
-        """Tell whether the asset declares a grip of that name."""
-        return name in self.anchors
-
     def _side_grip(self, side: str) -> Grip:
         """Return a grip on the side of the bounding box; the person's left is the prop's +X."""
         s = sign(side)
@@ -206,7 +202,7 @@ def carrying_hand(who: Performer, side: str, prop: StagedProp) -> TargetOf:
             base = who.to_world(middle) + turn @ Vector((0, -ahead, -0.62 * m.arm - grip.palm.z))
             return grip.hand_target(rigid_matrix(turn, base), turn @ Vector((s * 0.8, 0.6, -0.5)))
         chest = who.bones.orient["upper_chest"]
-        if (chest @ Vector((0, -1, 0))).z > 0.5:  # on one's back: on the chest
+        if (chest @ Vector((0, -1, 0))).z > 0.5:  # lying on the back
             turn = who.facing @ chest
             place = who.to_world(shoulder_rest(who, side)) + turn @ (Vector((-s * 0.15, -0.40, -0.35)) * m.arm)
             return hand(place, turn @ grip.fingers, turn @ grip.normal, turn @ Vector((s * 0.9, 0, -0.5)), grip.curl)

@@ -32,7 +32,7 @@ _SMALL = 1.0
 """Height in metres below which an animal gets the proportions of a child."""
 
 
-class Animal:
+class AnimalBody:
     """The body of an animal, before it is dressed.
 
     Args:

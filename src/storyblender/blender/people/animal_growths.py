@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -25,6 +25,12 @@ def add_growths(head: AnimalHead) -> None:
 def _both(points: list[Point]) -> list[list[Point]]:
     """Return a path on the animal's left, and its mirror image on the right."""
     return [points, [(-x, y, z) for x, y, z in points]]
+
+
+def _add_pair(head: AnimalHead, color: str, path: list[Point], radii: Sequence[float]) -> None:
+    """Add a bar on the animal's left, and its mirror image."""
+    for points in _both(path):
+        head.add_bar(color, points, radii)
 
 
 def _ears(head: AnimalHead) -> None:
@@ -102,8 +108,7 @@ def _whiskers(head: AnimalHead) -> None:
     thick, (_, y, z) = head.skull.thick, head.skull.tip
     for lift in (-0.1, 0.0, 0.1):
         path: list[Point] = [(thick * 0.5, y + 0.05, z + 0.02 + lift * 0.4), (0.8, y + 0.1, z + 0.05 + lift * 1.6)]
-        for points in _both([*path, (1.2, y + 0.3, z + lift * 2.4)]):
-            head.add_bar("#d8d4cc", points, [0.012, 0.01, 0.004])
+        _add_pair(head, "#d8d4cc", [*path, (1.2, y + 0.3, z + lift * 2.4)], [0.012, 0.01, 0.004])
 
 
 def _teeth(head: AnimalHead) -> None:
@@ -131,21 +136,19 @@ def _fangs(head: AnimalHead) -> None:
     thick, (_, y, z) = head.skull.thick, head.skull.tip
     for step in range(4):
         x, deep = thick * 0.74, float(y) + 0.05 + 0.26 * step
-        for points in _both([(x, deep, z - thick * 0.4), (x * 1.05, deep, z - thick * 0.4 - 0.15)]):
-            head.add_bar(_IVORY, points, [0.05, 0.004])
+        _add_pair(head, _IVORY, [(x, deep, z - thick * 0.4), (x * 1.05, deep, z - thick * 0.4 - 0.15)], [0.05, 0.004])
 
 
 def _tusks(head: AnimalHead) -> None:
     """Add tusks that stand up from the lower jaw."""
     thick, (_, y, z) = head.skull.thick, head.skull.tip
-    for points in _both([(thick * 0.7, y + 0.2, z - 0.2), (thick, y + 0.08, z), (thick * 0.9, y + 0.08, z + 0.26)]):
-        head.add_bar(_IVORY, points, [0.06, 0.05, 0.005])
+    path: list[Point] = [(thick * 0.7, y + 0.2, z - 0.2), (thick, y + 0.08, z), (thick * 0.9, y + 0.08, z + 0.26)]
+    _add_pair(head, _IVORY, path, [0.06, 0.05, 0.005])
 
 
 def _ivory(head: AnimalHead) -> None:
     """Add the tusks beside a trunk."""
-    for points in _both([(0.42, -0.7, -0.5), (0.56, -1.1, -0.85), (0.5, -1.55, -0.75)]):
-        head.add_bar(_IVORY, points, [0.11, 0.09, 0.01])
+    _add_pair(head, _IVORY, [(0.42, -0.7, -0.5), (0.56, -1.1, -0.85), (0.5, -1.55, -0.75)], [0.11, 0.09, 0.01])
 
 
 def _mane(head: AnimalHead) -> None:
@@ -175,8 +178,7 @@ def _horns(head: AnimalHead) -> None:
     path: list[Point] = [(0.5, 0.1, 0.72), (0.98, 0.08, 0.95), (1.12, 0.0, 1.4)]
     if head.species.words[0] in ("goat", "dragon"):  # they lean back
         path = [(0.3, 0.05, 0.82), (0.42, 0.3, 1.35), (0.55, 0.7, 1.6)]
-    for points in _both(path):
-        head.add_bar(_HORN, points, [0.15, 0.12, 0.015])
+    _add_pair(head, _HORN, path, [0.15, 0.12, 0.015])
 
 
 def _curls(head: AnimalHead) -> None:
@@ -186,34 +188,29 @@ def _curls(head: AnimalHead) -> None:
         (0.8 + 0.05 * step, 0.15 - 0.45 * float(np.cos(turn)), 0.25 + 0.45 * float(np.sin(turn)))
         for step, turn in enumerate(turns)
     ]
-    for points in _both(path):
-        head.add_bar(_HORN, points, list(np.linspace(0.2, 0.03, 12)))
+    _add_pair(head, _HORN, path, list(np.linspace(0.2, 0.03, 12)))
 
 
 def _antlers(head: AnimalHead) -> None:
     """Add branched antlers."""
     stem: list[Point] = [(0.3, 0.1, 0.85), (0.6, 0.3, 1.4), (1.0, 0.3, 1.9), (0.95, 0.1, 2.5)]
-    for points in _both(stem):
-        head.add_bar(_BONE, points, [0.1, 0.085, 0.07, 0.015])
+    _add_pair(head, _BONE, stem, [0.1, 0.085, 0.07, 0.015])
     tines: list[list[Point]] = [
         [stem[1], (0.75, -0.15, 1.85)], [stem[2], (1.4, 0.2, 2.3)], [(0.4, 0.16, 1.05), (0.5, -0.3, 1.3)],
     ]  # fmt: skip
     for tine in tines:
-        for points in _both(tine):
-            head.add_bar(_BONE, points, [0.068, 0.012])
+        _add_pair(head, _BONE, tine, [0.068, 0.012])
 
 
 def _palms(head: AnimalHead) -> None:
     """Add the flat, broad antlers of a moose."""
     ends = (((1.3, 1.25), (1.1, 1.8)), ((1.5, 1.4), (1.4, 2.1)), ((1.7, 1.55), (1.8, 2.3)), ((1.75, 1.45), (2.3, 1.95)),
             ((1.65, 1.25), (2.2, 1.4)))  # fmt: skip
-    for points in _both([(0.4, 0.1, 0.75), (0.85, 0.15, 1.0), (1.2, 0.15, 1.15)]):
-        head.add_bar(_BONE, points, [0.11, 0.11, 0.12])
+    _add_pair(head, _BONE, [(0.4, 0.1, 0.75), (0.85, 0.15, 1.0), (1.2, 0.15, 1.15)], [0.11, 0.11, 0.12])
     for points in _both([(1.05, 0.15, 1.05), (1.6, 0.15, 1.3), (2.0, 0.1, 1.75)]):
         add_ear(head, points, [0.16, 0.4, 0.46, 0.36, 0.1], (0, -1, 0.3), (_BONE, _BONE), 0.1)
     for root, end in ends:
-        for points in _both([(root[0], 0.13, root[1]), (end[0], 0.05, end[1])]):
-            head.add_bar(_BONE, points, [0.1, 0.015])
+        _add_pair(head, _BONE, [(root[0], 0.13, root[1]), (end[0], 0.05, end[1])], [0.1, 0.015])
 
 
 def _onehorn(head: AnimalHead) -> None:

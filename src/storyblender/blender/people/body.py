@@ -5,7 +5,7 @@ Saved beside the person's cached geometry as a numpy archive.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 
 import numpy as np
@@ -41,18 +41,9 @@ class RiggedBody:
 
     def save(self, part: Path) -> None:
         """Write the archive to a file."""
-        np.savez_compressed(
-            part,
-            bone_names=np.array(self.bone_names),
-            parents=np.array(self.parents),
-            rest=self.rest,
-            heads=self.heads,
-            tails=self.tails,
-            stature=self.stature,
-            vertices=self.vertices.astype(np.float32),
-            weights=self.weights.astype(np.float32),
-            shape_keys=np.array(self.shape_keys),
-        )
+        arrays = {field.name: np.asarray(getattr(self, field.name)) for field in fields(self)}
+        single = {name: arrays[name].astype(np.float32) for name in ("vertices", "weights")}
+        np.savez_compressed(part, **(arrays | single))
 
     @classmethod
     def load(cls, path: Path) -> RiggedBody:

@@ -96,6 +96,7 @@ def _straps(figure: BodyFigure, layers: WornLayers, apart: float, low: float) ->
 
 
 def _backpack(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of a backpack with its straps."""
     k, weights, back = figure.scale, bone_weights("upper_chest"), _back(figure)
     body = ball(back + np.array((0, 0.085, -0.10)) * k, np.array((0.15, 0.085, 0.22)) * k, weights, softness=0.35)
     pocket = ball(back + np.array((0, 0.17, -0.18)) * k, np.array((0.11, 0.04, 0.1)) * k, weights, softness=0.35)
@@ -104,6 +105,7 @@ def _backpack(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
 
 
 def _tank(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of two gas bottles on the back."""
     k, weights, back = figure.scale, bone_weights("upper_chest"), _back(figure)
     bodies = []
     for side in (-1, 1):
@@ -130,6 +132,7 @@ def _around_neck(figure: BodyFigure, layers: WornLayers, low: float, half: float
 
 
 def _necklace(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of a string of beads with a pendant."""
     weights, k = bone_weights("upper_chest"), figure.scale
     loop = _around_neck(figure, layers, 0.06, 0.075)
     beads = [ball(at, np.full(3, 0.0065 * k), weights) for at in loop]
@@ -141,6 +144,7 @@ def _necklace(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
 
 
 def _stethoscope(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of a stethoscope around the neck."""
     weights, k = bone_weights("upper_chest"), figure.scale
     loop = _around_neck(figure, layers, 0.17, 0.08)
     drop = min(loop, key=lambda at: float(at[2]))
@@ -151,11 +155,13 @@ def _stethoscope(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt
 
 
 def _braces(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of trouser braces."""
     straps = _straps(figure, layers, 0.07, figure.heights["belt"] + 0.01 * figure.scale)
     return single_bolt(cut, join(straps))
 
 
 def _satchel(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of a shoulder bag at the hip with its strap."""
     k, weights = figure.scale, bone_weights("hips")
     at = np.array((-0.215 * k, figure.joint("pelvis")[1], figure.heights["hip"] - 0.04 * k))
     bag = ball(at, np.array((0.045, 0.14, 0.11)) * k, weights, softness=0.3)
@@ -178,6 +184,7 @@ def _satchel(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
 
 
 def _headphones(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of headphones."""
     weights, s = bone_weights("head"), figure.head_scale
     ears = figure.points[: len(figure.pack.ears)][figure.pack.ears]
     middle, wide = ears.mean(0), float(ears[:, 0].max()) + 0.006 * s
@@ -203,17 +210,19 @@ def _lens(figure: BodyFigure, side: str, size: tuple[float, float]) -> Sheet:
 
 
 def _sunglasses(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of sunglasses."""
     lenses = [_lens(figure, side, (0.026, 0.021)) for side in "lr"]
     return single_bolt(cut, join([build_glasses(figure), *lenses]))
 
 
 def _eyepatch(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of an eyepatch with its band."""
     band = build_head_cloth(HeadCloth(region="band", ease=0.004, tint=cut.tint), figure, layers)
     return [Bolt(_lens(figure, "l", (0.028, 0.028)), cut.tint, cut.fabric), *band]
 
 
 def _cape(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
-    """Return a cloth from the shoulders down the back, in soft folds; it follows trunk and legs."""
+    """Return the bolts of a cloth from the shoulders down the back, in soft folds; it follows trunk and legs."""
     k = figure.scale
     top, hem, wide = figure.heights["neck"] + 0.01 * k, figure.heights["ankle"] + 0.1 * k, 0.2 * k
     back, axis = _back(figure), float(figure.joint("neck")[1])
@@ -238,6 +247,7 @@ def _cape(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
 
 
 def _wings(cut: Gear, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+    """Return the bolts of a pair of feathered wings."""
     k, weights, back = figure.scale, bone_weights("upper_chest"), _back(figure)
     sheets = []
     for side in (-1, 1):

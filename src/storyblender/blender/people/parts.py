@@ -1,4 +1,4 @@
-"""Turn sheets into Blender objects: mesh, materials, vertex colours, weights, shape keys, tags."""
+"""Turns sheets into Blender objects: mesh, materials, vertex colours, weights, shape keys, tags."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from storyblender.catalog.skeleton import SKELETON
 from storyblender.geometry.solids import Floats
 from storyblender.memory.base import Color
 
-INFLUENCES = 4
-LEAST_WEIGHT = 0.02
+INFLUENCES, LEAST_WEIGHT = 4, 0.02
+"""Most bones that move a vertex, and the least weight of one."""
 
 FINISHES: dict[str, tuple[float, float, float]] = {
     "skin": (0.55, 0.0, 0.35),
@@ -30,7 +30,7 @@ FINISHES: dict[str, tuple[float, float, float]] = {
     "metal": (0.3, 0.8, 0.5),
     "glass": (0.05, 0.0, 0.5),
 }
-"""Roughness, metallic, specular level."""
+"""Roughness, metallic and specular level of each finish."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class Paint:
     Attributes:
         color: Scene-linear.
         finish: Key of ``FINISHES``.
-        vertex_colors: Take the colour from the mesh's ``Color`` attribute instead.
+        vertex_colors: Whether the mesh's ``Color`` attribute replaces the colour.
         alpha: 1 is opaque.
     """
 

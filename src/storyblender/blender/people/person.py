@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.blender.people import eyewear, face, hair, mannequin, mouth, rig, skin, tailor, whiskers
-from storyblender.blender.people.animal import Animal, animal_garments
+from storyblender.blender.people.animal import AnimalBody, animal_garments
 from storyblender.blender.people.body import RiggedBody
 from storyblender.blender.people.figure import BodyFigure
 from storyblender.blender.people.pack import PARTS, BodyPack, load_body_pack
@@ -30,11 +30,8 @@ from storyblender.memory.asset_sheet import CharacterLook
 
 HEM = 0.004
 """Visible thickness of cloth on a person of 1.70 m, metres."""
-PUPIL = (0.005, 0.005, 0.005)
-SCLERA = (0.78, 0.76, 0.74)
-LASH = (0.010, 0.008, 0.006)
-
-FRAME = (0.012, 0.010, 0.009)
+PUPIL, SCLERA = (0.005, 0.005, 0.005), (0.78, 0.76, 0.74)
+LASH, FRAME = (0.010, 0.008, 0.006), (0.012, 0.010, 0.009)
 Expressions = dict[str, NDArray[np.float64]]
 
 
@@ -88,7 +85,7 @@ def build_person(asset_id: str, look: CharacterLook, seed: int) -> PersonBuild:
 
 def _build_animal(asset_id: str, look: CharacterLook, seed: int, pack: BodyPack) -> PersonBuild:
     """Build an animal that acts like a person."""
-    animal = Animal(pack, SPECIES[look.species], look, seed)
+    animal = AnimalBody(pack, SPECIES[look.species], look, seed)
     armature = rig.build_armature(asset_id, animal.joints)
     tag(armature, kind="character", node_id=asset_id, asset_id=asset_id)
     wardrobe = tailor.dress_figure(animal.figure, animal_garments(look), seed)

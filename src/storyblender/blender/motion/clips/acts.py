@@ -176,7 +176,7 @@ class _Playing:
             feet = ((self.lead, any(k.lead_foot for k in keys)), (other(self.lead), any(k.far_foot for k in keys)))
             for foot, moved in feet:
                 if moved:
-                    step_to(who, foot, t, 0.4, who.plant_at(foot, who.position, who.yaw))
+                    step_to(who, foot, t, 0.4, who.plant(foot, who.position, who.yaw))
         if any(key.face for key in keys):
             show_mood(who, t, "neutral", HOME_SECONDS)
         if any(key.gaze for key in keys):
@@ -283,7 +283,7 @@ class _Playing:
         who, k = self.who, self.who.scale
         left = who.left
         spot = who.position + who.forward * (pose.ahead * k) + left * (sign(side) * pose.aside * k)
-        foot = who.plant_at(side, spot, who.yaw)
+        foot = who.plant(side, spot, who.yaw)
         foot[2] += pose.up * k
         foot[4] = pose.pitch
         return foot

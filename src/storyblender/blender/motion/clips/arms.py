@@ -83,7 +83,7 @@ def wide_stance(who: Performer, t: float, lead: str) -> None:
     k = who.scale
     for side, ahead, splay, delay in ((lead, 0.16, 10, 0.0), (other(lead), -0.14, 24, 0.3)):
         spot = who.position + who.forward * (ahead * k)
-        step_to(who, side, t + delay, 0.35, who.plant(side, spot.x, spot.y, who.yaw, width=1.25, splay=splay))
+        step_to(who, side, t + delay, 0.35, who.plant(side, spot, who.yaw, width=1.25, splay=splay))
     who.hips.set(t, 0.6, (0, 0, who.standing_height - 0.05 * k, 0, 0, 0))
 
 

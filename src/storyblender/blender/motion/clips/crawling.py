@@ -133,7 +133,7 @@ def _get_up(stage: MotionStage, who: Performer, t: float) -> float:
     who.pinned.set(t + 0.4 * UP, 0.4 * UP, 0.0)
     who.lean_after.set(t + UP, 0, 1.0)
     for index, side in enumerate(SIDES):
-        plant = who.plant_at(side, who.position, who.yaw)
+        plant = who.plant(side, who.position, who.yaw)
         step_to(who, side, t + 0.3 * index * UP, 0.5 * UP, plant, 0.08 * who.scale)
     return_hands(stage, who, t + 0.1 * UP, 0.7 * UP)
     return t + 1.1 * UP

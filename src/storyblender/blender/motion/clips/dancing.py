@@ -98,11 +98,11 @@ def _go_round(who: Performer, place: Place, t: float, end: float, first: str) ->
     side, now = first, t
     while now < end - 0.4 * pulse:
         x, y, yaw = place(min(end, now + 1.4 * pulse))
-        step_to(who, side, now, 0.8 * pulse, who.plant(side, x, y, yaw, width=0.85), 0.025 * k)
+        step_to(who, side, now, 0.8 * pulse, who.plant(side, (x, y), yaw, width=0.85), 0.025 * k)
         side, now = other(side), now + pulse
     x, y, yaw = place(end)
     for index in range(2):
-        step_to(who, side, now + 0.3 * index, 0.3, who.plant(side, x, y, yaw), 0.02 * k)
+        step_to(who, side, now + 0.3 * index, 0.3, who.plant(side, (x, y), yaw), 0.02 * k)
         side = other(side)
     who.hips.set(end, 0.6, (0, 0, stand, 0, 0, 0))
 
@@ -161,13 +161,13 @@ def _alone(who: Performer, cue: StagedCue) -> float:
     while t < end - 2 * pulse:
         shift = who.left * (0.10 * k * way)
         side = "L" if way > 0 else "R"
-        step_to(who, side, t, 0.8 * pulse, who.plant(side, x + shift.x, y + shift.y, who.yaw, width=1.2, splay=14))
+        step_to(who, side, t, 0.8 * pulse, who.plant(side, (x + shift.x, y + shift.y), who.yaw, width=1.2, splay=14))
         who.hips.set(t, pulse, (0.07 * k * way, 0, who.standing_height - 0.03 * k, 0, 4 * way, 8 * way))
         who.accent.set(t, pulse, (2, -6 * way, -9 * way))
         who.nod.set(t, pulse, (3 * way, 4 * way, 0))
         t, way = t + pulse, -way
     for side in SIDES:
-        step_to(who, side, t + (0 if side == "L" else 0.3), 0.3, who.plant(side, x, y, who.yaw))
+        step_to(who, side, t + (0 if side == "L" else 0.3), 0.3, who.plant(side, (x, y), who.yaw))
         who.hands[side].set(t, 0.7, who.home[side])
     who.hips.set(t, 0.6, (0, 0, who.standing_height, 0, 0, 0))
     who.accent.set(t, 0.6, (0, 0, 0))

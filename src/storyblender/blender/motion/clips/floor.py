@@ -41,10 +41,10 @@ def kneel(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     whole, radius, ankle = 1.0 * math.sqrt(k), 0.075 * k, 0.125 * k
     forward, left = who.forward, who.left
     spot = who.position + forward * (0.62 * m.shin + 0.06 * k)
-    step_to(who, front, t, 0.5 * whole, who.plant(front, spot.x, spot.y, who.yaw, width=1.15, splay=6), 0.05 * k)
+    step_to(who, front, t, 0.5 * whole, who.plant(front, spot, who.yaw, width=1.15, splay=6), 0.05 * k)
     down = who.position + left * (sign(knee) * 0.10 * k) + forward * (0.10 * k)
     foot = down - forward * math.sqrt(m.shin**2 - (ankle - radius) ** 2)
-    pose = who.plant(knee, foot.x, foot.y, who.yaw)
+    pose = who.plant(knee, foot, who.yaw)
     pose[:3], pose[4], pose[5] = (foot.x, foot.y, ankle), -62, 58
     who.feet[knee].set(t + 0.40 * whole, 0.6 * whole, pose, bump=(0, 0, 0.03))
     who.hips.set(t + 0.10 * whole, 0.9 * whole, (0, -0.02 * k, radius + 0.97 * m.thigh, 4, 0, 0))
@@ -65,7 +65,7 @@ def crouch(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     whole = 0.8 * math.sqrt(k)
     for index, side in enumerate(SIDES):
         behind = 0.16 * k if side == cue.side else -0.04 * k
-        pose = who.plant_at(side, who.position, who.yaw, width=1.35, splay=18, back=behind)
+        pose = who.plant(side, who.position, who.yaw, width=1.35, splay=18, back=behind)
         if side == cue.side:
             pose[:3], pose[4], pose[5] = who.rolled_ankle(side, pose, pose[3], -38), -38, 38
         step_to(who, side, t + 0.15 * index * whole, 0.5 * whole, pose, 0.03 * k)
@@ -166,7 +166,7 @@ def recline(
         bent = side == "R"
         lead = 0.0 if (turn > 0) == (side == "L") else 0.18
         ankle = hips + feet * (m.leg * (0.80 if bent else 0.985)) + aside * (sign(side) * 0.085 * k)
-        pose = who.plant(side, 0, 0, yaw)
+        pose = who.plant(side, (0, 0), yaw)
         pose[:3] = ankle.x, ankle.y, height + (m.ankle if bent else 0.060 * k)
         pose[4] = 0 if bent else 62
         pose[6:9] = 0.05 * sign(side) * aside.x, 0.05 * sign(side) * aside.y, 1
@@ -257,7 +257,7 @@ def fall(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
         prop.stand(t + 0.7, upright_matrix(Vector((*landing, 0)), who.yaw))
     who.held = {}
     for side in SIDES:
-        pose = who.plant(side, x, y, who.yaw, width=1.5, splay=20, back=-0.16 * k if side == "L" else 0.02 * k)
+        pose = who.plant(side, (x, y), who.yaw, width=1.5, splay=20, back=-0.16 * k if side == "L" else 0.02 * k)
         step_to(who, side, t + 0.15, 0.35, pose, 0.02 * k)
         last = pose.copy()
         ahead = who.forward * ((0.52 if side == "L" else 0.24) * k)

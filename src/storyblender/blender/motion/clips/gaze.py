@@ -41,11 +41,16 @@ def look_at_subject(stage: MotionStage, who: Performer, t: float, cue: StagedCue
     return look_at(who, t, stage.look_point(subject))
 
 
+def look_at_target(stage: MotionStage, who: Performer, t: float, cue: StagedCue) -> None:
+    """Look at the cue's target from ``t`` seconds on, if it has one."""
+    if cue.target is not None:
+        look_at(who, t, stage.look_point(cue.target))
+
+
 @clip("idle")
 def idle(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Stand or sit still, with idle life. Return the end in seconds."""
-    if cue.target is not None:
-        look_at_subject(stage, who, cue.start, cue)
+    look_at_target(stage, who, cue.start, cue)
     return cue.start + (cue.duration or 1.0)
 
 
@@ -109,8 +114,7 @@ def peek(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 def nod(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Nod twice. Return the end in seconds."""
     t = cue.start
-    if cue.target is not None:
-        look_at_subject(stage, who, t, cue)
+    look_at_target(stage, who, t, cue)
     for size in (16, 11):
         who.nod.set(t, 0.17, (size, 0, 0))
         who.nod.set(t + 0.18, 0.2, (-3, 0, 0))
@@ -123,8 +127,7 @@ def nod(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 def shake_head(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Shake the head. Return the end in seconds."""
     t = cue.start
-    if cue.target is not None:
-        look_at_subject(stage, who, t, cue)
+    look_at_target(stage, who, t, cue)
     for yaw in (20, -20, 16, -12):
         who.nod.set(t, 0.2, (2, 0, yaw))
         t += 0.19

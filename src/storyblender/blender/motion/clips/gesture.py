@@ -5,7 +5,7 @@ from __future__ import annotations
 from mathutils import Vector
 
 from storyblender.blender.motion.channel import Floats
-from storyblender.blender.motion.clips.gaze import look_at, look_at_subject, show_expression, show_mood
+from storyblender.blender.motion.clips.gaze import look_at, look_at_subject, look_at_target, show_expression, show_mood
 from storyblender.blender.motion.clips.handling import prop_of, release_prop
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.hands import by_chest, by_head, hand
@@ -68,8 +68,7 @@ def wave(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 def shrug(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Raise shoulders and palms. Return the end in seconds."""
     t = cue.start
-    if cue.target is not None:
-        look_at_subject(stage, who, t, cue)
+    look_at_target(stage, who, t, cue)
     for side in SIDES:
         if side not in who.held:
             shown = by_chest(
@@ -201,13 +200,13 @@ def _put_on_finger(stage: MotionStage, who: Performer, cue: StagedCue, ring: Sta
 def kick(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Kick with one foot at what is in front. Return the end in seconds."""
     t, k, foot = cue.start, who.scale, cue.side
-    behind = who.plant_at(foot, (who.position - who.forward * 0.28 * k), who.yaw)
+    behind = who.plant(foot, (who.position - who.forward * 0.28 * k), who.yaw)
     behind[2], behind[4] = behind[2] + 0.14 * k, -50
-    struck = who.plant_at(foot, (who.position + who.forward * 0.52 * k), who.yaw)
+    struck = who.plant(foot, (who.position + who.forward * 0.52 * k), who.yaw)
     struck[2], struck[4] = struck[2] + 0.30 * k, -12
     who.feet[foot].set(t, 0.35, behind)
     who.feet[foot].set(t + 0.35, 0.16, struck)
-    who.feet[foot].set(t + 0.6, 0.4, who.plant_at(foot, who.position, who.yaw))
+    who.feet[foot].set(t + 0.6, 0.4, who.plant(foot, who.position, who.yaw))
     who.hips.set(t, 0.3, (-0.06 * k * sign(foot), 0.02, who.standing_height - 0.04 * k, -6, 0, 0))
     who.hips.set(t + 0.6, 0.5, (0, 0, who.standing_height, 0, 0, 0))
     return t + 1.1

@@ -124,7 +124,7 @@ def _fly(who: Performer, off: float, goal: Vector, air: float, rise: float, lift
     who.hips.set(off, 0.2 * air, hips)
     for index, side in enumerate(SIDES):
         lifted = np.array(who.feet[side](off), float)
-        landed = who.plant(side, goal.x, goal.y, who.yaw, width=1.1)
+        landed = who.plant(side, goal, who.yaw, width=1.1)
         span = (stride * index + 0.04, 1 - stride * (1 - index))
         who.feet[side].set(off, 0, _foot_in_flight(share, span, lifted, landed, lift + 0.28 * k * (not stride)))
     who.position = goal
@@ -191,7 +191,7 @@ def _climb_up(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     for index, level in enumerate(levels):
         t = _pull(who, t, pulse, SIDES[index % 2], level * RUNG * k)
     for side in () if stays else SIDES:
-        who.feet[side].set(t, 0.4, who.plant_at(side, who.position, who.yaw))
+        who.feet[side].set(t, 0.4, who.plant(side, who.position, who.yaw))
         who.hands[side].set(t, 0.7, who.home[side])
     return t + (0.0 if stays else 0.7)
 
@@ -213,7 +213,7 @@ def _pull(who: Performer, t: float, pulse: float, side: str, level: float) -> fl
         who.hands[each].set(t, 0.9 * pulse, rung)
     who.hips.set(t, pulse, (0, 0, who.standing_height + level - 0.06 * k, 4, 0, 0))
     for foot, above in ((other(side), RUNG * k), (side, 0.0)):
-        hold = who.plant_at(foot, who.position + who.forward * (0.10 * k), who.yaw)
+        hold = who.plant(foot, who.position + who.forward * (0.10 * k), who.yaw)
         hold[2] += max(0.0, level - RUNG * k + above)
         who.feet[foot].set(t, 0.9 * pulse, hold)
     return t + pulse

@@ -58,7 +58,7 @@ def shuffle_to(who: Performer, t: float, place: Vector) -> float:
     lead = "R" if way.dot(who.left) < 0 else "L"
     who.root.set(t + 0.1, 0.75, (place.x, place.y, who.yaw))
     for side, after in ((lead, 0.1), (other(lead), 0.48)):
-        step_to(who, side, t + after, 0.36, who.plant(side, place.x, place.y, who.yaw))
+        step_to(who, side, t + after, 0.36, who.plant(side, place, who.yaw))
     who.position = place.copy()
     return t + 0.85
 
@@ -80,7 +80,7 @@ def turn_to(who: Performer, t: float, yaw: float) -> float:
     for index in range(2 * count):
         side = lead if index % 2 == 0 else other(lead)
         reached = who.yaw + turn * (index // 2 + 1) / count
-        step_to(who, side, t + index * pulse, 0.95 * pulse, who.plant(side, x, y, reached), 0.035 * who.scale)
+        step_to(who, side, t + index * pulse, 0.95 * pulse, who.plant(side, (x, y), reached), 0.035 * who.scale)
     who.yaw += turn
     return t + length
 

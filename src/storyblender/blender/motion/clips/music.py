@@ -1,4 +1,4 @@
-"""Carried string instruments: held across the body, one hand on the neck, one at the strings."""
+"""Playing instruments, and typing: hands on keys or strings."""
 
 from __future__ import annotations
 
@@ -9,12 +9,17 @@ from mathutils import Matrix, Vector
 from storyblender.blender.motion.channel import Floats
 from storyblender.blender.motion.clips.gaze import look_at
 from storyblender.blender.motion.clips.handling import take_in_hand
+from storyblender.blender.motion.clips.registry import clip
+from storyblender.blender.motion.clips.using import table_height
 from storyblender.blender.motion.hands import chest_yaw, hand
 from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.skeleton import SIDES
+from storyblender.blender.motion.plan import StageFurniture
+from storyblender.blender.motion.skeleton import SIDES, sign
 from storyblender.blender.motion.staged_props import StagedProp, carrying_hand
 
+STRINGED = 0.45
+"""Metres; a taller carried prop counts as a stringed instrument when it is played."""
 NECK_RAISED = math.radians(18)
 """Radians by which the neck points upwards."""
 STRUMS = 2.2
@@ -66,3 +71,68 @@ def strum(stage: MotionStage, who: Performer, cue: StagedCue, prop: StagedProp) 
         who.lean_after.set(end + 0.6, 0, 1.0)
         look_at(who, end, who.ahead)
     return end
+
+
+def _over_keys(stage: MotionStage, who: Performer, cue: StagedCue, rate: float, spread: float, lift: float) -> float:
+    """Play a keyboard at ``rate`` strokes a second, hands wandering ``spread`` and rising ``lift`` metres.
+
+    The target is the instrument; None for the table before the player. Return the end in seconds.
+    """
+    k, t = who.scale, cue.start
+    end = t + (cue.duration or 3.0)
+    height = table_height(stage, who) + 0.05 * k
+    if isinstance(cue.target, StageFurniture):
+        height = _key_height(stage, cue.target, height)
+    ahead = 0.36 * k
+
+    def target(now: float, side: str) -> Floats:
+        s, u = sign(side), now - t
+        wander = spread * k * math.sin(0.9 * u + (0.0 if side == "L" else 1.7))
+        strike = lift * max(0.0, math.sin(2 * math.pi * rate * u + (0 if side == "L" else 2.1)))
+        spot = who.point("hips") + who.facing @ Vector((s * 0.15 * k + wander, -ahead, 0))
+        spot.z = height + strike
+        tap = 22 + 14 * math.sin(2 * math.pi * rate * u + (0 if side == "L" else 2.1))
+        toward = who.facing @ Vector((-s * 0.12, -1, -0.1))
+        elbow = who.facing @ Vector((s * 0.7, 0.5, -0.7))
+        return hand(spot, toward, Vector((0, 0, -1)), elbow, (tap, 46 - tap, 5))
+
+    who.lean_after.set(t, 0, 0.0)
+    for side in SIDES:
+        if side not in who.held:
+            who.hands[side].set(t, 0.6, lambda now, side=side: target(now, side))
+            if end < stage.seconds - 0.3:
+                who.hands[side].set(end, 0.6, who.home[side])
+    look_at(who, t, lambda now: tuple(target(now, "L")[:3] * 0.5 + target(now, "R")[:3] * 0.5))
+    if end < stage.seconds - 0.3:
+        who.lean_after.set(end + 0.6, 0, 1.0)
+        look_at(who, end, who.ahead)
+    return end
+
+
+def _key_height(stage: MotionStage, instrument: StageFurniture, default: float) -> float:
+    """Return the height of an instrument's keys in metres, ``default`` if it has no handle anchor."""
+    handle = stage.find_anchor(instrument, ("handle",), None)
+    if handle is None:
+        return default
+    return (Matrix(instrument.world.tolist()) @ Vector(handle.location)).z + 0.03
+
+
+@clip("type", "hands", "head")
+def type_(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
+    """Type on the table in front. Return the end in seconds."""
+    return _over_keys(stage, who, cue, 4.0, 0.012, 0.006)
+
+
+@clip("play_piano", "hands", "head")
+def play_piano(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
+    """Play a keyboard, or the strings of a carried instrument, the trunk swaying. Return the end in seconds."""
+    carried_one = cue.prop or stage.props.get(who.held.get(cue.side, ""))
+    t, end = cue.start, cue.start + (cue.duration or 3.0)
+    sway = 1
+    while t < end - 1.0:
+        who.accent.set(t, 1.0, (5 if sway > 0 else 1, 4 * sway, 5 * sway))
+        t, sway = t + 1.05, -sway
+    who.accent.set(end - 0.4, 0.6, (0, 0, 0))
+    if carried_one is not None and carried_one.size.z > STRINGED:
+        return strum(stage, who, cue, carried_one)
+    return _over_keys(stage, who, cue, 2.2, 0.10, 0.03)

@@ -94,7 +94,7 @@ def give(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 @clip("take", "body", "hand", "head")
 def take(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Take a prop from a person, from one's clothes, from a bag, or from where it lies. Return the end in seconds."""
+    """Take a prop from a person, from the own clothes, from a bag, or from its place. Return the end in seconds."""
     prop = prop_of(cue)
     partner = partner_of(cue) or (prop.holder if prop else None)
     if prop is None:
@@ -282,8 +282,8 @@ def hit(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     partner.accent.set(t + 0.75, 0.7, (4, 0, 0))
     if partner.posture == "stand":
         behind = partner.position - partner.forward * (0.2 * partner.scale)
-        step_to(partner, "L", t + 0.5, 0.3, partner.plant("L", behind.x, behind.y, partner.yaw))
-        step_to(partner, "L", t + 1.2, 0.35, partner.plant_at("L", partner.position, partner.yaw))
+        step_to(partner, "L", t + 0.5, 0.3, partner.plant("L", behind, partner.yaw))
+        step_to(partner, "L", t + 1.2, 0.35, partner.plant("L", partner.position, partner.yaw))
     who.hands[side].set(t + 0.6, 0.6, who.home[side])
     who.accent.set(t + 0.6, 0.5, (0, 0, 0))
     partner.accent.set(t + 1.5, 0.6, (0, 0, 0))

@@ -36,7 +36,7 @@ def hang(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     who.hips.set(t, 0.6, (0, 0, who.standing_height, 0, 0, 0))
     who.nod.set(t, 0.6, (-12, 0, 0))
     for side, ahead, up in (("L", 0.02, 0.08), ("R", -0.05, 0.03)):
-        foot = who.plant_at(side, who.position + who.forward * (ahead * k), who.yaw, width=0.7)
+        foot = who.plant(side, who.position + who.forward * (ahead * k), who.yaw, width=0.7)
         foot[2], foot[4] = foot[2] + up * k, -48
         who.feet[side].set(t, 0.6, foot)
         who.home[side] = by_chest(
@@ -54,7 +54,7 @@ def upside_down(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     _held_up(who, t, "upside_down")
     who.hips.set(t, 1.6, (0, 0, height, 0, 180, 0))
     for side in SIDES:
-        foot = who.plant_at(side, who.position, who.yaw, width=0.5)
+        foot = who.plant(side, who.position, who.yaw, width=0.5)
         foot[2], foot[4], foot[6:9] = height + 1.78 * m.leg, 95, (*who.forward, 0)
         who.feet[side].set(t, 1.6, foot)
         who.home[side] = by_chest(
@@ -73,7 +73,7 @@ def float_(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     who.hips.set(t, 0.8, (0, 0, who.standing_height, 30, 0, 0))
     who.nod.set(t, 0.8, (-20, 0, 0))
     for side, back, up in (("L", 0.50, 0.20), ("R", 0.36, 0.12)):
-        foot = who.plant_at(side, who.position - who.forward * (back * k), who.yaw, width=1.3)
+        foot = who.plant(side, who.position - who.forward * (back * k), who.yaw, width=1.3)
         foot[2], foot[4] = m.ankle + up * k, -55
         who.feet[side].set(t, 0.8, foot)
         who.home[side] = by_chest(
@@ -103,7 +103,7 @@ def ride(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     who.seated.set(t, 0.8, 0.6)
     for side in SIDES:
         spot = place + who.forward * (0.16 * k)
-        foot = who.plant_at(side, spot, yaw, width=3.0, splay=14)
+        foot = who.plant(side, spot, yaw, width=3.0, splay=14)
         foot[2] = max(m.ankle + 0.10 * k, hips - 0.80 * m.leg)
         who.feet[side].set(t, 0.8, foot)
         who.home[side] = by_chest(

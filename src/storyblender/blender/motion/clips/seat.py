@@ -119,9 +119,9 @@ def _slide(who: Performer, t: float, place: Vector, hips: tuple[float, ...]) -> 
     who.hips.set(t, 0.5, hips)
     who.spine.set(t, 0.5, (16, 0, 0))
     who.root.set(t + 0.1, 0.75, (place.x, place.y, who.yaw))
-    step_to(who, lead, t + 0.1, 0.36, who.plant(lead, place.x, place.y, who.yaw), 0.04 * k)
+    step_to(who, lead, t + 0.1, 0.36, who.plant(lead, place, who.yaw), 0.04 * k)
     rear = other(lead)
-    step_to(who, rear, t + 0.48, 0.36, who.plant(rear, place.x, place.y, who.yaw), 0.04 * k)
+    step_to(who, rear, t + 0.48, 0.36, who.plant(rear, place, who.yaw), 0.04 * k)
     who.position = place
     return t + 0.75
 
@@ -131,17 +131,17 @@ def _seat_foot(who: Performer, side: str, t: float, whole: float, height: float,
     m, k = who.measures, who.scale
     if height - m.ankle > m.shin + 0.02 * k + 0.05:
         knee = hips + forward * (0.97 * m.thigh - 0.02) + who.left * (sign(side) * 0.09 * k)
-        pose = who.plant(side, 0, 0, who.yaw)
+        pose = who.plant(side, (0, 0), who.yaw)
         pose[:3], pose[4] = (knee.x, knee.y, height - 0.995 * m.shin), -18
         who.feet[side].set(t + 0.55 * whole, 0.4 * whole, pose)
         return
     if height < FLOOR_SEAT:
         reach = math.sqrt(max(0.01, (0.72 * m.leg) ** 2 - (height - m.ankle) ** 2))
         spot = hips + forward * (reach + m.foot_y)
-        step_to(who, side, t + whole * (0.3 if side == "R" else 0.5), 0.4, who.plant_at(side, spot, who.yaw), 0.05 * k)
+        step_to(who, side, t + whole * (0.3 if side == "R" else 0.5), 0.4, who.plant(side, spot, who.yaw), 0.05 * k)
         return
     spot = who.position + forward * (0.05 * k)
-    pose = who.plant(side, spot.x, spot.y, who.yaw, width=1.05, splay=9)
+    pose = who.plant(side, spot, who.yaw, width=1.05, splay=9)
     step_to(who, side, t + whole * (0.62 if side == "R" else 0.80), 0.3, pose, 0.02 * k)
 
 
@@ -173,7 +173,7 @@ def _leave_seat(stage: MotionStage, who: Performer, t: float, place: Vector) -> 
         now = who.hips(t)
     x, y = who.position
     for side in SIDES:
-        pose = who.plant(side, x, y, who.yaw, back=0.04 * k)
+        pose = who.plant(side, (x, y), who.yaw, back=0.04 * k)
         step_to(who, side, t + (0 if side == "L" else 0.12), 0.25, pose, 0.015 * k)
     who.spine.set(t, 0.4 * whole, (22, 0, 0))
     who.hips.set(t, 0.4 * whole, (0, 0.85 * now[1], now[2] + 0.01, 26, 0, 0))
@@ -183,7 +183,7 @@ def _leave_seat(stage: MotionStage, who: Performer, t: float, place: Vector) -> 
     _release(stage, who, t, whole)
     end = t + whole + 0.1
     for index, side in enumerate(SIDES):
-        step_to(who, side, end - 0.1 + 0.3 * index, 0.28, who.plant(side, x, y, who.yaw), 0.02 * k)
+        step_to(who, side, end - 0.1 + 0.3 * index, 0.28, who.plant(side, (x, y), who.yaw), 0.02 * k)
     return end + 0.5
 
 
@@ -200,7 +200,7 @@ def _straighten(stage: MotionStage, who: Performer, t: float) -> float:
     if low:
         who.spine.set(t, 0.4 * whole, (18, 0, 0))
     for index, side in enumerate(SIDES):
-        step_to(who, side, t + 0.35 * whole * index + 0.1, 0.45 * whole, who.plant(side, x, y, who.yaw), 0.03 * k)
+        step_to(who, side, t + 0.35 * whole * index + 0.1, 0.45 * whole, who.plant(side, (x, y), who.yaw), 0.03 * k)
     who.hips.set(t + 0.15 * whole, 0.85 * whole, (0, 0, who.standing_height, 0, 0, 0))
     who.spine.set(t + 0.4 * whole, 0.7 * whole, (0, 0, 0))
     _release(stage, who, t, whole)
@@ -231,7 +231,7 @@ def _sit_up(stage: MotionStage, who: Performer, t: float) -> float:
         who.spine.set(t, 0.5 * whole, (24, 0, 0))
         who.hips.set(t + 0.45 * whole, 0.5 * whole, (0, 0, 0.45 * who.measures.leg, 12, 0, 0))
         for index, side in enumerate(SIDES):
-            pose = who.plant(side, x, y, who.yaw, width=1.3, back=-0.12 * k)
+            pose = who.plant(side, (x, y), who.yaw, width=1.3, back=-0.12 * k)
             step_to(who, side, t + 0.3 * whole + 0.15 * index, 0.45 * whole, pose, 0.08 * k)
         who.posture = "crouch"
         return t + whole
@@ -247,11 +247,11 @@ def _sit_up(stage: MotionStage, who: Performer, t: float) -> float:
     who.spine.set(t + 0.6 * whole, 0.4 * whole, (6, 0, 0))
     for index, side in enumerate(SIDES):
         raised = np.array(who.feet[side](t), float)
-        middle = who.plant(side, before.x, before.y, seat.yaw)
+        middle = who.plant(side, before, seat.yaw)
         middle[:2] = 0.5 * (raised[:2] + middle[:2])
         middle[2], middle[8] = seat.height + 0.18 * k, 0.8
         who.feet[side].set(t + 0.2 * whole + 0.08 * index, 0.4 * whole, middle)
-        landed = who.plant(side, before.x, before.y, seat.yaw)
+        landed = who.plant(side, before, seat.yaw)
         who.feet[side].set(t + 0.5 * whole + 0.08 * index, 0.4 * whole, landed)
         who.home[side] = on_thigh(who, side)
     return_hands(stage, who, t + 0.5 * whole, 0.5 * whole)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from storyblender.blender.motion.channel import clamp
-from storyblender.blender.motion.clips.gaze import look_at_subject, point_aside, show_mood
+from storyblender.blender.motion.clips.gaze import look_at_subject, look_at_target, point_aside, show_mood
 from storyblender.blender.motion.clips.phrasing import REST, SpokenPhrase, gesticulate, phrases
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.hands import by_chest, by_head
@@ -44,6 +44,7 @@ class Manner:
 
 
 QUIET_HANDS: Mapping[str, float] = {REST: 1.0}
+"""Shares of a speech without gestures."""
 MANNERS: dict[str, Manner] = {
     "neutral": Manner(
         0.7, 1.9, 0, {REST: 2.2, "offer": 2.5, "open": 1.2, "stress": 1.6, "toss": 1.2, "weigh": 1.4, "self": 0.8}
@@ -51,12 +52,7 @@ MANNERS: dict[str, Manner] = {
     "happy": Manner(1.0, 1.6, -2, {REST: 0.8, "open": 2.5, "offer": 2, "toss": 2, "self": 1.2, "weigh": 1}),
     "sad": Manner(0.35, 2.4, 7, {REST: 3.0, "offer": 1.4, "self": 1.6, "weigh": 1}, mouth=0.55, rate=2.0),
     "angry": Manner(
-        1.0,
-        1.35,
-        8,
-        {REST: 0.6, "finger": 2.6, "chop": 2.2, "open": 1.4, "toss": 1.2, "self": 0.8},
-        mouth=1.0,
-        rate=3.1,
+        1.0, 1.35, 8, {REST: 0.6, "finger": 2.6, "chop": 2.2, "open": 1.4, "toss": 1.2, "self": 0.8}, 1.0, 3.1
     ),
     "afraid": Manner(0.5, 1.4, -4, {REST: 1.8, "weigh": 1.6, "self": 1.8, "open": 1.2}, mouth=0.6, rate=3.0),
     "tender": Manner(0.4, 2.3, 4, {REST: 2.6, "offer": 2, "self": 1.8, "weigh": 0.8}, mouth=0.55, rate=2.0),
@@ -85,8 +81,7 @@ def _speak(stage: MotionStage, who: Performer, cue: StagedCue, manner: Manner) -
     """Speak in a manner for the cue's duration; return the end in seconds."""
     t, end = cue.start, cue.start + (cue.duration or 2.5)
     rng = np.random.default_rng(cue.seed)
-    if cue.target is not None:
-        look_at_subject(stage, who, t, cue)
+    look_at_target(stage, who, t, cue)
     show_mood(who, t, cue.mood)
     who.speeches.append((t, end, manner.mouth, manner.rate))
     who.accent.set(t, 0.4, (manner.lean, 0, 0))
@@ -147,8 +142,7 @@ def _room(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 def laugh(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Laugh: head back, then doubled up over a hand on the belly, shoulders shaking. Return the end in seconds."""
     t, end = cue.start, cue.start + (cue.duration or 2.0)
-    if cue.target is not None:
-        look_at_subject(stage, who, t, cue)
+    look_at_target(stage, who, t, cue)
     side = next((each for each in (cue.side, other(cue.side)) if who.is_free(each) and who.free[each] <= t), None)
     doubled = t + max(0.7, 0.45 * (end - t))
     if side is not None and end - t > LONG_LAUGH and who.posture in ("stand", "sit"):

@@ -66,7 +66,7 @@ def _lean_on(stage: MotionStage, who: Performer, t: float, height: float, edge: 
     who.life.set(t, 0.4, 0.4)
     behind = other(side)
     spot = who.position - who.forward * (0.20 * k)
-    step_to(who, behind, t + 0.1, 0.35, who.plant(behind, spot.x, spot.y, who.yaw, width=0.5, splay=10))
+    step_to(who, behind, t + 0.1, 0.35, who.plant(behind, spot, who.yaw, width=0.5, splay=10))
     for each in SIDES:
         inward = -0.03 * k if each == side else 0.02 * k
         ahead = edge + (0.15 if each == side else 0.18) * k
@@ -95,7 +95,7 @@ def _lean_back(stage: MotionStage, who: Performer, t: float) -> float:
     who.spine.set(t, 0.9, (3, 0, 0))
     spot = who.position + who.forward * (0.12 * k)
     for index, side in enumerate(SIDES):
-        pose = who.plant(side, spot.x, spot.y, who.yaw, width=0.9 if side == "L" else 0.4, splay=12)
+        pose = who.plant(side, spot, who.yaw, width=0.9 if side == "L" else 0.4, splay=12)
         step_to(who, side, t + 0.1 + 0.25 * index, 0.35, pose)
         low = (-0.30, 0.42, -0.52) if side == "R" else (-0.26, 0.46, -0.46)
         who.home[side] = by_chest(who, side, low, (-1, 0.15, 0.1), (0, -1, 0.2), pole=(0.9, -0.3, -0.6))

@@ -12,9 +12,7 @@ from storyblender.blender.motion.clips.containers import open_held_bag
 from storyblender.blender.motion.clips.gaze import look_at, look_at_subject
 from storyblender.blender.motion.clips.handling import approach, bend_to_reach, prop_of, straighten_up
 from storyblender.blender.motion.clips.locomotion import step_to
-from storyblender.blender.motion.clips.music import strum
 from storyblender.blender.motion.clips.registry import clip
-from storyblender.blender.motion.clips.using import table_height
 from storyblender.blender.motion.hands import by_chest, hand
 from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
@@ -26,8 +24,6 @@ HAND_IN = 0.25
 """Metres from the side of a thing to the spot on its top that a hand works on."""
 WORKING = 1.2
 """Arm lengths on the floor from a person to what their hands work on."""
-STRINGED = 0.45
-"""Metres; a taller carried prop counts as a stringed instrument when it is played."""
 Offset = Callable[[float], Vector]
 """Seconds -> offset of a hand in the person's frame, metres: left, forwards, up."""
 
@@ -254,84 +250,19 @@ def _shove(stage: MotionStage, who: Performer, cue: StagedCue, way: int) -> floa
         work_with_hand(who, side, t, end, place, move, palm=palm, curl=(6, 8, 0) if way > 0 else (70, 78, 25))
     lead = other(cue.side)
     back = who.position - who.forward * (0.34 * k)
-    step_to(who, lead, t + 0.1, 0.4, who.plant(lead, back.x, back.y, who.yaw, splay=18))
+    step_to(who, lead, t + 0.1, 0.4, who.plant(lead, back, who.yaw, splay=18))
     who.hips.set(t + 0.3, 0.7, (0, -0.05 * k * way, who.standing_height - 0.10 * k, 8 * way, 0, 0))
     who.spine.set(t + 0.3, 0.7, (16 * way, 0, 0))
     who.hips.set(end - 0.2, 0.7, (0, 0, who.standing_height, 0, 0, 0))
     who.spine.set(end - 0.2, 0.7, (0, 0, 0))
-    step_to(who, lead, end, 0.4, who.plant_at(lead, who.position, who.yaw))
+    step_to(who, lead, end, 0.4, who.plant(lead, who.position, who.yaw))
     if partner is not None and way > 0:
         partner.accent.set(t + 0.9, 0.25, (-14, 0, 6))
         behind = partner.position - partner.forward * (0.3 * partner.scale)
-        step_to(partner, "R", t + 0.95, 0.3, partner.plant("R", behind.x, behind.y, partner.yaw))
+        step_to(partner, "R", t + 0.95, 0.3, partner.plant("R", behind, partner.yaw))
         partner.accent.set(t + 1.5, 0.6, (0, 0, 0))
-        step_to(partner, "R", t + 1.6, 0.4, partner.plant_at("R", partner.position, partner.yaw))
+        step_to(partner, "R", t + 1.6, 0.4, partner.plant("R", partner.position, partner.yaw))
     return end + 0.5
-
-
-def _over_keys(stage: MotionStage, who: Performer, cue: StagedCue, rate: float, spread: float, lift: float) -> float:
-    """Play a keyboard at ``rate`` strokes a second, hands wandering ``spread`` and rising ``lift`` metres.
-
-    The target is the instrument; None for the table before the player. Return the end in seconds.
-    """
-    k, t = who.scale, cue.start
-    end = t + (cue.duration or 3.0)
-    height = table_height(stage, who) + 0.05 * k
-    if isinstance(cue.target, StageFurniture):
-        height = _key_height(stage, cue.target, height)
-    ahead = 0.36 * k
-
-    def target(now: float, side: str) -> Floats:
-        s, u = sign(side), now - t
-        wander = spread * k * math.sin(0.9 * u + (0.0 if side == "L" else 1.7))
-        strike = lift * max(0.0, math.sin(2 * math.pi * rate * u + (0 if side == "L" else 2.1)))
-        spot = who.point("hips") + who.facing @ Vector((s * 0.15 * k + wander, -ahead, 0))
-        spot.z = height + strike
-        tap = 22 + 14 * math.sin(2 * math.pi * rate * u + (0 if side == "L" else 2.1))
-        toward = who.facing @ Vector((-s * 0.12, -1, -0.1))
-        elbow = who.facing @ Vector((s * 0.7, 0.5, -0.7))
-        return hand(spot, toward, Vector((0, 0, -1)), elbow, (tap, 46 - tap, 5))
-
-    who.lean_after.set(t, 0, 0.0)
-    for side in SIDES:
-        if side not in who.held:
-            who.hands[side].set(t, 0.6, lambda now, side=side: target(now, side))
-            if end < stage.seconds - 0.3:
-                who.hands[side].set(end, 0.6, who.home[side])
-    look_at(who, t, lambda now: tuple(target(now, "L")[:3] * 0.5 + target(now, "R")[:3] * 0.5))
-    if end < stage.seconds - 0.3:
-        who.lean_after.set(end + 0.6, 0, 1.0)
-        look_at(who, end, who.ahead)
-    return end
-
-
-def _key_height(stage: MotionStage, instrument: StageFurniture, default: float) -> float:
-    """Return the height of an instrument's keys in metres, ``default`` if it has no handle anchor."""
-    handle = stage.find_anchor(instrument, ("handle",), None)
-    if handle is None:
-        return default
-    return (Matrix(instrument.world.tolist()) @ Vector(handle.location)).z + 0.03
-
-
-@clip("type", "hands", "head")
-def type_(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Type on the table in front. Return the end in seconds."""
-    return _over_keys(stage, who, cue, 4.0, 0.012, 0.006)
-
-
-@clip("play_piano", "hands", "head")
-def play_piano(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Play a keyboard, or the strings of a carried instrument, the trunk swaying. Return the end in seconds."""
-    carried_one = cue.prop or stage.props.get(who.held.get(cue.side, ""))
-    t, end = cue.start, cue.start + (cue.duration or 3.0)
-    sway = 1
-    while t < end - 1.0:
-        who.accent.set(t, 1.0, (5 if sway > 0 else 1, 4 * sway, 5 * sway))
-        t, sway = t + 1.05, -sway
-    who.accent.set(end - 0.4, 0.6, (0, 0, 0))
-    if carried_one is not None and carried_one.size.z > STRINGED:
-        return strum(stage, who, cue, carried_one)
-    return _over_keys(stage, who, cue, 2.2, 0.10, 0.03)
 
 
 def _labour(
