@@ -15,8 +15,10 @@ import tempfile
 import time
 from pathlib import Path
 
+from storyblender.crew import rules_crew
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.library.embedder import load_embedder
+from storyblender.library.sources import asset_sources
 from storyblender.memory.base import shot_name
 from storyblender.pipeline.filming import film
 from storyblender.pipeline.grounding import ground
@@ -42,10 +44,12 @@ EDITS = (("board", "40"), ("fast", "55"))
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--project", type=Path, help="a finished project; two are made if not given")
+    parser.add_argument("--short", action="store_true", help="only the short story")
     arguments = parser.parse_args()
     print(f"{'shots':>6} {'look':>6} {'to the frame, s':>16} {'whole command, s':>17} {'processor, s':>13}")
     with tempfile.TemporaryDirectory() as folder:
-        projects = [arguments.project] if arguments.project else (made(Path(folder), *story) for story in STORIES)
+        stories = STORIES[:1] if arguments.short else STORIES
+        projects = [arguments.project] if arguments.project else (made(Path(folder), *story) for story in stories)
         for project in projects:
             shots = read_project_graph(project).shots
             shot = shots[len(shots) // 2]
@@ -61,7 +65,8 @@ def made(folder: Path, scenes: int, shots: int) -> Path:
     script.write_text("Title: Talk\n\n" + f"{SCENE}\n{talk}\n" * scenes, encoding="utf-8")
     settings = Settings(shots_per_scene=shots, look="fast", animatic=False)
     with Project(out) as project, BlenderEngine(project.folder) as engine:
-        run = Run(project, engine, load_embedder, settings, silent)
+        sources = asset_sources(settings, load_embedder)
+        run = Run(project, engine, rules_crew(settings, load_embedder, sources), settings, silent, sources)
         ground(run, script)
         materialize(run)
         stage(run)
@@ -71,7 +76,7 @@ def made(folder: Path, scenes: int, shots: int) -> Path:
         shoot_frames(run, run.graph.shots[:1])
         for name in others:
             shutil.copy(out / "frames" / f"{first}.png", out / "frames" / f"{name}.png")
-        (out / REMEMBERED).write_text(settings.remembered(), encoding="utf-8")
+        (out / REMEMBERED).write_text(settings.remembered(project.folder), encoding="utf-8")
     timed(out, first)
     return out
 

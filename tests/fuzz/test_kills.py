@@ -19,6 +19,7 @@ import pytest
 from storyblender import studio
 from storyblender.edits.undo import redo_edit, undo_edit
 from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.edits import DurationEdit, LockEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
 from storyblender.memory.shot_context import CameraDecision
@@ -63,6 +64,11 @@ def _edit(size: str) -> Step:
     return lambda folder: Studio(Settings.load(project=folder)).render(folder, ["SC010_SH030"], {"size": size})
 
 
+def _lengthen(frames: int) -> Step:
+    edits = [DurationEdit(shot="SC010_SH030", frames=frames), LockEdit(target="SC010_SH010", parts=("camera",))]
+    return lambda folder: Studio(Settings.load(project=folder)).edit(folder, edits)
+
+
 def _plan(word: str) -> Step:
     def step(folder: Path) -> None:
         script = folder.parent / f"{word}.fountain"
@@ -75,7 +81,7 @@ def _plan(word: str) -> Step:
 COMMITS: tuple[Step, ...] = (
     _add("cup", "key"), _undo, _redo, _add("hat"), _undo, _undo, _add("box", "pen"), _undo, _redo,
 )  # fmt: skip
-COMMANDS: tuple[Step, ...] = (_edit("CU"), _plan("early"), _undo, _edit("ECU"), _undo, _plan("noon"))
+COMMANDS: tuple[Step, ...] = (_edit("CU"), _plan("early"), _undo, _lengthen(96), _edit("ECU"), _undo, _plan("noon"))
 
 
 class Killed:

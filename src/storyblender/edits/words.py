@@ -10,8 +10,9 @@ from pydantic import ValidationError
 from pydantic_core import from_json
 
 from storyblender.errors import InputError
+from storyblender.memory.camera_decision import CameraPosition, FreeCamera
 from storyblender.memory.edits import EDITS, Edit
-from storyblender.memory.shot_context import CameraDecision, CameraPosition, FreeCamera
+from storyblender.memory.shot_context import CameraDecision
 from storyblender.memory.shot_sizes import ShotSize
 from storyblender.memory.vocabulary import Angle, CameraDirection, Movement, ShotKind
 

@@ -36,6 +36,11 @@ class Frozen(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
 
+def is_none(value: object) -> bool:
+    """Return whether a field added since older projects is unused; the graph is then written as they have it."""
+    return value is None
+
+
 def content_hash(*parts: BaseModel | dict[str, object] | list[object] | str | int | float | None) -> str:
     """Return 16 hex digits that identify the values of ``parts``, stable across runs and machines."""
     plain = [part.model_dump(mode="json") if isinstance(part, BaseModel) else part for part in parts]

@@ -12,16 +12,11 @@ from storyblender.edits.dispatcher import Applied, apply_edits
 from storyblender.edits.undo import undo_edit
 from storyblender.edits.words import camera_decision, edits_of
 from storyblender.errors import InputError, Rejected, StaleEdit
+from storyblender.memory.camera_decision import CameraPosition, FreeCamera
 from storyblender.memory.edits import EDITS, CameraEdit, DurationEdit, Edit, LockEdit, UnlockEdit
 from storyblender.memory.history import replace
 from storyblender.memory.locks import SCENE_LOCKS, SHOT_LOCKS
-from storyblender.memory.shot_context import (
-    CameraDecision,
-    CameraPose,
-    CameraPosition,
-    FreeCamera,
-    ShotContext,
-)
+from storyblender.memory.shot_context import CameraDecision, CameraPose, ShotContext
 from storyblender.project import Project
 
 SHOT, NEXT, SCENE, PERSON = "SC010_SH010", "SC010_SH020", "SC010", "anna"

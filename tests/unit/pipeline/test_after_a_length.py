@@ -10,10 +10,11 @@ from tests.stage import SETTINGS, Stage
 
 from storyblender.geometry.camera_path import camera_at
 from storyblender.geometry.framing import Film
+from storyblender.memory.camera_decision import CameraPosition, FreeCamera
 from storyblender.memory.edits import CameraEdit, DurationEdit, LockEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
-from storyblender.memory.shot_context import CameraDecision, CameraPosition, FreeCamera, ShotContext
+from storyblender.memory.shot_context import CameraDecision, ShotContext
 from storyblender.project import Project, read_project_graph
 from storyblender.session import Delivery
 from storyblender.studio import Studio

@@ -15,7 +15,8 @@ from storyblender.geometry.boxes import Box, corners, distance_to_point
 from storyblender.geometry.framing import Figure, Film, can_frame_over_shoulder
 from storyblender.geometry.moves import ease_in_out, interpolate_cameras
 from storyblender.geometry.orbit import Floats, Orbit
-from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Flaw, FreeCamera
+from storyblender.memory.camera_decision import FreeCamera
+from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Flaw
 from storyblender.memory.shot_sizes import SHOT_SIZES, SIZES, TIGHT, WHOLE, ShotSize
 
 _ONE_PERSON = ("single", "reaction", "ots")

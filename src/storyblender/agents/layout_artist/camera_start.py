@@ -31,7 +31,7 @@ from storyblender.geometry.continuity import JUMP_CUT_DEGREES, mirror_azimuth, s
 from storyblender.geometry.framing import Figure
 from storyblender.geometry.moves import ease_in_out, follow_subject, interpolate_cameras, move_camera
 from storyblender.geometry.orbit import Orbit, camera_looking_at, orbit, pan, roll
-from storyblender.memory.shot_context import FreeCamera
+from storyblender.memory.camera_decision import FreeCamera
 from storyblender.memory.shot_sizes import SIZES, TIGHT, WHOLE
 
 _OFF_BACK = 30.0
