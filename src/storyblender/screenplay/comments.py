@@ -22,7 +22,7 @@ class Comment(NamedTuple):
 
 
 def find_comments(text: str, path: str = "") -> list[Comment]:
-    """Return the notes and boneyards of a script in order; whichever opens first holds what opens inside it.
+    """Return the notes and boneyards of a script in order; one that opens inside another belongs to it.
 
     Args:
         text: The script.
@@ -56,7 +56,12 @@ def without_comments(text: str) -> str:
 
 
 def blank(text: str, comments: Sequence[Comment]) -> str:
-    """Return ``text`` with every comment replaced by spaces of equal length; line ends stay."""
+    """Return ``text`` with every comment replaced by spaces of equal length; line ends stay.
+
+    Args:
+        text: The script.
+        comments: The comments of this text.
+    """
     pieces, position = [], 0
     for comment in comments:
         pieces += [text[position : comment.start], re.sub(r"[^\n]", " ", text[comment.start : comment.end])]

@@ -83,7 +83,7 @@ def parse(text: str, path: str = "") -> Screenplay:
 
 
 def kind_of_words(words: str) -> ElementKind | None:
-    """Return what a line between blank lines is by its words alone; None where it tells or speaks."""
+    """Return the kind of a line between blank lines by its words alone; None for action and speech."""
     if is_heading(words):
         return "heading"
     if _TRANSITION.fullmatch(words):
@@ -94,6 +94,8 @@ def kind_of_words(words: str) -> ElementKind | None:
 
 
 class _FountainReader:
+    """Reads the lines of a Fountain file into elements, from top to bottom."""
+
     def __init__(self, text: str, path: str) -> None:
         self.text = text
         self.path = path
@@ -194,7 +196,7 @@ class _FountainReader:
         return "cue" if named and not self._goes_on_loud(index) else "action"
 
     def _goes_on_loud(self, index: int) -> bool:
-        """Return whether a long line in capitals goes on in capitals: action on the page of a sitcom."""
+        """Return whether a long line in capitals is followed by more: action on the page of a sitcom."""
         below = self.lines[index + 1].words
         return len(self.lines[index].words.split()) > _LONGEST_NAME and below == below.upper() and below[0] != "("
 
@@ -245,7 +247,7 @@ class _FountainReader:
         self._add(kind, start, end, scene_number=number)
 
     def _without_number(self, start: int, end: int) -> tuple[str, int, int]:
-        """The number of a heading (``#12A#``, or ``12A`` before it), and the span of the heading without it."""
+        """Return the number of a heading (``#12A#``, or ``12A`` before it), and the span without it."""
         match = _SCENE_NUMBER.search(self.shown[start:end])
         if match:
             return match[1], start, start + match.start()
@@ -303,7 +305,7 @@ class _FountainReader:
             self._add_pieces(kind, start, self._end_of(self.at - 1), dual=dual)
 
     def _in_speech(self, index: int) -> bool:
-        """A speech runs to the next blank line; two spaces keep it open, unless the next line starts something else."""
+        """Return whether a line belongs to the speech above; it ends at a blank line without two spaces."""
         if index >= len(self.lines) or not self.lines[index].blank:
             return index < len(self.lines)
         following = index + 1 < len(self.lines) and not self.lines[index + 1].blank
@@ -325,7 +327,7 @@ class _FountainReader:
         return self.lines[index].start + len(self.lines[index].shown)
 
     def _trim(self, start: int, end: int) -> tuple[int, int]:
-        """Shrink a span to what is shown in it, without the space around."""
+        """Return a span without the spaces around what is shown in it."""
         shown = self.shown[start:end]
         return start + len(shown) - len(shown.lstrip()), start + len(shown.rstrip())
 

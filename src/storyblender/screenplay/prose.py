@@ -1,4 +1,4 @@
-"""Prose: paragraphs as action, chapters, titles and remarks before the story as sections, numbered scenes as headings.
+"""Prose: paragraphs as action; chapters, titles and remarks before the story as sections; numbered scenes as headings.
 
 Quoted speech is left to the Director.
 """

@@ -1,4 +1,4 @@
-"""The way in: a file of any kind becomes decoded text, then a Screenplay, or one clear sentence of refusal."""
+"""Reads a script file of any kind: decoded text, then a Screenplay, or one clear sentence of refusal."""
 
 from __future__ import annotations
 
@@ -107,7 +107,11 @@ def _parse(text: str, format: ScriptFormat, path: str) -> Screenplay:
 
 
 def decode(data: bytes, path: Path | str = "") -> str:
-    """Decode a file's bytes: by its byte-order mark, as UTF-16 without one, as UTF-8, else as Windows-1252.
+    """Return the text of a file's bytes: by byte-order mark, as UTF-16 without one, UTF-8, else Windows-1252.
+
+    Args:
+        data: The bytes.
+        path: Path of the file, for messages.
 
     Raises:
         InputError: The bytes are a known binary format, or text in no encoding that can be told.

@@ -152,7 +152,12 @@ _GREYING_AGE: Final = 50.0
 
 
 def age_word(person: Person, text: str) -> str:
-    """Return the word of age before the first mention of a name (``Baby TOM``, ``little Ann``), or an empty string."""
+    """Return the word of age before the first mention of a name (``Baby TOM``, ``little Ann``), or an empty string.
+
+    Args:
+        person: ``first`` is the offset of the first mention.
+        text: The script.
+    """
     before = re.search(r"([^\W\d_]+)\s+$", text[max(0, person.first - 20) : person.first])
     return before[1].lower() if before and before[1].lower() in _AGES else ""
 
@@ -223,7 +228,7 @@ def animal_species(person: Person) -> Species | None:
 
 
 def age_in_years(person: Person, seed: int = 0) -> float:
-    """Return the age of a person: ``late 30s`` is 38, ``old`` is 72; an adult of 30 to 44 where nothing is said."""
+    """Return the age of a person in years: ``late 30s`` is 38, ``old`` is 72; 30 to 44 by ``seed`` if untold."""
     words = person.age.lower()
     if number := re.search(r"\d{1,3}", words):
         part = 2 if "early" in words else 5 if "mid" in words else 8 if "late" in words else 5 if "s" in words else 0

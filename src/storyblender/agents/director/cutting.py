@@ -28,7 +28,12 @@ _LONG_SPEECH_SECONDS: Final = 9.0
 
 
 def size_steps(tighter: ShotSize, wider: ShotSize) -> int:
-    """Return how many sizes ``tighter`` is tighter than ``wider``; negative if it is wider."""
+    """Return how many sizes ``tighter`` is tighter than ``wider``; negative if it is wider.
+
+    Args:
+        tighter: One shot size.
+        wider: The other.
+    """
     return SHOT_SIZES.index(tighter) - SHOT_SIZES.index(wider)
 
 

@@ -20,30 +20,35 @@ _UNSPACED: Final = re.compile(r"[\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af]")
 
 @lru_cache(maxsize=8192)
 def word_count(text: str) -> int:
-    """Count words; scripts without spaces between words count two characters as one."""
+    """Return the number of words; in scripts without spaces two characters count as one word."""
     unspaced = len(_UNSPACED.findall(text))
     return len(re.findall(r"[^\W_]+(?:['’-][^\W_]+)*", _UNSPACED.sub(" ", text))) + (unspaced + 1) // 2
 
 
 @lru_cache(maxsize=8192)
 def speech_seconds(text: str, parenthetical: str = "") -> float:
-    """Return how long a speech takes to say; ``(beat)`` adds a second."""
+    """Return how long a speech takes to say; ``(beat)`` adds a second.
+
+    Args:
+        text: The words.
+        parenthetical: The bracket before them; empty for none.
+    """
     pause = 1.0 if _PAUSE.search(parenthetical) else 0.0
     return max(SHORTEST_SHOT, word_count(text) / WORDS_PER_SECOND + 0.4 + pause)
 
 
 @lru_cache(maxsize=8192)
 def action_seconds(text: str) -> float:
-    """Return how long a sentence of action takes to play; looks in brackets take no time."""
+    """Return the seconds that a sentence of action takes to play; words in brackets take no time."""
     return min(LONGEST_ACTION, max(SHORTEST_SHOT, 0.2 * word_count(_BRACKETS.sub(" ", text)) + 0.5))
 
 
 def shot_seconds(shot: ShotDraft, text: str) -> float:
-    """Return how long a shot lasts.
+    """Return the seconds that a shot lasts.
 
     Args:
-        shot: Its beats; dual dialogue overlaps the speech before it.
-        text: The script the beats point into.
+        shot: The shot; dual dialogue in it overlaps the speech before.
+        text: The script.
     """
     total = last = 0.0
     for beat in shot.beats:
@@ -59,5 +64,5 @@ def shot_seconds(shot: ShotDraft, text: str) -> float:
 
 
 def frame_count(seconds: float, fps: int) -> int:
-    """Round seconds to whole frames, at least one."""
+    """Return seconds as whole frames at ``fps`` frames a second, at least one."""
     return max(1, round(seconds * fps))

@@ -158,7 +158,7 @@ def _with_ids(plain: object, ids: Mapping[str, str]) -> object:
 
 
 def is_reading_of(path: Path, screenplay: Screenplay) -> bool:
-    """Return whether a file is a reading of these very words.
+    """Whether the file at ``path`` is a reading of the text of ``screenplay``.
 
     Raises:
         InputError: The file is no reading.

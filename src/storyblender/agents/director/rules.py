@@ -57,7 +57,12 @@ class Ledger:
     """The rules at work, the innermost last, each with the words it looks at."""
 
     def enter(self, name: str, words: tuple[int, int] | None) -> None:
-        """Note that a rule begins its work, on these words or on those of the rule around it."""
+        """Note that a rule begins its work, on these words or on those of the rule around it.
+
+        Args:
+            name: Name of the rule.
+            words: Start and end of its words, or None for those of the rule around it.
+        """
         self.settle()
         self._rules.append((name, words or (self._rules[-1][1] if self._rules else (0, 0))))
 
@@ -129,7 +134,13 @@ def rule(name: str, without: object = None) -> Callable[[Callable[P, R]], Callab
 
 @contextmanager
 def as_rule(name: str, start: int, end: int) -> Iterator[None]:
-    """Do as a rule what is inside the block, on these words."""
+    """Do as a rule what is inside the block, on these words.
+
+    Args:
+        name: Name of the rule.
+        start: Offset where its words start.
+        end: Offset where they end.
+    """
     RULES.add(name)
     ledger = _KEPT.get()
     if ledger is None:
@@ -143,14 +154,26 @@ def as_rule(name: str, start: int, end: int) -> Iterator[None]:
 
 
 def rule_applies(name: str, evidence: object) -> bool:
-    """Return whether there is evidence and its rule is not switched off."""
+    """Return whether there is evidence and its rule is not switched off.
+
+    Args:
+        name: Name of the rule.
+        evidence: What the rule found; false if nothing.
+    """
     RULES.add(name)
     ledger = _KEPT.get()
     return bool(evidence) and (ledger is None or name not in ledger.off)
 
 
 def record_fact(kind: str, what: str, start: int, end: int) -> None:
-    """Write a fact into the ledger, if one is kept, as decided by the rule at work."""
+    """Write a fact into the ledger, if one is kept, as decided by the rule at work.
+
+    Args:
+        kind: Kind of the fact.
+        what: The fact.
+        start: Offset where its words start.
+        end: Offset where they end.
+    """
     ledger = _KEPT.get()
     if ledger is not None:
         ledger.decide(Fact(kind, what, words=(start, end)))

@@ -136,7 +136,7 @@ class ShotDetails:
         )
 
     def _flags(self, draft: ShotDraft, units: Sequence[Unit]) -> list[Flag]:
-        """What the reader was not sure of in these words, and what of a direction cannot be staged."""
+        """Return what the reader was not sure of in these words, and what of a direction cannot be staged."""
         found = self.flags.of(units)
         if draft.note and draft.note.kind in _UNSTAGED and draft.beats:
             unit, what = draft.beats[0].unit, draft.note.kind.replace("_", " ")
@@ -200,7 +200,7 @@ class ShotDetails:
         )
 
     def _modifications(self, units: Sequence[Unit]) -> list[AssetModification]:
-        """What changes: doors and lamps, things that break or go, things that are brought out of a pocket."""
+        """Return what changes: doors and lamps, things that break or go, things brought out of a pocket."""
         found: list[AssetModification] = []
         for unit in units:
             for deed in unit.deeds:
@@ -227,7 +227,7 @@ class ShotDetails:
         return found
 
     def _actions(self, draft: ShotDraft, on_stage: Sequence[str]) -> list[CharacterAction]:
-        """What everybody in the shot does: deeds, speech, faces; whoever is seen and does nothing listens or waits."""
+        """Return what people do in a shot: deeds, speech, faces; a person without a deed listens or waits."""
         actions: list[CharacterAction] = []
         for index, beat in enumerate(draft.beats):
             actions += self._deeds(beat, index) if beat.start == beat.unit.start else []

@@ -1,4 +1,4 @@
-"""Commercials in two columns, picture and sound: each row is one shot; the cells are stacked for reading."""
+"""Commercials in two columns, picture and sound: each row is one shot; its cells are read one after the other."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ def _cells(line: str, column: int) -> tuple[str, str]:
 
 
 def _stacked(lines: list[str]) -> list[tuple[list[str], list[str]]]:
-    """``VIDEO: ..`` above ``AUDIO: ..``: return one row for each picture."""
+    """Return one row for each picture of a script with ``VIDEO: ..`` above ``AUDIO: ..``"""
     rows: list[tuple[list[str], list[str]]] = []
     side: int | None = None
     cells: tuple[list[str], list[str]] = ([], [])

@@ -40,7 +40,7 @@ _SILENT = re.compile(
 
 
 def is_comic(text: str) -> bool:
-    """Return whether a page is told in panels."""
+    """Return whether a page is divided into numbered panels."""
     lines = [line.words for line in lines_of(text) if line.words]
     panels = sum(_PANEL.match(line) is not None for line in lines)
     pages = sum(_PAGE.fullmatch(line) is not None for line in lines)
@@ -73,6 +73,8 @@ def parse(text: str, path: str = "") -> Screenplay:
 
 
 class _ComicReader:
+    """Reads the lines of a comic script into elements, panel by panel."""
+
     def __init__(self, text: str) -> None:
         self.page = Page(text)
         self.lines = lines_of(text)

@@ -57,14 +57,14 @@ def read_front(page: Page, lines: Sequence[Line]) -> frozenset[str]:
 def titled(
     title_page: tuple[tuple[str, str], ...], elements: Sequence[Element]
 ) -> tuple[tuple[tuple[str, str], ...], list[Element]]:
-    """Move a title, a byline and the like from the lines before the first heading to the title page.
+    """Move title, byline and the like from the lines before the first heading to the title page.
 
     Args:
-        title_page: As read from its keys; empty where it has none.
-        elements: The elements of the whole script.
+        title_page: Keys and values so far.
+        elements: Elements of the script.
 
     Returns:
-        The title page, and the elements with those lines as sections.
+        The title page and the elements that are left.
     """
     first = next((i for i, element in enumerate(elements) if element.kind in ("heading", "cue")), 0)
     named = {key for key, _ in title_page}
@@ -136,11 +136,11 @@ _HALF = 0.5
 
 
 def list_featured(text: str, elements: Sequence[Element]) -> tuple[Element, ...]:
-    """Return the elements with the entries of such lists as ``cast``: who they name may come in later.
+    """Return the elements with the people listed under a heading as ``cast`` elements: ``(Vernon, Lottie)``.
 
     Args:
-        text: The page.
-        elements: Its elements in reading order.
+        text: The script.
+        elements: Its elements.
     """
     speaking = {word for element in elements if element.kind == "cue" for word in element.name.upper().split()}
     told: list[Element] = []

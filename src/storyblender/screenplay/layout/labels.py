@@ -93,7 +93,12 @@ class Convention(NamedTuple):
 
 
 def spoken_line(line: Line, convention: Convention) -> Label | None:
-    """Return the speaker's label of a line, or None if it has none."""
+    """Return the speaker's label of a line, or None if it has none.
+
+    Args:
+        line: The line.
+        convention: How this page marks speakers.
+    """
     match = FORMS[convention.form].match(line.words)
     if match is None or key_of_name(match["name"]) not in convention.names:
         return None

@@ -93,6 +93,8 @@ def _listed(lines: Sequence[Line]) -> frozenset[str]:
 
 
 class _PlayReader:
+    """Reads the lines of a play into elements, from top to bottom."""
+
     def __init__(self, text: str) -> None:
         self.page = Page(text)
         self.lines = lines_of(text)
@@ -226,7 +228,7 @@ class _PlayReader:
         self.page.add("heading", line.start + start, last.end, number=number)
 
     def _place(self, start: int) -> None:
-        """``SETTING: A mill at night. A wheel turns.``: the first sentence is the heading, the rest is action."""
+        """Add a labelled place: of ``SETTING: A mill at night. A wheel turns.`` one sentence is the heading."""
         end = self._run(self.at)
         words = self.page.text[start:end]
         labels = [match for match in (scene_label(words), place_label(words)) if match]

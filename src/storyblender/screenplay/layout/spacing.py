@@ -1,4 +1,4 @@
-"""Line spacing: empty lines that divide nothing, on pages whose speeches are double spaced, as in sitcoms."""
+"""Line spacing: finds empty lines that divide nothing, on pages whose speeches are double spaced, as in sitcoms."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _DEEP = 40
 
 
 class PageRow(NamedTuple):
-    """A line of a page: spaces before its words, and the words."""
+    """A line of a page: the number of spaces before its words, and the words."""
 
     indent: int
     words: str
@@ -51,7 +51,7 @@ def line_spacing(rows: Sequence[PageRow]) -> frozenset[int]:
 
 
 def _loud(rows: Sequence[PageRow], apart: set[int]) -> bool:
-    """Whether action stands in capitals: small letters are found below a name or more of them only."""
+    """Whether action stands in capitals: small letters occur only below names."""
     told = [row for row in rows if row.words and not is_heading(row.words) and len(row.words.split()) > _CUE_WORDS]
     large = sum(not row.spoken for row in told)
     first = min(apart)
@@ -61,7 +61,7 @@ def _loud(rows: Sequence[PageRow], apart: set[int]) -> bool:
 
 @dataclass
 class _Walk:
-    """Goes down a page, and knows whether it is inside a speech."""
+    """Walks down a page and finds the empty lines inside speeches and sentences."""
 
     rows: Sequence[PageRow]
     apart: frozenset[int]

@@ -92,7 +92,7 @@ def standing_name(line: Line) -> str:
 
 
 def is_out_of_place(lines: Sequence[Line]) -> bool:
-    """Return whether many cues of a page lack the blank line above, or have one below, so that Fountain misses them."""
+    """Return whether many cues lack the blank line above, or have one below, so that Fountain misses them."""
     names = standing_names(lines)
     padded = [Line(0, 0, "", 0), *lines, Line(0, 0, "", 0)]
     found = [i for i in range(1, len(padded) - 1) if standing_name(padded[i]) in names and padded[i].words]
@@ -101,12 +101,12 @@ def is_out_of_place(lines: Sequence[Line]) -> bool:
 
 
 def goes_on_as_action(line: Line, before: Line, names: frozenset[str]) -> bool:
-    """Return whether a line under a speech is action again: it begins with a character's name, after a full stop.
+    """Return whether a line under a speech is action: it begins with a character's name, after a full stop.
 
     Args:
         line: The line.
-        before: The line above.
-        names: Names of the speakers, in capitals.
+        before: The line above it.
+        names: Names of the characters, in capitals.
     """
     if not re.search(r"[.!?…][\"”')]*$", before.words):
         return False

@@ -50,7 +50,12 @@ _POSE_ON = {"knee": "kneel", "knees": "kneel", "back": "lie_down", "stomach": "l
 
 
 def read_action(state: ReaderState, sentence: Sentence) -> None:
-    """Read a sentence of action into the current unit."""
+    """Read a sentence of action into the current unit.
+
+    Args:
+        state: The reader's state; changed in place.
+        sentence: The sentence.
+    """
     lately = [state.inventory.head(thing) for thing in state.discourse.recent_things]
     named = any(word.mention and word.mention.kind == "name" for word in sentence.words)
     elsewhere = sentence.pictured and named  # what somebody known does in another place

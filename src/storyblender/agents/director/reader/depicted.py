@@ -60,7 +60,7 @@ def _depiction_start(words: Sequence[Word], lately: Sequence[str]) -> int:
 
 
 def _opening_place(words: Sequence[Word], screen: bool) -> int:
-    """Return the number of words of ``On the big screen`` before what is told; else 0."""
+    """Return the number of words of an opening ``On the big screen``, if more follows; else 0."""
     if not words or words[0].low not in ("on", "in", "across"):
         return 0
     for at in range(1, min(_OPENING, len(words) - 2)):

@@ -87,7 +87,7 @@ class Manuscript:
 
 
 def blanked(pattern: re.Pattern[str], text: str) -> str:
-    """Return a text with every match of a pattern replaced by as many spaces."""
+    """Return ``text`` with every match of ``pattern`` replaced by as many spaces."""
     return pattern.sub(lambda match: " " * len(match.group(0)), text)
 
 

@@ -48,7 +48,12 @@ def note_calls(state: ReaderState, people: list[Person]) -> None:
 
 
 def take_call(state: ReaderState, person: Person) -> None:
-    """Put a phone to a person's ear: the one in their hand or in the sentence, else a new one of the story's age."""
+    """Put a phone to a person's ear: the one in their hand or in the sentence, else a new one of the story's age.
+
+    Args:
+        state: The reader's state; changed in place.
+        person: The caller.
+    """
     state.calls[person.id] = _place(state)
     state.called_from.add(_place(state))
     if state.scene.activities.get(person.id) != ACTIVITY:
@@ -73,7 +78,12 @@ def _pick_up(state: ReaderState, person: Person) -> None:
 
 
 def hang_up(state: ReaderState, person: Person) -> None:
-    """End a person's call: the phone leaves the ear, and a receiver goes back on its cradle."""
+    """End a person's call: the phone leaves the ear, and a receiver goes back on its cradle.
+
+    Args:
+        state: The reader's state; changed in place.
+        person: The caller.
+    """
     state.calls.pop(person.id, None)
     state.scene.activities.pop(person.id, None)
     state.unit.activities[person.id] = ""
@@ -114,7 +124,12 @@ def is_far_end(state: ReaderState, person: Person, extension: str) -> bool | Non
 
 
 def is_other_end(state: ReaderState, speaker: Person) -> bool:
-    """Whether a speaker in an intercut is the other end of a call."""
+    """Whether a speaker in an intercut is the other end of a call.
+
+    Args:
+        state: The reader's state.
+        speaker: The speaker.
+    """
     elsewhere = any(id not in state.scene.on for id in state.calls)
     return state.intercut and elsewhere and _place(state) not in state.called_from and speaker.kind == "human"
 

@@ -41,12 +41,22 @@ def find_nicknames(text: str) -> list[tuple[int, int, str, str]]:
 
 
 def person_in_clothes(roster: Roster, name: str) -> Person | None:
-    """Return the person whose clothes are the name: ``GREY SUIT`` is the MAN IN A GREY SUIT."""
+    """Return the person whose clothes are the name: ``GREY SUIT`` is the MAN IN A GREY SUIT.
+
+    Args:
+        roster: The cast.
+        name: The name.
+    """
     return next(iter(roster.wearing(bare(name))), None)
 
 
 def name_on_tag(look: str, names: Collection[str]) -> str:
-    """Return the name on a tag in brackets, ``(40s, name tag: MARGE)``, if the script has it; else an empty string."""
+    """Return the name on a tag in brackets, ``(40s, name tag: MARGE)``, if the script has it; else an empty string.
+
+    Args:
+        look: The words in brackets.
+        names: Names of the script.
+    """
     tag = _TAGGED.search(look)
     return tag.group(1) if tag and tag.group(1) in names else ""
 

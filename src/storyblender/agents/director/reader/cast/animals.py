@@ -60,7 +60,12 @@ def animal_acts(animal: str, told: str) -> bool:
 
 @rule("people.animal_that_acts")
 def add_animals(roster: Roster, script: Manuscript) -> None:
-    """Cast the animals of a screenplay that are written in small letters."""
+    """Cast the animals of a screenplay that are written in small letters.
+
+    Args:
+        roster: The cast; changed in place.
+        script: The script.
+    """
     first: dict[str, int] = {}
     toys = {toy.lower() for toy in _TOY_ANIMALS.findall(script.text)}
     roles = {person.role for person in roster.people}

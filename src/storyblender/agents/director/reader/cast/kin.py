@@ -67,7 +67,7 @@ _FAMILY = re.compile(r"\b(?:father|mother|son|daughter|parents)\b", re.IGNORECAS
 
 
 class Kinship(NamedTuple):
-    """A kinship that is told: ``his wife, Anna``."""
+    """A kinship told by a phrase such as ``his wife, Anna``."""
 
     at: int
     determiner: str

@@ -311,7 +311,12 @@ def merge_people(roster: Roster, named: Person, nameless: Person) -> None:
 
 @rule("people.called_by_nouns")
 def add_noun_aliases(roster: Roster, text: str) -> None:
-    """Let ``A MOVER`` answer to ``the mover``, though no list knows the noun."""
+    """Let ``A MOVER`` answer to ``the mover``, though no list knows the noun.
+
+    Args:
+        roster: The cast; changed in place.
+        text: The script.
+    """
     written = TextIndex(text)
     for person in roster.people:
         name = person.name.lower()

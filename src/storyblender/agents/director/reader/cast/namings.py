@@ -155,7 +155,12 @@ def title_noun(name: str) -> str:
 
 @rule("people.title")
 def name_by_title(roster: Roster, spoken: Sequence[tuple[int, str]]) -> None:
-    """Name people by a titled address: after ``"You win, Doctor Lebedev"`` the doctor has a name."""
+    """Name people by a titled address: after ``"You win, Doctor Lebedev"`` the doctor has a name.
+
+    Args:
+        roster: The cast; changed in place.
+        spoken: Names said in speech, with offsets.
+    """
     for _, name in spoken:
         words = bare(name).split()
         for person in [] if roster.find(words[-1]) else _people_with_title(roster, name):

@@ -120,7 +120,7 @@ def _is_apposed_to_somebody(after: str) -> bool:
 
 @rule("people.name_in_story")
 def add_name(roster: Roster, at: int, name: str, text: str, family: bool) -> None:
-    """Add somebody named; Mr. Barrow is Simon Barrow unless the story is about a family.
+    """Add the person of a name to the cast; Mr. Barrow is Simon Barrow unless the story is about a family.
 
     Args:
         roster: The cast so far, filled here.

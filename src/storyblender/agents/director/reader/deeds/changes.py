@@ -39,7 +39,13 @@ _SOUND_OF_MOTION = {"shoot": "gunshot", "knock": "knock", "clap": "applause"}
 
 @rule("changes.told")
 def note_changes(state: ReaderState, clause: Clause, roles: Roles) -> None:
-    """Emit what a clause changes: doors that open, lamps and lights that go on or off, things that break."""
+    """Add what a clause changes to the unit: doors, lamps and lights, liquids, things that break or appear.
+
+    Args:
+        state: The reader's state; changed in place.
+        clause: The clause.
+        roles: The people and things of the clause.
+    """
     if clause.negated or clause.unreal:
         return
     _note_openings(state, clause, roles)
@@ -119,7 +125,12 @@ def _add_change(state: ReaderState, thing: str, condition: str, at: int) -> None
 
 @rule("sounds.told")
 def note_sounds(state: ReaderState, clauses: Sequence[Clause]) -> None:
-    """Collect the sound effects of the sentence: BANG, thunder rumbles, the phone rings, somebody shoots."""
+    """Add the sound effects of a sentence to the unit: BANG, thunder, a phone that rings, a shot.
+
+    Args:
+        state: The reader's state; changed in place.
+        clauses: Clauses of the sentence.
+    """
     found = [_SOUND_OF_MOTION[deed.motion] for deed in state.unit.deeds if deed.motion in _SOUND_OF_MOTION]
     for clause in clauses:
         nouns = clause.object if clause.verb == "hear" else clause.subject if clause.verb in _SOUNDING else []
@@ -136,7 +147,13 @@ def note_sounds(state: ReaderState, clauses: Sequence[Clause]) -> None:
 
 @rule("bearing.face_by_verb")
 def note_facial_deeds(state: ReaderState, clause: Clause, people: Sequence[Person]) -> None:
-    """Keep what shows on a face: smiles, frowns."""
+    """Keep the facial deeds of a clause as expressions: smiles, frowns.
+
+    Args:
+        state: The reader's state; changed in place.
+        clause: The clause.
+        people: People whom the clause is about.
+    """
     if clause.verb in lexicon.FACE_VERBS and not clause.negated and not clause.unreal:
         for person in people:
             state.unit.expressions[person.id] = clause.verb

@@ -107,7 +107,7 @@ def _companions(roles: Roles, clause: Clause, motion: str) -> list[Deed]:
 
 
 def _is_feet(place: Place) -> bool:
-    """Whether a place is somebody's feet."""
+    """Whether a place is a person's feet."""
     return any(noun.head in ("foot", "feet") for noun in place.nouns)
 
 
@@ -129,7 +129,17 @@ def _only_a_pose(state: ReaderState, clause: Clause, roles: Roles, motion: str) 
 
 @rule("deeds.target", without=(None, None))
 def find_target(state: ReaderState, clause: Clause, roles: Roles, motion: str) -> tuple[str | None, str | None]:
-    """Whom or what a motion is for, and the thing used: ``gives Ben the folder`` -> Ben, folder."""
+    """Return whom or what a motion is for, and the thing used: ``gives Ben the folder`` -> Ben, folder.
+
+    Args:
+        state: The reader's state.
+        clause: The clause.
+        roles: The people and things of the clause.
+        motion: Motion of its subject.
+
+    Returns:
+        The ids of target and prop, each None if there is none.
+    """
     thing = next((thing for thing in roles.things if state.inventory.head(thing) not in _QUALITIES), None)
     if motion == "give":
         return _receiver(state, roles), thing or (roles.recipient_things[0] if roles.recipient_things else None)

@@ -36,7 +36,13 @@ _PICTURE_OF = re.compile(
 
 @rule("people.subject_is_there", without=True)
 def enter_subjects(state: ReaderState, clause: Clause, subjects: Sequence[Person]) -> bool:
-    """Bring the subjects of a clause on stage; return False where they are only heard."""
+    """Bring the subjects of a clause on stage; return False where they are only heard.
+
+    Args:
+        state: The reader's state; changed in place.
+        clause: The clause.
+        subjects: Subjects of the clause.
+    """
     seen = True
     for person in subjects:
         again = person.id in state.sentence.named
@@ -57,7 +63,14 @@ def enter_subjects(state: ReaderState, clause: Clause, subjects: Sequence[Person
 
 @rule("people.object_is_there")
 def enter_objects(state: ReaderState, clause: Clause, roles: Roles, motion: str | None) -> None:
-    """People who are touched, spoken to or stood beside are on stage too."""
+    """Bring people on stage who are touched, addressed or stood beside.
+
+    Args:
+        state: The reader's state; changed in place.
+        clause: The clause.
+        roles: The people and things of the clause.
+        motion: Motion of its subject, or None.
+    """
     physical = bool(roles.subjects) and not state.sentence.pictured
     for person in roles.people + roles.recipients:
         state.mention(person, 0.6)
@@ -90,7 +103,13 @@ def is_elsewhere(state: ReaderState, index: int) -> bool:
 
 @rule("people.named_is_there")
 def enter_named(state: ReaderState, words: list[Word], clauses: list[Clause]) -> None:
-    """Everybody named in action is on stage, unless the words around say otherwise."""
+    """Bring the people named in action on stage, unless the words around say that they are elsewhere.
+
+    Args:
+        state: The reader's state; changed in place.
+        words: Words of the sentence.
+        clauses: Clauses of the sentence.
+    """
     for index, word in enumerate(words):
         if word.mention is None or not word.named:
             continue

@@ -91,14 +91,27 @@ _CLOSED = frozenset({"close", "shut", "slam", "swing", "bang", "click", "bolt", 
 
 @rule("people.leaves")
 def note_exits(state: ReaderState, clause: Clause, roles: Roles, motion: str) -> None:
-    """Note who leaves by a motion of their own, and whom they take along."""
+    """Note who leaves by a motion of their own, and whom they take along.
+
+    Args:
+        state: The reader's state; changed in place.
+        clause: The clause.
+        roles: The people and things of the clause.
+        motion: Motion of its subject, or None.
+    """
     if _is_exit(state, clause, roles, motion):
         _mark_leaving(state, roles.subjects)
 
 
 @rule("people.taken_away")
 def note_taken_away(state: ReaderState, clause: Clause, roles: Roles) -> None:
-    """Note who leaves because of others: ``throws Ben out``, ``Ben is dragged off``."""
+    """Note who leaves because of others: ``throws Ben out``, ``Ben is dragged off``.
+
+    Args:
+        state: The reader's state; changed in place.
+        clause: The clause.
+        roles: The people and things of the clause.
+    """
     if clause.negated or clause.unreal or clause.verb not in _TAKING_ALONG | _SENDING:
         return
     moved = roles.subjects if clause.passive else roles.people
@@ -110,7 +123,7 @@ def note_taken_away(state: ReaderState, clause: Clause, roles: Roles) -> None:
 
 
 def is_through_a_door(clause: Clause) -> bool:
-    """Whether a person is told to be out: ``Eddie is already through the door``, ``She's out the window``."""
+    """Whether the words say that a person is out already: ``Eddie is already through the door``."""
     return clause.verb == "be" and any(
         preposition in ("through", "out", "out of") and any(noun.head in _OPENINGS for noun in nouns)
         for preposition, nouns in clause.places
@@ -119,7 +132,13 @@ def is_through_a_door(clause: Clause) -> bool:
 
 @rule("people.found_gone")
 def note_gone(state: ReaderState, clause: Clause, subjects: Sequence[Person]) -> None:
-    """Note who is told to be gone: ``Ben is gone``, ``But she has already vanished.``"""
+    """Note who is gone by the words: ``Ben is gone``, ``But she has already vanished.``
+
+    Args:
+        state: The reader's state; changed in place.
+        clause: The clause.
+        subjects: Subjects of the clause.
+    """
     after = [word.low for word in state.sentence.words[clause.index + 1 : clause.index + 4]]
     told = [low for low in after if low not in lexicon.ADVERBS and not low.endswith("ly")]
     if clause.verb in ("be", "have") and told and told[0] in _GONE and not clause.negated:
@@ -129,7 +148,12 @@ def note_gone(state: ReaderState, clause: Clause, subjects: Sequence[Person]) ->
 
 @rule("people.all_leave")
 def note_everyone_leaves(state: ReaderState, clause: Clause) -> None:
-    """Note that all leave but who is named: ``Everybody leaves but Nora.``"""
+    """Note that all leave but who is named: ``Everybody leaves but Nora.``
+
+    Args:
+        state: The reader's state; changed in place.
+        clause: The clause.
+    """
     heads = {noun.head for noun in clause.subject}
     goes = _LEAVING.match(clause.verb) or f"{clause.verb} {clause.particle}" in ("go out", "file out", "walk out")
     if heads & _ALL and goes and not (clause.negated or clause.unreal):
@@ -139,7 +163,13 @@ def note_everyone_leaves(state: ReaderState, clause: Clause) -> None:
 
 @rule("people.left_alone")
 def note_left_alone(state: ReaderState, clause: Clause, subjects: Sequence[Person]) -> None:
-    """Note that all others are gone: ``Rick stands alone in the fog.``, but not ``alone at a table``."""
+    """Note that all others are gone: ``Rick stands alone in the fog.``, but not ``alone at a table``.
+
+    Args:
+        state: The reader's state; changed in place.
+        clause: The clause.
+        subjects: Subjects of the clause.
+    """
     words = state.sentence.words
     alone = any(word.low == "alone" and word.verb is None for word in words)
     spot = any(phrase.head not in _WEATHER for _, phrases in clause.places for phrase in phrases)
@@ -160,7 +190,13 @@ def _takes_an_object(words: Sequence[Word]) -> bool:
 
 @rule("people.seen_off")
 def note_seen_off(state: ReaderState, clause: Clause, roles: Roles) -> None:
-    """Note who left as others see: ``shuts the door behind him``, ``watched him down the road``."""
+    """Note who left as others see: ``shuts the door behind him``, ``watched him down the road``.
+
+    Args:
+        state: The reader's state; changed in place.
+        clause: The clause.
+        roles: The people and things of the clause.
+    """
     things = roles.things if roles.subjects else roles.subject_things
     doors = [thing for thing in things if state.inventory.head(thing) in ("door", "gate")]
     gone = roles.people_after("behind", "after") if clause.verb in _CLOSED and doors else []

@@ -23,14 +23,14 @@ _SHORT = re.compile(r"[^aeiouy]+[aeiou][bdgmnprt]$")
 
 
 def third_person(verb: str) -> str:
-    """``watch`` -> ``watches``, ``carry`` -> ``carries``."""
+    """Return the third person of a verb: ``watch`` -> ``watches``, ``carry`` -> ``carries``."""
     if re.search(r"(s|x|z|ch|sh|o)$", verb):
         return verb + "es"
     return verb[:-1] + "ies" if re.search(r"[^aeiou]y$", verb) else verb + "s"
 
 
 def past_tense(verb: str) -> str:
-    """``take`` -> ``took``, ``stop`` -> ``stopped``."""
+    """Return the past tense of a verb: ``take`` -> ``took``, ``stop`` -> ``stopped``."""
     if verb in lexicon.IRREGULAR_PAST:
         return lexicon.IRREGULAR_PAST[verb]
     if verb in lexicon.DOUBLING or _SHORT.match(verb):
@@ -41,7 +41,7 @@ def past_tense(verb: str) -> str:
 
 
 def present_participle(verb: str) -> str:
-    """``lie`` -> ``lying``, ``sit`` -> ``sitting``."""
+    """Return the present participle of a verb: ``lie`` -> ``lying``, ``sit`` -> ``sitting``."""
     if verb in ("lie", "die"):
         return verb[:-2] + "ying"
     if verb in lexicon.DOUBLING_ING or _SHORT.match(verb):

@@ -118,7 +118,12 @@ def is_contracted(words: list[Word], at: int) -> bool:
 
 
 def names_a_kind(word: Word, following: Word | None) -> bool:
-    """Whether a word names the kind of the next noun: ``reading glasses``, ``a vending machine``."""
+    """Whether a word names the kind of the next noun: ``reading glasses``, ``a vending machine``.
+
+    Args:
+        word: The word.
+        following: The next word, or None.
+    """
     noun = singular(following.low) if following else ""
     if word.low.endswith("ing") and noun in lexicon.WORN and form_kind(word.low) == "ing":
         return FORMS[word.low].lemma in _SPORTS
@@ -137,7 +142,12 @@ def _ends_a_kind(word: Word, row: TaggedRow) -> bool:
 
 
 def may_be_verb(word: Word, following: Word | None) -> bool:
-    """Whether a word after an apposition can be the verb it interrupts: known, or shaped like one before an object."""
+    """Whether a word after an apposition can be the verb it interrupts: known, or shaped like one before an object.
+
+    Args:
+        word: The word after the apposition.
+        following: The next word, or None.
+    """
     if form_kind(word.low) in ("3sg", "past", "aux"):
         return True
     right = following.low if following else "."

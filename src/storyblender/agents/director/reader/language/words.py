@@ -37,8 +37,7 @@ class Mention:
 
 @dataclass
 class Word:
-    """One word of a sentence; a name of several words is one Word. Inserted words (elided subject, missing
-    ``inserted_was``) have no characters."""
+    """One word of a sentence. A name of several words is one Word; an inserted word has no characters."""
 
     text: str
     start: int
@@ -58,12 +57,12 @@ class Word:
 
     @property
     def named(self) -> bool:
-        """Whether it is somebody of the cast by name or role."""
+        """Whether it is a member of the cast, by name or role."""
         return self.mention is not None and self.mention.kind in ("name", "role")
 
     @property
     def solid(self) -> bool:
-        """Whether it is a word or a mention, not punctuation."""
+        """Whether it is a word or a mention and no punctuation."""
         return self.mention is not None or self.text.isalnum()
 
 

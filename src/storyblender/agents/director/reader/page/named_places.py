@@ -244,7 +244,7 @@ def place_in_capitals(text: str, scenes: Sequence[SceneReading]) -> NamedPlace |
 
 
 def last_scene_with_words(words: str, scenes: Sequence[SceneReading]) -> SceneReading | None:
-    """Return the last scene whose place contains all these words, or None."""
+    """Return the last of ``scenes`` whose place contains all of ``words``, or None."""
     wanted = frozenset(re.findall(r"[^\W_]+", words.lower())) - _SMALL
     if not wanted:
         return None

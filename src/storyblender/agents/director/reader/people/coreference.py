@@ -55,15 +55,15 @@ def resolve_pronoun(
     previous: Sequence[Person] = (),
     excluded: Sequence[Person] = (),
 ) -> list[Person]:
-    """Decide who a pronoun for people means.
+    """Return the people whom a pronoun means, by gender, salience and grammatical role.
 
     Args:
-        state: The state before it.
-        pronoun: Lower case; not ``it``.
-        role: Its role in the clause.
-        subjects: Subject of the clause it stands in.
-        previous: Subject of the sentence before.
-        excluded: Who it cannot be: ``her brother`` is not her.
+        state: The reader's state.
+        pronoun: The pronoun in lower case.
+        role: Its grammatical role.
+        subjects: Subjects of the clause.
+        previous: Subjects of the clause or sentence before.
+        excluded: People it cannot mean.
     """
     kind = lexicon.PRONOUNS[pronoun]
     if kind == "plural":

@@ -23,7 +23,7 @@ _NO_ADJECTIVES = _OPENERS | lexicon.PREPOSITIONS
 
 
 def mark_mentions(words: list[Word], roster: Roster) -> list[Word]:
-    """Join the words of every name into one word that carries its mention.
+    """Return the words with the words of each name joined into one that carries its mention.
 
     Args:
         words: A paragraph.

@@ -22,7 +22,12 @@ _LARGE = frozenset({"big", "large", "huge", "tall", "heavy", "fat", "stout", "bu
 
 
 def gender_fits(person: Person, gender: Gender) -> bool:
-    """Whether a person may have a gender: theirs is the same or unknown, or the gender is unknown."""
+    """Whether a person may have a gender: theirs is the same or unknown, or the gender is unknown.
+
+    Args:
+        person: The person.
+        gender: The gender of a noun or pronoun.
+    """
     return "unknown" in (person.gender, gender) or person.gender == gender
 
 
@@ -32,7 +37,12 @@ def may_be_it(person: Person) -> bool:
 
 
 def resolve_mention(state: ReaderState, mention: Mention) -> list[Person]:
-    """Return the people whom a mention means, and keep the answer in the mention."""
+    """Return the people whom a mention means, and keep the answer in the mention.
+
+    Args:
+        state: The reader's state.
+        mention: The mention.
+    """
     if not mention.people:
         if mention.kind == "group":
             mention.people = _group(state, mention)

@@ -173,7 +173,12 @@ class Roster:
                     self.add_alias(person, word)
 
     def add_alias(self, person: Person, alias: str) -> None:
-        """Let a person answer to one more name."""
+        """Let a person answer to one more name.
+
+        Args:
+            person: The person.
+            alias: The name.
+        """
         if alias not in person.aliases:
             person.aliases = (*person.aliases, alias)
             self._answering.setdefault(alias, {})[person.id] = person
@@ -185,7 +190,7 @@ class Roster:
             self._answering.get(name, {}).pop(person.id, None)
 
     def rename(self, person: Person, name: str) -> None:
-        """Give a person another display name; they still answer to the old one."""
+        """Give a person the display name ``name``; they still answer to the old one."""
         self._forget_title(person)
         person.name = name
         self._note_title(person)

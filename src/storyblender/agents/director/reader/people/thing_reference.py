@@ -46,10 +46,10 @@ def raise_things(state: ReaderState, things: Iterable[str], weight: float) -> No
 def raise_clause_things(
     state: ReaderState, subjects: Sequence[str], objects: Sequence[str], places: Sequence[str]
 ) -> None:
-    """Raise the salience of the things of a clause by their role in it; earlier things fade.
+    """Raise the salience of the things of a clause by their part in it; earlier things fade.
 
     Args:
-        state: The reader's state.
+        state: The reader's state; changed in place.
         subjects: Ids of the things that act.
         objects: Ids of the things that something is done to.
         places: Ids of the things in places.
@@ -63,13 +63,13 @@ def raise_clause_things(
 
 
 def thing_for_it(state: ReaderState, index: int, use: Use, animals: Sequence[Person] = ()) -> str | None:
-    """The thing that ``it`` at a position means.
+    """Return the id of the thing or animal that the pronoun ``it`` means, or None.
 
     Args:
-        state: The state before the clause is told.
-        index: Position of the pronoun in the sentence.
+        state: The reader's state before the clause.
+        index: Word index of the pronoun in the sentence.
         use: Its part in the clause; ``place`` after a preposition of place.
-        animals: Who may be called so.
+        animals: Animals that it may mean.
 
     Returns:
         The id of a thing or of one of the animals.
@@ -116,7 +116,7 @@ def _placed_here(state: ReaderState, index: int) -> str | None:
 
 
 def _can_be_it(state: ReaderState, thing: str) -> bool:
-    """Whether ``it`` can mean a thing of this noun class."""
+    """Whether ``it`` can mean a thing: nothing abstract, no weather, and no noun that is always plural."""
     head = state.inventory.head(thing)
     weather = head in lexicon.WEATHER_NOUNS | lexicon.WEATHER_WORDS.keys()
     return state.inventory.class_of(thing) != "abstract" and not weather and head not in PLURAL_ONLY

@@ -42,24 +42,45 @@ def exact_relation(state: ReaderState, kind: RelationKind, anchor: str, verb: st
 
 
 def is_scene_place(state: ReaderState, anchor: str) -> bool:
-    """Whether a thing's noun only names the place of the scene itself: ``He sits in the cafe``."""
+    """Whether a thing's noun only names the place of the scene itself: ``He sits in the cafe``.
+
+    Args:
+        state: The reader's state.
+        anchor: Id of the thing.
+    """
     head = state.inventory.head(anchor)
     return bool(head) and head in state.place.place.lower().split()
 
 
 def is_carried_support(state: ReaderState, subject: str, anchor: str) -> bool:
-    """Whether an anchor moves along with the subject, as a crutch or a leash does, and so is no place."""
+    """Whether an anchor moves along with the subject, as a crutch or a leash does, and so is no place.
+
+    Args:
+        state: The reader's state.
+        subject: Id of the person or thing that it would support.
+        anchor: Id of the anchor.
+    """
     walks = state.person(subject) is not None or state.inventory.class_of(subject) == "set_piece"
     return state.inventory.head(anchor) in (_STICKS if walks else _LEADS)
 
 
 def can_hold_things(state: ReaderState, thing: str) -> bool:
-    """Whether other things can be on, in or beside a thing: it is an asset, or a surface such as the floor."""
+    """Whether other things can be on, in or beside a thing: it is an asset, or a surface such as the floor.
+
+    Args:
+        state: The reader's state.
+        thing: Id of the thing.
+    """
     return state.inventory.class_of(thing) in THING_CLASSES or state.inventory.head(thing) in SURFACES
 
 
 def furniture_and_props(state: ReaderState, things: list[str]) -> list[str]:
-    """Return the ids that are furniture or props."""
+    """Return the ids that are furniture or props.
+
+    Args:
+        state: The reader's state.
+        things: Ids of things.
+    """
     return [thing for thing in things if state.inventory.class_of(thing) in ("prop", "set_piece")]
 
 

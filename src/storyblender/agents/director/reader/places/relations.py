@@ -86,7 +86,7 @@ def relate_clause(state: ReaderState, clause: Clause, roles: Roles, motion: str 
 
 
 def _relations_on_body(roles: Roles, motion: str | None, located: list[str]) -> list[StatedRelation]:
-    """Relations to people whose lap or back somebody gets on: ``The cat jumps into her lap``."""
+    """Return relations to people whose lap or back is got on: ``The cat jumps into her lap``."""
     if motion not in _LEAPING:
         return []
     bodies = [
