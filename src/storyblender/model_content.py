@@ -7,6 +7,8 @@ from pathlib import Path
 
 MOST_BYTES = 256 << 20
 """A larger model is not read, so of that only the size counts."""
+MOST_CREDIT_BYTES = 1 << 16
+"""Of a credits file; a longer one is not read."""
 CREDITS = "credits.toml"
 """File in a folder of models that says whose work the models in it and below it are."""
 
@@ -36,5 +38,6 @@ def content_of(path: Path, folder: Path) -> str:
     with path.open("rb") as file:
         digest = hashlib.file_digest(file, "sha256")
     for credits_file in credit_files(path, folder):
-        digest.update(credits_file.read_bytes())
+        with credits_file.open("rb") as file:
+            digest.update(file.read(MOST_CREDIT_BYTES + 1))
     return digest.hexdigest()[:16]

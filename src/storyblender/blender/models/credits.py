@@ -10,10 +10,7 @@ from typing import Any
 from storyblender.blender.models.addresses import readable
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import NOTE_LENGTH, Credit
-from storyblender.model_content import credit_files
-
-_LONGEST_FILE = 1 << 16
-"""Bytes of a file of credits."""
+from storyblender.model_content import MOST_CREDIT_BYTES, credit_files
 
 
 def with_files(credit: Credit, path: Path, folder: Path, notes: list[str]) -> Credit:
@@ -28,7 +25,7 @@ def with_files(credit: Credit, path: Path, folder: Path, notes: list[str]) -> Cr
     told: dict[str, str] = {}
     for file in credit_files(path, folder):
         try:
-            if readable(folder, file).stat().st_size > _LONGEST_FILE:
+            if readable(folder, file).stat().st_size > MOST_CREDIT_BYTES:
                 raise ValueError("too long")
             told = {**_kept(tomllib.loads(file.read_bytes().decode("utf-8-sig"))), **told}
         except (InputError, OSError, ValueError, RecursionError) as error:
