@@ -254,7 +254,7 @@ def a_textured_crate():
     material.use_nodes = True
     tree = material.node_tree
     shader = tree.nodes["Principled BSDF"]
-    for name, color in (("Base Color", (0.8, 0.2, 0.1)), ("Roughness", (0.3,) * 3), ("Normal", (0.5, 0.5, 1.0))):
+    for name, color in (("Base Color", (0.8, 0.2, 0.1)), ("Roughness", (0.9, 0.3, 0.1)), ("Normal", (0.5, 0.5, 1.0))):
         image = bpy.data.images.new(name, 8, 8)
         image.colorspace_settings.name = "sRGB" if name == "Base Color" else "Non-Color"
         image.pixels.foreach_set(np.tile(np.array([*color, 1], np.float32), 64))
@@ -262,6 +262,10 @@ def a_textured_crate():
         node = tree.nodes.new("ShaderNodeTexImage")
         node.image = image
         out = node.outputs["Color"]
+        if name == "Roughness":
+            parted = tree.nodes.new("ShaderNodeSeparateColor")
+            tree.links.new(out, parted.inputs["Color"])
+            out = parted.outputs["Green"]
         if name == "Normal":
             bumps = tree.nodes.new("ShaderNodeNormalMap")
             tree.links.new(out, bumps.inputs["Color"])
