@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import Literal
 
 from storyblender.catalog.registry import ParamValue
-from storyblender.memory.base import Color, Frozen, Identifier, Vec2, Vec3
+from storyblender.memory.base import Frozen, Identifier, Vec2, Vec3
 from storyblender.memory.scene_context import Light, SceneSize
 
 
@@ -135,7 +135,6 @@ class SetPlan(Frozen):
     lamps: tuple[Light, ...] = ()
     """The place's own lamps at their night strength; the Lighting Arranger switches and tints them."""
     marks: tuple[PlanMark, ...] = ()
-    sky_color: Color | None = None
 
     @property
     def under_the_sky(self) -> bool:

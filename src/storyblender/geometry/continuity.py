@@ -62,14 +62,6 @@ def angle_between_views(before: Orbit, after: Orbit, subject: ArrayLike) -> floa
     return math.degrees(math.acos(min(1.0, max(-1.0, cosine))))
 
 
-def is_jump_cut(before: Orbit, after: Orbit, subject: ArrayLike, size_steps: int) -> bool:
-    """Return whether a cut on one subject jumps: views less than 30 degrees and fewer than two shot sizes apart.
-
-    ``subject`` is a world point; ``size_steps`` is the number of steps between the two sizes in ``SIZES``.
-    """
-    return size_steps < 2 and angle_between_views(before, after, subject) < JUMP_CUT_DEGREES
-
-
 def screen_direction(camera: Orbit, vector: ArrayLike) -> float:
     """Return the share of a world direction that runs to the right of the picture: 1 right, -1 left, 0 in depth."""
     flat = np.asarray(vector, float)

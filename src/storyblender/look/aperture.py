@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
+
+from storyblender.memory.vocabulary import Aperture
 
 Pixels = NDArray[np.uint8]
 Shape = NDArray[np.float32]
@@ -20,25 +21,24 @@ _LINE = 0.003
 """Half the width of a reticle or viewfinder line, in picture heights."""
 
 
-def look_through(pixels: Pixels, through: str) -> Pixels:
-    """Return a picture as seen through an optical device or opening; unchanged if the words name none.
+def look_through(pixels: Pixels, through: Aperture | None) -> Pixels:
+    """Return a picture as seen through an optical device or opening; unchanged for None.
 
     Args:
         pixels: (h, w, 3) display values.
-        through: Words for the device or opening, e.g. ``binoculars``.
+        through: The device or opening.
     """
-    kind = next((kind for kind, words in _WORDS.items() if re.search(rf"\b(?:{words})", through.lower())), None)
-    if kind is None:
+    if through is None:
         return pixels
     height, width = pixels.shape[:2]
     aspect = width / height
     y, x = np.mgrid[0:height, 0:width].astype(np.float32)
     x, y = (x + 0.5 - width / 2) / height, (y + 0.5 - height / 2) / height
-    inside = _OPENINGS[kind](x, y, aspect) if kind in _OPENINGS else np.ones_like(x)
+    inside = _OPENINGS[through](x, y, aspect) if through in _OPENINGS else np.ones_like(x)
     picture = pixels.astype(np.float32) * inside[..., None] + 255 * _DARK * (1 - inside[..., None])
-    if kind in _LINES:
-        lines = _LINES[kind](x, y, aspect)[..., None]
-        ink = 20.0 if kind == "scope" else 240.0
+    if through in _LINES:
+        lines = _LINES[through](x, y, aspect)[..., None]
+        ink = 20.0 if through == "scope" else 240.0
         picture = picture * (1 - lines) + ink * lines
     return np.clip(np.rint(picture), 0, 255).astype(np.uint8)
 
@@ -103,19 +103,7 @@ def _brackets(x: Shape, y: Shape, aspect: float) -> Shape:
     return edge.astype(np.float32)
 
 
-_WORDS: dict[str, str] = {
-    "binoculars": r"binocular|field.?glass|opera.?glass",
-    "keyhole": r"key.?hole",
-    "scope": r"scope\b|sights?\b|cross.?hair|rifle",
-    "tube": r"telescope|spyglass|periscope|peep|porthole|lens\b|microscope|magnif|eyepiece|monocle|hole",
-    "viewfinder": r"view.?finder|camera|camcorder|phone|screen|monitor",
-    "slats": r"blind|slat|shutter|louvre|grill|grate|vent",
-    "bars": r"bars|fence|railing|cage",
-    "panes": r"window|windscreen|windshield|pane|glass",
-    "gap": r"crack|gap|slit|ajar|door|curtain|between|letter.?box|branches|leaves",
-}
-"""Kind of aperture to the word prefixes that name it; the first match wins."""
-_OPENINGS: dict[str, _Field] = {
+_OPENINGS: dict[Aperture, _Field] = {
     "binoculars": _binoculars,
     "keyhole": _keyhole,
     "scope": _tube,
@@ -125,4 +113,4 @@ _OPENINGS: dict[str, _Field] = {
     "panes": _panes,
     "gap": _gap,
 }
-_LINES: dict[str, _Field] = {"scope": _cross, "viewfinder": _brackets}
+_LINES: dict[Aperture, _Field] = {"scope": _cross, "viewfinder": _brackets}

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Field, StringConstraints
+from pydantic import Field, StringConstraints, model_validator
 
-from storyblender.memory.base import Color, Digest, Frozen, Identifier, Vec2, Vec3
-from storyblender.memory.vocabulary import AssetType, Gender
+from storyblender.memory.base import Color, Digest, Frozen, Identifier, Vec2, Vec3, without_fields
+from storyblender.memory.vocabulary import AssetType, Gender, SizeWord, StatureWord
 
 ParamValue = float | str | bool
 _Length = Annotated[float, Field(ge=0, le=1e5)]
@@ -130,6 +130,19 @@ class AssetDimension(Frozen):
     height: _Length | None = None
 
 
+PLAUSIBLE = (0.003, 60.0)
+"""Least and most metres that a dimension of an asset may have."""
+
+
+class StatedSize(Frozen):
+    """What the script states about the size of an asset."""
+
+    measure: AssetDimension | None = None
+    word: SizeWord | StatureWord | None = None
+    toy: bool = False
+    """Whether it is a small likeness: a toy car, a plush bear."""
+
+
 class Asset(Frozen):
     """A single unique character or object in the story."""
 
@@ -137,7 +150,6 @@ class Asset(Frozen):
     asset_type: AssetType
     description: str
     reference_character: Identifier | None = None
-    text_to_image_prompt: str = ""
     name: str = ""
     """As written in the script, for people to read."""
     tags: tuple[str, ...] = ()
@@ -148,7 +160,14 @@ class Asset(Frozen):
     """Id of the asset that this one is a part of; a part is shown on the whole asset."""
     look: CharacterLook | None = None
     """Characters only."""
+    stated_size: StatedSize = StatedSize()
     dimension: AssetDimension | None = None
+    """From the Dimension Estimator."""
     canonical: CanonicalAsset | None = None
     locked: bool = Field(default=False, exclude_if=lambda value: not value)
     """Whether a person locked its look, its size and its model."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _from_schema_4(cls, value: object) -> object:
+        return without_fields(value, "text_to_image_prompt")

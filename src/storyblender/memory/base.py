@@ -41,6 +41,11 @@ def is_none(value: object) -> bool:
     return value is None
 
 
+def without_fields(value: object, *names: str) -> object:
+    """Return the data of a model without fields that only older schemas have; anything but a dict as it is."""
+    return {key: each for key, each in value.items() if key not in names} if isinstance(value, dict) else value
+
+
 def content_hash(*parts: BaseModel | dict[str, object] | list[object] | str | int | float | None) -> str:
     """Return 16 hex digits that identify the values of ``parts``, stable across runs and machines."""
     plain = [part.model_dump(mode="json") if isinstance(part, BaseModel) else part for part in parts]

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Self
+from typing import Annotated, Self, get_args
 
 from pydantic import Field, model_validator
 
-from storyblender.memory.base import Coordinate, Frozen, Identifier, Vec3, is_none
+from storyblender.memory.base import Coordinate, Frozen, Identifier, Vec3, is_none, without_fields
 from storyblender.memory.shot_sizes import ShotSize
 from storyblender.memory.vocabulary import (
     Angle,
+    Aperture,
     BodyPart,
     CameraDirection,
     Moment,
@@ -53,20 +54,21 @@ class CameraInstruction(Frozen):
     """The script's words that asked for this camera."""
     explicit: bool = False
     """Written in the script: never overruled by taste."""
-    through: str = ""
-    """POV shots: what the camera looks through: ``binoculars``, ``keyhole``, ``scope``, ``window``."""
+    through: Aperture | None = None
+    """POV shots: what the camera looks through."""
     behind: bool = False
     """The script shows its people from behind: ``his back to us``."""
 
     @model_validator(mode="before")
     @classmethod
     def _from_schema_4(cls, value: object) -> object:
-        """Older projects kept a distance beside the size, and a sentence that ends in the words that ordered it."""
+        """Older projects kept a distance beside the size, words for an aperture, and a sentence with the order."""
         if not isinstance(value, dict) or "description" not in value:
             return value
-        kept = {name: each for name, each in value.items() if name not in ("description", "distance")}
-        order = str(value["description"]).partition(" (script: ")[2]
-        return {"order": order.removesuffix(".").removesuffix(")"), **kept}
+        order = str(value["description"]).partition(" (script: ")[2].removesuffix(".").removesuffix(")")
+        words = str(value.get("through") or "")
+        through = next((each for each in get_args(Aperture) if each in words), "panes" if "window" in words else None)
+        return without_fields({"order": order, **value, "through": through}, "description", "distance")
 
 
 class CameraPosition(Frozen):

@@ -59,8 +59,6 @@ class CameraView(Frozen):
     sky: float = 0.0
     foreground: float = 0.0
     """Share of pixels nearer than half the focus distance that belong to no focus node."""
-    nearest: float = 1e9
-    """Metres from the lens to the nearest surface in view."""
     inside: tuple[str, ...] = ()
     """node_ids of solids that contain the camera or are closer than 0.25 m."""
     below_floor: bool = False

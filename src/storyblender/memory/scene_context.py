@@ -7,7 +7,7 @@ from typing import Literal
 from pydantic import Field, model_validator
 
 from storyblender.memory.asset_sheet import ParamValue
-from storyblender.memory.base import Color, Coordinate, Frozen, Identifier, SceneId, Vec3
+from storyblender.memory.base import Color, Coordinate, Frozen, Identifier, SceneId, Vec3, without_fields
 from storyblender.memory.locks import SceneLock
 from storyblender.memory.vocabulary import (
     Facing,
@@ -76,7 +76,7 @@ class SceneSetup(Frozen):
     @classmethod
     def _from_schema_4(cls, value: object) -> object:
         """Older projects kept a sentence on the light, which follows from hour and weather."""
-        return {k: v for k, v in value.items() if k != "lighting_description"} if isinstance(value, dict) else value
+        return without_fields(value, "lighting_description")
 
 
 class SceneSize(Frozen):

@@ -56,9 +56,18 @@ TetherKind = Literal["leash", "rope", "chain", "hand"]
 Moment = Literal["start", "middle", "end"]
 """Which moment of its script lines a panel shows; ``end`` is after the last action."""
 Hand = Literal["L", "R"]
+Aperture = Literal["binoculars", "keyhole", "scope", "tube", "viewfinder", "slats", "bars", "panes", "gap"]
+"""What a POV looks through; ``tube`` is a telescope or a porthole, ``gap`` a door ajar."""
 BodyPart = Literal["hand", "eyes", "mouth", "feet"]
 Mood = Literal["neutral", "happy", "sad", "angry", "afraid", "tender"]
 TimeOfDay = Literal["dawn", "morning", "day", "noon", "afternoon", "sunset", "dusk", "evening", "night"]
+SizeWord = Literal[
+    "tiny", "minuscule", "miniature", "small", "little", "low", "short", "narrow", "compact", "big", "large", "tall",
+    "wide", "long", "broad", "huge", "enormous", "massive", "giant", "gigantic", "towering", "colossal",
+]  # fmt: skip
+"""Words for the size of a thing; of several the first counts."""
+StatureWord = Literal["tall", "towering", "giant", "huge", "big", "short", "small", "little", "petite", "tiny"]
+"""Words for the stature of a person; of several the first counts."""
 LightQuality = Literal["dim", "bright", "harsh", "soft", "candlelight", "cold", "warm", "red"]
 """The character of a light, besides its hour and weather."""
 Weather = Literal["clear", "cloudy", "fog", "rain", "storm", "snow"]

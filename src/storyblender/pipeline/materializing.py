@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from concurrent.futures import Future
 
 from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD
-from storyblender.agents.layout_artist.dimension_estimator import knows_size, tells_size
+from storyblender.agents.layout_artist.dimension_estimator import knows_size
 from storyblender.catalog.meanings import MEANT_IN
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.recipe import Recipe
@@ -70,7 +70,7 @@ def _with_size(asset: Asset, dimension: AssetDimension) -> Asset:
     """Return an asset with its dimension; a model keeps its own size unless the script tells one."""
     canonical = asset.canonical
     if canonical is not None and canonical.source == "file":
-        if tells_size(asset):
+        if asset.stated_size.measure is not None:
             canonical = canonical.model_copy(update={"params": {**canonical.params, "told": True}})
         elif not knows_size(asset):
             return asset

@@ -47,7 +47,6 @@ class _Paragraph:
     number: str = ""
     dual: bool = False
     title_page: bool = False
-    alignment: str = ""
     pieces: list[str] = field(default_factory=list)
 
     @property

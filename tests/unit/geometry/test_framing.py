@@ -6,7 +6,6 @@ import pytest
 from storyblender.geometry.continuity import (
     crosses_line,
     do_looks_match,
-    is_jump_cut,
     mirror_azimuth,
     screen_direction,
     side_of_line,
@@ -161,13 +160,6 @@ def test_the_line_is_crossed_only_on_the_other_side() -> None:
     assert not crosses_line(orbit(camera, 60), ANNA.face, TOM.face, side)
     assert crosses_line(orbit(camera, 180), ANNA.face, TOM.face, side)
     assert side_of_line((-5, 0.05), ANNA.face, TOM.face) == 0
-
-
-def test_a_small_step_with_the_same_size_jumps() -> None:
-    camera = frame_single(FILM, ANNA, "MS", 40, 2, 50)
-    assert is_jump_cut(camera, orbit(camera, 15), ANNA.face, 0)
-    assert not is_jump_cut(camera, orbit(camera, 35), ANNA.face, 0)
-    assert not is_jump_cut(camera, camera, ANNA.face, 2)
 
 
 def test_mirrored_singles_match_their_eyelines() -> None:

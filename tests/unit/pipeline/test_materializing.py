@@ -11,6 +11,7 @@ import pytest
 from tests.crew import crew_of, no_words
 
 from storyblender.agents.concept_artist import asset_retriever_view
+from storyblender.agents.director.size_words import stated_size
 from storyblender.errors import EngineError
 from storyblender.library.sources import asset_sources
 from storyblender.memory.asset_sheet import Asset
@@ -85,7 +86,8 @@ def materialized(
 ) -> tuple[list[Asset], list[Event]]:
     told: list[Event] = []
     kept: list[Asset] = []
-    chair = Asset(asset_id=name, asset_type="object", description=description, name=name)
+    size = stated_size(name, description, person=False)
+    chair = Asset(asset_id=name, asset_type="object", description=description, name=name, stated_size=size)
     story = ContinuityMemoryGraph(assets=(chair,))
     materialize(quick_run(story, Settings(models=(models,)), broken, told, kept, notes))
     return kept, [event for event in told if event.kind == "warning"]

@@ -16,6 +16,7 @@ from storyblender.agents.director.place_words import ground_words, usual_light, 
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Thing, Unit
 from storyblender.agents.director.scene_continuity import LIGHT, inherited_positions, inherited_states
 from storyblender.agents.director.script_notes import notes_by_scene, notes_by_shot
+from storyblender.agents.director.size_words import stated_size
 from storyblender.agents.director.staging import Staging
 from storyblender.agents.director.story_assets import StoryAssets, unique
 from storyblender.agents.director.wording import modifiers_of, one_line, shot_sentence
@@ -61,13 +62,16 @@ class Assembly:
 
     def _person(self, person: Person, worn_by_others: Sequence[tuple[Garment, ...]]) -> Asset:
         character = person.id in self.story.actors
+        name = self.story.names[person.id]
+        description = describe_person(person) if character else describe_creature(person, self.reading)
         tags = [] if character else ["animal"]
         tags += [person.kind] if person.kind != "human" and person.kind not in tags else []
         return Asset(
             asset_id=person.id,
             asset_type="character" if character else "object",
-            description=describe_person(person) if character else describe_creature(person, self.reading),
-            name=self.story.names[person.id],
+            description=description,
+            name=name,
+            stated_size=stated_size(name, description, person=character),
             tags=tuple(tags),
             look=self._look(person, worn_by_others) if character else None,
             reference_character=person.variant_of if person.variant_of in self.story.actors else None,
@@ -84,12 +88,14 @@ class Assembly:
         )
 
     def _thing(self, thing: Thing) -> Asset:
+        name, modifiers = self.story.names[thing.id], modifiers_of(thing, self.text)
+        description = thing.description or one_line(f"{size_in_script(thing, self.text)} {modifiers} {thing.name}")
         return Asset(
             asset_id=thing.id,
             asset_type="object",
-            description=thing.description
-            or one_line(f"{size_in_script(thing, self.text)} {modifiers_of(thing, self.text)} {thing.name}"),
-            name=self.story.names[thing.id],
+            description=description,
+            name=name,
+            stated_size=stated_size(name, description, person=False),
             writing=thing.writing or writing_on(thing.name, thing.first, self.text),
             part_of=thing.part_of if thing.part_of in self.story.assets else None,
             tags=(thing.kind, *(("handled",) if thing.handled else ())),

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from storyblender.agents.director.action_words import with_facts
+from storyblender.agents.director.apertures import aperture_of
 from storyblender.agents.director.camera_phrases import from_behind
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import frame_count, shot_seconds
@@ -194,7 +195,7 @@ class ShotDetails:
             axis=draft.axis,
             order=one_line(draft.note.phrase) if draft.note else "",
             explicit=draft.script_directed,
-            through=draft.note.through if draft.note and draft.kind == "pov" else "",
+            through=aperture_of(draft.note.through) if draft.note and draft.kind == "pov" else None,
             behind=draft.kind in _SHOWS_FACES
             and any(from_behind(self.text[beat.start : beat.end]) for beat in draft.beats),
         )

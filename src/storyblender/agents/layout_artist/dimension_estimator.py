@@ -16,35 +16,29 @@ from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_TH
 from storyblender.catalog.bodies import typical_stature
 from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.props import PROPS
-from storyblender.catalog.props.variants import TOY_WORDS
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.places import kit_of
 from storyblender.look.surface import Surface
-from storyblender.memory.asset_sheet import Asset, AssetDimension, CharacterLook
+from storyblender.memory.asset_sheet import PLAUSIBLE, Asset, AssetDimension, CharacterLook
 from storyblender.memory.base import Vec3
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.vocabulary import SizeWord, StatureWord
 from storyblender.reflection import Critique, Fault
 
 Side = Literal["width", "depth", "height"]
 _SIDES: tuple[Side, Side, Side] = ("width", "depth", "height")
 
-_SCALES: dict[str, float] = {
-    **dict.fromkeys(("tiny", "minuscule", "miniature"), 0.5),
-    **dict.fromkeys(("small", "little", "low", "short", "narrow", "compact"), 0.75),
-    **dict.fromkeys(("big", "large", "tall", "wide", "long", "broad"), 1.25),
-    **dict.fromkeys(("huge", "enormous", "massive", "giant", "gigantic", "towering", "colossal"), 1.7),
-}
-_TALL_OR_SMALL = {"tall": 1.06, "towering": 1.1, "giant": 1.12, "huge": 1.08, "big": 1.03,
-                  "short": 0.94, "small": 0.94, "little": 0.94, "petite": 0.93, "tiny": 0.9}  # fmt: skip
+_SCALES: dict[SizeWord, float] = {
+    "tiny": 0.5, "minuscule": 0.5, "miniature": 0.5, "small": 0.75, "little": 0.75, "low": 0.75, "short": 0.75,
+    "narrow": 0.75, "compact": 0.75, "big": 1.25, "large": 1.25, "tall": 1.25, "wide": 1.25, "long": 1.25,
+    "broad": 1.25, "huge": 1.7, "enormous": 1.7, "massive": 1.7, "giant": 1.7, "gigantic": 1.7, "towering": 1.7,
+    "colossal": 1.7,
+}  # fmt: skip
+_STATURES: dict[StatureWord, float] = {
+    "tall": 1.06, "towering": 1.1, "giant": 1.12, "huge": 1.08, "big": 1.03, "short": 0.94, "small": 0.94,
+    "little": 0.94, "petite": 0.93, "tiny": 0.9,
+}  # fmt: skip
 """People vary less than things."""
-_MEASURE = re.compile(
-    r"(\d+(?:\.\d+)?)[ -]?(mm|millimet(?:er|re)s?|cm|centimet(?:er|re)s?|m|met(?:er|re)s?|feet|foot|ft|inch(?:es)?)\b"
-    r"[ -]?(tall|high|wide|long|deep)?",
-    re.IGNORECASE,
-)
-_UNITS = {"mm": 0.001, "mi": 0.001, "cm": 0.01, "ce": 0.01, "m": 1.0, "me": 1.0, "fe": 0.3048, "fo": 0.3048,
-          "ft": 0.3048, "in": 0.0254}  # fmt: skip
-
 NOUNS: dict[str, tuple[Side, float]] = {
     # animals
     "dog": ("height", 0.6), "cat": ("height", 0.3), "horse": ("height", 1.65), "bird": ("height", 0.15),
@@ -85,7 +79,6 @@ _OF_ROOM = (0.45, 0.6, 0.92)
 """The part of a room's shorter side, longer side and height that one thing may take: people go around it."""
 _CARRIED_BEAST = 1.2
 """Metres: a longer beast in somebody's hands is a toy."""
-_PLAUSIBLE = (0.003, 60.0)
 
 
 @dataclass(frozen=True)
@@ -152,7 +145,7 @@ def _problem(asset: Asset, dimension: AssetDimension | None) -> str:
     values = [] if dimension is None else [value for value in dimension.model_dump().values() if value is not None]
     if len(values) != 1:
         return f"{len(values)} dimensions are given, one is wanted"
-    if not _PLAUSIBLE[0] <= values[0] <= _PLAUSIBLE[1]:
+    if not PLAUSIBLE[0] <= values[0] <= PLAUSIBLE[1]:
         return f"{values[0]} m is not plausible"
     is_human = asset.asset_type == "character" and asset.look is not None
     if is_human and not (dimension is not None and dimension.height is not None and 0.4 <= dimension.height <= 2.4):
@@ -190,11 +183,6 @@ def _fitted(dimension: AssetDimension, asset: Asset, room: Vec3) -> AssetDimensi
     return dimension if scale >= 1 else AssetDimension(**{side: round(value * scale, 2)})
 
 
-def tells_size(asset: Asset) -> bool:
-    """Return whether the script states a measure of the thing, such as ``30 cm`` or ``2 m tall``."""
-    return _measured(_text(asset), asset.asset_type == "character") is not None
-
-
 def knows_size(asset: Asset) -> bool:
     """Return whether the thing's noun says how large such things are."""
     return _usual(asset, _text(asset)) is not _USUAL
@@ -205,19 +193,17 @@ def _text(asset: Asset) -> str:
 
 
 def _estimated(asset: Asset) -> AssetDimension:
-    text = _text(asset)
-    measured = _measured(text, asset.asset_type == "character")
-    if measured is not None:
-        return measured
+    if asset.stated_size.measure is not None:
+        return asset.stated_size.measure
     if asset.asset_type == "character" and asset.look is not None:
-        return AssetDimension(height=round(min(max(_stature(asset.look, text), 0.4), 2.4), 2))
-    scale = next((factor for word, factor in _SCALES.items() if _says(word, text)), 1.0)
+        return AssetDimension(height=round(min(max(_stature(asset.look, asset.stated_size.word), 0.4), 2.4), 2))
+    scale = next((factor for word, factor in _SCALES.items() if word == asset.stated_size.word), 1.0)
     if asset.canonical is not None and asset.canonical.source == "catalog":
         side, value = _largest(asset.canonical.dimensions)
         entry = PROPS[asset.canonical.key]
         carried = asset.tags[:1] == ("prop",) and "handled" in asset.tags
         too_large = carried and entry.category == "animal" and value > _CARRIED_BEAST
-        if too_large or (entry.life_size and any(_says(word, text) for word in TOY_WORDS)):
+        if too_large or (entry.life_size and asset.stated_size.toy):
             value = _TOY
         elif carried and entry.surface is Surface.FOLIAGE:
             value = min(value, _IN_ARMS)
@@ -230,7 +216,7 @@ def _estimated(asset: Asset) -> AssetDimension:
         if "handled" in asset.tags and max(asset.canonical.dimensions) <= _IN_HAND:
             value = min(value, _IN_HAND)
     else:
-        side, value = _usual(asset, text)
+        side, value = _usual(asset, _text(asset))
     return AssetDimension(**{side: round(value * scale, 3 if value < 0.1 else 2)})
 
 
@@ -246,30 +232,12 @@ def _head(asset: Asset) -> str:
     return noun_key((asset.name or asset.asset_id.replace("_", " ")).split(" ")[-1])
 
 
-def _stature(look: CharacterLook, text: str) -> float:
+def _stature(look: CharacterLook, word: SizeWord | StatureWord | None) -> float:
     if look.stature is not None:
         return look.stature
     genders = ("female", "male") if look.gender == "unknown" else (look.gender,)
     typical = sum(typical_stature(gender, look.age) for gender in genders) / len(genders)
-    return typical * next((scale for word, scale in _TALL_OR_SMALL.items() if _says(word, text)), 1.0)
-
-
-def _measured(text: str, is_character: bool) -> AssetDimension | None:
-    """Return a size the script states: ``two metres`` is not read, ``2 m tall`` and ``30 cm`` are."""
-    found = _MEASURE.search(text)
-    if found is None:
-        return None
-    unit = found.group(2).lower()
-    value = float(found.group(1)) * _UNITS["m" if unit == "m" else unit[:2]]
-    way = (found.group(3) or "").lower()
-    if not way and is_character:
-        return None
-    side: Side = "width" if way == "wide" else "depth" if way in ("long", "deep") else "height"
-    return AssetDimension(**{side: round(value, 3)}) if _PLAUSIBLE[0] <= value <= _PLAUSIBLE[1] else None
-
-
-def _says(word: str, text: str) -> bool:
-    return re.search(rf"\b{word}\b", text) is not None
+    return typical * next((scale for each, scale in _STATURES.items() if each == word), 1.0)
 
 
 def _largest(size: tuple[float, float, float]) -> tuple[Side, float]:

@@ -156,7 +156,7 @@ def _place_at_set_mark(stage: Stage, asset_id: str, wanted: Wanted | None) -> No
         stage.add(Thing(asset_id, box, walks=True), asset_id)
 
 
-def _direction_to_audience(x: float, y: float, stage: Stage) -> tuple[float, float]:
+def _direction_to_audience(x: float, stage: Stage) -> tuple[float, float]:
     middle = (stage.room.x_min + stage.room.x_max) / 2
     return 0.3 * (middle - x), -1.0
 
@@ -176,7 +176,7 @@ def _place_group(stage: Stage, members: list[str]) -> None:
         others = [(thing.box.x, thing.box.y) for thing in stage.things.values() if thing.walks]
         x, y = stage.free_spot(stage.middle, 0.5, lambda x, y: _crowding((x, y), others) + 0.5 * _bareness(stage, x, y))
         box = stage.box(members[0], x, y, 0.0, 0.0)
-        box.turn_to(yaw_along(*_direction_to_audience(x, y, stage)))
+        box.turn_to(yaw_along(*_direction_to_audience(x, stage)))
         stage.add(Thing(members[0], box, walks=True), members[0])
         return
     radius = stage.view.apart * (TALK / 2 if len(members) == 2 else max(0.8, 0.22 * len(members)))

@@ -248,7 +248,7 @@ class Actions:
         end = self.sheet.add_cue(person, motion.key, now, length, mark=mark, mood=action.mood)
         if motion.key == "fall":
             for prop in list(person.held.values()):
-                self.stage.lay_down(person, prop, (*person.place, 0.0))
+                self.stage.lay_down(prop, (*person.place, 0.0))
         self.sheet.finish_action(person, start, end)
 
     def _move_to_room(self, person: StagedPerson, place: Vec2, yaw: float, now: float) -> float:

@@ -193,7 +193,7 @@ class Handling:
             length = natural_seconds(MOTIONS["put_down"])
             mark = _prop_mark(person, prop, spot)
             now = self.sheet.add_cue(person, "put_down", now, length, prop_id=prop, hand=hand, mark=mark)
-            self.stage.lay_down(person, prop, spot)
+            self.stage.lay_down(prop, spot)
             self.stage.aside.add(prop)
         return now
 
@@ -328,7 +328,7 @@ class Handling:
             ahead = 0.35 if key == "drop" else 3.0
             x, y = person.place
             landing = goal or (x + ahead * math.sin(person.yaw), y - ahead * math.cos(person.yaw))
-            self.stage.lay_down(person, prop, (*landing, 0.0))
+            self.stage.lay_down(prop, (*landing, 0.0))
             return Release(now, None, hand)
         spot: Vec3 | None = None
         hollow = thing is not None and self.stage.floor.kinds.get(thing.asset_id) in OPEN_ABOVE
@@ -355,7 +355,7 @@ class Handling:
         if not person.upright and hand_towards(person.place, person.yaw, spot[:2], LEFT_HAND_OFFSET) != hand:
             self.sheet.move_to_other_hand(person, prop)
             hand = person.hand_of(prop)
-        self.stage.lay_down(person, prop, spot)
+        self.stage.lay_down(prop, spot)
         return Release(now, _prop_mark(person, prop, spot), hand)
 
     def turn_to_spot(self, person: StagedPerson, spot: Vec3, now: float) -> float:

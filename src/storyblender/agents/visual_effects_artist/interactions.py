@@ -144,7 +144,7 @@ class Interactions:
         on_floor = partner.posture in ("lie", "asleep") and partner.support is None
         if low and gap > distance + SEATED_SLACK:
             if partner.upright:
-                return self._bring_partner(motion, person, partner, distance, t)
+                return self._bring_partner(person, partner, distance, t)
             low = False  # the person gets up: the partner cannot come
         if not low and (gap > distance + near or gap < distance - STEP_BACK_FROM):
             spot, _ = self.sheet.find_spot_beside(person, partner, distance)
@@ -159,9 +159,7 @@ class Interactions:
             person.posture = "kneel"
         return t
 
-    def _bring_partner(
-        self, motion: Motion, person: StagedPerson, partner: StagedPerson, distance: float, t: float
-    ) -> float:
+    def _bring_partner(self, person: StagedPerson, partner: StagedPerson, distance: float, t: float) -> float:
         """Let the partner walk to a person who sits, lies or kneels; return the end second."""
         spot = self._place_at_sitter(person, partner) if person.posture == "sit" else None
         spot = spot or self.sheet.find_spot_beside(partner, person, max(distance, BEFORE_SITTER))[0]

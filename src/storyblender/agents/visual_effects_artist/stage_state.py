@@ -387,13 +387,13 @@ class StageState:
     def carry_as(self, person: StagedPerson, prop: str, grip: Grip | None) -> None:
         """Let a person carry a prop with a grip of the script; without a grip it is in a hand."""
         if grip in ON_BODY:
-            self.lay_down(person, prop, (0.0, 0.0, 0.0))
+            self.lay_down(prop, (0.0, 0.0, 0.0))
             del self.prop_places[prop]
         elif not self.put_in_hand(person, prop):
             return
         person.set_grip(prop, grip)
 
-    def lay_down(self, person: StagedPerson, prop: str, place: Vec3) -> None:
+    def lay_down(self, prop: str, place: Vec3) -> None:
         """Lay a prop at a position in metres; nobody holds it any more."""
         self.players = {name: held for name, held in self.players.items() if held != prop}
         self._remove_from_everyone(prop)
@@ -402,7 +402,7 @@ class StageState:
 
     def put_on(self, person: StagedPerson, prop: str) -> None:
         """Let a person put on a small prop, such as a ring: it is in no hand any more, and not drawn."""
-        self.lay_down(person, prop, (0.0, 0.0, 0.0))
+        self.lay_down(prop, (0.0, 0.0, 0.0))
         del self.prop_places[prop]
 
     def keep_locked_blocking(self, shot: ShotContext) -> None:

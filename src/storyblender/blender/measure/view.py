@@ -160,7 +160,6 @@ class _ViewfinderScene:
             void=float(((ids == 0) & ~sky).mean()),
             sky=float(sky.mean()),
             foreground=self._foreground(view, orbit, ids, depth),
-            nearest=float(depth[ids > 0].min()) if (ids > 0).any() else 1e9,
             inside=self._inside(orbit.position, view.hidden),
             below_floor=float(orbit.position[2]) < _FLOOR,
         )

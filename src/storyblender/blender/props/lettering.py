@@ -36,7 +36,7 @@ def write_on(b: MeshBuilder, mesh: bpy.types.Mesh, place: Writing, text: str) ->
         Whether there was a surface to write on.
     """
     frame = _frame(mesh, place)
-    points, faces, aspect = _fitted(text.strip()[:MOST], place, frame)
+    points, faces, aspect = _fitted(text.strip()[:MOST], frame)
     if frame is None or not faces:
         return False
     middle, right, up, normal, width, height, proud = frame
@@ -121,7 +121,7 @@ def _frame(mesh: bpy.types.Mesh, place: Writing) -> tuple[Floats, Floats, Floats
 
 
 def _fitted(
-    text: str, place: Writing, frame: tuple[Floats, Floats, Floats, Floats, float, float, float] | None
+    text: str, frame: tuple[Floats, Floats, Floats, Floats, float, float, float] | None
 ) -> tuple[Floats, list[tuple[int, ...]], tuple[float, float]]:
     """Return vertices, faces, width and height of the text, with the line breaks that give the largest letters."""
     if frame is None or not text:

@@ -28,7 +28,7 @@ from storyblender.look.lens_blur import blurred_frame
 from storyblender.look.looks import LOOKS, Look
 from storyblender.look.modelling import lift_hands, model_flesh
 from storyblender.look.pencil import draw_pencil, level_ground
-from storyblender.look.raster import Image, blur, luminance, shrink
+from storyblender.look.raster import Image, luminance, shrink
 from storyblender.look.relief import emboss
 from storyblender.look.relight import demodulate, mean_albedo, remodulate, upsample
 from storyblender.look.smoke import Puff, add_smoke, through_smoke
@@ -70,7 +70,6 @@ class FrameStatistics:
 
     Attributes:
         face_luminance: Scene-linear, exposed, of the lit half of all faces; None without a visible face.
-        face_contrast: Display brightness of the faces over that of the ring around them.
         exposure: Stops by which the whole frame was trimmed.
         shadow_lift: Stops by which its shadows were raised after that.
         void: Share of the frame that shows no object.
@@ -78,7 +77,6 @@ class FrameStatistics:
     """
 
     face_luminance: float | None
-    face_contrast: float | None
     exposure: float
     shadow_lift: float
     void: float
@@ -157,7 +155,7 @@ def render_frame(
         picture, masks = surfaces[..., :3], list(np.moveaxis(surfaces[..., 3:], 2, 0))
     picture = add_rain(picture, depth, plan.rain, request.seed)
     display = to_display(picture, look.contrast)
-    statistics = _statistics(passes, picture, display, faces, (stops, lift))
+    statistics = _statistics(passes, picture, faces, (stops, lift))
     drawing = _drawn(display, ink, masks, look)
     return FrameResult(to_bytes(drawing), shot.lights, shot.set_lights, statistics, set_light)
 
@@ -248,16 +246,8 @@ def _relit(
     return remodulate(light, mean_albedo(gbuffer, step, sky)) + gbuffer.emission(step)
 
 
-def _statistics(
-    passes: Passes, picture: Image, display: Image, faces: Sequence[Face], exposed: tuple[float, float]
-) -> FrameStatistics:
-    face_luminance = contrast = None
+def _statistics(passes: Passes, picture: Image, faces: Sequence[Face], exposed: tuple[float, float]) -> FrameStatistics:
+    face_luminance = None
     if faces:
-        mask = np.logical_or.reduce([face.mask for face in faces])
-        ring = (blur(mask.astype(np.float32), max(4, round(0.04 * mask.shape[0]))) > 0) & ~mask
-        face_luminance = bright_half(luminance(picture)[mask])
-        tone = luminance(display)
-        contrast = float((tone[mask].mean() + 0.05) / (tone[ring].mean() + 0.05))
-    return FrameStatistics(
-        face_luminance, contrast, *exposed, float(passes.gbuffer.sky.mean()), passes.visible_shares()
-    )
+        face_luminance = bright_half(luminance(picture)[np.logical_or.reduce([face.mask for face in faces])])
+    return FrameStatistics(face_luminance, *exposed, float(passes.gbuffer.sky.mean()), passes.visible_shares())

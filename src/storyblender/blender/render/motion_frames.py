@@ -35,6 +35,7 @@ from storyblender.look.raster import Image as Picture
 from storyblender.look.raster import Window
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Light, Lighting
+from storyblender.memory.vocabulary import Aperture
 
 _METER_WIDTH = 320
 """Width of the still whose lamps and exposure the whole shot keeps: exposure that follows the frames would flicker."""
@@ -55,7 +56,7 @@ def render_motion(
     *,
     hidden_node_ids: Sequence[str] = (),
     in_frame: Sequence[str] | None = None,
-    through: str = "",
+    through: Aperture | None = None,
     seed: int = 0,
     report: Report = ignore,
 ) -> tuple[Path, ...]:
@@ -71,7 +72,7 @@ def render_motion(
         lighting: The scene's light plan as designed.
         hidden_node_ids: Wild walls, taken away for this shot.
         in_frame: asset_ids of the people who get lamps of their own; None is everybody.
-        through: What a point of view looks through, as the shot says it.
+        through: What a point of view looks through.
         seed: Of the rain.
         report: Hears how many frames are drawn.
     """

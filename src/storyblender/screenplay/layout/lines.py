@@ -41,17 +41,6 @@ def lines_of(text: str) -> list[Line]:
     return [line for index, line in enumerate(found) if index not in spacing]
 
 
-def blocks_of(lines: list[Line]) -> list[list[Line]]:
-    """Return the runs of lines between blank lines."""
-    blocks: list[list[Line]] = [[]]
-    for line in lines:
-        if line.words:
-            blocks[-1].append(line)
-        elif blocks[-1]:
-            blocks.append([])
-    return [block for block in blocks if block]
-
-
 def plain(words: str) -> str:
     """Return the words without emphasis marks, on one line."""
     return " ".join(_EMPHASIS.sub(r"\2", words).split())

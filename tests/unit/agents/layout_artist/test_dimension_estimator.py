@@ -2,6 +2,7 @@ from typing import Literal
 
 import pytest
 
+from storyblender.agents.director.size_words import stated_size
 from storyblender.agents.layout_artist.dimension_estimator import (
     NOUNS,
     DimensionEstimatorCritic,
@@ -16,11 +17,15 @@ from storyblender.memory.asset_sheet import Asset, AssetDimension, CanonicalAsse
 
 
 def thing(name: str, description: str = "") -> Asset:
-    return Asset(asset_id=name.replace(" ", "_"), asset_type="object", name=name, description=description or name)
+    words = description or name
+    size = stated_size(name, words, person=False)
+    return Asset(asset_id=name.replace(" ", "_"), asset_type="object", name=name, description=words, stated_size=size)
 
 
 def person(description: str = "a person", **look) -> Asset:
-    return Asset(asset_id="someone", asset_type="character", description=description, look=CharacterLook(**look))
+    size = stated_size("Someone", description, person=True)
+    look = CharacterLook(**look)
+    return Asset(asset_id="someone", asset_type="character", description=description, look=look, stated_size=size)
 
 
 def only(dimension: AssetDimension) -> tuple[str, float]:
@@ -134,7 +139,7 @@ def test_nothing_is_larger_than_its_room() -> None:
     assert only(estimate(ship, (10.0, 9.0, 4.0)))[1] == pytest.approx(6.0)
     assert only(estimate(ship, (8.0, 10.0, 4.0)))[1] == pytest.approx(0.45 * 8 * 8 / 5)
     assert only(estimate(ship, (20.0, 20.0, 2.0)))[1] == pytest.approx(0.92 * 2 * 8 / 3, abs=0.01)
-    stated = ship.model_copy(update={"description": "12 m long"})
+    stated = ship.model_copy(update={"stated_size": stated_size("ship", "12 m long", person=False)})
     assert only(estimate(stated, (10.0, 9.0, 4.0)))[1] == pytest.approx(6.0)
 
 

@@ -267,10 +267,10 @@ def _leads_out(state: ReaderState, clause: Clause, roles: Roles) -> bool:
         return True
     if not indoors and clause.particle == "inside":
         return True
-    return any(_place_leads_out(state, clause, place, indoors) for place in roles.places)
+    return any(_place_leads_out(state, place, indoors) for place in roles.places)
 
 
-def _place_leads_out(state: ReaderState, clause: Clause, place: Place, indoors: bool) -> bool:
+def _place_leads_out(state: ReaderState, place: Place, indoors: bool) -> bool:
     """Whether a place of a clause leads out of the scene."""
     heads = {noun.head for noun in place.nouns if noun.kind == "thing"}
     if place.preposition == "out of" and heads & _BEYOND:

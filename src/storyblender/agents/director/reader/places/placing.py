@@ -129,7 +129,7 @@ def _relation_of_placing(state: ReaderState, place: Place, thing: str, passed_on
     """Return the relation that a preposition states for a thing put there, or None."""
     verb, kind = state.sentence.verb, lexicon.relation_of(place.preposition)
     cloth = state.inventory.head(thing) in CLOTHS
-    if (kind == "over" and verb in _THROWING and not cloth) or _is_pocketed(state, place):
+    if (kind == "over" and verb in _THROWING and not cloth) or _is_pocketed(place):
         return None
     body = body_part_at(place)
     if body:
@@ -161,7 +161,7 @@ def _relation_of_placing(state: ReaderState, place: Place, thing: str, passed_on
     return kind if kind in _KINDS else None
 
 
-def _is_pocketed(state: ReaderState, place: Place) -> bool:
+def _is_pocketed(place: Place) -> bool:
     """Whether a place is in the owner's clothes: ``puts the key in his pocket``."""
     return any(noun.head in _POCKETS and noun.possessor is not None for noun in place.nouns)
 
