@@ -55,6 +55,8 @@ def test_a_model_is_known_by_its_content_wherever_the_folders_are(tmp_path: Path
     assert AssetStore(Folder(tmp_path / "b"), [moved]).measure(job) == found, "a worker elsewhere builds the same"
     with pytest.raises(InputError, match="has changed"):
         AssetStore(Folder(tmp_path / "c"), [here]).measure(job)
+    with pytest.raises(InputError, match="does not exist"):
+        AssetStore(Folder(tmp_path / "c"), [there]).measure(job)
     fetched = Folder(tmp_path / "d")
     fetched.write(f"{FETCHED}/{key}", (moved / key).read_bytes())
     assert AssetStore(fetched).measure(job) == found, "what a source fetched is in the project"
