@@ -23,16 +23,9 @@ def hat(b: MeshBuilder, spec: PropSpec) -> Anchors:
         return np.c_[reach * w / 2 * np.cos(angle), reach * d / 2 * np.sin(angle), z + crease + lift]
 
     crown = [
-        ring(0.98, 0.0),
-        ring(1.0, 0.006),
-        ring(0.62, 0.012),
-        ring(0.6, 0.03),
-        ring(0.56, h * 0.7),
-        ring(0.5, h * 0.94),
-        ring(0.4, h),
-        ring(0.2, h, 0.03),
-        ring(0.02, h, 0.04),
-    ]
+        ring(0.98, 0.0), ring(1.0, 0.006), ring(0.62, 0.012), ring(0.6, 0.03), ring(0.56, h * 0.7), ring(0.5, h * 0.94),
+        ring(0.4, h), ring(0.2, h, 0.03), ring(0.02, h, 0.04),
+    ]  # fmt: skip
     b.loft(body, crown)
     band = [ring(0.625, 0.012), ring(0.615, 0.042)]
     b.loft(spec.material("band"), band, caps=False)

@@ -18,14 +18,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     x, y, old = ship.half_x, ship.half_y, params.period == "past"
     bow = x + 9.0
     hull = (
-        (-x - 7, -y - 0.6),
-        (x + 3, -y - 0.6),
-        (bow - 2.2, -y * 0.5),
-        (bow, 0.0),
-        (bow - 2.2, y * 0.5),
-        (x + 3, y + 0.6),
-        (-x - 7, y + 0.6),
-    )
+        (-x - 7, -y - 0.6), (x + 3, -y - 0.6), (bow - 2.2, -y * 0.5), (bow, 0.0), (bow - 2.2, y * 0.5),
+        (x + 3, y + 0.6), (-x - 7, y + 0.6),
+    )  # fmt: skip
     ship.slab("ground", hull, "planks_gray" if old else "boards_light", wet=True)
     rail = "bulwark" if old else "railing"
     for (ax, ay), (bx, by) in pairwise(hull):

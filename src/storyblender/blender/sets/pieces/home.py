@@ -132,11 +132,7 @@ def wall_shelf(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 
 _ON_SHELF = {
-    "books": ((0.025, 0.06), (0.17, 0.25)),
-    "jars": ((0.1, 0.14), (0.12, 0.2)),
-    "bottles": ((0.07, 0.11), (0.16, 0.28)),
-    "boxes": ((0.14, 0.3), (0.1, 0.24)),
-    "plates": ((0.2, 0.26), (0.2, 0.26)),
-    "trinkets": ((0.08, 0.16), (0.08, 0.22)),
-}
+    "books": ((0.025, 0.06), (0.17, 0.25)), "jars": ((0.1, 0.14), (0.12, 0.2)), "bottles": ((0.07, 0.11), (0.16, 0.28)),
+    "boxes": ((0.14, 0.3), (0.1, 0.24)), "plates": ((0.2, 0.26), (0.2, 0.26)), "trinkets": ((0.08, 0.16), (0.08, 0.22)),
+}  # fmt: skip
 """Widths and heights of what stands on shelves, least and most metres."""
