@@ -109,7 +109,13 @@ FACE_AXES: tuple[tuple[str, str, float], ...] = (
 
 
 def mix(first: Color, second: Color, share: float) -> Color:
-    """Return ``first`` with ``share`` (0..1) of it replaced by ``second``."""
+    """Return a mixture of two scene-linear colours.
+
+    Args:
+        first: Colour at share 0.
+        second: Colour at share 1.
+        share: Part of the second colour, 0 to 1.
+    """
     red, green, blue = (a + (b - a) * share for a, b in zip(first, second, strict=True))
     return red, green, blue
 
@@ -165,12 +171,22 @@ def body_pack_path(environment: Mapping[str, str], home: Path) -> Path:
 
 
 def resolved_gender(look: CharacterLook, seed: int) -> str:
-    """Return ``female`` or ``male``; where the script does not say, the seed decides."""
+    """Return ``female`` or ``male`` for a person.
+
+    Args:
+        look: Of the person.
+        seed: Decides where the look leaves the gender unknown.
+    """
     return look.gender if look.gender != "unknown" else ("female", "male")[seed % 2]
 
 
 def typical_stature(gender: str, age: float) -> float:
-    """Return the typical height in metres of a ``female`` or ``male`` of ``age`` years."""
+    """Return a typical body height in metres.
+
+    Args:
+        gender: ``female`` or ``male``.
+        age: Years.
+    """
     years, heights = STATURES[gender]
     return float(np.interp(age, years, heights))
 
@@ -181,7 +197,12 @@ def maturity(age: float) -> float:
 
 
 def recipe(look: CharacterLook, seed: int) -> BodyRecipe:
-    """Return the body that fits ``look``; equal arguments give equal bodies, other seeds other people."""
+    """Return the body that fits a look; equal arguments give equal bodies, other seeds other people.
+
+    Args:
+        look: Gender, age, build and skin.
+        seed: Source of variation.
+    """
     rng = np.random.default_rng(seed)
     gender = resolved_gender(look, seed)
     muscle, weight, extras = BUILDS[look.build]
@@ -261,6 +282,7 @@ def macro_targets(body: BodyRecipe, height: float) -> Targets:
 
 
 def _ages(value: float) -> Targets:
+    """Return the weights of the age words (baby, child, young, old) for a MakeHuman age of 0 to 1."""
     if value < 0.1875:
         return {"baby": 1 - value / 0.1875, "child": value / 0.1875}
     if value < 0.5:
@@ -269,17 +291,24 @@ def _ages(value: float) -> Targets:
 
 
 def _thirds(value: float) -> Targets:
+    """Return the weights of min, average and max for a MakeHuman value of 0 to 1."""
     low, high = max(0.0, 1 - 2 * value), max(0.0, 2 * value - 1)
     return {"min": low, "average": 1 - low - high, "max": high}
 
 
 def _brightness(color: Color) -> float:
+    """Return the luminance of a scene-linear colour (Rec. 709)."""
     red, green, blue = color
     return 0.2126 * red + 0.7152 * green + 0.0722 * blue
 
 
 def complexion(look: CharacterLook, seed: int) -> Complexion:
-    """Return the colours of ``look``; hair greys with age unless its colour is given."""
+    """Return the colours of a person's skin, hair and eyes; hair greys with age unless its colour is given.
+
+    Args:
+        look: Of the person.
+        seed: Source of variation.
+    """
     rng = np.random.default_rng(seed + 1)
     skin = mix(SKIN_TONES[look.skin], (0.0, 0.0, 0.0), float(rng.uniform(0, 0.12)))
     natural = HAIR_TONES[look.skin][int(rng.integers(len(HAIR_TONES[look.skin])))]

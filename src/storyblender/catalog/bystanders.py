@@ -21,7 +21,12 @@ _GREY: Final = (0.25, 0.24, 0.23)
 
 
 def look_of(variant: int, age: str) -> CharacterLook:
-    """Return how the person of a variant looks: women and men in turn, of several ages."""
+    """Return the look of a background figure: women and men in turn, of several ages.
+
+    Args:
+        variant: Number of the figure, from 0; figures repeat after ``VARIANTS``.
+        age: Age of the story, a ``vocabulary.Age``; it decides the clothes.
+    """
     gender: Gender = ("female", "male")[variant % 2]
     years = _YEARS[variant % len(_YEARS)]
     men, women = _HAIR[(variant // 2) % len(_HAIR)]

@@ -31,7 +31,7 @@ ON_BODY: frozenset[Grip] = frozenset((*_PLACES, "worn"))
 
 
 def place_of(grip: Grip | None, key: str | None) -> BodyPlace | None:
-    """Return where on the body a thing is that is carried so; None if it is in a hand, or nothing is seen of it.
+    """Return where on the body a thing is carried; None for a thing in a hand, or one that is not seen.
 
     Args:
         grip: How it is carried.
@@ -43,11 +43,11 @@ def place_of(grip: Grip | None, key: str | None) -> BodyPlace | None:
 
 
 def two_handed(dimensions: Vec3, anchors: Sequence[Anchor]) -> bool:
-    """Tell whether a thing is carried with both hands: wide and deep, or long and without a grip.
+    """Return whether a thing is carried with both hands: wide and deep, or long and without a grip.
 
     Args:
         dimensions: Width, depth, height in metres.
-        anchors: Of the thing; grips and handles matter.
+        anchors: Anchors of the thing; grips and handles count.
     """
     width, depth, _ = dimensions
     gripped = any(anchor.kind in ("grip", "handle") for anchor in anchors)
@@ -57,13 +57,13 @@ def two_handed(dimensions: Vec3, anchors: Sequence[Anchor]) -> bool:
 def hand_towards(
     place: tuple[float, float], yaw: float, point: tuple[float, float], on_the_left: float = ON_THE_LEFT
 ) -> Hand:
-    """Return the hand for what is somewhere: the right one, or the left one for what is on the left.
+    """Return the hand that reaches for a point: the left for what is on the left, else the right.
 
     Args:
-        place: Where one is on the floor, metres.
-        yaw: Where one faces, radians.
-        point: Where the thing is, or who offers it.
-        on_the_left: Metres to one's left from which the left hand is used.
+        place: Where the person stands on the floor, metres.
+        yaw: Where the person faces, radians.
+        point: Where the thing, or the person who offers it, is on the floor.
+        on_the_left: Metres to the left from which the left hand is used.
     """
     leftwards = (point[0] - place[0]) * math.cos(yaw) + (point[1] - place[1]) * math.sin(yaw)
     return "L" if leftwards > on_the_left else "R"

@@ -27,6 +27,6 @@ def color_word(color: Color) -> str:
 
 
 def _seen(color: Color) -> tuple[float, float, float]:
-    """Lightness and two differences of hue, about as far apart as the eye finds them."""
+    """Return lightness and two differences of hue of a scene-linear colour; equal distances look about equally far."""
     red, green, blue = (max(channel, 0.0) ** (1 / 2.2) for channel in color)
     return 0.3 * red + 0.59 * green + 0.11 * blue, 0.9 * (red - green), 0.6 * (0.5 * (red + green) - blue)

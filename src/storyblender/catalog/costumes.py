@@ -203,6 +203,7 @@ def costume(
 
 
 def _is_called(pattern: str, role: str, name: str) -> bool:
+    """Return whether an occupation, or a name such as ``OLD KING``, matches a pattern of words."""
     titled = re.match(rf"(?:(?:the|old|young|first|second) )?(?:{pattern})\b", name)
     return bool(titled or re.search(rf"\b(?:{pattern})\b", role))
 

@@ -271,8 +271,8 @@ class Gear(Piece):
 HIDES_HAIR: frozenset[str] = frozenset({"hood", "scarf", "balaclava", "globe"})
 """Regions and shapes that hide the hair completely."""
 
-AnyPiece = (Top | Lapel | Legs | Skirt | Footwear | Band | Collar | Buttons | Patches | Necktie | BowTie | Scarf | Bib | Hat
-            | HeadCloth | Gear)  # fmt: skip
+AnyPiece = (Top | Lapel | Legs | Skirt | Footwear | Band | Collar | Buttons | Patches | Necktie | BowTie | Scarf | Bib
+            | Hat | HeadCloth | Gear)  # fmt: skip
 
 
 def hides_hair(piece: AnyPiece) -> bool:

@@ -72,6 +72,7 @@ def fixtures_called(plan: SetPlan, name: str | None) -> list[Fixture]:
 
 
 def _fixtures(plan: SetPlan) -> Iterator[Fixture]:
+    """Yield the walls, openings, corners, pieces and marks of a set."""
     for wall in plan.walls:
         if not wall.missing:
             yield _wall(wall.node_id, wall.start, wall.end, wall.height)
@@ -94,6 +95,7 @@ def _fixtures(plan: SetPlan) -> Iterator[Fixture]:
 
 
 def _wall(name: str, start: tuple[float, float], end: tuple[float, float], height: float) -> Fixture:
+    """Return a wall as a fixture, tagged with its side of the room."""
     length = math.dist(start, end)
     along = ((end[0] - start[0]) / length, (end[1] - start[1]) / length)
     middle = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)

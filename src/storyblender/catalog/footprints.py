@@ -22,7 +22,12 @@ _STAGE, _SHARE = 1.25, 0.28
 
 
 def stage_box(plan: SetPlan, more: float = 0.0) -> Box:
-    """Return the square around the centre of a set that dressing leaves to people, ``more`` metres wider each way."""
+    """Return the square around the centre of a set that furniture leaves free for people.
+
+    Args:
+        plan: The set.
+        more: Metres added on each side.
+    """
     size = plan.size
     narrow = min(size.x - size.x_negative, size.y - size.y_negative)
     half = min(_STAGE, _SHARE * narrow) + more
@@ -48,7 +53,7 @@ def wall_boxes(wall: Wall) -> list[Box]:
 
 
 def piece_boxes(piece: Piece) -> list[Box]:
-    """Return the boxes of a set piece: its footprint, or the piers of an arcade; none for what nobody bumps into."""
+    """Return the boxes of a set piece that people walk around: its footprint, or the piers of an arcade; else none."""
     yaw = math.radians(piece.yaw)
     if piece.part == "arcade":
         width, height, depth = (float(piece.params[name]) for name in ("width", "height", "depth"))

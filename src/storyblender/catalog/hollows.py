@@ -55,13 +55,13 @@ _MOST = 1.6
 
 
 def inside(key: str | None, size: Vec3, thing: Vec3, before: int = 0) -> Vec3 | None:
-    """Return where in a hollow thing another lies, in the hollow thing's own frame; None if it is not hollow or small.
+    """Return where a thing lies in a hollow one, in the hollow thing's frame; None if that is not hollow or too small.
 
     Args:
         key: Prop key of the hollow thing.
         size: Its width, depth and height in metres.
-        thing: Size of what is put into it.
-        before: How many things are in it already; they are put side by side.
+        thing: Width, depth and height of what is put into it.
+        before: Number of things that are in it already; they lie side by side.
     """
     hollow = HOLLOWS.get(key or "")
     if hollow is None:

@@ -169,7 +169,13 @@ def sky_of(hour: Hour, weather: Weather, ground: Color) -> Sky:
 
 
 def mix(a: Color, b: Color, share: float) -> Color:
-    """Return ``a`` turned towards ``b`` by ``share``."""
+    """Return a mixture of two scene-linear colours.
+
+    Args:
+        a: Colour at share 0.
+        b: Colour at share 1.
+        share: Part of the second colour, 0 to 1.
+    """
     red, green, blue = (x + (y - x) * share for x, y in zip(a, b, strict=True))
     return (red, green, blue)
 

@@ -44,12 +44,12 @@ _LEVEL = 0.82
 
 
 def liquid_color(key: str, words: str, *, told: bool = False) -> str:
-    """Return the colour of what is in a thing; empty if ``told`` and the words name no liquid.
+    """Return the hex colour of the liquid in a thing.
 
     Args:
-        key: Prop key.
-        words: How the script calls the thing: ``a glass of milk``.
-        told: Only what the words name counts.
+        key: Prop key of the thing.
+        words: What the script calls it: ``a glass of milk``.
+        told: Return an empty string unless the words name a liquid; otherwise the usual liquid of the thing counts.
     """
     spoken = words_of(words)
     named = next((word for word in reversed(spoken) if word in LIQUIDS), "")
@@ -60,11 +60,14 @@ def liquid_color(key: str, words: str, *, told: bool = False) -> str:
 
 
 def filling_of(key: str, size: Vec3) -> tuple[Vec3, float, bool] | None:
-    """Return size and height of the surface of what fills a vessel, and whether it is oblong; None for other things.
+    """Return the surface of the liquid in a full vessel; None for what holds no liquid.
 
     Args:
         key: Prop key.
         size: Its width, depth and height in metres.
+
+    Returns:
+        Size of the liquid's surface and its height above the vessel's foot, metres; whether it is oblong, else round.
     """
     hollow = HOLLOWS.get(key)
     if key not in VESSELS or hollow is None:
@@ -73,11 +76,16 @@ def filling_of(key: str, size: Vec3) -> tuple[Vec3, float, bool] | None:
 
 
 def spill_width(size: Vec3) -> float:
-    """Return how wide the puddle of what a thing held is, in metres."""
+    """Return the width in metres of the puddle from a vessel of this (width, depth, height)."""
     held = size[0] * size[1] * size[2] * 0.5
     return min(max(math.sqrt(held / 0.004), 0.16), 1.8)
 
 
 def is_vessel(key: str, words: Sequence[str]) -> bool:
-    """Return whether a thing holds a liquid: it is a vessel, or its words name one."""
+    """Return whether a thing holds a liquid.
+
+    Args:
+        key: Prop key of the thing.
+        words: Words of what the script calls it, in lower case; a liquid among them is enough.
+    """
     return key in VESSELS or bool({*words} & LIQUIDS.keys())

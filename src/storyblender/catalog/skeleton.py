@@ -28,6 +28,7 @@ class Bone:
 
 
 def _limbs(side: str) -> tuple[Bone, ...]:
+    """Return the bones of one side, ``L`` or ``R``: eye, arm with hand, leg with foot."""
     joint = side.lower()
     s = f".{side}"
 

@@ -62,6 +62,7 @@ class Species:
 
 
 def _s(words: str, coat: str, height: float, **fields: object) -> Species:
+    """Return a species; ``words`` are its names, separated by commas."""
     return Species(words=tuple(words.split(", ")), coat=coat, height=height, **fields)  # type: ignore[arg-type]
 
 
@@ -217,13 +218,13 @@ _BY_WORD: dict[str, Species] = {word: each for each in SPECIES.values() for word
 
 
 def being_of(words: str) -> Species | None:
-    """Return the robot or alien that a phrase names."""
+    """Return the robot or alien that a phrase names, or None."""
     said = {noun_key(word) for word in re.findall(r"[a-z]+", words.lower())}
     return next((each for each in _BEINGS if said & {*each.words}), None)
 
 
 def species_of(words: str) -> Species | None:
-    """Return the species that a phrase names; its last known word, or pair of words, decides."""
+    """Return the animal species that a phrase names, or None; its last known word, or pair of words, decides."""
     said = re.findall(r"[a-z]+", words.lower())
     for end in range(len(said), 0, -1):
         for known in (" ".join(said[max(0, end - 2) : end]), said[end - 1], noun_key(said[end - 1])):

@@ -34,6 +34,7 @@ class StandIn(Frozen):
 def _class(
     key: str, shape: Shape, size: Vec3, material: str, words: str, holdable: bool = False, prop: str | None = None
 ) -> StandIn:
+    """Return a class of unknown things; ``words`` are its head nouns, separated by commas."""
     return StandIn(
         key=key,
         name=key.replace("_", " "),

@@ -75,12 +75,18 @@ class StateLook(NamedTuple):
 
 
 def after(condition: Condition, state: str) -> Condition:
-    """Return the condition of a thing after a change; what it was of the same kind is over."""
+    """Return the condition of a thing after a change.
+
+    Args:
+        condition: Its states before.
+        state: The new state, such as ``open``; it replaces an earlier one of the same kind.
+    """
     kind = _kind_of(state)
     return (*(each for each in condition if _kind_of(each) != kind), state)
 
 
 def _kind_of(state: str) -> frozenset[str]:
+    """Return the states that exclude each other with a state, itself included."""
     if state.startswith(READS):
         return frozenset({READS})
     if state.endswith((DOOR_OPEN, DOORS_CLOSED)):
@@ -89,21 +95,21 @@ def _kind_of(state: str) -> frozenset[str]:
 
 
 def topples(size: Vec3) -> bool:
-    """Return whether a thing of this width, depth and height can lie on its side."""
+    """Return whether a thing of this (width, depth, height) can fall over and lie on its side."""
     return size[2] > _FLAT * max(size[:2])
 
 
 def looks_in(
     key: str, params: Mapping[str, ParamValue], condition: Condition, size: Vec3 = (0.2, 0.2, 0.2), words: str = ""
 ) -> tuple[StateLook, ...]:
-    """Return what a thing is built as in its states, and what is seen with it; nothing where it looks as it did.
+    """Return how a thing is built in its condition, and what is seen beside it; empty where it looks as at first.
 
     Args:
         key: Prop key of the thing.
-        params: As it was built at first.
+        params: Parameters it was built with at first.
         condition: Its states.
         size: Its width, depth and height in metres.
-        words: How the script calls it.
+        words: What the script calls it.
     """
     if key not in PROPS:
         return ()
@@ -127,12 +133,12 @@ def looks_in(
 
 
 def look_in(key: str, params: Mapping[str, ParamValue], state: str) -> StateLook | None:
-    """Return how a prop is built in one state; None where it looks as it did.
+    """Return how a prop is built in one state; None where the state does not change its look.
 
     Args:
         key: Prop key of the thing.
-        params: As it was built at first.
-        state: ``open``, ``off``, ``broken``.
+        params: Parameters it was built with at first.
+        state: Such as ``open``, ``off``, ``broken``, ``reads CLOSED``.
     """
     entry = PROPS.get(key)
     if entry is None:
@@ -164,7 +170,7 @@ _LEVELS = {"full": 0.9, "filled": 0.9, "empty": 0.0, "emptied": 0.0, "spilled": 
 
 
 def _liquid(key: str, state: str, condition: Condition, size: Vec3, words: str) -> Iterator[StateLook]:
-    """Yield the stream, the puddle or the filling that belongs to a state."""
+    """Yield the stream, the puddle or the filling that a state adds to a thing of ``size``."""
     width, depth, height = size
     if state in _RUNNING and key in SPOUTS:
         mouth, end, thrown = SPOUTS[key]
@@ -194,5 +200,5 @@ def _liquid(key: str, state: str, condition: Condition, size: Vec3, words: str) 
 
 
 def state_at_first(changes: Sequence[str]) -> str:
-    """Return the state of a thing before the changes that the story tells of it; empty if nothing follows from them."""
+    """Return the state of a thing before the first of its changes; empty where it cannot be concluded."""
     return BEFORE.get(changes[0], "") if changes else ""

@@ -35,10 +35,10 @@ _NEAR = 80
 
 
 def years_in(words: str) -> list[int]:
-    """Return the years that a text tells, in order; a decade is its first year.
+    """Return the years that a text sets its story in, in order; a decade counts as its first year.
 
     Args:
-        words: What a story tells, headings and title cards included.
+        words: Text of a script, with headings and title cards.
     """
     told = (
         match
@@ -49,9 +49,9 @@ def years_in(words: str) -> list[int]:
 
 
 def years_said(words: str) -> list[int]:
-    """Return the years that people say it is: ``It's 1942``, but not ``since 1492``.
+    """Return the years that dialogue says it is now: ``It's 1942``, but not ``since 1492``.
 
     Args:
-        words: What is said.
+        words: A speech.
     """
     return [int(match["year"]) for match in _NOW.finditer(words)]

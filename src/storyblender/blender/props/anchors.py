@@ -82,6 +82,7 @@ def two_hands(location: Vec3, fingers: Vec3, palm: Vec3, curl: Vec3, name: str =
     """
 
     def mirrored(vector: Vec3) -> Vec3:
+        """Return a vector with its X negated."""
         return (-vector[0], vector[1], vector[2])
 
     return (
@@ -91,27 +92,57 @@ def two_hands(location: Vec3, fingers: Vec3, palm: Vec3, curl: Vec3, name: str =
 
 
 def handle(location: Vec3, direction: Vec3 = (0.0, -1.0, 0.0), name: str = "") -> Anchor:
-    """Return a place to open or pull a prop by; ``direction`` is the way it is pulled, ``name`` the part it opens."""
+    """Return a place to open or pull a prop by.
+
+    Args:
+        location: Where the hand takes hold.
+        direction: The way it is pulled.
+        name: The part it opens, such as ``door_driver``; empty for the prop itself.
+    """
     return Anchor(kind="handle", name=name, location=location, direction=direction)
 
 
 def bed_anchor(location: Vec3, width: float, length: float, name: str = "") -> Anchor:
-    """Return a place to lie on, centred on ``location``, ``length`` along Y, its head at +Y."""
+    """Return a place to lie on, its head at +Y.
+
+    Args:
+        location: Middle of the lying surface.
+        width: Along X.
+        length: Along Y.
+        name: Tells the beds of one prop apart.
+    """
     return Anchor(kind="bed", name=name, location=location, direction=(0.0, -1.0, 0.0), size=(width, length))
 
 
 def boarding_place(x: float, y: float, name: str = "driver") -> Anchor:
-    """Return the floor point beside a vehicle where its driver, or the passenger ``name``, gets in, facing it."""
+    """Return the floor point beside a vehicle where somebody gets in, facing the vehicle.
+
+    Args:
+        x: Metres from the vehicle's middle line; the sign tells the side.
+        y: Metres behind its middle.
+        name: Seat that is reached from there.
+    """
     return Anchor(kind="door", name=name, location=(x, y, 0.0), direction=(-1.0 if x > 0 else 1.0, 0.0, 0.0))
 
 
 def grips_around(radius: float, height: float, curl: Vec3 = WRAP) -> Anchors:
-    """Return the grips of a hand that closes around an upright round thing of ``radius`` at ``height``."""
+    """Return the grips of a hand that closes around an upright round thing.
+
+    Args:
+        radius: Of the thing where it is held.
+        height: Of the palm above the thing's foot.
+        curl: 0..1 of index, other fingers, thumb.
+    """
     return two_hands((-radius, 0.012, height), (0.25, -1, 0), (1, 0.2, 0), curl)
 
 
 def grips_under(depth: float, curl: Vec3 = (0.12, 0.15, 0.0)) -> Anchors:
-    """Return the grips of hands that carry a flat thing from below, ``depth`` before and behind its middle."""
+    """Return the grips of hands that carry a flat thing from below, by its near and by its far edge.
+
+    Args:
+        depth: Metres from the thing's middle to the palm.
+        curl: 0..1 of index, other fingers, thumb.
+    """
     near = two_hands((-0.01, depth, -0.012), (0, -1, 0), (0, 0, 1), curl)
     return near + two_hands((-0.01, -depth, -0.012), (0, 1, 0), (0, 0, 1), curl, "far")
 

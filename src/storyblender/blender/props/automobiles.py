@@ -98,6 +98,7 @@ def automobile(b: MeshBuilder, spec: PropSpec, style: Style) -> Anchors:
 
 
 def _places(x: int, name: str, half: float, start: float, end: float, style: Style) -> list[Anchor]:
+    """Return the seat ``name``, the place to get in and the handle of the door from ``start`` to ``end`` (y)."""
     row = start + 0.45 if name in ("driver", "passenger") else end - 0.62
     at = Anchor(
         kind="door", name=name, location=(x * (half + ASIDE), (start + end) / 2, 0.0), direction=(-float(x), 0.0, 0.0)
@@ -156,6 +157,7 @@ def _ends(b: MeshBuilder, spec: PropSpec, style: Style, front: float, back: floa
 
 
 def _roof(b: MeshBuilder, spec: PropSpec, style: Style, front: float, middle: float, back: float) -> None:
+    """Add the roof and its posts, given the y of the windscreen, the door post and the rear window."""
     (w, _, h), paint = spec.size, spec.material("body")
     half, top, skin = w / 2, h - 0.05, 0.035
     low, wide = style.belt - 0.03, half * 0.79
@@ -185,6 +187,7 @@ def _roof(b: MeshBuilder, spec: PropSpec, style: Style, front: float, middle: fl
 
 
 def _inside(b: MeshBuilder, spec: PropSpec, style: Style, front: float, back: float) -> None:
+    """Add dashboard, steering wheel and seats between the y of the windscreen and that of the rear seat's back."""
     half, cover = spec.size[0] / 2, "leather_black"
     b.box(DARK, (0, front + 0.16, style.belt - 0.13), (2 * half - 0.2, 0.3, 0.22), bevel=0.05)
     middle = np.array((half * 0.44, front + 0.42, style.belt - 0.06))
@@ -219,6 +222,7 @@ def _door(b: MeshBuilder, spec: PropSpec, style: Style, x: int, start: float, en
 
 
 def _running_gear(b: MeshBuilder, spec: PropSpec, style: Style) -> None:
+    """Add the four wheels and the dark arches above them."""
     (w, d, _), radius = spec.size, style.wheel
     half = w / 2
     for y in (-d / 2 + max(0.8, style.nose * 0.6), d / 2 - max(0.75, min(style.tail * 0.8, 1.05))):
@@ -263,7 +267,12 @@ def taxi(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 
 def style_span(length: float, step: int) -> float:
-    """Return the position of a square of a taxi's checker band, in metres from the front end."""
+    """Return where a square of a taxi's checker band is, in metres from the front end.
+
+    Args:
+        length: Of the car, metres.
+        step: Index of the square, 0 to 15.
+    """
     return SEDAN.nose + 0.12 + step * (length - SEDAN.nose - SEDAN.tail - 0.24) / 15
 
 

@@ -62,7 +62,13 @@ class Plan:
 
 
 def beast(b: MeshBuilder, coat: MaterialRef, plan: Plan) -> None:
-    """Add a standing beast of one coat, with eyes and a nose."""
+    """Add a standing animal of one coat, with eyes, ears, nose and tail; it looks to -Y.
+
+    Args:
+        b: Receives the parts.
+        coat: Material of the whole body.
+        plan: Its measures.
+    """
     length, chest, z = plan.trunk, plan.chest, plan.middle
     outline = (
         (-0.6, 0.3), (-0.54, 0.78), (-0.4, 1.0), (-0.1, 1.02), (0.2, plan.waist), (0.42, 0.9), (0.54, 0.68),
@@ -87,6 +93,7 @@ def beast(b: MeshBuilder, coat: MaterialRef, plan: Plan) -> None:
 
 
 def _head(b: MeshBuilder, coat: MaterialRef, plan: Plan) -> None:
+    """Add skull, snout, nose, eyes and ears."""
     (y, z), r, (long, nose) = plan.skull, plan.head, plan.snout
     b.sphere(coat, (0, y, z), r, scale=(0.92, 1.05, 0.95), segments=18, rings=11)
     tip = y - r * 0.7 - long
@@ -107,6 +114,7 @@ def _head(b: MeshBuilder, coat: MaterialRef, plan: Plan) -> None:
 
 
 def _legs(b: MeshBuilder, coat: MaterialRef, plan: Plan) -> None:
+    """Add four legs, with hooves where the plan has them."""
     foot, z, length, chest = plan.foot, plan.middle, plan.trunk, plan.chest
     across, knee, floor = chest * plan.broad * 0.62, plan.leg * 0.55, 0.6 * foot
     top = (across * 0.7, z + chest * 0.55, chest * 0.1, chest * 0.3)

@@ -131,6 +131,7 @@ def bathtub(b: MeshBuilder, spec: PropSpec) -> Anchors:
     around = np.linspace(0, 2 * math.pi, 40, endpoint=False)
 
     def ring(reach: float, z: float) -> np.ndarray:
+        """Return an oval of the tub at height ``z``; ``reach`` is its share of the tub's outline."""
         power = 0.62
         x = np.sign(np.cos(around)) * np.abs(np.cos(around)) ** power * (w / 2) * reach
         y = np.sign(np.sin(around)) * np.abs(np.sin(around)) ** power * (d / 2 - (w / 2) * (1 - reach))
@@ -159,6 +160,7 @@ def toilet(b: MeshBuilder, spec: PropSpec) -> Anchors:
     around = np.linspace(0, 2 * math.pi, 28, endpoint=False)
 
     def bowl(reach: float, z: float, back: float) -> np.ndarray:
+        """Return an oval of the bowl at height ``z``, ``reach`` of its full size, moved ``back`` metres."""
         x, y = reach * w * 0.46 * np.cos(around), -d * 0.13 + back + reach * d * 0.33 * np.sin(around)
         return np.c_[x, y, np.full(len(around), z)]
 

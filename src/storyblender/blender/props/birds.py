@@ -51,7 +51,13 @@ class Bird:
 
 
 def bird_of(b: MeshBuilder, spec: PropSpec, plan: Bird) -> None:
-    """Add a standing bird, or one in flight with spread wings; material roles are coat, wing and beak."""
+    """Add a bird, standing or, with the parameter ``flying``, in flight with spread wings.
+
+    Args:
+        b: Receives the parts.
+        spec: Its material roles are coat, wing and beak.
+        plan: Its measures.
+    """
     coat, beak = spec.material("coat"), spec.material("beak")
     wing = coat if spec.entry.materials["wing"] == spec.entry.materials["coat"] else spec.material("wing")
     (long, thick), z = plan.body, plan.middle
@@ -81,6 +87,7 @@ def bird_of(b: MeshBuilder, spec: PropSpec, plan: Bird) -> None:
 
 
 def _face(b: MeshBuilder, plan: Bird, at: np.ndarray, beak: MaterialRef) -> None:
+    """Add beak and eyes to a head whose centre is ``at``."""
     (long, thick), r = plan.beak, plan.head
     root = np.add(at, (0, -r * 0.8, -r * 0.1))
     match plan.bill:
@@ -103,6 +110,7 @@ def _face(b: MeshBuilder, plan: Bird, at: np.ndarray, beak: MaterialRef) -> None
 
 
 def _spread(b: MeshBuilder, wing: MaterialRef, x: int, long: float, thick: float) -> None:
+    """Add a spread wing on the side ``x``, -1 or 1; ``long`` and ``thick`` are half the body's length and width."""
     span = long * 3.2
     rings = []
     for t, chord, up in ((0.0, 0.9, 0.0), (0.35, 1.0, 0.16), (0.7, 0.8, 0.14), (1.0, 0.2, 0.02)):
@@ -121,6 +129,7 @@ def _spread(b: MeshBuilder, wing: MaterialRef, x: int, long: float, thick: float
 
 
 def _legs(b: MeshBuilder, plan: Bird, beak: MaterialRef) -> None:
+    """Add two legs with toes, webbed where the plan says so."""
     apart, thin = plan.body[1] * 0.45, max(0.0035, plan.leg * 0.05)
     y = 0.0
     for x in (-1, 1):
@@ -225,6 +234,8 @@ PLANS: dict[str, tuple[Bird, Extra | None]] = {
 
 
 def _builder(plan: Bird, extra: Extra | None) -> Builder:
+    """Return the builder of a bird with a plan and, unless it flies, what ``extra`` adds."""
+
     def build(b: MeshBuilder, spec: PropSpec) -> Anchors:
         with b.at(scale=scaled(spec)):
             bird_of(b, spec, plan)

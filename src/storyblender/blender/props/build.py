@@ -82,7 +82,13 @@ def build_prop(
 
 
 def settle(mesh: bpy.types.Mesh, anchors: Anchors, dimension: AssetDimension | None = None) -> PropBuild:
-    """Scale a mesh to the wanted size and move its bottom centre to the origin, with its anchors. Changes ``mesh``."""
+    """Scale a mesh to the wanted size and move its bottom centre to the origin, and its anchors with it.
+
+    Args:
+        mesh: Changed in place.
+        anchors: In the mesh's frame.
+        dimension: Wanted size; None keeps the size, one number scales the whole, more stretch it.
+    """
     points = np.empty(len(mesh.vertices) * 3, np.float32)
     mesh.vertices.foreach_get("co", points)
     cloud = points.reshape(-1, 3).astype(float)

@@ -67,12 +67,14 @@ def _greenhouse(b: MeshBuilder, paint: MaterialRef, glass: MaterialRef, sections
 
 
 def _wheels(b: MeshBuilder, spec: PropSpec, half: float, radius: float, axles: tuple[float, ...], width: float) -> None:
+    """Add a wheel on both sides at each axle (y); ``half`` is half the width of the vehicle."""
     for x in (-1, 1):
         for y in axles:
             wheel(b, spec.material("tyre"), spec.material("chrome"), (x * (half - width / 2), y, radius), radius, width)
 
 
 def _lamps(b: MeshBuilder, spec: PropSpec, x: float, front: float, back: float, z: float, radius: float) -> None:
+    """Add headlamps at ``front`` and tail lamps at ``back`` (y), ``x`` metres to either side, at height ``z``."""
     for side in (-1, 1):
         outline = [(radius * 1.15, -0.06), (radius * 1.15, 0.01), (radius, 0.015)]
         b.lathe(spec.material("chrome"), outline, origin=(side * x, front, z), axis=(0, -1, 0), segments=18)
@@ -82,6 +84,7 @@ def _lamps(b: MeshBuilder, spec: PropSpec, x: float, front: float, back: float, 
 
 
 def _door_handles(half: float, places: tuple[float, float], z: float) -> Anchors:
+    """Return the handles of four doors: ``places`` are the y of the front and the rear ones, ``half`` the x."""
     return tuple(
         handle((x * half, y, z), (float(x), 0.0, 0.0), f"door_{end}_{side}")
         for side, x in (("left", 1), ("right", -1))

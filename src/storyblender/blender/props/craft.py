@@ -149,6 +149,7 @@ def rowing_boat(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 
 def _handlebars(b: MeshBuilder, metal: MaterialRef, y: float, z: float, width: float) -> Anchors:
+    """Add handlebars whose stem is at ``y`` and ``z``; return the grips of both hands."""
     bar = [
         (width * x, y + t, z + up)
         for x, t, up in ((-0.5, 0.16, 0), (-0.4, 0.02, 0.02), (0, 0, -0.02), (0.4, 0.02, 0.02), (0.5, 0.16, 0))

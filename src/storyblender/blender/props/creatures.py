@@ -92,6 +92,7 @@ def dragon(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 
 def _spike(b: MeshBuilder, material: MaterialRef, foot: np.ndarray, height: float) -> None:
+    """Add a spike that leans back, its foot sunk into the skin at ``foot``."""
     with b.at(foot - (0, 0, 0.1), (-14, 0, 0)):
         rings = [
             [(-0.04, -0.1, 0), (0.04, -0.1, 0), (0.04, 0.1, 0), (-0.04, 0.1, 0)],

@@ -14,6 +14,7 @@ from storyblender.blender.props.registry import PropSpec, prop
 def _strings(
     b: MeshBuilder, material: MaterialRef, count: int, low: float, high: float, y: float, spread: float
 ) -> None:
+    """Add upright strings from ``low`` to ``high`` at depth ``y``, ``spread`` metres from the first to the last."""
     for k in range(count):
         x = (k - (count - 1) / 2) * spread / (count - 1)
         b.cylinder(material, (x * 1.3, y, low), (x, y, high), 0.0007, segments=4, caps=False)

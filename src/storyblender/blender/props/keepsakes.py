@@ -106,7 +106,14 @@ def flower(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 
 def bloom(b: MeshBuilder, material: MaterialRef, center: tuple[float, float, float], radius: float) -> None:
-    """Add a round blossom of three rings of petals."""
+    """Add a round blossom of three rings of petals.
+
+    Args:
+        b: Receives the petals.
+        material: Of the petals.
+        center: Middle of the blossom.
+        radius: Of the blossom.
+    """
     x, y, z = center
     b.sphere(material, center, radius * 0.55, segments=10, rings=6)
     for row, (count, reach, tilt) in enumerate(((4, 0.35, 70), (5, 0.55, 45), (6, 0.7, 15))):

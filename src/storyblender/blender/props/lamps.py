@@ -18,7 +18,16 @@ def _shade(b: MeshBuilder, material: MaterialRef, radius: float, top: float, low
 
 
 def flame(b: MeshBuilder, material: MaterialRef, x: float, y: float, z: float, height: float) -> None:
-    """Add a flame whose foot is at z."""
+    """Add a flame.
+
+    Args:
+        b: Receives the flame.
+        material: Of the flame.
+        x: Of its foot.
+        y: Of its foot.
+        z: Of its foot.
+        height: From foot to tip.
+    """
     h = height
     profile = [(0.001, 0), (h * 0.2, h * 0.2), (h * 0.22, h * 0.35), (h * 0.12, h * 0.65), (0.001, h)]
     b.lathe(material, profile, origin=(x, y, z), segments=10)

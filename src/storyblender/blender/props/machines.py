@@ -151,7 +151,16 @@ def computer(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def keyboard(
     b: MeshBuilder, case: MaterialRef, cap: MaterialRef, at: tuple[float, float, float], width: float, depth: float
 ) -> None:
-    """Add a keyboard with rows of keys; ``at`` is its bottom middle."""
+    """Add a keyboard with five rows of keys, the user at -Y.
+
+    Args:
+        b: Receives the parts.
+        case: Material of the case.
+        cap: Material of the keys.
+        at: Middle of its underside.
+        width: Along X.
+        depth: Along Y.
+    """
     with b.at(at):
         b.box(case, (0, 0, 0.009), (width, depth, 0.018), bevel=0.004)
         for row in range(5):

@@ -70,6 +70,7 @@ def dead_tree(b: MeshBuilder, spec: PropSpec) -> Anchors:
     plants.trunk(b, bark, h * 0.8, radius, leans, rng)
 
     def branch(start: Floats, direction: Floats, length: float, thick: float, depth: int) -> None:
+        """Add a branch and, ``depth`` levels deep, the branches that grow from it."""
         middle = start + direction * length * 0.5 + rng.uniform(-0.08, 0.08, 3) * length
         tip = start + direction * length + np.array([0, 0, 0.12 * length])
         b.tube(bark, [start, middle, tip], [thick, thick * 0.7, thick * 0.25], segments=6)

@@ -9,7 +9,14 @@ WALL = 0.014
 
 
 def tray(b: MeshBuilder, skin: MaterialRef, lining: MaterialRef, size: tuple[float, float, float]) -> None:
-    """Add a box without a lid, its floor at z = 0, lined inside."""
+    """Add a box without a lid, its floor at z = 0, lined inside.
+
+    Args:
+        b: Receives the parts.
+        skin: Material outside.
+        lining: Material inside.
+        size: Outer width, depth and height.
+    """
     w, d, h = size
     b.box(skin, (0, 0, WALL / 2), (w, d, WALL))
     b.box(lining, (0, 0, WALL + 0.002), (w - 2 * WALL, d - 2 * WALL, 0.004))
@@ -22,7 +29,13 @@ def tray(b: MeshBuilder, skin: MaterialRef, lining: MaterialRef, size: tuple[flo
 
 
 def open_carton(b: MeshBuilder, skin: MaterialRef, size: tuple[float, float, float]) -> None:
-    """Add an open carton with two flaps out and two up, no wider than a closed one."""
+    """Add an open carton with two flaps out and two up, no wider than a closed one.
+
+    Args:
+        b: Receives the parts.
+        skin: Cardboard.
+        size: Width, depth and height of the closed carton.
+    """
     w, d, h = size
     tray(b, skin, skin, size)
     for y in (-1, 1):
@@ -36,7 +49,15 @@ def open_carton(b: MeshBuilder, skin: MaterialRef, size: tuple[float, float, flo
 def open_case(
     b: MeshBuilder, skin: MaterialRef, metal: MaterialRef, lining: MaterialRef, size: tuple[float, float, float]
 ) -> None:
-    """Add a suitcase that lies on its back with its lid up; ``size`` in metres is that of the standing one."""
+    """Add a suitcase that lies on its back with its lid up.
+
+    Args:
+        b: Receives the parts.
+        skin: Material outside.
+        metal: Of the locks and hinges.
+        lining: Material inside.
+        size: Width, depth and height of the suitcase when it stands closed.
+    """
     w, d, h = size
     tray(b, skin, lining, (w, h, d * 0.6))
     with b.at((0, h / 2, d * 0.6), (-102, 0, 0)), b.at((0, -h / 2, d * 0.35), (180, 0, 0)):
@@ -48,7 +69,14 @@ def open_case(
 
 
 def open_fridge(b: MeshBuilder, skin: MaterialRef, metal: MaterialRef, size: tuple[float, float, float]) -> None:
-    """Add a fridge with its door open and lit shelves with food."""
+    """Add a fridge with its door open and lit shelves with food.
+
+    Args:
+        b: Receives the parts.
+        skin: Material outside.
+        metal: Of the handle.
+        size: Width, depth and height with the door closed.
+    """
     w, d, h = size
     wall = 0.05
     b.box(skin, (0, d / 2 - wall, h / 2), (w, 2 * wall, h - 0.04))

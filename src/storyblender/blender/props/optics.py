@@ -12,6 +12,7 @@ from storyblender.blender.props.registry import PropSpec, prop
 
 
 def _tripod(b: MeshBuilder, material: MaterialRef, reach: float, top: float) -> None:
+    """Add three legs from a head at height ``top`` to feet ``reach`` metres from the middle."""
     for k in range(3):
         with b.at(rotation=(0, 0, 120 * k - 90)):
             b.cylinder(material, (reach, 0, 0), (0.04, 0, top), 0.014, 0.02, segments=8)

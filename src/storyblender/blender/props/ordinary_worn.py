@@ -18,7 +18,12 @@ _HEEL_GRIP = ((0.1, -0.85, 0.3), (1.0, 0.0, 0.0), (0.6, 0.65, 0.45))
 
 
 def sole_of(width: float, length: float) -> Floats:
-    """Return (n, 2) points around the sole of a shoe, counter-clockwise, its toes at -Y."""
+    """Return (n, 2) points around the sole of a shoe, counter-clockwise, its toes at -Y.
+
+    Args:
+        width: At its widest, metres.
+        length: From heel to toes, metres.
+    """
     right = [(x * width, y * length) for y, x in _HALF]
     loop = [(0, -0.5 * length), *right, (0, 0.5 * length), *((-x, y) for x, y in right[::-1]), (0, -0.5 * length)]
     return bent(loop, 3)[:-1]
@@ -73,6 +78,7 @@ def _upper(
 
 
 def _flat(y: Floats) -> Floats:
+    """Return 0 for every y: a shoe that stands flat, without a heel."""
     return np.full(len(y), 0.0)
 
 
@@ -160,7 +166,14 @@ def sock(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 
 def dress_form_of(b: MeshBuilder, cover: MaterialRef, wood: MaterialRef, linen: MaterialRef) -> None:
-    """Add a torso in a cover on a turned stand, 1.66 m high, facing -Y."""
+    """Add a tailor's torso on a turned stand, 1.66 m high, facing -Y.
+
+    Args:
+        b: Receives the parts.
+        cover: Material of the torso.
+        wood: Material of the stand.
+        linen: Material of the neck.
+    """
     b.lathe(wood, [(0.22, 0), (0.2, 0.04), (0.03, 0.07), (0.025, 0.8)], segments=18)
     sections = [(0.72, 0.17, 0.12, 0), (0.8, 0.185, 0.13, 0), (0.92, 0.18, 0.125, 0), (1.08, 0.13, 0.1, 0)]
     sections += [(1.26, 0.165, 0.125, 0.015), (1.36, 0.18, 0.115, 0.01), (1.46, 0.19, 0.085, 0), (1.52, 0.09, 0.065, 0)]

@@ -57,6 +57,7 @@ def excavator(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 
 def _tracks(b: MeshBuilder, trim: MaterialRef) -> None:
+    """Add the excavator's two tracks and the frame between them."""
     for x in (-0.98, 0.98):
         ends = [
             (math.copysign(1.35, math.cos(a)) + 0.4 * math.cos(a), 0.4 + 0.4 * math.sin(a))
@@ -73,6 +74,7 @@ def _tracks(b: MeshBuilder, trim: MaterialRef) -> None:
 
 
 def _cab(b: MeshBuilder, body: MaterialRef) -> None:
+    """Add the excavator's cab and engine."""
     x, low, high, front, back = 0.72, 1.2, 2.85, -1.0, 0.55
     b.box(body, (x, (front + back) / 2, high), (0.96, back - front + 0.1, 0.1), bevel=0.03)
     b.box(body, (x, (front + back) / 2, low + 0.12), (0.94, back - front, 0.24), bevel=0.02)
@@ -90,6 +92,7 @@ def _cab(b: MeshBuilder, body: MaterialRef) -> None:
 
 
 def _arm(b: MeshBuilder, body: MaterialRef, trim: MaterialRef) -> None:
+    """Add the excavator's boom, stick and bucket, with their hydraulic cylinders."""
     x = -0.08
     boom = [(-0.7, 1.2), (-1.0, 1.2), (-2.55, 3.0), (-4.0, 2.62), (-4.05, 2.85), (-2.5, 3.42), (-2.2, 3.36)]
     _plate(b, body, boom, x, 0.36)

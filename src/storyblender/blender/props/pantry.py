@@ -15,7 +15,15 @@ Points = list[tuple[float, float]]
 
 
 def turned(b: MeshBuilder, spec: PropSpec, role: str, profile: Points, steps: int = 4) -> None:
-    """Add a smooth body of revolution: the profile in parts of the prop's half width and of its height."""
+    """Add a smooth body of revolution to a prop.
+
+    Args:
+        b: Receives the body.
+        spec: Of the prop.
+        role: Material role of the body.
+        profile: Pairs of radius, as a share of half the prop's width, and height, as a share of the prop's.
+        steps: Points per stretch of the smoothed profile.
+    """
     r, h = spec.size[0] / 2, spec.size[2]
     b.lathe(spec.material(role), bent([(x * r, z * h) for x, z in profile], steps), segments=28)
 

@@ -23,22 +23,42 @@ def four_legs(
     *,
     splay: float = 0.0,
 ) -> None:
-    """Add tapering square legs under the corners of ``width`` x ``depth``; ``splay`` metres outwards at the foot."""
+    """Add tapering square legs under the corners of a rectangle about the origin.
+
+    Args:
+        b: Receives the legs.
+        material: Of the legs.
+        width: Of the rectangle along X, metres.
+        depth: Along Y.
+        height: Of the legs.
+        thick: Of a leg at its top.
+        splay: Metres that each foot stands outwards.
+    """
     for x in (-1, 1):
         for y in (-1, 1):
             top = np.array([x * (width - thick) / 2, y * (depth - thick) / 2, height])
             foot = np.array([top[0] + x * splay, top[1] + y * splay, 0.0])
             half = thick / 2
-            rings = [_square(foot, half * 0.65), _square(top - (0, 0, height * 0.25), half), _square(top, half)]
+            rings = [square(foot, half * 0.65), square(top - (0, 0, height * 0.25), half), square(top, half)]
             b.loft(material, rings)
 
 
-def _square(center: Floats, half: float) -> Floats:
-    return center + np.array([(-half, -half, 0), (half, -half, 0), (half, half, 0), (-half, half, 0)])
+def square(center: ArrayLike, half: float) -> Floats:
+    """Return the (4, 3) corners of a level square about ``center`` with sides of twice ``half``."""
+    return np.asarray(center) + np.array([(-half, -half, 0), (half, -half, 0), (half, half, 0), (-half, half, 0)])
 
 
 def turned_leg(b: MeshBuilder, material: MaterialRef, x: float, y: float, height: float, radius: float) -> None:
-    """Add a leg turned on a lathe, with a ring and a bulb."""
+    """Add a round leg turned on a lathe, with a ring and a bulb.
+
+    Args:
+        b: Receives the leg.
+        material: Of the leg.
+        x: Of its axis, metres.
+        y: Of its axis.
+        height: From the floor at z = 0.
+        radius: At its thickest.
+    """
     r, h = radius, height
     profile = [
         (r * 0.55, 0), (r * 0.7, h * 0.04), (r * 0.45, h * 0.08), (r * 0.75, h * 0.4), (r, h * 0.62),
@@ -48,7 +68,16 @@ def turned_leg(b: MeshBuilder, material: MaterialRef, x: float, y: float, height
 
 
 def table_top(b: MeshBuilder, material: MaterialRef, width: float, depth: float, height: float, thick: float) -> None:
-    """Add a board whose upper side is at ``height``."""
+    """Add a level board about the z axis.
+
+    Args:
+        b: Receives the board.
+        material: Of the board.
+        width: Along X, metres.
+        depth: Along Y.
+        height: Of its upper side.
+        thick: From its upper side down.
+    """
     b.box(material, (0, 0, height - thick / 2), (width, depth, thick), bevel=min(0.008, thick / 4))
 
 
@@ -62,7 +91,17 @@ def drawer(
     *,
     knob: bool = False,
 ) -> None:
-    """Add a drawer's front that faces -Y at ``center``, with a bar handle or knobs."""
+    """Add the front of a drawer, facing -Y.
+
+    Args:
+        b: Receives the parts.
+        front: Material of the board.
+        handle: Material of the handle.
+        center: Middle of the board.
+        width: Of the board, metres.
+        height: Of the board.
+        knob: One knob, or two on a wide drawer, instead of a bar.
+    """
     x, y, z = center
     b.box(front, (x, y, z), (width, 0.022, height), bevel=0.006)
     if knob:
@@ -83,7 +122,16 @@ def panel_door(
     *,
     panels: int = 1,
 ) -> None:
-    """Add a cupboard door that faces -Y: a frame of stiles and rails round sunken panels."""
+    """Add a cupboard door that faces -Y: a frame of stiles and rails round sunken panels.
+
+    Args:
+        b: Receives the parts.
+        material: Of the door.
+        center: Middle of the door.
+        width: Along X, metres.
+        height: Along Z.
+        panels: How many, one above the other.
+    """
     x, y, z = center
     frame = min(0.075, width * 0.16)
     for side in (-1, 1):
@@ -143,13 +191,31 @@ def bent(points: ArrayLike, per: int = 4) -> Floats:
 
 
 def circle(radius: float, count: int = 48) -> Floats:
-    """Return (count, 2) points on a circle, counter-clockwise."""
+    """Return points on a circle about the origin, counter-clockwise, the first on +X.
+
+    Args:
+        radius: Metres.
+        count: How many points.
+
+    Returns:
+        (count, 2) points.
+    """
     angle = np.linspace(0, 2 * math.pi, count, endpoint=False)
     return radius * np.c_[np.cos(angle), np.sin(angle)]
 
 
 def rectangle(width: float, depth: float, count: int = 96, corner: float = 0.04) -> Floats:
-    """Return (count, 2) points on a rectangle with round corners, evenly spaced, counter-clockwise."""
+    """Return points on a rectangle with round corners about the origin, evenly spaced, counter-clockwise.
+
+    Args:
+        width: Along X, metres.
+        depth: Along Y.
+        count: How many points.
+        corner: Radius of its corners.
+
+    Returns:
+        (count, 2) points.
+    """
     arcs = []
     for quarter, (x, y) in enumerate(((1, 1), (-1, 1), (-1, -1), (1, -1))):
         angle = np.linspace(quarter, quarter + 1, 5) * math.pi / 2
@@ -165,7 +231,16 @@ def rectangle(width: float, depth: float, count: int = 96, corner: float = 0.04)
 def wheel(
     b: MeshBuilder, tyre: MaterialRef, hub: MaterialRef, center: tuple[float, float, float], radius: float, width: float
 ) -> None:
-    """Add a tyred disc wheel whose axle runs along X; its hub shows on the side away from x = 0."""
+    """Add a tyred disc wheel whose axle runs along X; its hub shows on the side away from x = 0.
+
+    Args:
+        b: Receives the parts.
+        tyre: Material of the tyre.
+        hub: Material of the hub cap.
+        center: Middle of the wheel.
+        radius: With the tyre, metres.
+        width: Of the tyre.
+    """
     side = 1.0 if center[0] >= 0 else -1.0
     half, r = width / 2, radius
     outline = np.multiply([(0.58, -1), (0.94, -1), (1, -0.45), (1, 0.45), (0.94, 1), (0.58, 1)], (r, half))
@@ -186,7 +261,17 @@ def spoked_wheel(
     thick: float,
     count: int,
 ) -> None:
-    """Add an open wheel with spokes whose axle runs along X."""
+    """Add an open wheel with spokes whose axle runs along X.
+
+    Args:
+        b: Receives the parts.
+        rim: Material of the rim.
+        spoke: Material of spokes and hub.
+        center: Middle of the wheel.
+        radius: To the middle of the rim, metres.
+        thick: Radius of the rim's section.
+        count: Number of spokes.
+    """
     x, y, z = center
     angle = np.linspace(0, 2 * math.pi, 28, endpoint=False)
     path = np.c_[np.full(28, x), y + radius * np.cos(angle), z + radius * np.sin(angle)]
@@ -199,7 +284,7 @@ def spoked_wheel(
 
 
 def bottle_profile(radius: float, height: float) -> Floats:
-    """Return the outline of a bottle for ``lathe``."""
+    """Return the (8, 2) outline of a bottle of this radius and height in metres, for ``MeshBuilder.lathe``."""
     outline = [(0.92, 0), (1, 0.03), (1, 0.58), (0.85, 0.66), (0.4, 0.76), (0.34, 0.94), (0.42, 0.95), (0.42, 1)]
     return np.multiply(outline, (radius, height))
 
@@ -214,7 +299,18 @@ def book_row(
     height: float,
     fill: float,
 ) -> None:
-    """Add standing books from ``start`` (left end, middle of their depth, shelf) along +X, some gaps, one leaning."""
+    """Add a row of standing books of random sizes, with gaps between them.
+
+    Args:
+        b: Receives the books.
+        covers: Materials to choose from.
+        rng: Source of variation.
+        start: Left end of the row, middle of its depth, height of the shelf; the row runs along +X.
+        width: Of the row, metres.
+        depth: Of the deepest book.
+        height: Of the tallest book.
+        fill: Share of the places that have a book, 0 to 1.
+    """
     x, y, z = start
     end = x + width
     while True:

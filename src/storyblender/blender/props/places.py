@@ -66,6 +66,7 @@ def _goods(
 
 
 def _side_by_side(span: tuple[float, float], wide: float) -> np.ndarray:
+    """Return the centres of things ``wide`` metres each, side by side between the two ends of ``span``."""
     count = max(1, int((span[1] - span[0]) / wide))
     return span[0] + wide * (np.arange(count) + 0.5)
 

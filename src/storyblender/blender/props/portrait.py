@@ -64,6 +64,7 @@ def render_portrait(
 
 
 def _shade(scene: bpy.types.Scene, size: tuple[int, int], part: Path) -> None:
+    """Set up Workbench to draw the scene to the PNG ``part`` in a plain studio look."""
     scene.world = bpy.data.worlds.new("portrait_world")
     scene.world.color = (0.62, 0.61, 0.58)
     render, shading = scene.render, scene.display.shading

@@ -78,6 +78,7 @@ def toy_blocks(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 
 def _wheeled_foot(b: MeshBuilder, spec: PropSpec, radius: float, metal: str) -> None:
+    """Add five legs that end in castors, ``radius`` metres from the middle; ``metal`` is their material role."""
     for turn in np.linspace(0, math.tau, 5, endpoint=False):
         at = (radius * math.cos(turn), radius * math.sin(turn))
         b.cylinder(spec.material(metal), (0, 0, 0.09), (*at, 0.06), 0.013, segments=8)

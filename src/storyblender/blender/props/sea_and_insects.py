@@ -14,6 +14,7 @@ from storyblender.blender.props.small_animals import WHITE, eyes
 
 
 def _insect_legs(b: MeshBuilder, reach: float, height: float, pairs: int) -> None:
+    """Add pairs of bent legs that start ``height`` metres up and end ``reach`` metres to either side."""
     for k in range(pairs):
         y = (k - (pairs - 1) / 2) * reach * 0.4
         for x in (-1, 1):

@@ -20,7 +20,16 @@ LIZARD = Plan(
 
 
 def eyes(b: MeshBuilder, x: float, y: float, z: float, radius: float, white: bool = False) -> None:
-    """Add two eyes at ``x`` metres to either side; ``white`` adds a protruding eyeball."""
+    """Add two eyes.
+
+    Args:
+        b: Receives the eyes.
+        x: Metres to either side of the middle.
+        y: Of both.
+        z: Of both.
+        radius: Of the pupil.
+        white: Protruding eyeballs behind the pupils.
+    """
     for side in (-1, 1):
         if white:
             b.sphere(WHITE, (side * x, y + radius * 0.5, z), radius * 1.5, segments=12, rings=8)
@@ -58,6 +67,7 @@ def squirrel(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 
 def _frog(b: MeshBuilder, skin: MaterialRef, *, warts: bool) -> None:
+    """Add a sitting frog, or with ``warts`` a toad."""
     rings = [
         (0, 0.07, 0.02, 0.025, 0.015), (0, 0.04, 0.035, 0.05, 0.032), (0, -0.015, 0.055, 0.054, 0.04),
         (0, -0.06, 0.07, 0.045, 0.03), (0, -0.085, 0.068, 0.022, 0.014),

@@ -30,6 +30,7 @@ def build_stand_in(key: str, dimension: AssetDimension | None = None) -> PropBui
 
 
 def _body(b: MeshBuilder, entry: StandIn) -> None:
+    """Add the plain shape of a class of things."""
     (w, d, h), skin = entry.size, entry.material
     edge = 0.08 * min(w, d, h)
     match entry.shape:
@@ -56,6 +57,7 @@ def _body(b: MeshBuilder, entry: StandIn) -> None:
 
 
 def _grips(entry: StandIn) -> Anchors:
+    """Return where hands hold a stand-in; none if it is not holdable."""
     if not entry.holdable:
         return ()
     w, d, h = entry.size

@@ -8,6 +8,7 @@ import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
 from storyblender.blender.props.anchors import Anchors, handle, lean, seats_in_row
+from storyblender.blender.props.parts import square
 from storyblender.blender.props.registry import PropSpec, prop
 
 
@@ -24,17 +25,21 @@ def lamppost(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for x in (-1, 1):
         b.sphere(metal, (x * w * 0.46, 0, h - 0.8), 0.035, segments=12, rings=8)
     low, high = h - 0.5, h - 0.12
-    b.loft(spec.material("glow"), [_ring4(0.085, low), _ring4(w * 0.42, high)])
+    b.loft(spec.material("glow"), [square((0, 0, low), 0.085), square((0, 0, high), w * 0.42)])
     for k in range(4):
         corner = np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)][k])
         b.tube(metal, [(*(corner * 0.09), low), (*(corner * w * 0.43), high)], 0.012, segments=6)
-    b.loft(metal, [_ring4(w * 0.5, high), _ring4(w * 0.46, high + 0.03), _ring4(0.06, h - 0.02), _ring4(0.02, h)])
-    b.loft(metal, [_ring4(0.1, low - 0.04), _ring4(0.095, low)])
+    b.loft(
+        metal,
+        [
+            square((0, 0, high), w * 0.5),
+            square((0, 0, high + 0.03), w * 0.46),
+            square((0, 0, h - 0.02), 0.06),
+            square((0, 0, h), 0.02),
+        ],
+    )
+    b.loft(metal, [square((0, 0, low - 0.04), 0.1), square((0, 0, low), 0.095)])
     return (lean((0, -0.1, 1.1), 0.2),)
-
-
-def _ring4(half: float, z: float) -> np.ndarray:
-    return np.array([(-half, -half, z), (half, -half, z), (half, half, z), (-half, half, z)])
 
 
 @prop("hydrant")

@@ -15,6 +15,7 @@ STAFF = ((0.25, -1.0, 0.0), (1.0, 0.2, 0.0), (0.85, 0.85, 0.6))
 
 
 def _upright(height: float, radius: float = 0.02) -> Anchors:
+    """Return the grips of a fist around an upright handle of ``radius`` at ``height``."""
     return two_hands((-radius, 0.0, height), *STAFF)
 
 

@@ -18,7 +18,18 @@ WHOLE = ((0, 0), (1, 0), (1, 1), (0, 1))
 def frame(
     b: MeshBuilder, material: MaterialRef, width: float, height: float, thick: float, depth: float, y: float, low: float
 ) -> None:
-    """Add a moulded picture frame whose outside is ``width`` x ``height``, its back at ``y``, its foot at ``low``."""
+    """Add a moulded picture frame that faces -Y.
+
+    Args:
+        b: Receives the parts.
+        material: Of the frame.
+        width: Outside, along X, metres.
+        height: Outside, along Z.
+        thick: Width of the moulding.
+        depth: Along Y.
+        y: Of its back.
+        low: Z of its lower edge.
+    """
     for x in (-1, 1):
         center = (x * (width - thick) / 2, y - depth / 2, low + height / 2)
         b.box(material, center, (thick, depth, height), bevel=depth * 0.3)
@@ -27,7 +38,16 @@ def frame(
 
 
 def sheet(b: MeshBuilder, material: MaterialRef, width: float, height: float, y: float, low: float) -> None:
-    """Add a flat picture that faces -Y and shows its texture once."""
+    """Add a flat picture that faces -Y and shows its texture once.
+
+    Args:
+        b: Receives the picture.
+        material: With the texture.
+        width: Along X, metres.
+        height: Along Z.
+        y: Of the picture.
+        low: Z of its lower edge.
+    """
     x = width / 2
     b.quad(material, (-x, y, low), (x, y, low), (x, y, low + height), (-x, y, low + height), uv=WHOLE)
 
@@ -78,7 +98,15 @@ def wall_map(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 
 def dial(b: MeshBuilder, material: MaterialRef, radius: float, y: float, z: float) -> None:
-    """Add a clock face that faces -Y."""
+    """Add a round clock face that faces -Y and shows its texture once.
+
+    Args:
+        b: Receives the face.
+        material: With the texture.
+        radius: Metres.
+        y: Of the face.
+        z: Of its middle.
+    """
     angle = np.linspace(0, 2 * math.pi, 32, endpoint=False)
     ring = np.c_[np.cos(angle), np.sin(angle)]
     b.polygon(material, np.c_[radius * ring[:, 0], np.full(32, y), z + radius * ring[:, 1]], uv=0.5 + 0.5 * ring)

@@ -232,6 +232,8 @@ PLANS: dict[str, tuple[Plan, Extra | None]] = {
 
 
 def _builder(plan: Plan, extra: Extra | None) -> Builder:
+    """Return the builder of an animal with a plan and what ``extra`` adds to it."""
+
     def build(b: MeshBuilder, spec: PropSpec) -> Anchors:
         with b.at(scale=scaled(spec)):
             beast(b, spec.material("coat"), plan)

@@ -115,4 +115,5 @@ def ring(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 
 def _pinched(y: float, z: float) -> Anchors:
+    """Return the grips of fingertips on a piece of jewellery at ``y`` and ``z``."""
     return two_hands((-0.03, y + 0.03, z), (0.5, -0.85, -0.15), (0.8, 0.4, -0.4), (0.55, 0.65, 0.6))

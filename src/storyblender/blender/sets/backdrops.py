@@ -91,12 +91,14 @@ def _land(
 
 
 def _swells(angle: Floats, phase: float) -> Floats:
+    """Return heights of gentle hills, as shares of the full height, at azimuths in radians."""
     return 0.62 + 0.19 * (
         np.sin(5 * angle + phase) + 0.6 * np.sin(11 * angle + 2 * phase) + 0.35 * np.sin(23 * angle - phase)
     )
 
 
 def _peaks(angle: Floats, phase: float) -> Floats:
+    """Return heights of jagged mountains, as shares of the full height, at azimuths in radians."""
     outline = np.full_like(angle, 0.25)
     for weight, count, shift in ((0.38, 4, 1), (0.21, 9, 2), (0.1, 21, -1), (0.06, 47, 3)):
         outline += weight * (1 - np.abs(np.sin(count * angle + shift * phase)))
@@ -104,6 +106,7 @@ def _peaks(angle: Floats, phase: float) -> Floats:
 
 
 def _crowns(angle: Floats, phase: float) -> Floats:
+    """Return heights of treetops, as shares of the full height, at azimuths in radians."""
     crowns = np.maximum(np.abs(np.sin(47 * angle + phase)), 0.86 * np.abs(np.sin(71 * angle + 3 * phase)))
     return 0.66 + 0.08 * np.sin(5 * angle + phase) + 0.05 * np.sin(13 * angle) + 0.2 * np.sqrt(crowns)
 
@@ -119,7 +122,13 @@ class _Town:
     indoor: bool
 
     def raise_between(self, left: Floats, right: Floats, height: float) -> None:
-        """Build the rows from the farthest and highest to the nearest."""
+        """Build the rows from the farthest and highest to the nearest.
+
+        Args:
+            left: Foot of the left end, as seen from the set.
+            right: Foot of the right end.
+            height: Of the highest roof, metres.
+        """
         span = float(np.linalg.norm((right - left)[:2]))
         along = (right - left) / max(span, 1e-6)
         outwards = np.array([-along[1], along[0], 0.0])
@@ -139,6 +148,7 @@ class _Town:
                 at += width + (0.0 if self.near else float(rng.uniform(-0.5, 1.5)))
 
     def _windows(self, width: float, tall: float, rng: np.random.Generator) -> None:
+        """Add the windows of one house; some are lit at night."""
         storey, bay, wide, high = (3.1, 2.2, 0.95, 1.5) if self.near else (2.6, 1.6, 0.7, 1.1)
         columns, dark = max(1, int(width / bay)), self.skin_of("glass_dark", "#39424b")
         for floor in range(int((tall - 1.5) / storey)):

@@ -51,11 +51,13 @@ def build_set(plan: SetPlan, scene: bpy.types.Scene, collection: bpy.types.Colle
 
 
 def _object(mesh: bpy.types.Mesh, node_id: str, surface: Surface, name: str = "") -> bpy.types.Object:
+    """Return a tagged object of the set; it is named after its node unless ``name`` is given."""
     obj = bpy.data.objects.new(name or node_id, mesh)
     return tag(obj, kind="set", node_id=node_id, surface=surface)
 
 
 def _wall(wall: Wall, *, indoor: bool) -> list[bpy.types.Object]:
+    """Return a wall and the leaves of its doors, placed in the world."""
     angle = math.atan2(wall.end[1] - wall.start[1], wall.end[0] - wall.start[0])
     body = _object(wall_mesh(wall, indoor=indoor), wall.node_id, Surface.SET)
     body.location, body.rotation_euler = (*wall.start, wall.base), (0, 0, angle)
@@ -81,6 +83,7 @@ def swing_door(leaf: bpy.types.Object, state: str) -> None:
 
 
 def _slab(slab: Slab, scene: bpy.types.Scene) -> bpy.types.Object:
+    """Return a floor, ceiling or block, with its beams."""
     builder = MeshBuilder(slab.node_id)
     skin = _outside(slab.material, scene) if slab.role == "patch" and slab.z < 0 else finish(slab.material)
     if slab.role == "block":
@@ -100,6 +103,7 @@ def _outside(key: str, scene: bpy.types.Scene) -> bpy.types.Material:
 
 
 def _beams(builder: MeshBuilder, slab: Slab) -> None:
+    """Add the beams under a ceiling, along X."""
     xs, ys = [x for x, _ in slab.polygon], [y for _, y in slab.polygon]
     for index in range(slab.beams):
         y = min(ys) + (index + 0.5) * (max(ys) - min(ys)) / slab.beams
@@ -108,6 +112,7 @@ def _beams(builder: MeshBuilder, slab: Slab) -> None:
 
 
 def _pieces(plan: SetPlan, scene: bpy.types.Scene) -> list[bpy.types.Object]:
+    """Return the pieces of a plan; those that look alike share a mesh."""
     meshes: dict[tuple[str, str], tuple[bpy.types.Mesh, Surface]] = {}
     objects = []
     for piece in plan.pieces:

@@ -64,6 +64,7 @@ def door_leaf(opening: Opening, width: float, *, clear: bool, mirrored: bool = F
 
 
 def _leaf(builder: MeshBuilder, style: str, width: float, height: float, *, clear: bool) -> None:
+    """Add a door leaf of a style, from its hinge at the origin along +X."""
     middle, y = width / 2, -0.06
     if style in ("cell", "paper", "bus"):
         {"cell": _barred_leaf, "paper": _paper_leaf, "bus": _folding_leaf}[style](builder, width, height)
@@ -103,6 +104,7 @@ def _leaf(builder: MeshBuilder, style: str, width: float, height: float, *, clea
 
 
 def _barred_leaf(builder: MeshBuilder, width: float, height: float) -> None:
+    """Add the barred door of a cell."""
     middle, y = width / 2, -0.06
     iron = finish("iron")
     for x in np.linspace(0.04, width - 0.04, max(3, round(width / 0.13))):
@@ -113,6 +115,7 @@ def _barred_leaf(builder: MeshBuilder, width: float, height: float) -> None:
 
 
 def _paper_leaf(builder: MeshBuilder, width: float, height: float) -> None:
+    """Add a sliding paper screen."""
     with builder.at((0, -0.06, 0.0)):
         _lattice(builder, width, height)
 
@@ -141,6 +144,7 @@ def _lattice(builder: MeshBuilder, width: float, height: float) -> None:
 
 
 def _window(builder: MeshBuilder, opening: Opening, thickness: float, trim: bpy.types.Material) -> None:
+    """Add glass, sashes and what hangs before a window."""
     width, height, style, y = opening.width, opening.height, opening.style, -thickness * 0.55
     if style == "bars":
         for x in np.linspace(0, width, max(3, round(width / 0.14)) + 1)[1:-1]:
@@ -184,6 +188,7 @@ def _gasket(builder: MeshBuilder, width: float, height: float) -> None:
 
 
 def _blinds(builder: MeshBuilder, width: float, height: float) -> None:
+    """Add half-open slats before a window."""
     slat = finish("paint_cream")
     builder.box(slat, (width / 2, 0.07, height + 0.02), (width + 0.06, 0.06, 0.06))
     for index in range(int(height * 0.62 / 0.065)):
@@ -194,6 +199,7 @@ def _blinds(builder: MeshBuilder, width: float, height: float) -> None:
 
 
 def _curtains(builder: MeshBuilder, width: float, height: float, sill: float) -> None:
+    """Add a rod and two drawn-back curtains that reach below the sill."""
     cloth, rod = finish("cloth_cream"), finish("brass")
     top = height + 0.16
     builder.cylinder(rod, (-0.35, 0.11, top), (width + 0.35, 0.11, top), 0.014, segments=8)
@@ -215,7 +221,18 @@ def folded_cloth(
     *,
     depth: float,
 ) -> None:
-    """Hang a cloth in even folds between ``start`` and ``end`` along x; its folds are ``depth`` deep."""
+    """Hang a cloth in even folds along X.
+
+    Args:
+        builder: Receives the cloth.
+        cloth: Material.
+        start: X of one end, metres.
+        end: X of the other.
+        y: Middle of the folds.
+        bottom: Z of the hem.
+        top: Z of the upper edge.
+        depth: Of the folds along Y.
+    """
     count = max(9, round((end - start) / 0.05)) | 1
     xs = np.linspace(start, end, count)
     rings = []
@@ -227,6 +244,7 @@ def folded_cloth(
 
 
 def _arch(width: float, height: float, segments: int = 12) -> list[tuple[float, float]]:
+    """Return (x, z) points of a half ellipse from the left foot of an arch to the right."""
     radius = width / 2
     spring = max(height - radius, height * 0.3)
     rise = height - spring
@@ -237,6 +255,7 @@ def _arch(width: float, height: float, segments: int = 12) -> list[tuple[float, 
 
 
 def _spandrels(builder: MeshBuilder, skin: bpy.types.Material, width: float, height: float, thickness: float) -> None:
+    """Fill the corners between an arch and the rectangular hole it stands in."""
     curve = _arch(width, height)
     for (x0, z0), (x1, z1) in pairwise(curve):
         builder.quad(skin, (x1, 0, z1), (x0, 0, z0), (x0, 0, height), (x1, 0, height))
@@ -247,6 +266,7 @@ def _spandrels(builder: MeshBuilder, skin: bpy.types.Material, width: float, hei
 
 
 def _leading(builder: MeshBuilder, width: float, height: float, y: float, *, stained: bool) -> None:
+    """Add the lead bars of a church window, with coloured panes if ``stained``."""
     iron = finish("iron")
     builder.cylinder(iron, (width / 2, y, 0), (width / 2, y, height - 0.02), 0.016, segments=6)
     for index in range(1, max(2, int(height / 0.5))):

@@ -57,7 +57,12 @@ def wall_mesh(wall: Wall, *, indoor: bool) -> bpy.types.Mesh:
 
 
 def wall_shell(builder: MeshBuilder, wall: Wall) -> None:
-    """Add the bare wall with its holes: both faces, reveals, ends and top, in the wall's own frame."""
+    """Add the bare wall with its holes: both faces, reveals, ends and top, in the wall's own frame.
+
+    Args:
+        builder: Receives the faces.
+        wall: The wall of the plan.
+    """
     _faces(builder, wall, length_of(wall))
     _reveals(builder, wall)
 
@@ -81,6 +86,7 @@ def leaf_meshes(wall: Wall) -> list[tuple[Opening, bpy.types.Mesh, float, float]
 
 
 def _faces(builder: MeshBuilder, wall: Wall, length: float) -> None:
+    """Add both faces around the openings, the top and the ends."""
     skin, depth = finish(wall.material), -wall.thickness
     dado = finish(wall.dado) if wall.dado else skin
     edge = min(wall.dado_height, wall.height) if wall.dado else 0.0
@@ -101,10 +107,12 @@ def _faces(builder: MeshBuilder, wall: Wall, length: float) -> None:
 
 
 def _inside(opening: Opening, x: float, z: float) -> bool:
+    """Return whether a point of the wall, ``x`` along it and ``z`` up, is in an opening."""
     return opening.x < x < opening.x + opening.width and opening.sill < z < opening.sill + opening.height
 
 
 def _reveals(builder: MeshBuilder, wall: Wall) -> None:
+    """Add the inner faces of the openings, through the thickness of the wall."""
     skin, back = finish(wall.material), -wall.thickness
     for opening in wall.openings:
         x0, x1, z0, z1 = opening.x, opening.x + opening.width, opening.sill, opening.sill + opening.height
@@ -116,6 +124,7 @@ def _reveals(builder: MeshBuilder, wall: Wall) -> None:
 
 
 def _skirting(builder: MeshBuilder, wall: Wall, length: float, trim: bpy.types.Material) -> None:
+    """Add skirting boards and the dado's rail and panels between the openings."""
     gaps = sorted((o.x - 0.08, o.x + o.width + 0.08) for o in wall.openings if o.sill == 0)
     for start, end in _runs(length, gaps):
         builder.box(trim, ((start + end) / 2, 0.012, 0.06), (end - start, 0.024, 0.12))
@@ -136,6 +145,7 @@ def _panels(builder: MeshBuilder, trim: bpy.types.Material, start: float, end: f
 
 
 def _runs(length: float, gaps: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Return the stretches of a wall between ``gaps``, which are sorted by their start."""
     runs, at = [], 0.0
     for start, end in gaps:
         if start - at > 0.02:
@@ -147,6 +157,7 @@ def _runs(length: float, gaps: list[tuple[float, float]]) -> list[tuple[float, f
 
 
 def _vestibule(builder: MeshBuilder, opening: Opening, thickness: float) -> None:
+    """Add a dim passage behind a door."""
     skin, floor = finish("plaster_soot"), finish("boards_dark")
     near, far, side, top = -thickness, -thickness - VESTIBULE, 0.35, opening.height + 0.25
     x0, x1 = -side, opening.width + side

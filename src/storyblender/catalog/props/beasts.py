@@ -13,6 +13,7 @@ SLEEPERS = frozenset(["wolf", "fox", "bear", "lion", "tiger", "pig", "sheep"])
 def _beast(
     key: str, words: str, size: Vec3, materials: dict[str, str], description: str, color: str = "", **flags: bool
 ) -> PropEntry:
+    """Return the entry of an animal of one coat colour."""
     sleeps = {"asleep": False} if key in SLEEPERS else {}
     params = {**({"color": color} if color else {}), **flags, **sleeps}
     return entry("animal", key, words, size, materials, description, params=params, surface=Surface.HAIR)

@@ -60,7 +60,17 @@ def entry(
     description: str = "",
     **fields: object,
 ) -> PropEntry:
-    """Return an entry; ``words`` are its other names, separated by commas."""
+    """Return the catalog entry of a prop.
+
+    Args:
+        category: Sort of prop.
+        key: snake_case key; its display name follows from it.
+        words: Its other names, separated by commas.
+        size: Width, depth and height in metres.
+        materials: Role in the builder -> key of ``catalog.materials``.
+        description: One sentence.
+        **fields: Other fields of ``PropEntry``.
+    """
     return PropEntry(
         key=key,
         name=key.replace("_", " "),
@@ -82,7 +92,17 @@ def held(
     params: dict[str, ParamValue] | None = None,
     surface: Surface = Surface.PROP,
 ) -> PropEntry:
-    """Return an entry of something that is held in the hand; the same arguments, less the category."""
+    """Return the catalog entry of a prop that is held in one hand.
+
+    Args:
+        key: snake_case key; its display name follows from it.
+        words: Its other names, separated by commas.
+        size: Width, depth and height in metres.
+        materials: Role in the builder -> key of ``catalog.materials``.
+        description: One sentence.
+        params: What the builder may vary, with defaults.
+        surface: How ink and light treat it.
+    """
     return entry(
         "hand", key, words, size, materials, description,
         params=params or {}, placement="surface", holdable=True, surface=surface,

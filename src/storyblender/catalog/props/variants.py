@@ -94,7 +94,12 @@ def words_of(phrase: str) -> list[str]:
 
 
 def read_variant(entry: PropEntry, phrase: str) -> dict[str, ParamValue]:
-    """Return the parameters that a phrase such as ``an old red leather armchair`` asks of an entry."""
+    """Return the builder parameters that a phrase asks of a prop.
+
+    Args:
+        entry: The prop.
+        phrase: Such as ``an old red leather armchair``.
+    """
     words = words_of(phrase)
     params: dict[str, ParamValue] = {}
     own = {*entry.name.split(), *entry.tags}

@@ -128,6 +128,7 @@ def plan_of(environment: Environment) -> SetPlan:
 
 @lru_cache(maxsize=64)
 def _plan(environment_json: str) -> SetPlan:
+    """Return the plan of an environment given as JSON, so that plans can be cached."""
     environment = Environment.model_validate_json(environment_json)
     if environment.kit not in SETS:
         raise InputError(f"the catalog has no set kit called {environment.kit!r}", mend=f"it has {sorted(SETS)}")
@@ -140,6 +141,7 @@ def _plan(environment_json: str) -> SetPlan:
 
 
 def _params(kit: SetKit, given: dict[str, ParamValue]) -> SetParams:
+    """Return a kit's parameters, with dimensions kept within its limits; raises InputError for unknown ones."""
     known = {"width", "depth", "height", "period", "snow", *kit.options}
     unknown = sorted(set(given) - known)
     if unknown:

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.kit import SetKit, Span
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the apron with its airliner behind the stage."""
+    """Plan an airfield: the apron with its airliner behind the stage."""
     field = Ground("airfield", params, rng)
     x, y = field.half_x, field.half_y
     field.level("tarmac", wet=True)

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.kit import SetKit, Span
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the two rows of backs, the things along them, and the street beyond."""
+    """Plan an alley: the two rows of backs, the things along them, and the street beyond."""
     alley = Ground("alley", params, rng)
     x, y, old = alley.half_x, alley.half_y, params.period == "past"
     alley.level("cobbles" if old else "asphalt", wet=True)

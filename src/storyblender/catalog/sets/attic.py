@@ -14,7 +14,7 @@ EAVE = 1.0
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the ridge from front to back, trunks and boxes under the slopes, the middle free."""
+    """Plan an attic: the ridge from front to back, trunks and boxes under the slopes, the middle free."""
     room = Room("attic", params, rng, Finishes("boards_grey", "boards_grey", "boards_dark"), view="treeline")
     x, y, h = room.half_x, room.half_y, params.height
     for side in (-1, 1):

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.kit import SetKit, Span
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the railing along the back, the house at the left, the town below on every side."""
+    """Plan a balcony: the railing along the back, the house at the left, the town below on every side."""
     place = Ground("balcony", params, rng)
     x, y = place.half_x, place.half_y
     place.slab("block", rectangle(-x - 0.3, -y - 4.0, x + 0.3, y + 0.25), "tile_terracotta", thickness=0.3)

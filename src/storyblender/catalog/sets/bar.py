@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the counter across the back with its stools, booths at the left wall, the middle free."""
+    """Plan a bar: the counter across the back with its stools, booths at the left wall, the middle free."""
     past = params.period == "past"
     look = (
         Finishes("log_wall", "boards_dark", "ceiling_dark", beams=5)

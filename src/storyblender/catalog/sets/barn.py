@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw stalls along the back and hay at both sides; the threshing floor stays free."""
+    """Plan a barn: stalls along the back and hay at both sides; the threshing floor stays free."""
     room = Room("barn", params, rng, Finishes("dado_brown", "dust", "boards_dark", beams=6), view="treeline")
     x, y, h = room.half_x, room.half_y, params.height
     room.door("right", -y * 0.3, width=2.6, height=2.8, style="double", name="gate")

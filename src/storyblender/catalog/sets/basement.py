@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the stairs at the left wall, the boiler in the right corner, old things along the walls."""
+    """Plan a basement: the stairs at the left wall, the boiler in the right corner, old things along the walls."""
     past = params.period == "past"
     look = (
         Finishes("stone", "flagstones", "ceiling_dark", beams=8)

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the fittings along back and right walls, the floor free."""
+    """Plan a bathroom: the fittings along back and right walls, the floor free."""
     room = Room(
         "bathroom", params, rng, Finishes("plaster_mint", "tile", dado="wall_tile", dado_height=1.5), view="treeline"
     )

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.kit import SetKit, Span
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the waterline behind the stage; rocks and driftwood at the sides."""
+    """Plan a beach: the waterline behind the stage; rocks and driftwood at the sides."""
     beach = Ground("beach", params, rng)
     x, y = beach.half_x, beach.half_y
     shore = y + 1.5

@@ -13,7 +13,7 @@ _WALLS = {"past": "paper_blue", "classic": "paper_green", "modern": "plaster_gre
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the bed at the left of the back wall, the floor at the right free."""
+    """Plan a bedroom: the bed at the left of the back wall, the floor at the right free."""
     room = Room("bedroom", params, rng, Finishes(_WALLS[params.period], "boards"), view="treeline")
     x, y = room.half_x, room.half_y
     wide = x > 3.3

@@ -50,6 +50,7 @@ class Hanging:
 
 
 def _shelf(load: str, *lengths: float) -> Hanging:
+    """Return a shelf with a load, to hang on a wall."""
     return Hanging("wall_shelf", tuple((length, 0.5) for length in lengths), 1.62, True, {"load": load})
 
 

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.kit import SetKit, Span
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the deck along x with a railing behind and before the stage."""
+    """Plan a bridge: the deck along x with a railing behind and before the stage."""
     bridge = Ground("bridge", params, rng)
     x, y, old = bridge.half_x, bridge.half_y, params.period == "past"
     front = -y - 5.0

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw bar, arcade and tables; the middle stays free."""
+    """Plan a cafe: bar, arcade and tables; the middle stays free."""
     modern = params.period == "modern"
     look = (
         Finishes("plaster_teal", "boards_light", "ceiling_white", dado="dado_white")

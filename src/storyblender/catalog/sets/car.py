@@ -14,7 +14,7 @@ _SIDES: tuple[Side, ...] = ("back", "front", "left", "right")
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the car alone: the walls of the set are open, so that cameras stand in the street around it."""
+    """Plan a car: the car alone; the walls of the set are open, so that cameras stand in the street around it."""
     modern, taxi = params.period == "modern", bool(params.option("taxi"))
     look = Finishes("plaster_dark", "tarmac", "cloth_cream", outside="tarmac")
     room = Room("car", params, rng, look, view="facades")

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw seats along the back wall and at both ends; the aisle and the near side stay free."""
+    """Plan a carriage: seats along the back wall and at both ends; the aisle and the near side stay free."""
     modern = params.period == "modern"
     look = (
         Finishes("metal_grey", "lino_grey", "ceiling_white", dado="paint_blue", dado_height=0.8)

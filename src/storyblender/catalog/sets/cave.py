@@ -13,7 +13,7 @@ _SIDES: tuple[Side, ...] = ("back", "left", "right", "front")
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw rock before every wall, the mouth at the right of the back, boulders at the edges."""
+    """Plan a cave: rock before every wall, the mouth at the right of the back, boulders at the edges."""
     room = Room("cave", params, rng, Finishes("cave_rock", "mud", "cave_rock", outside="grass_dry"), view="hills")
     x, y, h = room.half_x, room.half_y, params.height
     room.window("left", 0.0, width=2.6, height=h - 0.75, sill=0.02, style="mouth", mark=True)

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the cell and its bars on the right, behind which a corridor runs."""
+    """Plan a prison cell: the cell and its bars on the right, behind which a corridor runs."""
     past = params.period == "past"
     look = Finishes(
         "stone_dark" if past else "concrete_light", "flagstones" if past else "concrete_dark", "concrete_dark"

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.kit import SetKit, Span
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the stones behind and beside a free middle, the path in front, the fence across the back."""
+    """Plan a cemetery: the stones behind and beside a free middle, the path in front, the fence across the back."""
     yard = Ground("cemetery", params, rng)
     x, y = yard.half_x, yard.half_y
     yard.level("grass")

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the altar at the back, pews from the middle towards the audience, a wide crossing before the steps."""
+    """Plan a church: altar at the back, pews from the middle towards the audience, a wide crossing between."""
     room = Room(
         "church",
         params,

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the board wall and the desks; an aisle and the floor before the board stay free."""
+    """Plan a classroom: the board wall and the desks; an aisle and the floor before the board stay free."""
     look = Finishes("plaster_cream", "boards", dado="dado_green" if params.period != "modern" else "plaster_blue")
     room = Room("classroom", params, rng, look, view="treeline")
     x, y = room.half_x, room.half_y

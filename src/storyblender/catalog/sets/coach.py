@@ -14,7 +14,7 @@ _PITCH = 0.98
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the seats facing the front, windows along both sides, racks or bins over them."""
+    """Plan a coach: the seats facing the front, windows along both sides, racks or bins over them."""
     air = bool(params.option("air"))
     look = (
         Finishes("plaster_white", "carpet", "ceiling_white", dado="paint_grey", dado_height=0.5)

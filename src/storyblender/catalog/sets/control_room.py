@@ -13,7 +13,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the screen at the back, consoles at both sides of a free middle, the chair before the screen."""
+    """Plan a control room: screen at the back with the chair before it, consoles at both sides, the middle free."""
     space = bool(params.option("space"))
     look = (
         Finishes("metal_grey", "concrete_dark", "ceiling_dark", dado="paint_blue", dado_height=0.9)

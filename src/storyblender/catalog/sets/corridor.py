@@ -17,7 +17,7 @@ _LOOKS = {
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw doors every three metres and a light between each pair."""
+    """Plan a corridor: doors every three metres and a light between each pair."""
     if params.option("space"):
         return _aboard(params, rng)
     room = Room("corridor", params, rng, _LOOKS[params.period], view="facades")

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw hearth at the back, table left, bed right; the floor before the hearth stays free."""
+    """Plan a cottage: hearth at the back, table left, bed right; the floor before the hearth stays free."""
     log = bool(params.option("log"))
     room = Room(
         "cottage",

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the court at the back, jury and dock at the sides, the well free, the public towards the audience."""
+    """Plan a courtroom: the bench at the back, jury and dock at the sides, the well free, the public in front."""
     modern = params.period == "modern"
     look = Finishes("plaster_cream", "parquet", "ceiling_white", dado="dado_brown", dado_height=1.45)
     room = Room("courtroom", params, rng, look, view="facades")

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.kit import SetKit, Span
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw sand with rocks to the sides and mesas far off."""
+    """Plan a desert: sand with rocks to the sides and mesas far off."""
     desert = Ground("desert", params, rng)
     x, y = desert.half_x, desert.half_y
     desert.land("sand_desert", relief=3.2, rise=0.03, flat=max(x, y) + 1)

@@ -13,7 +13,7 @@ _WALLS = {"past": "plaster_ochre", "classic": "paper_green", "modern": "plaster_
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the table along the back, its near side open to the viewer; the floor before it stays free."""
+    """Plan a dining room: table along the back, its near side open to the viewer; the floor before it stays free."""
     period = params.period
     look = Finishes(_WALLS[period], "boards" if period == "past" else "parquet", dado="dado_brown", dado_height=0.9)
     room = Room("dining_room", params, rng, look, view="treeline")

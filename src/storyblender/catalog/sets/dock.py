@@ -19,7 +19,7 @@ _FAR = 30.0
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the quay along x; water behind it, the shed at the left."""
+    """Plan a dock: the quay along x; water behind it, the shed at the left."""
     dock = Ground("dock", params, rng)
     x, y, old = dock.half_x, dock.half_y, params.period == "past"
     edge = y + 0.05

@@ -42,12 +42,25 @@ class SetParams:
 
 
 def rectangle(x0: float, y0: float, x1: float, y1: float) -> tuple[Vec2, ...]:
-    """Return the counter-clockwise corners of an axis-parallel rectangle."""
+    """Return the corners of an axis-parallel rectangle, counter-clockwise.
+
+    Args:
+        x0: Left side, metres.
+        y0: Front side.
+        x1: Right side.
+        y1: Back side.
+    """
     return ((x0, y0), (x1, y0), (x1, y1), (x0, y1))
 
 
 def facing(x: float, y: float, target: Vec2) -> float:
-    """Return the yaw in degrees of something at ``x, y`` that faces ``target`` (yaw 0 faces -Y)."""
+    """Return the yaw in degrees of something that faces a point (yaw 0 faces -Y).
+
+    Args:
+        x: Where it stands, metres.
+        y: Where it stands.
+        target: Floor point that it faces.
+    """
     return math.degrees(math.atan2(target[0] - x, y - target[1]))
 
 
@@ -78,7 +91,7 @@ class Drawing:
         return f"{stem}_{self._counts[stem]}"
 
     def between(self, low: float, high: float) -> float:
-        """Draw a number, rounded so that plans read well."""
+        """Return a random number from ``low`` to ``high``, rounded to thousandths."""
         return round(float(self.rng.uniform(low, high)), 3)
 
     def choose(self, options: Iterable[str]) -> str:
@@ -97,7 +110,17 @@ class Drawing:
         wet: bool = False,
         beams: int = 0,
     ) -> None:
-        """Lay a horizontal sheet or block; a ``wet`` one mirrors when it rains or at night."""
+        """Lay a horizontal sheet or block.
+
+        Args:
+            role: Floor, ground, ceiling, patch or block.
+            polygon: Its corners, counter-clockwise.
+            material: Finish or material key.
+            z: Height of its upper side; of a ceiling the lower one.
+            thickness: Of a block, metres.
+            wet: Whether it mirrors when it rains or at night.
+            beams: Number of beams under a ceiling.
+        """
         self.slabs.append(
             Slab(
                 node_id=self.name(role),
@@ -124,7 +147,19 @@ class Drawing:
         wild: bool = False,
         **params: ParamValue,
     ) -> str:
-        """Put a set piece; one with a ``footprint`` is solid. Return its id."""
+        """Add a set piece and return its id.
+
+        Args:
+            part: Key of a builder in ``blender/sets/pieces``.
+            x: Where it stands, metres.
+            y: Where it stands.
+            z: Height of its foot.
+            yaw: Degrees; 0 faces -Y.
+            scale: Size factor.
+            footprint: Width and depth that people walk around; None lets them pass.
+            wild: Whether it may be taken away for a shot.
+            **params: Parameters of the builder.
+        """
         node_id = self.name(part)
         self.pieces.append(
             Piece(
@@ -152,7 +187,17 @@ class Drawing:
         required: bool = True,
         **params: ParamValue,
     ) -> str:
-        """Put a prop of ``catalog.props``. Return its id."""
+        """Add a prop of ``catalog.props`` and return its id.
+
+        Args:
+            prop: Key of the prop.
+            x: Where it stands, metres.
+            y: Where it stands.
+            z: Height of its foot.
+            yaw: Degrees; 0 faces -Y.
+            required: False for dressing, which is dropped first where room is short.
+            **params: Parameters of the prop.
+        """
         node_id = self.name(f"set_{prop}")
         self.furnishings.append(
             Furnishing(node_id=node_id, prop=prop, location=(x, y, z), yaw=yaw % 360, params=params, required=required)
@@ -162,7 +207,16 @@ class Drawing:
     def seats_around(
         self, prop: str, x: float, y: float, radius: float, yaws: Iterable[float], *, required: bool = True
     ) -> None:
-        """Put seats on a circle, each facing its centre from the direction ``yaw``."""
+        """Add seats on a circle, each facing its centre.
+
+        Args:
+            prop: Key of the seat.
+            x: Centre of the circle, metres.
+            y: Centre of the circle.
+            radius: Metres.
+            yaws: Where on the circle they stand, degrees from -Y.
+            required: False for dressing.
+        """
         for yaw in yaws:
             angle = math.radians(yaw)
             self.furnish(
@@ -183,7 +237,20 @@ class Drawing:
         glow: float = 0.0,
         role: Literal["set", "practical"] = "practical",
     ) -> None:
-        """Hang a light that belongs to the place; ``power`` in watts at night."""
+        """Add a light that belongs to the place.
+
+        Args:
+            name: Of the light.
+            location: Metres.
+            power: Watts at night.
+            color: Scene-linear.
+            kind: Blender's type of light.
+            target: Where it points; None for straight down.
+            size: Radius, or diameter of an area light, metres.
+            cone: Full angle of a spot, degrees.
+            glow: Strength of its halo in the air, 0 to 1.
+            role: ``practical`` for a lamp that is seen, ``set`` for one that is not.
+        """
         below = (location[0], location[1], 0.0)
         self.lamps.append(
             Light(
@@ -201,7 +268,15 @@ class Drawing:
         )
 
     def mark(self, name: str, x: float, y: float, yaw: float, *tags: str) -> None:
-        """Name a place where people enter, stand or wait."""
+        """Name a place where people enter, stand or wait.
+
+        Args:
+            name: Of the place.
+            x: Metres.
+            y: Metres.
+            yaw: Where people there face, degrees; 0 faces -Y.
+            *tags: What the place is for; its name if there are none.
+        """
         self.marks.append(PlanMark(name=name, location=(x, y, 0.0), yaw=yaw % 360, tags=tags or (name,)))
 
     def card(
@@ -246,9 +321,16 @@ class Drawing:
         azimuths: tuple[float, float] = (0.0, 360.0),
         sides: int = 12,
     ) -> None:
-        """Close the horizon with ``sides`` cards; azimuth 0 is +Y, counter-clockwise as yaw.
+        """Close the horizon with a ring of backdrops. Land that does not go all around slopes down at its ends.
 
-        Land that does not go all around runs out at its ends: no hill stops at a cliff of its own.
+        Args:
+            kind: What the backdrops show.
+            radius: Metres from the centre.
+            top: Height of their upper edge.
+            bottom: Height of their lower edge.
+            centre: Floor point that they surround.
+            azimuths: First and last azimuth in degrees; 0 is +Y, counter-clockwise.
+            sides: Number of backdrops.
         """
         start, end = azimuths
         runs_out = kind in ("hills", "treeline") and end - start < 360 and sides > 2

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw an empty car: everything is on its walls."""
+    """Plan a lift: an empty car: everything is on its walls."""
     modern = params.period == "modern"
     look = (
         Finishes("sheet_metal", "lino_grey", "ceiling_white", dado="metal_grey", dado_height=0.9)

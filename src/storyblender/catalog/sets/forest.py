@@ -11,7 +11,7 @@ from storyblender.catalog.sets.kit import SetKit, Span
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the clearing; a lane towards the audience stays open for the camera, one to the back for the sun."""
+    """Plan a forest: a clearing; a lane in front stays open for the camera, one at the back for the sun."""
     wood = Ground("forest", params, rng)
     x, y = wood.half_x, wood.half_y
     edge = max(x, y)

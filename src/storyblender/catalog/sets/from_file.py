@@ -70,6 +70,7 @@ def read_kit(file: Traversable) -> SetKit:
 
 
 def _parsed(file: Traversable, text: str) -> dict[str, Any]:
+    """Return the values of a TOML text. Raises InputError where it is not TOML."""
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -77,6 +78,7 @@ def _parsed(file: Traversable, text: str) -> dict[str, Any]:
 
 
 def _checked(file: Traversable, model: type[Table], values: dict[str, Any]) -> Table:
+    """Return values as a model of the schema. Raises InputError that names the first wrong one."""
     try:
         return model.model_validate(values)
     except ValidationError as error:
@@ -87,4 +89,5 @@ def _checked(file: Traversable, model: type[Table], values: dict[str, Any]) -> T
 
 
 def _unusable(file: Traversable, why: str) -> InputError:
+    """Return the error for a kit file that cannot be used."""
     return InputError(f"the kit file {file.name} cannot be used ({why})", mend="see docs/add-a-set.md")

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw paintings along the walls, statues in the corners, cases at the sides, the middle free."""
+    """Plan a museum: paintings along the walls, statues in the corners, cases at the sides, the middle free."""
     look = Finishes("plaster_red" if params.period != "modern" else "plaster_white", "parquet", "ceiling_white",
                     dado="dado_white", dado_height=0.7)  # fmt: skip
     room = Room("gallery", params, rng, look, view="none")

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the dais at the back, columns down both sides, a carpet along the middle."""
+    """Plan a great hall: the dais at the back, columns down both sides, a carpet along the middle."""
     room = Room(
         "great_hall", params, rng, Finishes("stone", "flagstones", "ceiling_dark", beams=7), view="hills", thickness=0.5
     )

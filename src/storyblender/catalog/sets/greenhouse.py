@@ -13,7 +13,7 @@ _SIDES: tuple[Side, ...] = ("back", "left", "right", "front")
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw glass bays round a free middle, planting before them, the glass roof rising to the ridge."""
+    """Plan a greenhouse: glass bays round a free middle, planting before them, the glass roof rising to the ridge."""
     look = Finishes(
         "paint_white", "paving_light", "paint_white", dado="brick_pale", dado_height=0.5, outside="grass_lush"
     )

@@ -32,11 +32,18 @@ class Ground(Drawing):
         self._flat, self._relief, self._rise, self._seed = REACH, 0.0, 0.0, 0
 
     def level(self, material: str, *, wet: bool = False) -> None:
-        """Lay flat ground to the horizon."""
+        """Lay flat ground to the horizon; a ``wet`` one mirrors when it rains or at night."""
         self.slab("ground", rectangle(-REACH, -REACH, REACH, REACH), material, wet=wet)
 
     def land(self, material: str, *, relief: float, rise: float = 0.0, flat: float | None = None) -> None:
-        """Lay rolling ground that is level where people act."""
+        """Lay rolling ground that is level where people act.
+
+        Args:
+            material: Finish or material key.
+            relief: Height of its hills, metres.
+            rise: Metres that it gains per metre beyond the level middle.
+            flat: Radius of the level middle, metres; None for one around the playing area.
+        """
         self._flat = math.hypot(self.half_x, self.half_y) if flat is None else flat
         self._relief, self._rise, self._seed = relief, rise, int(self.rng.integers(1000))
         self.piece(
@@ -52,7 +59,7 @@ class Ground(Drawing):
         )
 
     def height(self, x: float, y: float) -> float:
-        """Return the height of the ground at a point."""
+        """Return the height of the ground at a floor point, metres."""
         return round(
             float(ground_height(x, y, flat=self._flat, relief=self._relief, rise=self._rise, seed=self._seed)), 3
         )
@@ -115,7 +122,14 @@ class Ground(Drawing):
             )
 
     def vehicle(self, x: float, y: float, yaw: float, color: str = "#2c3f4c") -> None:
-        """Park what people drove in the plan's period: a cart, an old car, a car; dressing."""
+        """Park a vehicle of the period, as dressing: a cart, an old car or a modern one.
+
+        Args:
+            x: Metres.
+            y: Metres.
+            yaw: Degrees; 0 faces -Y.
+            color: Hex colour of a car.
+        """
         if self.params.period == "past":
             self.furnish("cart", x, y, yaw=yaw, required=False)
         else:
@@ -132,6 +146,7 @@ class Ground(Drawing):
 
 
 def _distance_to_lane(point: Vec2, a: Vec2, b: Vec2) -> float:
+    """Return the distance of a point from the line between ``a`` and ``b``, metres."""
     ax, ay = b[0] - a[0], b[1] - a[1]
     length = ax * ax + ay * ay
     t = min(1.0, max(0.0, ((point[0] - a[0]) * ax + (point[1] - a[1]) * ay) / length)) if length else 0.0

@@ -13,7 +13,7 @@ _LINE = 0.06
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the court free from wall to wall; everything else stands along the back."""
+    """Plan a sports hall: the court free from wall to wall; everything else stands along the back."""
     modern = params.period == "modern"
     look = Finishes(
         "plaster_cream" if not modern else "plaster_white", "boards_light", "ceiling_white",

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw beds along the back wall and the doctors' floor before them."""
+    """Plan a hospital ward: beds along the back wall and the doctors' floor before them."""
     modern = params.period == "modern"
     look = Finishes("plaster_white", "lino_grey" if modern else "tile_green", dado="plaster_mint", dado_height=1.3)
     room = Room("hospital_ward", params, rng, look, view="treeline")

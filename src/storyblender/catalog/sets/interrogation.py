@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the table at the back third under its lamp; the floor before it stays free."""
+    """Plan an interrogation room: the table at the back third under its lamp; the floor before it stays free."""
     look = Finishes("plaster_teal", "concrete_dark", "ceiling_dark", dado="plaster_dark", dado_height=1.25)
     room = Room("interrogation", params, rng, look, view="none")
     x, y = room.half_x, room.half_y

@@ -23,24 +23,28 @@ Limits = tuple[float, float, float]
 
 
 def _known_prop(key: str) -> str:
+    """Return the key unchanged. Raises ValueError if there is no such prop."""
     if key not in PROPS:
         raise ValueError(f"there is no prop called {key!r}")
     return key
 
 
 def _known_finish(key: str) -> str:
+    """Return the key unchanged. Raises ValueError if there is no such finish."""
     if key not in FINISHES and key not in MATERIALS:
         raise ValueError(f"there is no finish or material called {key!r}")
     return key
 
 
 def _known_hook(key: str) -> str:
+    """Return the key unchanged. Raises ValueError if there is no such hook."""
     if key not in HOOKS:
         raise ValueError(f"there is no hook called {key!r}; there are {', '.join(HOOKS)}")
     return key
 
 
 def _known_room(key: str) -> str:
+    """Return the key unchanged. Raises ValueError if there is no such sort of room."""
     if key and key not in ROOMS:
         raise ValueError(f"there is no sort of room called {key!r}; there are {', '.join(ROOMS)}")
     return key

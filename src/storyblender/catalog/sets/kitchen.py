@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the counter run, the table at the right wall, the middle free."""
+    """Plan a kitchen: the counter run, the table at the right wall, the middle free."""
     past = params.period == "past"
     look = (
         Finishes("limewash", "flagstones", "ceiling_dark", beams=4)

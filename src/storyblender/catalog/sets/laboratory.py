@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw benches at the back and the right, the hood in the corner, the middle free."""
+    """Plan a laboratory: benches at the back and the right, the hood in the corner, the middle free."""
     old = params.period == "past"
     look = (
         Finishes("limewash", "flagstones", "ceiling_dark", beams=4)

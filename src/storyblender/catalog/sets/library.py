@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the book walls and the reading table; the middle stays free."""
+    """Plan a library: the book walls and the reading table; the middle stays free."""
     room = Room(
         "library",
         params,

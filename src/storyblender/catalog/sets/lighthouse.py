@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the lens at the back and the keeper's things along the sides; the floor before the lens stays free."""
+    """Plan a lighthouse's lamp room: the lens at the back, the keeper's things along the sides, the middle free."""
     finishes = Finishes("limewash", "boards", "boards_dark", beams=4, outside="water_deep")
     room = Room("lighthouse", params, rng, finishes, view="sea", thickness=0.3)
     x, y = room.half_x, room.half_y

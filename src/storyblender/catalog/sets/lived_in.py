@@ -145,11 +145,13 @@ class _Filling:
     # ------------------------------------------------------------------ what is there
 
     def _depth_of_room(self, face: _Face) -> float:
+        """Return the metres from a wall to the opposite side of the room."""
         size = self.plan.size
         across = (size.x - size.x_negative, size.y - size.y_negative)
         return across[0] if abs(face.inward[0]) > 0.5 else across[1]
 
     def _boxes(self) -> Iterator[Box]:
+        """Yield the boxes of furniture and pieces, those added so far included, without flat things such as rugs."""
         for item in (*self.plan.furnishings, *self.furnishings):
             size = _size(item.prop, item.params)
             if size[2] > 0.05:
@@ -159,7 +161,7 @@ class _Filling:
             yield from boxes or [_box_of(piece)]
 
     def _covered(self, face: _Face, low: float, high: float) -> Iterator[Vec2]:
-        """Return the stretches of a wall that something covers between two heights."""
+        """Yield the stretches of a wall that something covers between two heights."""
         for box in self._boxes():
             along, away = face.local(box.x, box.y)
             gap = away - box.reach(face.inward)
@@ -175,6 +177,7 @@ class _Filling:
         return not any(penetration(box, other)[0] > 0.0 for other in (stage, *marks, *others))
 
     def _bears_something(self, base: Furnishing, height: float) -> bool:
+        """Return whether something lies on top of a piece of furniture of this height."""
         top = base.location[2] + height
         width, depth, _ = _size(base.prop, base.params)
         box = Box(*base.location, width, depth, height, math.radians(base.yaw))
@@ -205,6 +208,7 @@ class _Filling:
         return any(item.prop == prop for item in (*self.plan.furnishings, *self.furnishings))
 
     def _hang(self, hanging: Hanging, face: _Face, at: float, width: float, height: float) -> None:
+        """Hang a thing on a wall, its middle ``at`` metres along it."""
         z = hanging.z(height)
         if hanging.piece:
             x, y = face.point(at, 0.0)
@@ -222,6 +226,7 @@ class _Filling:
     def _furnish(
         self, prop: str, spot: Vec2, z: float, yaw: float, params: dict[str, ParamValue], *, loose: bool = False
     ) -> None:
+        """Add a prop at a floor point and height; a thing of the script may take its place unless it is ``loose``."""
         node_id = f"set_kept_{prop}_{len(self.furnishings)}"
         location = (round(spot[0], 3), round(spot[1], 3), round(z, 3))
         self.furnishings.append(
@@ -241,17 +246,28 @@ class _Face:
         """Of a thing with its back to the wall."""
 
     def point(self, at: float, off: float) -> Vec2:
-        """Return the floor point ``at`` metres along the wall and ``off`` metres before it."""
+        """Return a floor point before the wall.
+
+        Args:
+            at: Metres along the wall from its start.
+            off: Metres from the wall into the room.
+        """
         (x, y), (ax, ay), (ix, iy) = self.wall.start, self.along, self.inward
         return (round(x + ax * at + ix * off, 4), round(y + ay * at + iy * off, 4))
 
     def local(self, x: float, y: float) -> Vec2:
-        """Return how far along the wall and how far before it a point is."""
+        """Return how many metres along the wall, and how many before it, a floor point is."""
         dx, dy = x - self.wall.start[0], y - self.wall.start[1]
         return (dx * self.along[0] + dy * self.along[1], dx * self.inward[0] + dy * self.inward[1])
 
     def openings(self, *, low: float, high: float, doors: float) -> Iterator[Vec2]:
-        """Return the stretches that openings take between two heights, with a margin for doors and curtains."""
+        """Yield the stretches of the wall that openings take between two heights, in metres from its start.
+
+        Args:
+            low: Lower height, metres.
+            high: Upper height.
+            doors: Margin on both sides of a door, metres; windows and curtains have their own.
+        """
         for hole in self.wall.openings:
             if hole.sill < high and hole.sill + hole.height > low:
                 margin = doors if hole.kind != "window" else 0.3 if hole.style in ("curtains", "sash") else 0.12
@@ -270,13 +286,14 @@ def _gaps(blocked: Sequence[Vec2], length: float, margin: float) -> list[Vec2]:
 
 
 def _evenly(start: float, end: float, every: float) -> Iterator[float]:
-    """Return evenly spaced places of a stretch, one at least."""
+    """Yield evenly spaced positions in a stretch, about ``every`` metres apart; at least one, in its middle."""
     count = max(1, round((end - start) / every))
     for index in range(count):
         yield start + (index + 0.5) * (end - start) / count
 
 
 def _size(prop: str, params: dict[str, ParamValue]) -> tuple[float, float, float]:
+    """Return width, depth and height in metres of a prop with these parameters."""
     usual = PROPS[prop].size if prop in PROPS else (0.6, 0.6, 0.8)
     width, depth, height = (
         float(params.get(name, each)) for name, each in zip(("width", "depth", "height"), usual, strict=True)
@@ -285,7 +302,7 @@ def _size(prop: str, params: dict[str, ParamValue]) -> tuple[float, float, float
 
 
 def _box_of(piece: Piece) -> Box:
-    """Return about where a piece is that nobody bumps into."""
+    """Return a rough box for a piece that people can walk through, such as a hanging."""
     width = float(piece.params.get("length", piece.params.get("width", 0.9)))
     height = float(piece.params.get("height", 1.0 if piece.location[2] > 0.3 else 2.2))
     return Box(*piece.location, width, 0.3, height, math.radians(piece.yaw))

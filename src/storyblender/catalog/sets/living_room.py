@@ -13,7 +13,7 @@ _WALLS = {"past": "paper_green", "classic": "paper_rose", "modern": "plaster_blu
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the seating group at the left, the hearth or the screen at the right, the floor before them free."""
+    """Plan a living room: seats at the left, the hearth or the screen at the right, the floor before them free."""
     period = params.period
     floor = "parquet" if period != "modern" else "boards_light"
     room = Room("living_room", params, rng, Finishes(_WALLS[period], floor), view="treeline")

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw desk, columns and seating around a wide free floor."""
+    """Plan a lobby: desk, columns and seating around a wide free floor."""
     modern = params.period == "modern"
     look = Finishes(
         "plaster_cream", "tile_check" if not modern else "lino_grey", dado="marble", dado_height=1.4, beams=0

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw a bench before each row of lockers, the middle free for the one who speaks."""
+    """Plan a changing room: a bench before each row of lockers, the middle free for the one who speaks."""
     look = Finishes("plaster_white", "tile_green", "ceiling_white", dado="paint_blue", dado_height=1.3)
     room = Room("locker_room", params, rng, look, view="none")
     x, y, h = room.half_x, room.half_y, params.height

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the beds with their heads to the left wall, the door and the window at the right, the floor between free."""
+    """Plan a motel room: beds at the left wall, door and window at the right, the floor between free."""
     modern = params.period == "modern"
     room = Room("motel_room", params, rng, Finishes("wall_planks" if not modern else "plaster_ochre", "carpet_worn"),
                 view="facades")  # fmt: skip

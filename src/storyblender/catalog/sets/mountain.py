@@ -11,7 +11,7 @@ from storyblender.catalog.sets.kit import SetKit, Span
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the ledge with a cliff at the left and open air at the right."""
+    """Plan a mountain: the ledge with a cliff at the left and open air at the right."""
     ledge = Ground("mountain", params, rng)
     x, y = ledge.half_x, ledge.half_y
     ledge.land("grass_dry", relief=2.6, rise=0.05)

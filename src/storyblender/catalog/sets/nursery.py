@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the bed at the left of the back wall, the crib at its right, the rug before them free."""
+    """Plan a nursery: the bed at the left of the back wall, the crib at its right, the rug before them free."""
     modern = params.period == "modern"
     look = Finishes("plaster_blue" if modern else "paper_rose", "boards_light", dado="dado_white", dado_height=0.85)
     room = Room("nursery", params, rng, look, view="treeline")

@@ -48,7 +48,12 @@ _DROP = 0.55
 
 
 def of_its_time(plan: SetPlan, period: Period) -> SetPlan:
-    """Return a plan without what its period does not know."""
+    """Return a plan without what did not exist in its period, such as lamps and cars of today.
+
+    Args:
+        plan: As its kit drew it.
+        period: Period of the story.
+    """
     instead, gone = _INSTEAD[period], _NO_PIECES[period]
     if not any(item.prop in instead for item in plan.furnishings) and not any(p.part in gone for p in plan.pieces):
         return plan

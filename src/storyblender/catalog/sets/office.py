@@ -17,7 +17,7 @@ _LOOKS = {
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the desk under the back windows, cabinets at the left, the floor in front free."""
+    """Plan an office: the desk under the back windows, cabinets at the left, the floor in front free."""
     room = Room("office", params, rng, _LOOKS[params.period], view="skyline")
     x, y, modern = room.half_x, room.half_y, params.period == "modern"
     room.centre = (0.0, -y * 0.25)

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.kit import SetKit, Span
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw a meadow with its middle free."""
+    """Plan an open ground: a meadow with its middle free."""
     field = Ground("open_ground", params, rng)
     x, y = field.half_x, field.half_y
     field.land("grass_dry" if params.option("dry") else "grass_lush", relief=1.6, rise=0.02)

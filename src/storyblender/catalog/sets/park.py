@@ -11,7 +11,7 @@ from storyblender.catalog.sets.kit import SetKit, Span
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the path across the stage, benches along it, planting behind."""
+    """Plan a park: the path across the stage, benches along it, planting behind."""
     park = Ground("park", params, rng)
     x, y = park.half_x, park.half_y
     park.level("grass_lush")

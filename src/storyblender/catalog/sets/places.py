@@ -126,6 +126,7 @@ def find_kit(place_kind: str, words: str, scene_type: SceneType) -> str:
     indoor = scene_type == "indoor"
 
     def suits(key: str) -> float:
+        """Return a kit's score, raised where it is indoors or outdoors as wanted and lowered where it is not."""
         score = scores[key]
         return score / 3 if SETS[key].indoor != indoor else score + (_SUITS if score >= _SURE else 4.0)
 
@@ -143,6 +144,7 @@ class _Heading(NamedTuple):
 
 
 def _heading(place_kind: str, words: str) -> _Heading:
+    """Return a place in words with its parts: what comes after ``behind``, ``near`` and the like counts half."""
     head, *owners = _BESIDE.split(words.lower(), maxsplit=1)
     parts = ((head, 1.0), *((owner, 0.5) for owner in owners))
     told = tuple((_tokens(text), _tokens(_PARTS.split(text.strip())[-1]), share) for text, share in parts)
@@ -167,7 +169,7 @@ def _score(tag: str, heading: _Heading) -> float:
 
 @cache
 def _tags_by_first_word() -> dict[str, list[tuple[str, str]]]:
-    """The first word of a tag -> kits and their tags that begin with it."""
+    """Return the first word of each tag -> kits and their tags that begin with it."""
     found: dict[str, list[tuple[str, str]]] = {}
     for kit in SETS.values():
         for tag in (kit.key.replace("_", " "), *kit.tags):
@@ -178,10 +180,11 @@ def _tags_by_first_word() -> dict[str, list[tuple[str, str]]]:
 
 @cache
 def _phrase(tag: str) -> list[str]:
-    """The words of a tag of the catalogue."""
+    """Return the words of a kit's tag."""
     return _tokens(tag)
 
 
 def _tokens(text: str) -> list[str]:
+    """Return the words of a text in lower case, in the singular, without ``'s``."""
     words = re.findall(r"[a-zà-ÿ]+", re.sub(r"['’]s?\b", "", text.lower()))
     return [noun_key(word) for word in words]

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw a plain room with its middle free."""
+    """Plan a room: a plain room with its middle free."""
     wall = ("plaster_cream", "plaster_grey", "plaster_green")[int(rng.integers(3))]
     room = Room("room", params, rng, Finishes(wall, "boards", dado="dado_brown" if rng.random() < 0.5 else None))
     x, y = room.half_x, room.half_y

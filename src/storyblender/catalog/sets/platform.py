@@ -14,7 +14,7 @@ _DROP = 1.1
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the platform along x, two tracks behind it, the train on the far one unless it has come in."""
+    """Plan a railway platform: two tracks behind it, the train on the far one unless it has come in."""
     platform = Ground("platform", params, rng)
     x, y = platform.half_x, platform.half_y
     edge, modern = y + 0.5, params.period == "modern"

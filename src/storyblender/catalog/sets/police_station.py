@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw two desks before the windows, the cell at the left, the floor in front free."""
+    """Plan a police station: two desks before the windows, the cell at the left, the floor in front free."""
     modern, past = params.period == "modern", params.period == "past"
     look = (
         Finishes("plaster_grey", "lino_grey", "ceiling_white", dado="paint_blue", dado_height=1.1)

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.kit import SetKit, Span
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the terrace people act on, the water behind it, hedges and palms around."""
+    """Plan a swimming pool: the terrace people act on, the water behind it, hedges and palms around."""
     pool = Ground("pool", params, rng)
     x, y = pool.half_x, pool.half_y
     long, wide = x + 1.0, 6.5

@@ -14,7 +14,7 @@ _DROP = 0.5
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the boards people stand on, the house behind them, the lawn below with its trees and fence."""
+    """Plan a porch: the boards people stand on, the house behind them, the lawn below with its trees and fence."""
     porch = Ground("porch", params, rng)
     x, y = porch.half_x, porch.half_y
     steps = x * 0.36

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the ranges at the back, a counter down either side, the pass by the swing doors, the middle free."""
+    """Plan a restaurant kitchen: ranges at the back, a counter down either side, the middle free."""
     look = Finishes("wall_tile", "tile_terracotta", "ceiling_white", dado="paint_grey", dado_height=0.25)
     room = Room("restaurant_kitchen", params, rng, look, view="none")
     x, y, h = room.half_x, room.half_y, params.height

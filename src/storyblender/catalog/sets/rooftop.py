@@ -11,7 +11,7 @@ from storyblender.catalog.sets.kit import SetKit, Span
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the flat roof with its stair house at the left and the skyline on every side."""
+    """Plan a rooftop: the flat roof with its stair house at the left and the skyline on every side."""
     roof = Ground("rooftop", params, rng)
     x, y = roof.half_x, roof.half_y
     roof.slab("ground", rectangle(-x - 3, -y - 9, x + 3, y + 0.6), "gravel", wet=True)

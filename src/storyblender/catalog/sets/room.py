@@ -90,7 +90,13 @@ class Room(Drawing):
         return 2 * (self.half_x if side in ("back", "front") else self.half_y)
 
     def spot(self, side: Side, at: float, off: float) -> Vec2:
-        """Return the floor point ``off`` metres from a side."""
+        """Return a floor point before a side of the room.
+
+        Args:
+            side: As the audience sees it.
+            at: Metres along the side from its middle.
+            off: Metres from the wall into the room.
+        """
         if side == "back":
             return (at, self.half_y - off)
         if side == "front":
@@ -110,16 +116,42 @@ class Room(Drawing):
         required: bool = True,
         **params: ParamValue,
     ) -> str:
-        """Put a prop against a side, facing the room, its centre ``off`` metres from the wall."""
+        """Add a prop against a side, facing the room, and return its id.
+
+        Args:
+            side: As the audience sees it.
+            prop: Key of the prop.
+            at: Metres along the side from its middle.
+            off: Metres from the wall to its centre.
+            z: Height of its foot.
+            required: False for dressing.
+            **params: Parameters of the prop.
+        """
         x, y = self.spot(side, at, off)
         return self.furnish(prop, x, y, z, YAW_OF_SIDE[side], required=required, **params)
 
     def on_wall(self, side: Side, prop: str, at: float, z: float, *, off: float = 0.04, **params: ParamValue) -> str:
-        """Hang a prop on a side with its lower edge at ``z``; dressing, never needed."""
+        """Hang a prop on a side, as dressing, and return its id.
+
+        Args:
+            side: As the audience sees it.
+            prop: Key of the prop.
+            at: Metres along the side from its middle.
+            z: Height of its lower edge.
+            off: Metres from the wall to its centre.
+            **params: Parameters of the prop.
+        """
         return self.against(side, prop, at, off, z=z, required=False, **params)
 
     def hang(self, prop: str, x: float, y: float, *, low: float = 2.15) -> str:
-        """Hang a lamp from the ceiling, its lower edge at ``low``: over heads, or lower over a table."""
+        """Hang a lamp from the ceiling and return its id.
+
+        Args:
+            prop: Key of the lamp.
+            x: Metres.
+            y: Metres.
+            low: Height of its lower edge: over heads, or lower over a table.
+        """
         length = round(min(max(self.height - low, 0.4), 1.6), 3)
         if prop == "lantern":
             self.piece("chain", x, y, self.height, length=length - 0.3)
@@ -138,7 +170,18 @@ class Room(Drawing):
         name: str = "door",
         tags: tuple[str, ...] = ("enter", "exit", "door"),
     ) -> None:
-        """Cut a door and mark the place before it where people come in."""
+        """Cut a door and mark the place before it where people come in.
+
+        Args:
+            side: As the audience sees it.
+            at: Metres along the side from its middle.
+            width: Metres.
+            height: Metres.
+            style: Style of ``set_plan.Opening``; ``arch`` has no leaf.
+            state: Whether its leaf is open.
+            name: Id of the opening.
+            tags: What the place before it is for.
+        """
         kind: Literal["door", "arch"] = "arch" if style == "arch" else "door"
         self._cut(side, at, name, kind, 0.0, width, height, style, state)
         x, y = self.spot(side, at, 0.55)
@@ -155,7 +198,17 @@ class Room(Drawing):
         style: str = "sash",
         mark: bool = False,
     ) -> None:
-        """Cut a window; with ``mark`` somebody may stand and look out of it."""
+        """Cut a window.
+
+        Args:
+            side: As the audience sees it.
+            at: Metres along the side from its middle.
+            width: Metres.
+            height: Metres.
+            sill: Height of its lower edge.
+            style: Style of ``set_plan.Opening``.
+            mark: Name the place before it, where a person may look out.
+        """
         self._cut(side, at, "window", "window", sill, width, min(height, self.height - sill - 0.15), style, "closed")
         self._view.sides.add(side)
         if mark:
@@ -163,7 +216,14 @@ class Room(Drawing):
             self.mark(self.name("window_mark"), x, y, YAW_OF_SIDE[side] + 180, "window")
 
     def gap(self, side: Side, at: float, width: float, height: float) -> None:
-        """Leave a hole in a wall with nothing in it: the mouth of a tunnel."""
+        """Leave a bare hole in a wall, such as the mouth of a tunnel.
+
+        Args:
+            side: As the audience sees it.
+            at: Metres along the side from its middle.
+            width: Metres.
+            height: Metres, from the floor.
+        """
         self._cut(side, at, "gap", "gap", 0.0, width, height, "", "open")
 
     def _cut(
@@ -178,6 +238,7 @@ class Room(Drawing):
         style: str,
         state: Literal["open", "closed"],
     ) -> None:
+        """Add an opening to a side, its middle ``at`` metres along it."""
         half = self.length(side) / 2
         along = at if side in ("front", "right") else -at
         self._openings[side].append(
@@ -237,6 +298,7 @@ class Room(Drawing):
         return super().finish()
 
     def _hang_view(self, side: Side, kind: Literal["skyline", "treeline", "hills", "sea", "facades"]) -> None:
+        """Hang the backdrop seen through the windows of a side, and lay the ground before it."""
         x, y, view = self.half_x, self.half_y, self._view
         far, spread, edge = view.distance, view.distance, self.thickness
         left, right, ground = {

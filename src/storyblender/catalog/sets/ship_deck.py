@@ -13,7 +13,7 @@ from storyblender.catalog.sets.kit import SetKit, Span
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the deck along x, its cabin at the left, the sea to the horizon."""
+    """Plan a ship's deck: the deck along x, its cabin at the left, the sea to the horizon."""
     ship = Ground("ship_deck", params, rng)
     x, y, old = ship.half_x, ship.half_y, params.period == "past"
     bow = x + 9.0

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the counter, the shelves and the street door; the shop floor stays free."""
+    """Plan a shop: the counter, the shelves and the street door; the shop floor stays free."""
     modern = params.period == "modern"
     look = (
         Finishes("plaster_white", "lino_grey")

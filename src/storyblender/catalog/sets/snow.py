@@ -34,10 +34,12 @@ def _path(slab: Slab, plan: SetPlan) -> bool:
 
 
 def _snowed(slab: Slab) -> Slab:
+    """Return a slab with snow on it."""
     return slab.model_copy(update={"material": "snow", "wet": False})
 
 
 def _laden(piece: Piece) -> Piece:
+    """Return a piece with snow on it."""
     if piece.part == "terrain":
         return piece.model_copy(update={"params": {**piece.params, "material": "snow"}})
     return piece.model_copy(update={"params": {**piece.params, "snow": True}}) if piece.part in _LADEN else piece

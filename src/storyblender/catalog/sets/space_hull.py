@@ -15,7 +15,7 @@ _FAR = 70.0
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the hull along x, its tower and hatch at the left, the Earth behind it at the right."""
+    """Plan a hull in space: the hull along x, its tower and hatch at the left, the Earth behind it at the right."""
     hull = Ground("space_hull", params, rng)
     x, y = hull.half_x, hull.half_y
     hull.slab("ground", rectangle(-x - 9, -y - 1.2, x + 9, y + 1.2), "hull_plate", thickness=0.4)

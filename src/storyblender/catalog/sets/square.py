@@ -12,7 +12,7 @@ from storyblender.catalog.sets.street import row_of_facades
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the houses around and the market at the edges; the middle stays free."""
+    """Plan a town square: the houses around and the market at the edges; the middle stays free."""
     square = Ground("square", params, rng)
     x, y, old = square.half_x, square.half_y, params.period == "past"
     square.level("cobbles" if params.period != "modern" else "paving_light", wet=True)

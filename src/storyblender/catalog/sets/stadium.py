@@ -11,7 +11,7 @@ from storyblender.catalog.sets.kit import SetKit, Span
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the grass in stripes, the goal at the back, stands beyond the touchlines."""
+    """Plan a stadium: the grass in stripes, the goal at the back, stands beyond the touchlines."""
     field = Ground("stadium", params, rng)
     y = field.half_y
     field.level("tarmac")

@@ -14,7 +14,7 @@ _LANDING, _DEEP = 1.62, 1.25
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the flights at the back and the right, the floor before them free."""
+    """Plan a stairwell: the flights at the back and the right, the floor before them free."""
     modern = params.period == "modern"
     look = (
         Finishes("plaster_grey", "concrete_light", "ceiling_white", dado="paint_blue", dado_height=1.3)

@@ -19,9 +19,16 @@ _WALLS = ("brick_red", "brick_brown", "limewash", "plaster_grey", "stone_light",
 def row_of_facades(
     drawing: Drawing, y: float, yaw: float, *, start: float, end: float, floors: tuple[int, ...], shops: bool = True
 ) -> None:
-    """Close one side of a street with houses from ``start`` to beyond ``end``; yaw 0 looks to -Y.
+    """Close one side of a street with a row of house fronts.
 
-    A street has a few designs that come again, so that its houses share meshes.
+    Args:
+        drawing: Receives the houses.
+        y: Of the fronts, metres.
+        yaw: Degrees; 0 faces -Y.
+        start: X of one end of the row.
+        end: X that the row reaches at least.
+        floors: Numbers of storeys to choose from.
+        shops: Whether some houses have a shop.
     """
     rng, first = drawing.rng, int(drawing.rng.integers(len(_WALLS)))
     designs = [
@@ -52,7 +59,12 @@ def row_of_facades(
 
 
 def lay_road(drawing: Ground, *, old: bool) -> None:
-    """Lay pavements, kerbs and the road from horizon to horizon along x."""
+    """Lay pavements, kerbs and a road along x, from horizon to horizon.
+
+    Args:
+        drawing: Receives the slabs and pieces.
+        old: Cobbles instead of asphalt.
+    """
     pave, road = ("flagstones", "cobbles") if old else ("paving", "asphalt")
     drawing.slab("ground", rectangle(-REACH, PAVEMENT[0], REACH, REACH), pave, wet=True)
     drawing.slab("ground", rectangle(-REACH, ROAD[0], REACH, ROAD[1]), road, wet=True)
@@ -64,7 +76,7 @@ def lay_road(drawing: Ground, *, old: bool) -> None:
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw both rows of houses, the road between, and the things of a street."""
+    """Plan a street: both rows of houses, the road between, and the things of a street."""
     street = Ground("street", params, rng)
     if params.option("frontier"):
         return _frontier(street)

@@ -14,7 +14,7 @@ _TRACK = 3.4
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the track at the back, benches and columns before it, the stairs at the right."""
+    """Plan an underground platform: the track at the back, benches and columns before it, the stairs at the right."""
     modern = params.period == "modern"
     look = (
         Finishes("concrete_light", "lino_grey", "concrete_light", dado="paint_grey", dado_height=1.2)

@@ -13,7 +13,7 @@ _SHELF = 1.22
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the shelf walls, an island of shelves on either side of a free aisle, the till at the right front."""
+    """Plan a supermarket: shelf walls, islands of shelves beside a free aisle, the till at the right front."""
     room = Room("supermarket", params, rng, Finishes("plaster_white", "lino_grey", dado="paint_red", dado_height=0.3))
     x, y, h = room.half_x, room.half_y, params.height
     room.door("front", -x * 0.3, width=1.6, height=2.3, style="glass", name="street_door")

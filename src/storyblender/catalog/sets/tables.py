@@ -53,6 +53,7 @@ def drawn(kit: str, body: KitBody, params: SetParams, rng: np.random.Generator) 
 
 
 def _room(kit: str, shell: ShellTable, params: SetParams, rng: np.random.Generator) -> Room:
+    """Return a room with the shell of a kit file, as its period has it."""
     names = ("wall", "floor", "ceiling", "dado", "dado_height", "beams", "outside")
     said = {name: getattr(table, name) for table in (shell, getattr(shell, params.period)) for name in names
             if getattr(table, name) is not None}  # fmt: skip
@@ -60,6 +61,7 @@ def _room(kit: str, shell: ShellTable, params: SetParams, rng: np.random.Generat
 
 
 def _ground(kit: str, table: GroundTable | None, params: SetParams, rng: np.random.Generator) -> Ground:
+    """Return the ground of a kit file: rolling land, a limited sheet or a plain."""
     if table is None:
         raise ValueError("there is neither [shell] nor [ground]")
     ground = Ground(kit, params, rng)
@@ -114,10 +116,12 @@ class _Tables:
         return self.drawing.finish()
 
     def _holds(self, table: Conditional) -> bool:
+        """Return whether a table's conditions hold for the period and the options."""
         facts = {self.params.period, *(name for name, value in self.params.options.items() if value)}
         return (not table.when or bool(facts.intersection(table.when))) and facts.isdisjoint(table.unless)
 
     def _value(self, term: float | str, copy: int = 0) -> float:
+        """Return a term as a number; ``copy`` is the value of its variable ``n``."""
         height = self.params.height if isinstance(self.drawing, Room) else 0.0
         return value_of(term, {"x": self.drawing.half_x, "y": self.drawing.half_y, "h": height, "n": float(copy)})
 
@@ -135,6 +139,7 @@ class _Tables:
         return [round(float(value), 4) for value in np.linspace(start, end, count)]
 
     def _openings(self, room: Room, plan: PlanTable) -> None:
+        """Cut the doors and windows of a room."""
         for door in filter(self._holds, plan.door):
             room.door(door.side, self._value(door.at), width=door.width, height=door.height, style=door.style,
                       state=door.state, name=door.name, tags=door.tags)  # fmt: skip
@@ -144,6 +149,7 @@ class _Tables:
                             style=window.style, mark=window.mark)  # fmt: skip
 
     def _outdoors(self, ground: Ground, plan: PlanTable, table: GroundTable | None) -> None:
+        """Add planting, backdrops and entrances of open ground."""
         for planting in filter(self._holds, plan.scatter):
             self._scatter(ground, planting)
         for card in filter(self._holds, plan.backdrop):
@@ -156,6 +162,7 @@ class _Tables:
                 ground.mark(f"enter_{side}", *spot, "enter", "exit", side)
 
     def _scatter(self, ground: Ground, table: ScatterTable) -> None:
+        """Plant the pieces of a scatter table."""
         lanes = tuple(((a, b), (c, d), wide) for a, b, c, d, wide in (map(self._value, lane) for lane in table.lanes))
         ground.scatter(
             table.pieces, table.count, inner=self._value(table.inner), outer=self._value(table.outer), gap=table.gap,
@@ -164,6 +171,7 @@ class _Tables:
         )  # fmt: skip
 
     def _lamp(self, table: LampTable) -> None:
+        """Add the lights of a lamp table, one at each of its places."""
         color = _COLORS[table.color] if table.color in _COLORS else hex_color(table.color)
         target = None if table.target is None else tuple(map(self._value, table.target))
         for x in self._values(table.x):
@@ -177,6 +185,7 @@ class _Tables:
     # ------------------------------------------------------------------ props and pieces
 
     def _put(self, table: PutTable) -> None:
+        """Add the props or pieces of a table, one at each of its places."""
         keys = table.prop or table.piece
         keys = (keys,) if isinstance(keys, str) else keys
         spots = self.placed.setdefault(table.id, []) if table.id else []
@@ -199,11 +208,13 @@ class _Tables:
             spots.append(spot.topped(float(given.get("height", PROPS[key].size[2])) if table.prop else 0.0))
 
     def _given(self, value: ParamValue | tuple[ParamValue, ...], copy: int) -> ParamValue:
+        """Return a parameter of one copy: of a list the next in turn, of a text such as ``=n * 2`` its value."""
         if isinstance(value, tuple):
             value = value[copy % len(value)]
         return self._value(value[1:], copy) if isinstance(value, str) and value.startswith("=") else value
 
     def _spots(self, table: PutTable, keys: tuple[str, ...]) -> Iterator[_Spot]:
+        """Yield the places of a table: along a side, relative to other objects, or in the set's own frame."""
         z, yaw = 0.0 if table.z is None else self._value(table.z), self._value(table.yaw)
         if table.side is not None and isinstance(self.drawing, Room):
             off = self._depth(keys[0], table) / 2 + _CLEAR_OF_WALL if table.off is None else self._value(table.off)
@@ -228,6 +239,7 @@ class _Tables:
         return float(depth) if isinstance(depth, int | float) else PROPS[key].size[1]
 
     def _varied(self, spot: _Spot, table: PutTable) -> _Spot:
+        """Return a spot moved and turned at random by as much as its table allows."""
         if not table.vary and not table.turn:
             return spot
         dx, dy = (self.drawing.between(-table.vary, table.vary) if table.vary else 0.0 for _ in "xy")
@@ -249,7 +261,7 @@ class _Spot:
         yield from (self.x, self.y, self.z, self.yaw)
 
     def beside(self, x: float, y: float, z: float, yaw: float) -> _Spot:
-        """Return a spot given in the local frame of this one."""
+        """Return the spot at ``x``, ``y``, ``z`` metres and ``yaw`` degrees in the frame of this one."""
         turn = math.radians(self.yaw)
         dx, dy = x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn)
         return _Spot(round(self.x + dx, 4), round(self.y + dy, 4), round(self.z + z, 4), self.yaw + yaw)

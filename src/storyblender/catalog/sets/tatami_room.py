@@ -15,7 +15,7 @@ _BORDER = 0.03
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw screens along three sides, the alcove at the back, the table behind a free middle."""
+    """Plan a room of mats: screens along three sides, the alcove at the back, the table behind a free middle."""
     look = Finishes("plaster_ochre", "tatami", "boards_dark", beams=6, outside="gravel")
     room = Room("tatami_room", params, rng, look, view="treeline")
     x, y, h = room.half_x, room.half_y, params.height

@@ -14,7 +14,7 @@ _EAVE = 1.65
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the ridge from front to back, bed and chest under the canvas, the middle free."""
+    """Plan a tent: the ridge from front to back, bed and chest under the canvas, the middle free."""
     room = Room("tent", params, rng, Finishes("canvas", "grass_dry", "canvas", outside="grass_dry"), view="treeline")
     x, y, h = room.half_x, room.half_y, params.height
     for side in (-1, 1):

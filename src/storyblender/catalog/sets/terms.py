@@ -38,6 +38,7 @@ def value_of(term: float | str, names: Mapping[str, float]) -> float:
 
 
 def _value(node: ast.expr, names: Mapping[str, float]) -> float:
+    """Return the value of an expression's node. Raises ValueError for anything but + - * /, numbers and known names."""
     match node:
         case ast.Constant(value=int() | float() as number):
             return float(number)
@@ -51,6 +52,7 @@ def _value(node: ast.expr, names: Mapping[str, float]) -> float:
 
 
 def _checked(term: float | str) -> float | str:
+    """Return a term unchanged. Raises ValueError if it cannot be evaluated."""
     value_of(term, dict.fromkeys(NAMES, 1.37))
     return term
 

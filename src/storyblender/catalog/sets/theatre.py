@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw a bare stage floor with its drapes: people act on it, the stalls lie in front."""
+    """Plan a theatre: a bare stage floor with its drapes: people act on it, the stalls lie in front."""
     room = Room(
         "theatre",
         params,

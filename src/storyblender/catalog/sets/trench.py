@@ -14,7 +14,7 @@ _DEEP = 1.75
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the trench along x: people on its floor, its far wall behind them, the near one away for cameras."""
+    """Plan a trench along x: people on its floor, its far wall behind them, the near one away for cameras."""
     trench = Ground("trench", params, rng)
     x, y = trench.half_x, trench.half_y
     trench.slab("ground", rectangle(-REACH, -REACH, REACH, REACH), "mud")

@@ -14,7 +14,7 @@ _BETWEEN_ROWS, _ROW = 2.4, 6.0
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw rows that run away from the viewer beside and behind the stage, which stays free."""
+    """Plan a vineyard: rows that run away from the viewer beside and behind the stage, which stays free."""
     land = Ground("vineyard", params, rng)
     x, y = land.half_x, land.half_y
     land.land("grass_dry", relief=1.4, rise=0.03)

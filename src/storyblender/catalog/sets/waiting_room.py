@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw windows and a door at the back, benches under them and in rows, the hatch at the left."""
+    """Plan a waiting room: windows and a door at the back, benches under them and in rows, the hatch at the left."""
     modern, railway = params.period == "modern", bool(params.option("railway"))
     look = (
         Finishes("plaster_white", "lino_grey", dado="paint_grey", dado_height=1.1)

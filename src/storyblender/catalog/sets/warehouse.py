@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw stacks along the walls, columns at the quarter points, the middle free."""
+    """Plan a warehouse: stacks along the walls, columns at the quarter points, the middle free."""
     past = params.period == "past"
     look = Finishes(
         "boards_grey" if past else "brick_brown", "boards_grey" if past else "concrete", "ceiling_dark", beams=6

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw work along three walls; the middle is free for what is worked on."""
+    """Plan a workshop: work along three walls; the middle is free for what is worked on."""
     old = params.period == "past"
     look = (
         Finishes("log_wall", "boards_dark", "boards_dark", beams=4)

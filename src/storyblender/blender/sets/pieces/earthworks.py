@@ -59,6 +59,7 @@ def plant_bench(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 
 def _pot(builder: MeshBuilder, spec: PieceSpec, x: float, y: float) -> None:
+    """Add a flower pot with its plant at ``x``, ``y``."""
     wide, rng = float(spec.rng.uniform(0.08, 0.12)), spec.rng
     profile = [(wide * 0.7, 0), (wide, wide * 1.6), (wide * 1.12, wide * 1.6), (wide * 1.1, wide * 1.9)]
     builder.lathe(finish("clay"), profile, origin=(x, y, 0.795), segments=12)

@@ -50,6 +50,7 @@ def facade(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 
 def _openings(width: float, floors: int, *, shop: bool) -> tuple[Opening, ...]:
+    """Return windows and door of a house front; the ground floor is a shop front if ``shop``."""
     count = max(2, int(width / 2.4))
     bay = width / count
     openings = [
@@ -122,6 +123,7 @@ def _fill(builder: MeshBuilder, spec: PieceSpec, opening: Opening, trim: object,
 
 
 def _body(builder: MeshBuilder, spec: PieceSpec, width: float, height: float) -> None:
+    """Add the sides, back, roof and chimneys behind a front."""
     skin, half = spec.finish("material", "brick"), width / 2
     builder.quad(skin, (-half, DEPTH, 0), (-half, 0, 0), (-half, 0, height), (-half, DEPTH, height))
     builder.quad(skin, (half, 0, 0), (half, DEPTH, 0), (half, DEPTH, height), (half, 0, height))
@@ -140,6 +142,7 @@ def _body(builder: MeshBuilder, spec: PieceSpec, width: float, height: float) ->
 
 
 def _mouldings(builder: MeshBuilder, trim: object, width: float, height: float, floors: int) -> None:
+    """Add cornice, string courses and plinth."""
     builder.box(trim, (0, -0.12, height - 0.15), (width + 0.1, 0.5, 0.3), bevel=0.04)
     builder.box(trim, (0, -0.05, height - 0.48), (width, 0.24, 0.12))
     builder.box(trim, (0, -0.06, FLOOR - 0.05), (width, 0.3, 0.22), bevel=0.03)
@@ -149,6 +152,7 @@ def _mouldings(builder: MeshBuilder, trim: object, width: float, height: float, 
 
 
 def _shop_front(builder: MeshBuilder, spec: PieceSpec, width: float) -> None:
+    """Add the awning and the sign of a shop."""
     cloth = finish(_AWNINGS[int(spec.rng.integers(len(_AWNINGS)))])
     x0, x1 = -width / 2 + 0.4, -width / 2 + width * 0.42 + 0.6
     builder.quad(cloth, (x0, -1.25, 2.5), (x1, -1.25, 2.5), (x1, -0.02, 3.0), (x0, -0.02, 3.0))

@@ -19,6 +19,7 @@ def stairs(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 
 def _flight(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Add a flight of stairs with its rail."""
     height, width, run = spec.number("height", 2.6), spec.number("width", 0.95), spec.number("run", 4.2)
     tread, rail = spec.finish("material", "boards_dark"), finish("iron" if spec.flag("iron") else "wood_dark")
     count = max(2, round(height / 0.18))

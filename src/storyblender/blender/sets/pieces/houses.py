@@ -36,6 +36,7 @@ def house_front(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 
 def _door(builder: MeshBuilder, spec: PieceSpec, x: float, trim: MaterialRef) -> None:
+    """Add the front door with its casing at ``x``."""
     wood, panel = spec.paint("door_color", "#5b2a22"), finish("wood_dark")
     builder.box(trim, (x, -0.03, 1.12), (1.24, 0.1, 2.24))
     builder.box(wood, (x, -0.085, 1.03), (0.95, 0.03, 2.06))
@@ -51,6 +52,7 @@ def _door(builder: MeshBuilder, spec: PieceSpec, x: float, trim: MaterialRef) ->
 def _window(
     builder: MeshBuilder, spec: PieceSpec, x: float, sill: float, wide: float, tall: float, trim: MaterialRef
 ) -> None:
+    """Add a window with its casing, its middle at ``x``."""
     builder.box(trim, (x, -0.03, sill + tall / 2), (wide + 0.2, 0.08, tall + 0.2))
     builder.box(spec.pane("pane_warm"), (x, -0.075, sill + tall / 2), (wide, 0.01, tall))
     builder.box(trim, (x, -0.085, sill + tall / 2), (0.04, 0.02, tall))
@@ -89,6 +91,7 @@ def porch_roof(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 
 def _rail(builder: MeshBuilder, paint: MaterialRef, x: float, y: float, length: float) -> None:
+    """Add a porch rail with balusters along X, its middle at ``x``."""
     for z, tall in ((0.86, 0.06), (0.16, 0.05)):
         builder.box(paint, (x, y, z), (length, 0.08, tall))
     for at in np.arange(x - length / 2 + 0.1, x + length / 2, 0.16):

@@ -45,6 +45,7 @@ def roof_slope(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 
 def _skylight(builder: MeshBuilder, spec: PieceSpec, half: float, low: float, high: float) -> None:
+    """Add a window in a roof, in the slope's frame, from ``low`` to ``high`` along y; ``half`` is half its width."""
     frame = finish("paint_white")
     middle, tall = (low + high) / 2, low - high
     sky = view_outside("skylight", _SKY, spec.scene)

@@ -157,6 +157,7 @@ def train(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 
 def _carriage(builder: MeshBuilder, spec: PieceSpec, body: MaterialRef, modern: bool) -> None:
+    """Add one carriage of a train."""
     length, half = _CARRIAGE - 0.7, 1.4
     trim = finish("paint_blue" if modern else "paint_cream")
     turn = np.linspace(0, math.pi, 11)

@@ -38,7 +38,7 @@ class PieceSpec:
     rng: np.random.Generator
 
     def number(self, name: str, default: float) -> float:
-        """Return a length or a count."""
+        """Return the length, angle or count ``name``; ``default`` if the kit does not give it."""
         return float(self.params.get(name, default))
 
     def flag(self, name: str) -> bool:
@@ -46,11 +46,11 @@ class PieceSpec:
         return bool(self.params.get(name, False))
 
     def word(self, name: str, default: str) -> str:
-        """Return a variant's name."""
+        """Return the name of a variant; ``default`` if the kit does not give it."""
         return str(self.params.get(name, default))
 
     def finish(self, name: str, default: str) -> bpy.types.Material:
-        """Return the material of a finish parameter."""
+        """Return the material of the finish that the parameter ``name``, or else ``default``, is the key of."""
         return finish(str(self.params.get(name, default)))
 
     def leaf(self, key: str) -> bpy.types.Material:
@@ -58,7 +58,7 @@ class PieceSpec:
         return finish("leaf_snow" if self.flag("snow") else key)
 
     def paint(self, name: str, default: str) -> bpy.types.Material:
-        """Return paint in the hex colour of a parameter."""
+        """Return paint in the hex colour of the parameter ``name``, or else of ``default``."""
         return painted(str(self.params.get(name, default)))
 
     def pane(self, key: str) -> bpy.types.Material:
@@ -67,7 +67,15 @@ class PieceSpec:
 
 
 def piece(key: str, surface: Surface = Surface.SET) -> Callable[[PieceBuilder], PieceBuilder]:
-    """Register the builder of a part."""
+    """Register the decorated function as the builder of a set piece.
+
+    Args:
+        key: Key of the piece, as kits call it.
+        surface: How ink and light treat it.
+
+    Raises:
+        ValueError: The key has a builder already.
+    """
 
     def register(builder: PieceBuilder) -> PieceBuilder:
         if key in PIECES:
@@ -80,13 +88,25 @@ def piece(key: str, surface: Surface = Surface.SET) -> Callable[[PieceBuilder], 
 
 @cache
 def _load() -> None:
+    """Import all modules of this package, once, so that their builders are registered."""
     package = importlib.import_module("storyblender.blender.sets.pieces")
     for module in sorted(info.name for info in pkgutil.iter_modules(package.__path__)):
         importlib.import_module(f"{package.__name__}.{module}")
 
 
 def piece_mesh(plan: Piece, scene: bpy.types.Scene) -> tuple[bpy.types.Mesh, Surface]:
-    """Build the mesh of a piece. Raises KeyError if no builder makes its part."""
+    """Build the mesh of a set piece.
+
+    Args:
+        plan: The piece, of a set's plan.
+        scene: Scene whose daylight its lit windows follow.
+
+    Returns:
+        A new mesh in the piece's own frame, and how ink and light treat it.
+
+    Raises:
+        KeyError: No builder makes this part.
+    """
     _load()
     builder, surface = PIECES[plan.part]
     seed = int(float(plan.params.get("seed", plan.params.get("variant", 0.0))))

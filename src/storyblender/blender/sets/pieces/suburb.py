@@ -72,6 +72,7 @@ def _gable_roof(
 
 
 def _window(builder: MeshBuilder, spec: PieceSpec, x: float, sill: float, trim: MaterialRef, *, shutters: bool) -> None:
+    """Add a window of a house, with shutters if wanted, its middle at ``x``."""
     glass = spec.pane("pane_warm") if spec.rng.random() < 0.5 else finish("glass_dark")
     builder.box(trim, (x, -0.02, sill + 0.65), (1.2, 0.08, 1.45))
     builder.box(glass, (x, -0.065, sill + 0.65), (1.0, 0.02, 1.25))

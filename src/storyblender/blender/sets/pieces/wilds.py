@@ -99,6 +99,7 @@ def grain_patch(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 
 def _corn(builder: MeshBuilder, at: tuple[float, float], rng: np.random.Generator) -> None:
+    """Add one stalk of corn."""
     x, y = at
     high, leaf = float(rng.uniform(1.8, 2.3)), finish("grass_lush")
     builder.cylinder(leaf, (x, y, 0), (x, y, high), 0.018, 0.008, segments=5, caps=False)

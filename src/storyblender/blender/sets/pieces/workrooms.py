@@ -35,6 +35,7 @@ def lab_bench(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 
 def _bottle(builder: MeshBuilder, spec: PieceSpec, x: float, y: float, z: float) -> None:
+    """Add a bottle of reagent."""
     tall, wide = float(spec.rng.uniform(0.12, 0.24)), float(spec.rng.uniform(0.03, 0.05))
     skin = finish(str(spec.rng.choice(("glass_amber", "glass_green", "paint_white", "glass"))))
     profile = [(wide, 0), (wide, tall * 0.62), (wide * 0.35, tall * 0.78), (wide * 0.35, tall)]
@@ -42,6 +43,7 @@ def _bottle(builder: MeshBuilder, spec: PieceSpec, x: float, y: float, z: float)
 
 
 def _flask(builder: MeshBuilder, spec: PieceSpec, x: float) -> None:
+    """Add a flask of coloured liquid on the bench at ``x``."""
     liquid = finish(str(spec.rng.choice(_LIQUIDS)))
     builder.lathe(liquid, [(0.09, 0), (0.055, 0.1)], origin=(x, -0.06, 0.915), segments=16)
     builder.lathe(finish("glass"), [(0.055, 0.1), (0.026, 0.17), (0.026, 0.26), (0.034, 0.27)],
@@ -51,6 +53,7 @@ def _flask(builder: MeshBuilder, spec: PieceSpec, x: float) -> None:
 
 
 def _burner(builder: MeshBuilder, spec: PieceSpec, x: float) -> None:
+    """Add a round flask on a stand over a gas burner at ``x``."""
     iron, liquid = finish("iron"), finish(str(spec.rng.choice(_LIQUIDS)))
     builder.box(iron, (x, -0.02, 0.925), (0.2, 0.14, 0.02))
     builder.cylinder(iron, (x - 0.08, -0.02, 0.92), (x - 0.08, -0.02, 1.5), 0.009, segments=8)
@@ -62,6 +65,7 @@ def _burner(builder: MeshBuilder, spec: PieceSpec, x: float) -> None:
 
 
 def _microscope(builder: MeshBuilder, spec: PieceSpec, x: float) -> None:
+    """Add a microscope at ``x``."""
     body, black = finish("paint_white"), finish("paint_black")
     builder.box(black, (x, -0.04, 0.93), (0.14, 0.2, 0.03), bevel=0.01)
     builder.tube(body, [(x, 0.04, 0.94), (x, 0.06, 1.08), (x, 0.02, 1.2)], 0.028)
@@ -72,6 +76,7 @@ def _microscope(builder: MeshBuilder, spec: PieceSpec, x: float) -> None:
 
 
 def _rack(builder: MeshBuilder, spec: PieceSpec, x: float) -> None:
+    """Add a rack of test tubes at ``x``."""
     for z in (0.95, 1.03):
         builder.box(finish("wood_light"), (x, -0.06, z), (0.32, 0.08, 0.015))
     for index in range(6):
@@ -131,6 +136,7 @@ def steel_counter(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 
 def _range(builder: MeshBuilder, spec: PieceSpec, length: float, steel: MaterialRef) -> None:
+    """Add a restaurant range with its burners."""
     builder.box(steel, (0, 0.02, 0.46), (length, 0.7, 0.82))
     builder.box(finish("paint_black"), (0, -0.335, 0.4), (length - 0.3, 0.02, 0.46), bevel=0.01)
     builder.cylinder(finish("chrome"), (-length / 2 + 0.25, -0.38, 0.67), (length / 2 - 0.25, -0.38, 0.67), 0.015)
