@@ -45,7 +45,8 @@ def four_legs(
 
 def square(center: ArrayLike, half: float) -> Floats:
     """Return the (4, 3) corners of a level square about ``center`` with sides of twice ``half``."""
-    return np.asarray(center, float) + np.array([(-half, -half, 0), (half, -half, 0), (half, half, 0), (-half, half, 0)])
+    corners = np.array([(-half, -half, 0), (half, -half, 0), (half, half, 0), (-half, half, 0)])
+    return np.asarray(center, float) + corners
 
 
 def turned_leg(b: MeshBuilder, material: MaterialRef, x: float, y: float, height: float, radius: float) -> None:
