@@ -46,7 +46,7 @@ def four_legs(
 def square(center: ArrayLike, half: float) -> Floats:
     """Return the (4, 3) corners of a level square about ``center`` with sides of twice ``half``."""
     corners = np.array([(-half, -half, 0), (half, -half, 0), (half, half, 0), (-half, half, 0)])
-    return np.asarray(center, float) + corners
+    return np.add(center, corners)
 
 
 def turned_leg(b: MeshBuilder, material: MaterialRef, x: float, y: float, height: float, radius: float) -> None:
