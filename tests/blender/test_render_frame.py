@@ -1,3 +1,4 @@
+import contextlib
 import math
 import sys
 from pathlib import Path
@@ -45,6 +46,36 @@ def test_pictures_stay_as_they_were(place, look, request):
     difference = np.abs(_blocks(result.image) - _blocks(kept))
     assert difference.mean() < 2.5
     assert np.percentile(difference, 99) < 24
+
+
+@contextlib.contextmanager
+def focused(scene, away):
+    """Open the lens of the scene's camera and focus it at some metres."""
+    data = scene.camera.data
+    before = data.dof.use_dof, data.dof.aperture_fstop, data.dof.focus_distance
+    data.dof.use_dof, data.dof.aperture_fstop, data.dof.focus_distance = True, 0.7, away
+    yield
+    data.dof.use_dof, data.dof.aperture_fstop, data.dof.focus_distance = before
+
+
+def test_a_picture_with_a_depth_of_field_stays_as_it_was(room):
+    with focused(room, 2.5):
+        image = frame(room, render_stage.interior(), "fast").image
+    kept = np.asarray(Image.open(GOLDEN / "room_focused.png")).astype(float)
+    difference = np.abs(_blocks(image) - _blocks(kept))
+    assert difference.mean() < 2.5 and np.percentile(difference, 99) < 24
+
+
+@pytest.mark.parametrize("look", ["fast", "pencil", "board", "render"])
+def test_every_look_blurs_what_is_out_of_focus_and_leaves_faces_as_exposed(room, look):
+    sharp = frame(room, render_stage.interior(), look)
+    with focused(room, 0.6):
+        blurred = frame(room, render_stage.interior(), look)
+        assert room.camera.data.dof.use_dof
+    detail = [np.abs(np.diff(each.image.astype(float), axis=1)).mean() for each in (sharp, blurred)]
+    assert detail[1] < 0.95 * detail[0]
+    assert blurred.statistics.face_luminance == pytest.approx(sharp.statistics.face_luminance, rel=0.02)
+    assert blurred.statistics.visible == sharp.statistics.visible
 
 
 def _blocks(image):

@@ -172,8 +172,9 @@ class BlenderSession:
                 result = render_frame(still, camera, job.lighting, heads, request)
             finally:
                 _remove_camera(camera)
+        instruction = job.shot.camera_instruction
         with self._files.writing(job.out) as part:
-            write_png(look_through(result.image, job.shot.camera_instruction.through), part)
+            write_png(look_through(result.image, instruction.through, instruction.soft_focus), part)
         cast = {str(obj["node_id"]) for obj in scene.objects if obj.get("kind") == "character"}
         return FrameReport(
             out=job.out,
@@ -192,12 +193,13 @@ class BlenderSession:
         assert job.shot.camera is not None, "make_camera has made sure"
         height = ProjectFormat(aspect=job.format.aspect, width=job.width).height
         frames = range(start, start + job.shot.duration, job.step)
-        hidden = job.shot.camera.hidden_node_ids
+        hidden, instruction = job.shot.camera.hidden_node_ids, job.shot.camera_instruction
         try:
             with self._files.writing_tree(job.folder) as part:
                 pictures = render_motion(
                     scene, camera, frames, job.width, height, part, job.lighting,
-                    hidden_node_ids=hidden, through=job.shot.camera_instruction.through,
+                    hidden_node_ids=hidden, through=instruction.through,
+                    soft_focus=instruction.soft_focus,
                     report=self._report,
                 )  # fmt: skip
                 return len(pictures)

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from storyblender.look.lens_blur import diffused
 from storyblender.memory.vocabulary import Aperture
 
 Pixels = NDArray[np.uint8]
@@ -21,13 +22,15 @@ _LINE = 0.003
 """Half the width of a reticle or viewfinder line, in picture heights."""
 
 
-def look_through(pixels: Pixels, through: Aperture | None) -> Pixels:
+def look_through(pixels: Pixels, through: Aperture | None, soft_focus: bool = False) -> Pixels:
     """Return a picture as seen through an optical device or opening; unchanged for None.
 
     Args:
         pixels: (h, w, 3) display values.
         through: The device or opening.
+        soft_focus: Whether a diffusion filter is before the lens.
     """
+    pixels = diffused(pixels) if soft_focus else pixels
     if through is None:
         return pixels
     height, width = pixels.shape[:2]

@@ -24,6 +24,8 @@ _BRIGHTEST = 24.0
 """Scene-linear light beyond which a highlight does not grow in its disc."""
 _WIDEST_LINE = 2
 """Pixels from the edge of a thing over which its outline reaches."""
+_GLOW, _DIFFUSION, _HALO = 0.018, 0.4, 0.25
+"""Diffusion filter: radius of its glow in picture heights, share of the picture that it spreads, light that it adds."""
 _NOTHING = 1e-4
 """Share of a disc below which nothing is known there."""
 SMALLEST = 0.45
@@ -54,6 +56,19 @@ def blurred_frame(
         return out, None
     nearest = lens.blur_circle(nearest_round(depth, _WIDEST_LINE * step)) * pixels
     return out, blurred(lines[..., None], nearest, step)[..., 0]
+
+
+def diffused(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return an (h, w, 3) display picture as through a diffusion filter: soft focus, with a glow round what is bright.
+
+    Args:
+        pixels: sRGB.
+    """
+    light = (pixels.astype(np.float32) / 255) ** np.float32(2.2)
+    radius = _GLOW * pixels.shape[0]
+    glow = disc_blur(disc_blur(light, radius), radius)
+    soft = light + _DIFFUSION * (glow - light) + _HALO * glow * glow
+    return (np.clip(soft, 0, 1) ** np.float32(1 / 2.2) * 255 + 0.5).astype(np.uint8)
 
 
 def nearest_round(depth: Image, pixels: int) -> Image:

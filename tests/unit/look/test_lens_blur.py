@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from storyblender.look.lens_blur import blurred, blurred_frame, disc_blur
+from storyblender.look.lens_blur import blurred, blurred_frame, diffused, disc_blur
 from storyblender.look.optics import Lens
 
 SIZE = (120, 160)
@@ -78,3 +78,11 @@ def test_a_patch_with_room_round_it_is_as_in_the_whole_picture() -> None:
     radius = Lens(50, 4.0, MIDDLE).blur_circle(depth) * np.float32(80)
     whole, part = blurred(picture, radius), blurred(picture[20:100], radius[20:100])
     assert np.abs(whole[44:76] - part[24:56]).max() < 1e-3
+
+
+def test_soft_focus_glows_round_what_is_bright_and_keeps_its_edges() -> None:
+    dark = np.zeros((*SIZE, 3), np.uint8)
+    dark[40:80, 60:100] = 230
+    soft = diffused(dark).astype(int)
+    assert soft[60, 58].min() > 20 and soft[60, 10].max() == 0
+    assert soft[60, 60].min() - soft[60, 59].max() > 80

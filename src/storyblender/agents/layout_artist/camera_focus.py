@@ -23,8 +23,8 @@ _EYES = 0.4
 """Head heights that the eyes lie before the middle of the head."""
 _SEEN_APART = 2.0
 """f-number of a shot that is focused on something by order: open enough that it shows."""
-_STILL = 0.02
-"""Metres by which a subject may stray from a single focus key."""
+_STILL = 0.1
+"""Metres that a head may sway while the focus stays where it is; a lens that follows would make all else breathe."""
 _RACK = (8, 30)
 """Least and most frames of a rack focus; between them it takes a third of the shot."""
 
@@ -96,8 +96,9 @@ def _kept_on(view: CameraOperatorView, node: str, first: int = 0, last: int | No
     track = _track(view, node)
     frames = sorted({first, *(frame for frame, _ in track if first < frame < last), last})
     keys = tuple(FocusKey(frame=frame, point=_at(track, frame), node_id=node) for frame in frames)
-    still = all(np.abs(np.subtract(key.point, keys[0].point)).max() < _STILL for key in keys)
-    return keys[:1] if still and (first, last) == (0, max(view.duration - 1, 0)) else keys
+    held = FocusKey(point=_at(track, view.story_moment.frame), node_id=node)
+    still = all(np.abs(np.subtract(key.point, held.point)).max() < _STILL for key in keys)
+    return (held,) if still and (first, last) == (0, max(view.duration - 1, 0)) else keys
 
 
 def _racked(view: CameraOperatorView, first: str, second: str) -> tuple[FocusKey, ...]:

@@ -149,13 +149,13 @@ def render_frame(
     picture *= 2.0**stops
     lift = shadow_lift(picture)
     picture = with_shadows_raised(picture, lift)
-    masks = _masks(passes.gbuffer, look, step)
+    masks, sharp = _masks(passes.gbuffer, look, step), picture
     if lens is not None:
         surfaces, ink = blurred_frame(np.dstack([picture, *masks]), ink, passes.gbuffer.depth, lens, step)
         picture, masks = surfaces[..., :3], list(np.moveaxis(surfaces[..., 3:], 2, 0))
     picture = add_rain(picture, depth, plan.rain, request.seed)
     display = to_display(picture, look.contrast)
-    statistics = _statistics(passes, picture, faces, (stops, lift))
+    statistics = _statistics(passes, picture if lens is None else sharp, faces, (stops, lift))
     drawing = _drawn(display, ink, masks, look)
     return FrameResult(to_bytes(drawing), shot.lights, shot.set_lights, statistics, set_light)
 

@@ -57,6 +57,7 @@ def render_motion(
     hidden_node_ids: Sequence[str] = (),
     in_frame: Sequence[str] | None = None,
     through: Aperture | None = None,
+    soft_focus: bool = False,
     seed: int = 0,
     report: Report = ignore,
 ) -> tuple[Path, ...]:
@@ -73,6 +74,7 @@ def render_motion(
         hidden_node_ids: Wild walls, taken away for this shot.
         in_frame: asset_ids of the people who get lamps of their own; None is everybody.
         through: What a point of view looks through.
+        soft_focus: Whether a diffusion filter is before the lens.
         seed: Of the rain.
         report: Hears how many frames are drawn.
     """
@@ -107,7 +109,7 @@ def render_motion(
             ]
             for window, picture in _finished(parts, flat, lens, focus, (plan.rain, seed + number)):
                 _paste(shown, picture, window)
-            write_jpeg(look_through(shown, through), paths[-1])
+            write_jpeg(look_through(shown, through, soft_focus), paths[-1])
     return tuple(paths)
 
 
