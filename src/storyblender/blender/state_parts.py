@@ -9,7 +9,7 @@ import bpy
 
 from storyblender.blender.asset_store import AssetStore
 from storyblender.blender.tags import surface_of, tag
-from storyblender.catalog.states import GONE, Condition, after
+from storyblender.catalog.states import GONE, Condition, condition_after
 from storyblender.look.surface import Surface
 from storyblender.memory.jobs import AssetInState, PlayedCue, SceneJob
 from storyblender.memory.shot_context import ShotContext
@@ -80,7 +80,7 @@ class StateParts:
         for start, shot in zip(starts, self._job.shots, strict=True):
             for change in shot.asset_modifications:
                 if change.asset_id == asset_id and change.state:
-                    now = after(now, change.state)
+                    now = condition_after(now, change.state)
                     yield start + self._moment(shot, asset_id, timing), now
 
     def _moment(self, shot: ShotContext, asset_id: str, timing: Sequence[PlayedCue]) -> int:

@@ -30,7 +30,7 @@ ON_BODY: frozenset[Grip] = frozenset((*_PLACES, "worn"))
 """Ways to carry that leave both hands free."""
 
 
-def place_of(grip: Grip | None, key: str | None) -> BodyPlace | None:
+def body_place_of(grip: Grip | None, key: str | None) -> BodyPlace | None:
     """Return where on the body a thing is carried; None for a thing in a hand, or one that is not seen.
 
     Args:

@@ -54,7 +54,7 @@ _MOST = 1.6
 """A thing is put in what is at least its own width and depth over this: it sticks out, but it is in there."""
 
 
-def inside(key: str | None, size: Vec3, thing: Vec3, before: int = 0) -> Vec3 | None:
+def place_inside(key: str | None, size: Vec3, thing: Vec3, before: int = 0) -> Vec3 | None:
     """Return where a thing lies in a hollow one, in the hollow thing's frame; None if that is not hollow or too small.
 
     Args:

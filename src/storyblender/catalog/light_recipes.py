@@ -102,13 +102,13 @@ class LampKind(NamedTuple):
     """From the lamp's place in the prop, in the prop's frame: out of its shade."""
     cone: float = 140.0
     """Full angle of a SPOT in degrees."""
-    when_told: bool = False
+    off_by_default: bool = False
     """It burns only in a hand, or where the story says so."""
 
     @property
     def without_mains(self) -> bool:
         """Whether it burns on when the power fails: a flame, or a lamp with a battery."""
-        return self.when_told or self.color in (FIRE, CANDLE)
+        return self.off_by_default or self.color in (FIRE, CANDLE)
 
 
 LAMPS: dict[str, LampKind] = {
@@ -123,8 +123,8 @@ LAMPS: dict[str, LampKind] = {
     "candelabra": LampKind(8, CANDLE, glow=0.25),
     "candle_holder": LampKind(4, CANDLE, size=0.02, glow=0.2),
     "candle": LampKind(4, CANDLE, size=0.02, glow=0.2),
-    "flashlight": LampKind(220, FLASHLIGHT, "SPOT", 0.03, 0.5, cone=34.0, when_told=True),
-    "lighter": LampKind(2, CANDLE, size=0.02, glow=0.15, when_told=True),
+    "flashlight": LampKind(220, FLASHLIGHT, "SPOT", 0.03, 0.5, cone=34.0, off_by_default=True),
+    "lighter": LampKind(2, CANDLE, size=0.02, glow=0.15, off_by_default=True),
     "paper_lantern": LampKind(9, CANDLE, size=0.15, glow=0.2),
     "brazier": LampKind(24, FIRE, size=0.2, glow=0.25, offset=(0, 0, 0.2)),
     "flames": LampKind(50, FIRE, size=0.3, glow=0.25),

@@ -43,20 +43,20 @@ _LEVEL = 0.82
 """Share of its height up to which a full vessel is filled."""
 
 
-def liquid_color(key: str, words: str, *, told: bool = False) -> str:
+def liquid_color(key: str, words: str, *, named_only: bool = False) -> str:
     """Return the hex colour of the liquid in a thing.
 
     Args:
         key: Prop key of the thing.
         words: What the script calls it: ``a glass of milk``.
-        told: Return an empty string unless the words name a liquid; otherwise the usual liquid of the thing counts.
+        named_only: Return an empty string unless the words name a liquid, instead of what the thing usually holds.
     """
     spoken = words_of(words)
     named = next((word for word in reversed(spoken) if word in LIQUIDS), "")
     if named in ("paint", "ink", "wine", "slime"):
         paint = next((COLORS[word] for word in spoken if word in COLORS and word != "red"), "")
         return paint or LIQUIDS[named]
-    return LIQUIDS.get(named, "" if told else LIQUIDS[_USUAL.get(key, "water")])
+    return LIQUIDS.get(named, "" if named_only else LIQUIDS[_USUAL.get(key, "water")])
 
 
 def filling_of(key: str, size: Vec3) -> tuple[Vec3, float, bool] | None:

@@ -7,7 +7,7 @@ from typing import Final
 
 from storyblender.memory.vocabulary import Age
 
-MEANT_IN: Final[Mapping[Age, Mapping[str, str]]] = {
+WORDS_BY_AGE: Final[Mapping[Age, Mapping[str, str]]] = {
     "today": {"phone": "smartphone"},
     "classic": {"phone": "telephone", "camera": "photo_camera"},
     "victorian": {"lamp": "lantern", "carriage": "cart"},

@@ -9,8 +9,8 @@ from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import words_of
 from storyblender.catalog.registry import ParamValue
 from storyblender.catalog.stand_ins import DEFAULT, STAND_INS
-from storyblender.catalog.states import look_in
-from storyblender.catalog.writing import CALLS, MOST, SCREENS, WRITING
+from storyblender.catalog.states import state_look
+from storyblender.catalog.writing import CALL_WORDS, MAX_LETTERS, SCREENS, WRITING
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset, Provenance
 from storyblender.memory.base import Frozen, Vec3, content_hash
 
@@ -85,23 +85,23 @@ class Recipe(Frozen):
         """Return the recipe with ``words`` lettered on it, if it is a thing that can carry writing."""
         if not words.strip() or self.source != "catalog" or self.key not in WRITING:
             return self
-        return self.model_copy(update={"params": {**self.params, "text": words.strip()[:MOST]}})
+        return self.model_copy(update={"params": {**self.params, "text": words.strip()[:MAX_LETTERS]}})
 
     def in_state(self, state: str) -> Recipe:
         """Return the recipe of the thing in the state that it is in at first: a candle that is lit later is out."""
-        look = look_in(self.key, self.params, state) if self.source == "catalog" and state else None
+        look = state_look(self.key, self.params, state) if self.source == "catalog" and state else None
         return self if look is None or look.key != self.key else self.model_copy(update={"params": look.params})
 
     def filled_with(self, told: str) -> Recipe:
         """Return the recipe with the drink that its name tells of: a glass of milk is white."""
-        color = liquid_color(self.key, told, told=True)
+        color = liquid_color(self.key, told, named_only=True)
         if self.source != "catalog" or not color or "drink" not in PROPS[self.key].params:
             return self
         return self.model_copy(update={"params": {**self.params, "drink": color}})
 
     def with_caller(self, told: str) -> Recipe:
         """Return the recipe with a caller's face on its screen, if its description tells of a call."""
-        if self.source != "catalog" or self.key not in SCREENS or not CALLS & {*words_of(told)}:
+        if self.source != "catalog" or self.key not in SCREENS or not CALL_WORDS & {*words_of(told)}:
             return self
         return self.model_copy(update={"params": {**self.params, "caller": True}})
 

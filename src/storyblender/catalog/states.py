@@ -8,28 +8,30 @@ from typing import NamedTuple
 from storyblender.catalog.liquids import SPOUTS, filling_of, is_vessel, liquid_color, spill_width
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import read_variant, words_of
-from storyblender.catalog.writing import MOST, WRITING
+from storyblender.catalog.writing import MAX_LETTERS, WRITING
 from storyblender.memory.asset_sheet import ParamValue
 from storyblender.memory.base import Vec3
 
-BEFORE: Mapping[str, str] = {
+STATE_BEFORE: Mapping[str, str] = {
     "closed": "open", "shut": "open", "off": "on", "out": "lit", "on": "off", "lit": "unlit", "open": "closed",
     "running": "off", "burning": "unlit", "there": "gone", "empty": "full", "spilled": "full", "full": "empty",
 }  # fmt: skip
 """What a thing was before its first change."""
-DARK = frozenset({"off", "out", "unlit", "dead"})
-LIT = frozenset({"on", "lit", "burning"})
+OFF_STATES = frozenset({"off", "out", "unlit", "dead"})
+ON_STATES = frozenset({"on", "lit", "burning"})
 GONE = "gone"
-READS = "reads "
+READS_PREFIX = "reads "
 """How a state begins that puts other words on a thing; the words follow."""
-DOOR_OPEN, DOORS_CLOSED = " door open", "doors closed"
+DOOR_OPEN_SUFFIX, DOORS_CLOSED = " door open", "doors closed"
 """How the state of a vehicle with open doors ends, after their names, and its state with none."""
 _BROKEN = frozenset({"broken", "smashed", "shattered", "cracked"})
-LYING = frozenset({"tipped", "spilled", "fallen", "overturned", "knocked over", "toppled", "on its side", "upturned"})
+LYING_STATES = frozenset(
+    {"tipped", "spilled", "fallen", "overturned", "knocked over", "toppled", "on its side", "upturned"}
+)
 """States in which a thing lies on its side."""
-LEFT = LYING | _BROKEN | {"burning", "on fire", "smoking"}
+SEEN_AGAIN = LYING_STATES | _BROKEN | {"burning", "on fire", "smoking"}
 """States in which a thing is seen when a place is seen again, though nobody names it."""
-UPRIGHT = frozenset({"upright", "standing", "righted"})
+UPRIGHT_STATES = frozenset({"upright", "standing", "righted"})
 _FLAT = 0.35
 """Ratio of height to width below which a thing is too flat to fall over."""
 _FRAGILE = frozenset({
@@ -41,9 +43,9 @@ _ADDED = {"burning": "flames", "on fire": "flames", "in flames": "flames", "smok
 _RUNNING = frozenset({"running", "on", "leaking", "spraying", "overflowing"})
 _KINDS: tuple[frozenset[str], ...] = (
     frozenset({"open", "closed", "shut", "locked", "ajar"}),
-    DARK | LIT | _RUNNING | {"flickering", "dim", "stopped", *_ADDED},
+    OFF_STATES | ON_STATES | _RUNNING | {"flickering", "dim", "stopped", *_ADDED},
     _BROKEN | {"mended", "torn"},
-    LYING | UPRIGHT,
+    LYING_STATES | UPRIGHT_STATES,
     frozenset({"full", "filled", "empty", "emptied"}),
     frozenset({"wet", "dry", "dirty", "clean", "bloody"}),
     frozenset({GONE, "there"}),
@@ -74,7 +76,7 @@ class StateLook(NamedTuple):
     lying: bool = False
 
 
-def after(condition: Condition, state: str) -> Condition:
+def condition_after(condition: Condition, state: str) -> Condition:
     """Return the condition of a thing after a change.
 
     Args:
@@ -87,10 +89,10 @@ def after(condition: Condition, state: str) -> Condition:
 
 def _kind_of(state: str) -> frozenset[str]:
     """Return the states that exclude each other with a state, itself included."""
-    if state.startswith(READS):
-        return frozenset({READS})
-    if state.endswith((DOOR_OPEN, DOORS_CLOSED)):
-        return frozenset({DOOR_OPEN})
+    if state.startswith(READS_PREFIX):
+        return frozenset({READS_PREFIX})
+    if state.endswith((DOOR_OPEN_SUFFIX, DOORS_CLOSED)):
+        return frozenset({DOOR_OPEN_SUFFIX})
     return next((kind for kind in _KINDS if state in kind), frozenset({state}))
 
 
@@ -99,7 +101,7 @@ def topples(size: Vec3) -> bool:
     return size[2] > _FLAT * max(size[:2])
 
 
-def looks_in(
+def state_looks(
     key: str, params: Mapping[str, ParamValue], condition: Condition, size: Vec3 = (0.2, 0.2, 0.2), words: str = ""
 ) -> tuple[StateLook, ...]:
     """Return how a thing is built in its condition, and what is seen beside it; empty where it looks as at first.
@@ -116,7 +118,7 @@ def looks_in(
     now, changed = key, dict(params)
     added: list[StateLook] = []
     for state in condition:
-        look = look_in(now, changed, state)
+        look = state_look(now, changed, state)
         if look is not None and look.added:
             added.append(look._replace(width=max(0.25, max(size) * 0.7)))
         elif look is not None:
@@ -124,7 +126,7 @@ def looks_in(
         added += _liquid(key, state, condition, size, words)
     was = {**PROPS[key].params, **params}
     if now != key:
-        lies = bool(LYING & {*condition}) and topples(size)
+        lies = bool(LYING_STATES & {*condition}) and topples(size)
         pieces = StateLook(now, changed, width=max(0.25, max(size) * 1.1), lying=lies)
         pieces = pieces._replace(location=(0.0, 0.0, -size[1] / 2)) if lies else pieces
         return pieces, *(each for each in added if each.key == "puddle")
@@ -132,7 +134,7 @@ def looks_in(
     return (*(() if as_it_was else (StateLook(key, changed),)), *added)
 
 
-def look_in(key: str, params: Mapping[str, ParamValue], state: str) -> StateLook | None:
+def state_look(key: str, params: Mapping[str, ParamValue], state: str) -> StateLook | None:
     """Return how a prop is built in one state; None where the state does not change its look.
 
     Args:
@@ -149,15 +151,15 @@ def look_in(key: str, params: Mapping[str, ParamValue], state: str) -> StateLook
         return StateLook("shards", {"material": material, **color})
     if state in _ADDED and "lit" not in entry.params and entry.lamp is None:
         return StateLook(_ADDED[state], {}, added=True)
-    if state.startswith(READS):
-        text = state.removeprefix(READS).strip()[:MOST]
+    if state.startswith(READS_PREFIX):
+        text = state.removeprefix(READS_PREFIX).strip()[:MAX_LETTERS]
         return StateLook(key, {**params, "text": text}) if key in WRITING and params.get("text") != text else None
     changed = {**params, **read_variant(entry, state)}
     if state in _KINDS[1]:
         changed.pop("unlit", None)
-    if state.endswith((DOOR_OPEN, DOORS_CLOSED)) and isinstance(entry.params.get("open"), str):
-        changed["open"] = state.removesuffix(DOOR_OPEN) if state.endswith(DOOR_OPEN) else ""
-    if state in DARK and entry.lights:
+    if state.endswith((DOOR_OPEN_SUFFIX, DOORS_CLOSED)) and isinstance(entry.params.get("open"), str):
+        changed["open"] = state.removesuffix(DOOR_OPEN_SUFFIX) if state.endswith(DOOR_OPEN_SUFFIX) else ""
+    if state in OFF_STATES and entry.lights:
         changed["unlit"] = True
     if "fill" in entry.params and state in _LEVELS:
         changed["fill"] = _LEVELS[state]
@@ -182,9 +184,9 @@ def _liquid(key: str, state: str, condition: Condition, size: Vec3, words: str) 
             yield StateLook("water_jet", {**built, "depth": thrown}, added=True, location=out)
         elif fall > 0:
             yield StateLook("running_water", built, added=True, location=at)
-    told = liquid_color(key, words, told=True)
+    told = liquid_color(key, words, named_only=True)
     spills = state == "spilled" and is_vessel(key, words_of(words))
-    if spills or (state in LYING and told and "empty" not in condition):
+    if spills or (state in LYING_STATES and told and "empty" not in condition):
         wide, color = spill_width(size), told or liquid_color(key, words)
         puddle: dict[str, ParamValue] = {"width": wide, "depth": 0.85 * wide, "color": color}
         fallen = topples(size)
@@ -201,4 +203,4 @@ def _liquid(key: str, state: str, condition: Condition, size: Vec3, words: str) 
 
 def state_at_first(changes: Sequence[str]) -> str:
     """Return the state of a thing before the first of its changes; empty where it cannot be concluded."""
-    return BEFORE.get(changes[0], "") if changes else ""
+    return STATE_BEFORE.get(changes[0], "") if changes else ""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-MOST = 90
+MAX_LETTERS = 90
 """Maximum number of characters shown; longer text is cut off."""
 
 
@@ -31,7 +31,7 @@ class Writing:
 _PAPER = Writing("top", (0.0, 0.0), (0.86, 0.86), "paper", "plastic_black")
 _SCREEN = ("glass_dark", "lamp_cool")
 
-CALLS = frozenset(
+CALL_WORDS = frozenset(
     {"call", "calls", "calling", "facetime", "skype", "zoom", "conference", "caller", "livestream", "selfie"}
 )
 """Words about a screen that tell of a face on it."""

@@ -7,7 +7,7 @@ from concurrent.futures import Future
 
 from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD
 from storyblender.agents.layout_artist.dimension_estimator import knows_size
-from storyblender.catalog.meanings import MEANT_IN
+from storyblender.catalog.meanings import WORDS_BY_AGE
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.recipe import Recipe
 from storyblender.errors import EngineError, InputError, StoryBlenderError
@@ -87,7 +87,7 @@ class ConceptArtist:
     def __init__(self, run: Run) -> None:
         self._run = run
         self._rejected: set[str] = set()
-        self._means = MEANT_IN.get(run.graph.age or "today", {})
+        self._means = WORDS_BY_AGE.get(run.graph.age or "today", {})
 
     def give_up(self, asset: Asset, key: str, error: StoryBlenderError) -> Asset:
         """Return the asset with something else to be made from than a model that cannot be used, and say so."""

@@ -15,7 +15,7 @@ from storyblender.agents.visual_effects_artist.lighting_arranger_view import lig
 from storyblender.agents.visual_effects_artist.staging_flaws import staging_flaws
 from storyblender.agents.visual_effects_artist.vehicle_doors import add_open_doors
 from storyblender.catalog.props import PROPS, PropEntry
-from storyblender.catalog.props.called import called
+from storyblender.catalog.props.prop_names import prop_named
 from storyblender.catalog.sets import plan_of
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Vec2, scene_name, shot_name
@@ -143,7 +143,7 @@ def _entry_of(asset: Asset) -> PropEntry | None:
     made = asset.canonical
     if made is None or made.source == "person":
         return None
-    return called(asset.name) if made.source == "file" else PROPS.get(made.key)
+    return prop_named(asset.name) if made.source == "file" else PROPS.get(made.key)
 
 
 def design(run: Run, graph: ContinuityMemoryGraph, scene_id: int) -> Environment:

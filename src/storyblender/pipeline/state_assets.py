@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from storyblender.catalog.states import Condition, StateLook, after, looks_in
+from storyblender.catalog.states import Condition, StateLook, condition_after, state_looks
 from storyblender.memory.asset_sheet import Asset, AssetDimension
 from storyblender.memory.jobs import AssetInState, AssetJob, SceneJob
 from storyblender.memory.shot_context import ShotContext
@@ -30,7 +30,7 @@ def assets_in_states(
             continue
         made = asset.canonical
         words = f"{asset.description} {asset.name}"
-        told = looks_in(made.key, made.params, condition, made.dimensions, words)
+        told = state_looks(made.key, made.params, condition, made.dimensions, words)
         looks[asset_id, condition] = tuple(
             AssetInState(
                 condition=condition,
@@ -59,7 +59,7 @@ def _conditions(shots: Sequence[ShotContext], found: Mapping[str, Condition]) ->
     now: dict[str, Condition] = dict(found)
     yield from now.items()
     for change in (change for shot in shots for change in shot.asset_modifications if change.state):
-        now[change.asset_id] = after(now.get(change.asset_id, ()), change.state)
+        now[change.asset_id] = condition_after(now.get(change.asset_id, ()), change.state)
         yield change.asset_id, now[change.asset_id]
 
 

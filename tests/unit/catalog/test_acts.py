@@ -15,7 +15,7 @@ def test_an_act_can_be_played(act: Act) -> None:
     assert 0.15 < act.telling < 0.98
     assert all(key.face in (None, *EXPRESSIONS) for key in (*act.keys, *act.partner))
     assert act.again is None or (act.stretches and act.again < len(act.keys))
-    assert act.told is None or act.told < len(act.keys)
+    assert act.still_key is None or act.still_key < len(act.keys)
     assert MOTIONS[act.key] == act.motion
 
 

@@ -4,8 +4,8 @@ from tests.every import every
 
 from storyblender.catalog.materials import MATERIALS, hex_color
 from storyblender.catalog.props import PROPS, variants
-from storyblender.catalog.props.called import called
 from storyblender.catalog.props.ordinary import ORDINARY
+from storyblender.catalog.props.prop_names import prop_named
 from storyblender.catalog.props.variants import read_variant
 from storyblender.catalog.stand_ins import guess_class
 from storyblender.look import backdrop_patterns, patterns
@@ -58,7 +58,7 @@ def test_an_ordinary_thing_is_itself_by_all_its_names():
         (name, found.key)
         for entry in ORDINARY
         for name in (entry.name, *entry.tags)
-        if (found := called(name)) is not None and found.key != entry.key
+        if (found := prop_named(name)) is not None and found.key != entry.key
     }
     assert not hidden
 
@@ -85,5 +85,5 @@ def test_nothing_is_guessed_of_unknown_words():
 
 @pytest.mark.parametrize(("name", "key"), [("two couches", "sofa"), ("old park benches", "park_bench")])
 def test_a_plural_names_the_same_prop(name: str, key: str) -> None:
-    found = called(name)
+    found = prop_named(name)
     assert found is not None and found.key == key

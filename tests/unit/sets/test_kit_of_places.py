@@ -6,7 +6,7 @@ import pytest
 
 from storyblender.agents.director import lexicon
 from storyblender.catalog.sets import SETS
-from storyblender.catalog.sets.evidence import told_by_things
+from storyblender.catalog.sets.evidence import kit_of_things
 from storyblender.catalog.sets.places import find_kit, kit_of
 from storyblender.memory.scene_context import SceneSetup
 from storyblender.memory.vocabulary import SceneType
@@ -166,7 +166,7 @@ def test_open_ground_that_is_named_is_no_fallback(place: str, kit: str) -> None:
 
 
 def test_things_tell_only_kits_that_may_be_chosen() -> None:
-    assert told_by_things(("bed", "pillow"), ("bar", "church")) is None
+    assert kit_of_things(("bed", "pillow"), ("bar", "church")) is None
 
 
 @pytest.mark.parametrize(

@@ -16,8 +16,8 @@ import numpy as np
 from storyblender.agents.concept_artist.asset_retriever_view import AssetRetrieverView
 from storyblender.catalog.kinds import near_kind
 from storyblender.catalog.props import PROPS, PropEntry
-from storyblender.catalog.props.called import called
 from storyblender.catalog.props.phrases import noun_words
+from storyblender.catalog.props.prop_names import prop_named
 from storyblender.catalog.props.variants import read_variant
 from storyblender.catalog.recipe import Recipe
 from storyblender.catalog.stand_ins import DEFAULT, STAND_INS, StandIn, guess_class
@@ -50,7 +50,7 @@ class RulesAssetGenerator:
         found = near_kind(words)
         if found is not None:
             return _prop(view, found[0], CLOSE, f"of a kind with {found[1]!r}")
-        head = called(" ".join(words))
+        head = prop_named(" ".join(words))
         if head is not None:
             return _prop(view, head.key, CLOSE, f"a kind of {head.name}")
         if view.asset.writing.strip():

@@ -22,7 +22,7 @@ from storyblender.agents.director.story_assets import StoryAssets, unique
 from storyblender.agents.director.wording import modifiers_of, one_line, shot_sentence
 from storyblender.agents.director.writing import writing_on
 from storyblender.catalog.homelands import homeland_of
-from storyblender.catalog.states import GONE, LEFT
+from storyblender.catalog.states import GONE, SEEN_AGAIN
 from storyblender.memory.asset_sheet import Asset, CharacterLook, Garment
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline, SourceSpan
 from storyblender.memory.scene_context import Relation, SceneContext, SceneSetup
@@ -191,7 +191,9 @@ class Assembly:
 
     def _inherited_relations(self, scene: SceneReading) -> Iterator[Relation]:
         """Yield the positions of things that an earlier scene in this place left broken, tipped or burning."""
-        left = {thing for thing, states in self.inherited[scene.id].items() if LEFT & {*states} and GONE not in states}
+        left = {
+            thing for thing, states in self.inherited[scene.id].items() if SEEN_AGAIN & {*states} and GONE not in states
+        }
         for earlier in self.reading.scenes:
             same = scene.reference is not None and scene.reference in (earlier.id, earlier.reference)
             if earlier.id < scene.id and same:

@@ -10,8 +10,8 @@ import numpy as np
 from storyblender.agents.director.reading import Reading, SceneReading
 from storyblender.agents.director.rules import rule
 from storyblender.catalog.sets import SETS, SetKit
-from storyblender.catalog.sets.evidence import told_by_things
-from storyblender.catalog.sets.places import FALLBACK, is_told
+from storyblender.catalog.sets.evidence import kit_of_things
+from storyblender.catalog.sets.places import FALLBACK, names_a_kit
 from storyblender.memory.shot_context import Flag
 from storyblender.ports import Embedder
 
@@ -37,7 +37,7 @@ def choose_kits_by_meaning(reading: Reading, load: Callable[[], Embedder]) -> No
     unknown = [
         (index, scene)
         for index, scene in enumerate(reading.scenes)
-        if scene.reference is None and not is_told(scene.place_kind, scene.place, scene.scene_type)
+        if scene.reference is None and not names_a_kit(scene.place_kind, scene.place, scene.scene_type)
     ]
     by_meaning = [(index, scene) for index, scene in unknown if not _choose_by_things(reading, index, scene)]
     named = [(index, scene) for index, scene in by_meaning if scene.place]
@@ -64,7 +64,7 @@ def choose_kits_by_meaning(reading: Reading, load: Callable[[], Embedder]) -> No
 def _choose_by_things(reading: Reading, index: int, scene: SceneReading) -> bool:
     """Choose a scene's kit by the things in it; False if they are too few."""
     indoor = scene.scene_type == "indoor"
-    told = told_by_things([_meaning_text(reading, index)], [kit.key for kit in SETS.values() if kit.indoor == indoor])
+    told = kit_of_things([_meaning_text(reading, index)], [kit.key for kit in SETS.values() if kit.indoor == indoor])
     if told is not None and not scene.place_kind:
         scene.place_kind = told
     return told is not None
@@ -75,7 +75,7 @@ def _copy_to_same_place(reading: Reading) -> None:
     kinds = {scene.id: scene.place_kind for scene in reading.scenes}
     for scene in reading.scenes:
         first = kinds.get(scene.reference or 0)
-        if first and not is_told(scene.place_kind, scene.place, scene.scene_type):
+        if first and not names_a_kit(scene.place_kind, scene.place, scene.scene_type):
             scene.place_kind = first
 
 

@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterable, Sequence
 from storyblender.agents.director.fixtures import is_fixture
 from storyblender.agents.director.lighting import light_change
 from storyblender.agents.director.reading import Reading, SceneReading, StateChange, Unit
-from storyblender.catalog.states import GONE, Condition, after
+from storyblender.catalog.states import GONE, Condition, condition_after
 from storyblender.memory.scene_context import Relation
 
 _LASTING = frozenset({"broken", "smashed", "shattered", "cracked", "torn", "burnt", GONE})
@@ -52,7 +52,7 @@ def inherited_states(reading: Reading) -> dict[int, dict[str, Condition]]:
             gone = change.state == GONE
             key = root if change.subject in bound or gone else None, change.subject
             if (state := _state(change)) is not None:
-                now[key] = after(now.get(key, ()), state)
+                now[key] = condition_after(now.get(key, ()), state)
         last[root] = before = scene
     return found
 

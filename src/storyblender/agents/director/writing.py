@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Final
 
 from storyblender.agents.director.reading import Reading, StateChange, Unit
-from storyblender.catalog.states import READS
+from storyblender.catalog.states import READS_PREFIX
 
 _READING_VERBS: Final = (
     r"(?:reads?|reading|says?|saying|marked|labell?ed|titled|entitled|bearing|spells?(?: out)?|spelling|written|printed"
@@ -47,13 +47,13 @@ def add_writing_changes(reading: Reading) -> Reading:
     written = {thing.id: thing.writing or writing_on(thing.name, thing.first, text) for thing in reading.things}
     units: list[Unit] = []
     for unit in reading.units:
-        told = {change.subject: change.state for change in unit.changes if change.state.startswith(READS)}
+        told = {change.subject: change.state for change in unit.changes if change.state.startswith(READS_PREFIX)}
         fresh: list[StateChange] = []
         for thing in unit.things if unit.kind == "action" else ():
             words = writing_on(names.get(thing, ""), unit.start, text[: unit.end])
             if thing in written and thing not in told and words not in ("", written[thing]):
-                fresh.append(StateChange(thing, f"{READS}{words}", unit.start))
+                fresh.append(StateChange(thing, f"{READS_PREFIX}{words}", unit.start))
                 written[thing] = words
-        written |= {thing: state.removeprefix(READS) for thing, state in told.items()}
+        written |= {thing: state.removeprefix(READS_PREFIX) for thing, state in told.items()}
         units.append(replace(unit, changes=[*unit.changes, *fresh]) if fresh else unit)
     return replace(reading, units=units)

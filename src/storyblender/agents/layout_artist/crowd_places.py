@@ -9,7 +9,7 @@ import numpy as np
 
 from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.people_seats import free_seats, take
-from storyblender.catalog.props.kin import kin_of
+from storyblender.catalog.props.prop_families import family_of
 from storyblender.geometry.boxes import yaw_along
 from storyblender.geometry.relations import Thing
 from storyblender.geometry.stations import turn_towards_audience
@@ -28,7 +28,7 @@ _LANE = 1.1
 _SITTING = 0.6
 """Share of a crowd that sits if there are seats."""
 _GRID = 0.35
-_SEATS = kin_of("chair") | kin_of("bench") | kin_of("sofa") | kin_of("armchair") | {"bar_stool"}
+_SEATS = family_of("chair") | family_of("bench") | family_of("sofa") | family_of("armchair") | {"bar_stool"}
 """Props that any member of a crowd may sit on."""
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from storyblender.agents.layout_artist.layout_things import room_of, size_of, thing_of, walls_of, with_surfaces
 from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView
 from storyblender.catalog.fixtures import Fixture, fixtures_called
-from storyblender.catalog.props.kin import kin_of, meant_by
+from storyblender.catalog.props.prop_families import family_of, props_named
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.lanes import blocks_walkers
 from storyblender.geometry.paths import Footprint, clearance
@@ -113,7 +113,7 @@ class Stage:
         if thing is not None or asset_id is None or asset_id in self.view.pending:
             return thing
         prop = self.view.props.get(asset_id)
-        kin = kin_of(prop) if prop is not None else meant_by(asset_id)
+        kin = family_of(prop) if prop is not None else props_named(asset_id)
         alike = [thing for name, thing in self.things.items() if self.view.props.get(self.assets[name]) in kin]
         if alike:
             return min(alike, key=lambda thing: math.dist((thing.box.x, thing.box.y), near))

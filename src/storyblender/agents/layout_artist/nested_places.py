@@ -7,7 +7,7 @@ import math
 from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.layout_things import anchors_of, size_of
 from storyblender.agents.layout_artist.wall_places import hang, stand_against
-from storyblender.catalog.hollows import inside
+from storyblender.catalog.hollows import place_inside
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.relations import Thing, may_overlap_anchor
 from storyblender.memory.base import Vec2
@@ -27,7 +27,7 @@ def put_in(stage: Stage, asset_id: str, anchor: Thing) -> bool:
     riders = [thing for thing in stage.things.values() if thing.anchor == anchor.name and may_overlap_anchor(thing)]
     size, base = size_of(stage.measure(asset_id)), anchor.box
     seats = anchors_of(measure, "seat") if anchors_of(measure, "door") else []
-    place = inside(stage.view.props.get(measure.asset_id), size_of(measure), size, len(riders))
+    place = place_inside(stage.view.props.get(measure.asset_id), size_of(measure), size, len(riders))
     if seats and max(size) < _ON_SEAT:
         x, y, z = seats[-1 - len(riders) % len(seats)].location
         place = (x, y + size[1] / 2, z)

@@ -19,7 +19,7 @@ from storyblender.catalog.bystanders import BYSTANDER
 from storyblender.catalog.footprints import piece_boxes, wall_boxes
 from storyblender.catalog.openings import OpeningPlace, openings_of
 from storyblender.catalog.props import PROPS
-from storyblender.catalog.props.kin import kin_of, meant_by
+from storyblender.catalog.props.prop_families import family_of, props_named
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.paths import (
@@ -104,7 +104,7 @@ class Floor:
         if name in self.cast:  # Ivy may be a character
             return None
         key = self.kinds.get(name)
-        kin = kin_of(key) if key is not None else meant_by(name)
+        kin = family_of(key) if key is not None else props_named(name)
         large = any(PROPS[prop].placement == "floor" for prop in kin if prop in PROPS)
         middle = (self.bounds[0] + self.bounds[2]) / 2, (self.bounds[1] + self.bounds[3]) / 2
         found = [t for t in self.things.values() if large and self.kinds.get(t.asset_id) in kin]

@@ -18,7 +18,7 @@ from storyblender.agents.visual_effects_artist.lighting_arranger_view import (
 )
 from storyblender.catalog.fixtures import fixtures_called
 from storyblender.catalog.light_recipes import HOURS, LAMPS
-from storyblender.catalog.states import DARK, GONE, LIT, Condition
+from storyblender.catalog.states import GONE, OFF_STATES, ON_STATES, Condition
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Light, Lighting
 from storyblender.memory.shot_context import AssetModification, Mark, ShotContext
@@ -66,8 +66,8 @@ class LampStates:
             for state in states:
                 self._note(asset_id, state)
         for state in self.found.get(LIGHT, ()):
-            if state in DARK | LIT:
-                self.dark_at_first = tuple(self._switched("off" if state in DARK else "on", ()))
+            if state in OFF_STATES | ON_STATES:
+                self.dark_at_first = tuple(self._switched("off" if state in OFF_STATES else "on", ()))
 
     def play(self, shot: ShotContext) -> tuple[ShotContext, LightingArrangerView]:
         """Follow one shot; return it with the lamps that go out or on with the light, and the view of its end."""
@@ -80,14 +80,17 @@ class LampStates:
         held = {state.asset_id for state in shot.prop_states if state.held_by is not None and state.visible}
         gone = {state.asset_id for state in shot.prop_states if not state.visible} | {*shot.absent}
         lamps = {asset.asset_id: LAMPS[key] for asset in self.view.assets if (key := prop_key(asset)) in LAMPS}
-        told = {**dict.fromkeys((lamp for lamp in held & lamps.keys() if lamps[lamp].when_told), True), **self.told}
+        told = {
+            **dict.fromkeys((lamp for lamp in held & lamps.keys() if lamps[lamp].off_by_default), True),
+            **self.told,
+        }
         told |= dict.fromkeys(gone, False)
         return shot, replace(self.view, told=told, carried=dict(_carried(shot, lamps.keys(), self.view)))
 
     def _note(self, asset_id: str, state: str) -> None:
-        if state in DARK or state == GONE:
+        if state in OFF_STATES or state == GONE:
             self.told[asset_id] = False
-        elif state in LIT:
+        elif state in ON_STATES:
             self.told[asset_id] = True
             self.cut.pop(asset_id, None)
 
@@ -105,7 +108,7 @@ class LampStates:
                 key, lit = prop_key(asset), self.told.get(asset.asset_id)
                 if key not in LAMPS or asset.asset_id in changed or asset.asset_id not in placed or lit is False:
                     continue
-                if (lit is None and not LAMPS[key].when_told) or not LAMPS[key].without_mains:
+                if (lit is None and not LAMPS[key].off_by_default) or not LAMPS[key].without_mains:
                     self.told[asset.asset_id] = False
                     self.cut[asset.asset_id] = None
                     yield _modification(asset.asset_id, "off")

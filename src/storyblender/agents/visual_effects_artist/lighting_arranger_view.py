@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from storyblender.catalog.light_recipes import LAMPS, LampKind
 from storyblender.catalog.props import PROPS
-from storyblender.catalog.props.called import called
+from storyblender.catalog.props.prop_names import prop_named
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import plan_of
 from storyblender.memory.asset_sheet import Asset, ParamValue
@@ -90,7 +90,7 @@ def _lamp_props(view: LightingArrangerView) -> Iterator[tuple[Light, bool]]:
     """Yield the light of every lamp prop that is not off, and whether the story tells that it burns."""
     for prop in _standing_props(view):
         kind, told = LAMPS.get(prop.key), view.told.get(prop.asset_id)
-        if kind is None or told is False or (told is None and (prop.unlit or kind.when_told)):
+        if kind is None or told is False or (told is None and (prop.unlit or kind.off_by_default)):
             continue
         carried = view.carried.get(prop.asset_id)
         place = prop.place if carried is None else carried.place
@@ -124,7 +124,7 @@ def _shining(prop: _Standing, kind: LampKind, place: Vec3) -> tuple[Vec3, Vec3]:
     x = place[0] + dx * math.cos(turn) - dy * math.sin(turn)
     y = place[1] + dx * math.sin(turn) + dy * math.cos(turn)
     spot = (round(x, 3), round(y, 3), round(place[2] + dz, 3))
-    beam = prop.key == "television" or kind.when_told
+    beam = prop.key == "television" or kind.off_by_default
     return spot, (x + 2 * math.sin(turn), y - 2 * math.cos(turn), spot[2]) if beam else (x, y, 0.0)
 
 
@@ -171,7 +171,7 @@ def prop_key(asset: Asset) -> str:
     """Return the key of the prop that an asset is, of a user's model what it is called; empty if it is neither."""
     if asset.canonical is None or asset.canonical.source not in ("catalog", "file"):
         return ""
-    named = called(asset.name) if asset.canonical.source == "file" else None
+    named = prop_named(asset.name) if asset.canonical.source == "file" else None
     return named.key if named is not None else asset.canonical.key if asset.canonical.source == "catalog" else ""
 
 

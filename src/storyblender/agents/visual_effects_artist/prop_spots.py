@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from storyblender.agents.visual_effects_artist.person import StagedPerson
 from storyblender.agents.visual_effects_artist.placed_objects import PlacedObject
 from storyblender.agents.visual_effects_artist.stage_state import StageState
-from storyblender.catalog.hollows import OPEN_ABOVE, inside
+from storyblender.catalog.hollows import OPEN_ABOVE, place_inside
 from storyblender.memory.base import Vec3
 from storyblender.memory.vocabulary import Hand
 
@@ -90,7 +90,7 @@ class PropSpots:
         """
         floor = self.stage.floor
         key, (low, middle, long) = floor.kinds.get(thing.asset_id), self.stage.size_of(prop) or (0.1, 0.1, 0.1)
-        if key in OPEN_ABOVE and (place := inside(key, thing.size, (long, middle, low))) is not None:
+        if key in OPEN_ABOVE and (place := place_inside(key, thing.size, (long, middle, low))) is not None:
             return thing.to_world(place)
         sitters = [p for p in self.stage.people.values() if p.present and p.posture == "sit"]
         if (beside := self._find_beside_sitters(thing, person, prop, sitters)) is not None:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 
 from storyblender.agents.visual_effects_artist.person import StagedPerson
 from storyblender.agents.visual_effects_artist.scripted_props import hide_absent_props
-from storyblender.catalog.carrying import place_of
+from storyblender.catalog.carrying import body_place_of
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Vec3
 from storyblender.memory.shot_context import PropState, ShotContext
@@ -55,4 +55,4 @@ def _find_body_place(person: StagedPerson, prop: str, assets: Mapping[str, Asset
     key = canonical.key if canonical is not None else None
     look = assets[person.asset_id].look if person.asset_id in assets else None
     clothes = {garment.key for garment in look.garments} if look is not None else set[str]()
-    return None if key in clothes else place_of(person.on_body[prop], key)
+    return None if key in clothes else body_place_of(person.on_body[prop], key)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 
 from storyblender.agents.visual_effects_artist.spot_finder import SpotFinder
-from storyblender.catalog.hollows import inside
+from storyblender.catalog.hollows import place_inside
 from storyblender.geometry.stations import stations
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Spot
@@ -67,7 +67,7 @@ class ScriptedProps:
             size, here = self.sizes[thing], base.location
             key = self.spot_finder.floor.kinds.get(base.asset_id)
             others = sum(math.dist(place[:2], here[:2]) < max(base.size[:2]) / 2 for place in self.prop_places.values())
-            place = inside(key, base.size, (*size, 0.0), others - (base.asset_id in self.prop_places))
+            place = place_inside(key, base.size, (*size, 0.0), others - (base.asset_id in self.prop_places))
             if place is not None:
                 return base.to_world(place)
         if sort == "window" and spot.relation == "on":

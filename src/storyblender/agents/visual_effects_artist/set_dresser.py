@@ -24,7 +24,7 @@ from storyblender.agents.visual_effects_artist.furniture import (
     raise_to_new_tops,
     size_of_asset,
 )
-from storyblender.catalog.props.kin import kin_of
+from storyblender.catalog.props.prop_families import family_of
 from storyblender.catalog.set_plan import Furnishing, SetPlan
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.geometry.boxes import penetration
@@ -41,7 +41,7 @@ _TOGETHER = 1.8
 """Metres from a thing of the script to the furnishing that is replaced by another thing beside it."""
 _LARGEST_SHARE_OF_FLOOR = 0.25
 """Share of a room's floor above which an object is too large for the room."""
-_VEHICLES = kin_of("car")
+_VEHICLES = family_of("car")
 """Vehicles: those in the script replace all vehicles of the kit."""
 _COUNTERS = frozenset({"bar_counter", "counter"})
 """Of these a place has one, whatever the script calls it: she walks to the bar and puts her glass on the counter."""
@@ -235,7 +235,9 @@ def _best_place(plan: SetPlan, prop: str | None, near: Vec2, taken: dict[str, As
     if prop is None:
         return None
     choices = [
-        item for item in plan.furnishings if item.prop in kin_of(prop) and item.node_id not in taken and not item.loose
+        item
+        for item in plan.furnishings
+        if item.prop in family_of(prop) and item.node_id not in taken and not item.loose
     ]
     return min(
         choices,

@@ -13,7 +13,7 @@ from storyblender.agents.visual_effects_artist.person import StagedPerson
 from storyblender.agents.visual_effects_artist.placed_objects import PlacedObject
 from storyblender.agents.visual_effects_artist.stage_state import StageState
 from storyblender.catalog.motions import clip_of
-from storyblender.catalog.states import DOOR_OPEN, DOORS_CLOSED
+from storyblender.catalog.states import DOOR_OPEN_SUFFIX, DOORS_CLOSED
 from storyblender.geometry.solids import transform
 from storyblender.geometry.stations import Station
 from storyblender.memory.asset_sheet import Anchor, Asset
@@ -91,14 +91,16 @@ def add_open_doors(
         for item in vehicles:
             doors = sorted({*_doors_in_use(shot, before, after, item, made[item.asset_id].anchors)})
             if doors != open_now.get(item.node_id, []):
-                state = f"{' '.join(doors)}{DOOR_OPEN}" if doors else DOORS_CLOSED
+                state = f"{' '.join(doors)}{DOOR_OPEN_SUFFIX}" if doors else DOORS_CLOSED
                 changes.append(
                     AssetModification(
                         asset_id=item.asset_id, modification_type="transform", description=state, state=state
                     )
                 )
                 open_now[item.node_id] = doors
-        kept = tuple(each for each in shot.asset_modifications if not each.state.endswith((DOOR_OPEN, DOORS_CLOSED)))
+        kept = tuple(
+            each for each in shot.asset_modifications if not each.state.endswith((DOOR_OPEN_SUFFIX, DOORS_CLOSED))
+        )
         fresh = (*kept, *changes)
         done.append(
             shot if fresh == shot.asset_modifications else shot.model_copy(update={"asset_modifications": fresh})

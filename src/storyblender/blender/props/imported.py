@@ -21,7 +21,7 @@ from storyblender.blender.models.tangents import add_tangents
 from storyblender.blender.props.anchors import Anchors, grip
 from storyblender.blender.props.build import PropBuild, settle
 from storyblender.catalog.props import PropEntry
-from storyblender.catalog.props.called import called
+from storyblender.catalog.props.prop_names import prop_named
 from storyblender.errors import InputError
 from storyblender.geometry.canonical import find_scale, find_upright_rotation
 from storyblender.geometry.holding import Hold, find_hold
@@ -69,7 +69,7 @@ def build_from_file(
     """
     model = read_model(path, folder or path.parent)
     mesh = build_mesh(model, path.stem[:40])
-    entry, notes = called(name or path.stem), list(model.notes)
+    entry, notes = prop_named(name or path.stem), list(model.notes)
     credit = with_files(model.credit, path, folder or path.parent, notes)
     if path.suffix.lower() == ".obj":
         _stand(mesh, entry, dimension, notes)

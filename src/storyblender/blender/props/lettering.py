@@ -11,7 +11,7 @@ from mathutils.bvhtree import BVHTree
 from numpy.typing import NDArray
 
 from storyblender.blender.mesh_builder import MeshBuilder
-from storyblender.catalog.writing import MOST, Writing
+from storyblender.catalog.writing import MAX_LETTERS, Writing
 
 Floats = NDArray[np.float64]
 LINES = 7
@@ -30,13 +30,13 @@ def write_on(b: MeshBuilder, mesh: bpy.types.Mesh, place: Writing, text: str) ->
         b: The builder of ``mesh``.
         mesh: The mesh built so far.
         place: Text area of the prop.
-        text: Text to write; at most ``MOST`` characters are shown.
+        text: Text to write; at most ``MAX_LETTERS`` characters are shown.
 
     Returns:
         Whether there was a surface to write on.
     """
     frame = _frame(mesh, place)
-    points, faces, aspect = _fitted(text.strip()[:MOST], frame)
+    points, faces, aspect = _fitted(text.strip()[:MAX_LETTERS], frame)
     if frame is None or not faces:
         return False
     middle, right, up, normal, width, height, proud = frame

@@ -29,13 +29,13 @@ ARTS: tuple[Act, ...] = (
             far=HandPose((-0.26, 0.48, -0.34), (-0.5, 0.6, 0.5), (-0.2, -0.7, 0.6), curl=(30, 50, 0)), nod=(16, 0, 0),
             gaze="hands"),
         Key(0.25, 0.2, lead=HandPose((-0.21, 0.50, -0.29), (-0.35, 0.6, 0.7), (-0.4, -0.8, 0.3), curl=(20, 50, 20))),
-    ), again=0, stretches=True, told=0),
+    ), again=0, stretches=True, still_key=0),
     Act("conduct", "conduct", ("lead an orchestra",), (
         Key(0.5, 0.1, lead=HandPose((0.10, 0.55, 0.30), (0, 0.7, 0.7), (-0.5, 0.2, -0.8), curl=(30, 60, 20)),
             far=HandPose((0.15, 0.55, 0.10), (0.1, 0.8, 0.5), (-0.3, 0.2, -0.9), curl=at.FLAT), spine=(-2, 0, 0)),
         Key(0.4, 0.1, lead=HandPose((-0.05, 0.62, -0.15), (0, 0.9, 0), (-0.5, 0.2, -0.8), curl=(30, 60, 20)),
             far=HandPose((0.0, 0.62, -0.25), (0, 1, 0), (-0.3, 0.2, -0.9), curl=at.FLAT), spine=(6, 0, 0)),
-    ), again=0, stretches=True, told=0),
+    ), again=0, stretches=True, still_key=0),
     Act("violin", "play the violin", ("fiddle", "viola"), (
         Key(0.7, 0.1, lead=HandPose((0.22, 0.62, 0.06), (-0.5, 0.2, 0.8), (-0.6, -0.7, 0.2), (0.3, 0.1, -1), (50, 55,
             10),
@@ -44,7 +44,7 @@ ARTS: tuple[Act, ...] = (
             spine=(2, 0, 8), nod=(6, 14, 14)),
         Key(0.7, 0.0, far=HandPose((-0.20, 0.50, 0.0), (-0.7, 0.5, 0.2), (-0.3, 0.1, -1), (1, 0, 0.2), (45, 50, 20))),
         Key(0.7, 0.0, far=HandPose((0.10, 0.56, -0.22), (-0.7, 0.5, 0.1), (-0.3, 0.1, -1), (1, 0, 0), (45, 50, 20))),
-    ), again=1, stretches=True, told=0),
+    ), again=1, stretches=True, still_key=0),
     Act("flute", "play the flute", ("blow a pipe", "recorder", "clarinet"), (
         Key(0.7, 0.4, lead=HandPose((0.12, 0.10, -0.12), (-0.2, 0.9, 0.3), (-0.4, -0.3, 0.8), (0.8, 0.1, -0.6), (40,
             40, 10), "head",
@@ -53,7 +53,7 @@ ARTS: tuple[Act, ...] = (
                 "head"),
             nod=(2, -8, -10), face="whistle"),
         Key(0.5, 0.1, nod=(6, -4, -6)), Key(0.5, 0.1, nod=(0, -8, -10)),
-    ), again=1, stretches=True, told=0),
+    ), again=1, stretches=True, still_key=0),
     Act("trumpet", "play the trumpet", ("horn", "bugle", "trombone", "saxophone"), (
         Key(0.6, 0.5, lead=HandPose((0.02, 0.24, -0.10), (-0.3, 0.3, 0.9), (-0.9, -0.2, 0), (0.7, 0.1, -0.8),
             at.GRIP, "head",
@@ -61,10 +61,10 @@ ARTS: tuple[Act, ...] = (
             far=HandPose((0.02, 0.20, -0.12), (-0.3, 0.4, 0.8), (-0.9, -0.2, 0), (0.7, 0.1, -0.8), at.GRIP, "head"),
             spine=(-5, 0, 0), nod=(-6, 0, 0), face="whistle"),
         Key(0.5, 0.1, spine=(2, 0, 4)), Key(0.5, 0.1, spine=(-6, 0, -4)),
-    ), again=1, stretches=True, told=0),
+    ), again=1, stretches=True, still_key=0),
     Act("drum", "drum", ("beat a drum", "bang on"), (
         Key(0.4, 0.05, lead=_STICK_UP, far=_STICK_DOWN, spine=(6, 0, 0)),
         Key(0.16, 0.05, lead=_STICK_DOWN, far=_STICK_UP), Key(0.16, 0.05, lead=_STICK_UP, far=_STICK_DOWN),
-    ), again=1, stretches=True, told=0),
+    ), again=1, stretches=True, still_key=0),
 )  # fmt: skip
 """Acts of artists, and acts with cameras and optical instruments."""

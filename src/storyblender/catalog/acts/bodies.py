@@ -62,11 +62,11 @@ BODIES: tuple[Act, ...] = (
             lead=HandPose((0.05, -0.3, -0.9), (0, -0.3, -1), (-1, 0, 0), curl=at.FIST), lead_foot=FootPose(0, 0.28,
             0.22, -10)),
         Key(0.3, 0.0, lead_foot=FootPose()),
-    ), again=0, stretches=True, told=0, before=UPRIGHT),
+    ), again=0, stretches=True, still_key=0, before=UPRIGHT),
     Act("stamp", "stamp a foot", ("stomp", "tantrum"), (
         Key(0.3, 0.05, lead_foot=FootPose(0, 0.12, 0.24, 0), lead=at.FIST_CHEST, far=at.FIST_CHEST, face="rage"),
         Key(0.14, 0.7, lead_foot=FootPose(0, 0.12, 0, 0), spine=(8, 0, 0)),
-    ), told=0, before=UPRIGHT),
+    ), still_key=0, before=UPRIGHT),
     Act("guard", "put up the fists", ("box", "square up", "ready to fight"), (
         Key(0.45, 1.5, lead=HandPose((-0.12, 0.48, 0.02), (-0.2, 0.4, 0.9), (-0.9, -0.4, 0), (0.7, 0.1, -0.9),
             at.FIST),
@@ -98,7 +98,7 @@ BODIES: tuple[Act, ...] = (
         Key(0.5, 0.4, lead=_THROAT, far=_THROAT, spine=(10, 0, 0), face="rage", gaze="target", hips=(0, 0.04, -0.04,
             6)),
         Key(0.2, 0.1, spine=(14, 2, 0)), Key(0.2, 0.1, spine=(10, -2, 0)),
-    ), again=1, stretches=True, told=0, reach="person", distance=0.6, partner=(
+    ), again=1, stretches=True, still_key=0, reach="person", distance=0.6, partner=(
         Key(0.5, 2.0, lead=at.HEART, far=at.HEART, spine=(-12, 0, 0), nod=(-16, 0, 0), face="terrified"),
     )),
     Act("grab", "grab somebody", ("seize", "hold by the arm", "collar", "restrain"), (
@@ -141,7 +141,7 @@ BODIES: tuple[Act, ...] = (
             spine=(12, 0, 0), face="laugh", gaze="target"),
         Key(0.15, 0.0, lead=replace(_CHEST, at=(0.16, -0.03, -0.18))),
         Key(0.15, 0.0, lead=replace(_CHEST, at=(0.14, -0.02, -0.22))),
-    ), again=1, stretches=True, told=0, reach="person", distance=0.6,
+    ), again=1, stretches=True, still_key=0, reach="person", distance=0.6,
         partner=(Key(0.4, 1.4, lead=at.BELLY, far=at.BELLY, spine=(16, 8, 0), face="laugh"),)),
     Act("feed", "feed somebody", ("spoon-feed",), (
         Key(0.7, 1.3, lead=HandPose((0.02, -0.13, -0.10), (-0.2, 0.9, 0.2), (-0.8, 0, 0.3), (0.8, 0, -0.6), at.GRIP,
@@ -149,11 +149,11 @@ BODIES: tuple[Act, ...] = (
     ), reach="person", distance=0.6, partner=(Key(0.6, 1.2, face="surprised"),)),
     Act("comb", "comb or brush hair", ("brush the hair", "do the hair"), (
         Key(0.6, 0.3, lead=at.CROWN, nod=(4, 8, 0)), Key(0.6, 0.2, lead=at.TEMPLE, nod=(4, 8, 0)),
-    ), again=0, stretches=True, told=1),
+    ), again=0, stretches=True, still_key=1),
     Act("shave", "shave", ("apply make-up", "powder the face", "brush the teeth"), (
         Key(0.5, 0.3, lead=replace(at.CHEEK, curl=at.GRIP), nod=(-8, 4, 8)),
         Key(0.4, 0.2, lead=replace(at.CHEEK, at=(0.06, 0.07, -0.10), curl=at.GRIP)),
-    ), again=0, stretches=True, told=0, directs=("make_up",)),
+    ), again=0, stretches=True, still_key=0, directs=("make_up",)),
     Act("adjust_clothes", "straighten one's clothes", ("tie a tie", "button a coat", "adjust a collar"), (
         Key(0.5, 0.6, lead=HandPose((-0.30, 0.30, -0.06), (-0.4, 0.1, 0.9), (-0.4, -0.9, 0), (0.8, 0, -0.6), (45, 50,
             15)),
@@ -162,7 +162,7 @@ BODIES: tuple[Act, ...] = (
         Key(0.4, 0.5, lead=HandPose((-0.28, 0.31, -0.30), (-0.5, 0.3, 0.6), (-0.3, -0.9, 0), (0.8, 0, -0.6), (45, 50,
             15)),
             far=HandPose((-0.30, 0.31, -0.36), (-0.5, 0.3, 0.6), (-0.3, -0.9, 0), (0.8, 0, -0.6), (45, 50, 15))),
-    ), told=0, directs=("button", "tie_clothes")),
+    ), still_key=0, directs=("button", "tie_clothes")),
     Act("tie_shoe", "tie a shoe", ("lace the boots",), (
         Key(0.8, 1.6, lead=replace(at.FLOOR, at=(-0.03, 0.36, 0.12), curl=at.GRIP),
             far=replace(at.FLOOR, at=(0.12, 0.36, 0.12), curl=at.GRIP), spine=(40, 0, 0), hips=(0, -0.05, -0.42, 26),

@@ -98,7 +98,7 @@ class Act:
         again: Index of the first key of the loop that fills a stretching act; None plays the keys once and holds the
             last.
         stretches: Whether a cue may set another duration.
-        told: Index of the key that a still frame shows, at the moment it is reached; None takes the last.
+        still_key: Index of the key that a still frame shows, at the moment it is reached; None takes the last.
         reach: Kind of target that the actor must be near.
         distance: Metres from the other person or the object.
         before: Postures it can start from.
@@ -114,7 +114,7 @@ class Act:
     keys: tuple[Key, ...]
     again: int | None = None
     stretches: bool = False
-    told: int | None = None
+    still_key: int | None = None
     reach: Reach = "self"
     distance: float = 0.0
     before: tuple[Posture, ...] = ()
@@ -148,7 +148,7 @@ class Act:
     @property
     def telling(self) -> float:
         """Share of the duration at which the key for the still frame has just been reached."""
-        until = len(self.keys) if self.told is None else self.told + 1
+        until = len(self.keys) if self.still_key is None else self.still_key + 1
         shown = self.keys[until - 1]
         reached = sum(key.seconds + key.stay for key in self.keys[:until]) - shown.stay
         return min(0.97, (reached + 0.4 * shown.stay) / self.seconds)

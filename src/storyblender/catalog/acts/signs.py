@@ -41,16 +41,16 @@ SIGNS: tuple[Act, ...] = (
     Act("wipe_eyes", "wipe tears away", ("dab the eyes", "dry the eyes"), (
         Key(0.5, 0.5, lead=at.CHEEK, nod=(8, 0, 0), face="cry"),
         Key(0.35, 0.4, lead=replace(at.CHEEK, at=(0.09, 0.06, -0.03))),
-    ), told=0),
+    ), still_key=0),
     Act("wipe_brow", "wipe the brow", ("wipe sweat away",), (
         Key(0.5, 0.4, lead=at.BROW, nod=(-4, 0, 0), face="tired"),
         Key(0.4, 0.3, lead=replace(at.BROW, at=(0.07, 0.09, 0.06))),
-    ), told=0),
+    ), still_key=0),
     Act("scratch_head", "scratch the head", ("puzzled",), (
         Key(0.5, 0.5, lead=at.CROWN, nod=(8, 8, 0), face="thoughtful"),
         Key(0.2, 0.1, lead=replace(at.CROWN, at=(0.075, -0.03, 0.155))),
         Key(0.2, 0.6, lead=at.CROWN),
-    ), told=0),
+    ), still_key=0),
     Act("facepalm", "hand to the forehead", ("slap the forehead", "dismay"), (
         Key(0.45, 1.2, lead=replace(at.FACE, at=(0.0, 0.115, 0.035)), nod=(18, 0, 0), face="pained"),
     )),
@@ -60,7 +60,7 @@ SIGNS: tuple[Act, ...] = (
     Act("rub_neck", "rub the neck", ("embarrassed",), (Key(0.6, 1.2, lead=at.NECK, nod=(14, 8, 0), face="tired"),)),
     Act("tip_hat", "tip the hat", ("doff the hat",), (
         Key(0.5, 0.3, lead=at.BRIM, nod=(4, 0, 0)), Key(0.3, 0.5, lead=at.BRIM, nod=(16, 0, 0), face="smile"),
-    ), told=0),
+    ), still_key=0),
     Act("shade_eyes", "shade the eyes", ("scan the horizon", "look into the distance"), (
         Key(0.5, 1.4, lead=at.SHADE, spine=(5, 0, 0), face="suspicious"),
     ), directs=("scan_horizon",)),
@@ -85,7 +85,7 @@ SIGNS: tuple[Act, ...] = (
         Key(0.15, 0.2, spine=(22, 0, 0), nod=(16, 0, 0)),
         Key(0.2, 0.1, spine=(14, 0, 0)),
         Key(0.15, 0.4, spine=(22, 0, 0)),
-    ), told=1),
+    ), still_key=1),
     Act("stretch", "stretch", ("stretch the arms", "wake up"), (
         Key(0.9, 0.8, lead=replace(at.AIR_FIST, at=(0.22, -0.05, 0.9)), far=replace(at.AIR_OPEN, at=(0.1, -0.1, 0.85)),
             spine=(-12, 4, 0), nod=(-12, 6, 0), face="yawn"),
@@ -96,7 +96,7 @@ SIGNS: tuple[Act, ...] = (
         Key(0.25, 0.1, lead=HandPose((-0.08, 0.48, 0.08), (-0.2, -0.2, 1), (-0.1, -1, 0), curl=(45, 55, 0))),
         Key(0.25, 0.1, lead=HandPose((-0.05, 0.66, 0.02), (-0.1, 0.5, 0.85), (-0.1, -1, 0.5), curl=at.FLAT)),
         Key(0.25, 0.3, lead=HandPose((-0.08, 0.48, 0.08), (-0.2, -0.2, 1), (-0.1, -1, 0), curl=(45, 55, 0))),
-    ), told=0),
+    ), still_key=0),
     Act("halt", "raise a hand to stop somebody", ("stop", "hold up a palm"), (
         Key(0.4, 1.3, lead=at.PALM_OUT, spine=(4, 0, 10), gaze="target"),
     )),
@@ -110,12 +110,12 @@ SIGNS: tuple[Act, ...] = (
         Key(0.4, 0.4, lead=replace(at.AIR_FIST, at=(0.12, 0.35, 0.45)), spine=(4, 0, 8), face="rage", gaze="target"),
         Key(0.2, 0.1, lead=replace(at.AIR_FIST, at=(0.12, 0.5, 0.38))),
         Key(0.2, 0.3, lead=replace(at.AIR_FIST, at=(0.12, 0.35, 0.45))),
-    ), told=0),
+    ), still_key=0),
     Act("cheer", "cheer", ("rejoice", "celebrate", "arms in the air"), (
         Key(0.4, 0.5, lead=at.AIR_FIST, far=at.AIR_FIST, spine=(-6, 0, 0), nod=(-12, 0, 0), face="laugh"),
         Key(0.25, 0.1, lead=replace(at.AIR_FIST, at=(0.15, 0.2, 0.7)), far=replace(at.AIR_FIST, at=(0.15, 0.2, 0.7))),
         Key(0.25, 0.4, lead=at.AIR_FIST, far=at.AIR_FIST),
-    ), again=1, stretches=True, told=0),
+    ), again=1, stretches=True, still_key=0),
     Act("surrender", "hands up", ("give up", "put the hands up"), (
         Key(0.5, 1.6, lead=at.SURRENDER, far=at.SURRENDER, face="afraid", gaze="target"),
     ), stays=True, directs=("hands_up",)),
@@ -145,7 +145,7 @@ SIGNS: tuple[Act, ...] = (
         Key(0.25, 0.1, lead=replace(at.CLASPED, at=(-0.31, 0.62, -0.1)), far=replace(at.CLASPED, at=(-0.31, 0.62,
             -0.1))),
         Key(0.25, 0.3, lead=at.CLASPED, far=at.CLASPED),
-    ), told=0, directs=("plead",)),
+    ), still_key=0, directs=("plead",)),
     Act("wring_hands", "wring the hands", ("fret", "fidget"), (
         Key(0.5, 0.3, lead=replace(at.CLASPED, at=(-0.31, 0.42, -0.55)), far=replace(at.CLASPED, at=(-0.31, 0.42,
             -0.55)),

@@ -87,7 +87,7 @@ from storyblender.catalog.sets.drawing import Period, SetParams
 from storyblender.catalog.sets.from_file import kits_from_files
 from storyblender.catalog.sets.kit import SetKit, Span
 from storyblender.catalog.sets.lived_in import lived_in
-from storyblender.catalog.sets.of_its_time import of_its_time
+from storyblender.catalog.sets.period import fit_to_period
 from storyblender.catalog.sets.snow import under_snow
 from storyblender.errors import InputError
 from storyblender.memory.scene_context import Environment
@@ -135,7 +135,7 @@ def _plan(environment_json: str) -> SetPlan:
     kit = SETS[environment.kit]
     params = _params(kit, environment.params)
     plan = kit.draw(params, np.random.default_rng(environment.seed))
-    plan = of_its_time(plan, params.period)
+    plan = fit_to_period(plan, params.period)
     plan = lived_in(plan, kit.room, params.period, environment.seed)
     return under_snow(plan) if environment.params.get("snow") else plan
 

@@ -11,7 +11,7 @@ from storyblender.catalog.sets import SETS
 _ENOUGH = 3
 """Points that things must give before they overrule the plain fallback."""
 
-_TELLING: dict[str, str] = {
+_EVIDENCE: dict[str, str] = {
     "bar": "bar=1 bartender=3 barman=3 barmaid=3 beer=2 whisky=2 whiskey=2 jukebox=2 stool=2 counter=2 piano=1 "
     "bottle=1 glass=1 dartboard=2 tap=1 tip=1 dancer=1 pint=2 saloon=3",
     "cafe": "waiter=3 waitress=3 menu=2 coffee=2 counter=1 espresso=3 cup=1 table=1 pastry=2 cake=1 barista=3 "
@@ -52,11 +52,11 @@ _TELLING: dict[str, str] = {
 
 _POINTS: Mapping[str, Mapping[str, int]] = {
     kit: {word: int(points) for word, points in (pair.split("=") for pair in told.split())}
-    for kit, told in _TELLING.items()
+    for kit, told in _EVIDENCE.items()
 } | {kit.key: kit.told_by for kit in SETS.values() if kit.told_by}
 
 
-def told_by_things(words: Iterable[str], kits: Iterable[str]) -> str | None:
+def kit_of_things(words: Iterable[str], kits: Iterable[str]) -> str | None:
     """Return the kit that things speak for most, or None where they say too little.
 
     Args:

@@ -16,7 +16,7 @@ from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets.drawing import SetParams
 from storyblender.catalog.sets.kit import SetKit, Span
 from storyblender.catalog.sets.kit_file import KitBody, KitHead
-from storyblender.catalog.sets.tables import drawn
+from storyblender.catalog.sets.tables import draw_tables
 from storyblender.errors import InputError
 
 Table = TypeVar("Table", bound=BaseModel)
@@ -52,7 +52,7 @@ def read_kit(file: Traversable) -> SetKit:
 
     def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         try:
-            return drawn(key, body(), params, rng)
+            return draw_tables(key, body(), params, rng)
         except ValueError as error:
             raise _unusable(file, str(error)) from error
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.sets import SETS
-from storyblender.catalog.sets.evidence import told_by_things
+from storyblender.catalog.sets.evidence import kit_of_things
 from storyblender.memory.scene_context import SceneSetup
 from storyblender.memory.vocabulary import SceneType
 
@@ -70,7 +70,7 @@ def kit_of(setup: SceneSetup) -> str:
         return key
     indoor = setup.scene_type == "indoor"
     kits = (kit.key for kit in SETS.values() if kit.indoor == indoor)
-    told = told_by_things((*setup.asset_ids, setup.layout_description), kits)
+    told = kit_of_things((*setup.asset_ids, setup.layout_description), kits)
     if told is not None:
         return told
     if key != FALLBACK[setup.scene_type]:
@@ -93,7 +93,7 @@ def _names(words: str, key: str) -> bool:
     return any(_score(tag, _heading("", words)) >= _SURE for tag in SETS[key].tags if tag not in _VAGUE)
 
 
-def is_told(place_kind: str, words: str, scene_type: SceneType) -> bool:
+def names_a_kit(place_kind: str, words: str, scene_type: SceneType) -> bool:
     """Return whether the words of a place name a kit, as opposed to the fallback; ``ROOM`` names the plain room.
 
     Args:

@@ -36,7 +36,7 @@ _CLEAR_OF_WALL = 0.04
 """Metres between a wall and an object against it."""
 
 
-def drawn(kit: str, body: KitBody, params: SetParams, rng: np.random.Generator) -> SetPlan:
+def draw_tables(kit: str, body: KitBody, params: SetParams, rng: np.random.Generator) -> SetPlan:
     """Return the plan of a kit file.
 
     Args:

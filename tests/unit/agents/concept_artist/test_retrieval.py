@@ -7,7 +7,7 @@ from storyblender.agents.concept_artist.generator import RulesAssetGenerator
 from storyblender.agents.concept_artist.retriever import RulesAssetRetriever
 from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.kinds import kinds
-from storyblender.catalog.meanings import MEANT_IN
+from storyblender.catalog.meanings import WORDS_BY_AGE
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import words_of
 from storyblender.catalog.recipe import Recipe
@@ -289,7 +289,7 @@ def test_a_plain_word_means_what_it_means_in_its_place(kit, word, key):
 )
 def test_a_plain_word_means_what_it_means_in_its_age(age, word, key):
     asset = Asset(asset_id="it", asset_type="object", description="", name=word)
-    assert BY_WORDS.propose(AssetRetrieverView(asset=asset, means=dict(MEANT_IN[age]))).key == key
+    assert BY_WORDS.propose(AssetRetrieverView(asset=asset, means=dict(WORDS_BY_AGE[age]))).key == key
 
 
 @pytest.mark.parametrize(
@@ -311,7 +311,7 @@ def test_what_words_mean_in_a_place_is_in_the_catalog():
     for kit in SETS.values():
         assert set(kit.means.values()) <= set(PROPS), kit.key
         assert set(kit.means) <= known, kit.key
-    assert all({*means.values()} <= {*PROPS} for means in MEANT_IN.values())
+    assert all({*means.values()} <= {*PROPS} for means in WORDS_BY_AGE.values())
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import pytest
 
 from storyblender.agents.visual_effects_artist.person import StagedPerson
 from storyblender.agents.visual_effects_artist.prop_states import find_prop_states
-from storyblender.catalog.carrying import ON_BODY, place_of
+from storyblender.catalog.carrying import ON_BODY, body_place_of
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset, CharacterLook, Garment
 from storyblender.memory.shot_context import CameraInstruction, ShotContext
 from storyblender.memory.vocabulary import BodyPlace, Grip, Hand
@@ -49,7 +49,7 @@ def test_what_is_on_the_body_leaves_the_hands_free(grip: Grip) -> None:
     ],
 )
 def test_a_grip_says_where_on_the_body_a_thing_is(grip: Grip, key: str, place: BodyPlace | None) -> None:
-    assert place_of(grip, key) == place
+    assert body_place_of(grip, key) == place
 
 
 @pytest.mark.parametrize("dressed", [False, True])

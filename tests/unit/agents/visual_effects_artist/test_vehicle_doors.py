@@ -7,7 +7,7 @@ import math
 import pytest
 
 from storyblender.agents.visual_effects_artist.vehicle_doors import add_open_doors
-from storyblender.catalog.states import DOORS_CLOSED, after, looks_in
+from storyblender.catalog.states import DOORS_CLOSED, condition_after, state_looks
 from storyblender.memory.asset_sheet import Anchor, Asset, CanonicalAsset
 from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import Blocking, BodyState, CameraInstruction, Mark, ShotContext
@@ -58,6 +58,6 @@ def test_who_only_stands_by_a_car_opens_no_door() -> None:
 
 
 def test_an_open_door_is_built_open_and_the_others_are_not() -> None:
-    (look,) = looks_in("car", {}, after((), "driver door open"))
+    (look,) = state_looks("car", {}, condition_after((), "driver door open"))
     assert look.params["open"] == "driver"
-    assert looks_in("car", {}, after(("driver door open",), DOORS_CLOSED)) == ()
+    assert state_looks("car", {}, condition_after(("driver door open",), DOORS_CLOSED)) == ()

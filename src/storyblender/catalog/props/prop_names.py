@@ -10,7 +10,7 @@ from storyblender.catalog.props.entry import PropEntry
 from storyblender.catalog.props.variants import words_of
 
 
-def called(name: str) -> PropEntry | None:
+def prop_named(name: str) -> PropEntry | None:
     """Return the prop whose name, or other name, ends a phrase; the longest that does. None if none does."""
     words = tuple(noun_key(word) for word in words_of(name))
     for start in range(len(words)):

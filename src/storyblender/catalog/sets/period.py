@@ -47,7 +47,7 @@ _DROP = 0.55
 """Metres from the ceiling to a lantern in place of an electric light."""
 
 
-def of_its_time(plan: SetPlan, period: Period) -> SetPlan:
+def fit_to_period(plan: SetPlan, period: Period) -> SetPlan:
     """Return a plan without what did not exist in its period, such as lamps and cars of today.
 
     Args:

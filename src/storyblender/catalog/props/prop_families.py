@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from storyblender.catalog.props.called import called
+from storyblender.catalog.props.prop_names import prop_named
 
 FAMILIES: tuple[frozenset[str], ...] = tuple(
     frozenset(line.split())
@@ -38,12 +38,12 @@ FAMILIES: tuple[frozenset[str], ...] = tuple(
 )
 
 
-def kin_of(prop: str) -> frozenset[str]:
+def family_of(prop: str) -> frozenset[str]:
     """Return a prop together with all props that can replace it."""
     return frozenset({prop}).union(*(family for family in FAMILIES if prop in family))
 
 
-def meant_by(name: str) -> frozenset[str]:
+def props_named(name: str) -> frozenset[str]:
     """Return the props that a name from the script may mean: ``counter`` is any counter, also a bar's."""
-    entry = called(name.replace("_", " "))
-    return frozenset() if entry is None else kin_of(entry.key)
+    entry = prop_named(name.replace("_", " "))
+    return frozenset() if entry is None else family_of(entry.key)
