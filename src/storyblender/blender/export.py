@@ -57,8 +57,8 @@ def _export_glb(scene: bpy.types.Scene, shots: list[tuple[str, int]], shown: dic
     spans = [(name, start, end - 1) for (name, start), end in zip(shots, ends, strict=True)]
     for obj in [obj for obj in scene.objects if obj.type == "LIGHT" and obj.name in shown]:
         bpy.data.objects.remove(obj)
-    _lighten(scene)
-    _string(scene, spans)
+    _switch_off_modifiers(scene)
+    _split_actions(scene, spans)
     bpy.ops.export_scene.gltf(
         filepath=str(part),
         export_format="GLB",
@@ -75,14 +75,14 @@ def _export_glb(scene: bpy.types.Scene, shots: list[tuple[str, int]], shown: dic
     hide_nodes(part, [(name, (last - first) / scene.render.fps) for name, first, last in spans], shown)
 
 
-def _lighten(scene: bpy.types.Scene) -> None:
+def _switch_off_modifiers(scene: bpy.types.Scene) -> None:
     """Switch off modifiers in the viewport, which glTF ignores but would evaluate at every frame."""
     for obj in scene.objects:
         for modifier in obj.modifiers:
             modifier.show_viewport = False
 
 
-def _string(scene: bpy.types.Scene, spans: list[tuple[str, int, int]]) -> None:
+def _split_actions(scene: bpy.types.Scene, spans: list[tuple[str, int, int]]) -> None:
     """Split the actions of cameras and doors into one NLA strip per shot, as people's motion is.
 
     glTF gets an animation for each name of a track; a camera has one only in its own shot.

@@ -104,7 +104,7 @@ class _ActionWriter:
     def person(self, asset_id: str, armature: bpy.types.Object, track: PersonTrack) -> None:
         """Write root and pose bones into one slot, shape keys of face and clothes into slots of their own."""
         armature.rotation_mode = "XYZ"
-        bag = self._bag("OBJECT", asset_id, [armature])
+        bag = self._add_slot("OBJECT", asset_id, [armature])
         yaw = np.zeros((len(track.root), 3))
         yaw[:, 2] = track.root[:, 3]
         self._curves(bag, "location", track.root[:, :3], PLACE_TOLERANCE, "Root")
@@ -122,7 +122,7 @@ class _ActionWriter:
     def prop(self, asset_id: str, prop: bpy.types.Object, matrices: Floats) -> None:
         """Write world location and rotation of a prop; its scale stays."""
         prop.rotation_mode = "QUATERNION"
-        bag = self._bag("OBJECT", asset_id, [prop])
+        bag = self._add_slot("OBJECT", asset_id, [prop])
         turns = np.array([Matrix(matrix.tolist()).to_quaternion() for matrix in matrices])
         for index in range(1, len(turns)):
             if turns[index] @ turns[index - 1] < 0:
@@ -142,11 +142,11 @@ class _ActionWriter:
                 groups[driven].append(keys)
         for number, (driven, keys) in enumerate(sorted(groups.items())):
             label = "cloth" if driven == (SIT_KEY,) else f"face{number or ''}"
-            bag = self._bag("KEY", f"{asset_id}.{label}", keys)
+            bag = self._add_slot("KEY", f"{asset_id}.{label}", keys)
             for key in driven:
                 self._curves(bag, f'key_blocks["{key}"].value', values[key], FACE_TOLERANCE, "")
 
-    def _bag(self, id_type: str, label: str, owners: list) -> object:
+    def _add_slot(self, id_type: str, label: str, owners: list) -> object:
         """Create a slot, add a strip of it to each owner's NLA, and return the slot's channel bag."""
         slot = self.action.slots.new(id_type, label)
         for owner in owners:

@@ -91,6 +91,7 @@ class WalkPath:
         return float(np.interp(distance, self._marks, self._yaws))
 
     def _heading(self, distance: float) -> float:
+        """Return the yaw of travel at ``distance`` metres, over 0.36 m of the path."""
         ahead = self.place(min(self.length, distance + 0.18)) - self.place(max(0.0, distance - 0.18))
         return math.atan2(ahead.x, -ahead.y)
 

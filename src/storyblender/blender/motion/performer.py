@@ -49,7 +49,6 @@ class Performer:
         self.asset_id, self.body = asset_id, body
         self.measures = measure(body)
         self.scale = self.measures.scale
-        """Stature over 1.7 m."""
         self.bones = Skeleton(body)
         self.eye_offset = (self.bones.head["eye.L"] + self.bones.head["eye.R"]) / 2 - self.bones.head["head"]
         """From the joint of the head to the middle of the eyes, in rest axes."""
@@ -72,8 +71,7 @@ class Performer:
         """The same, added by gestures."""
         self.nod = Channel((0, 0, 0))
         """Pitch, roll, yaw of the head on top of the gaze."""
-        self.gaze = Channel(self.ahead)
-        self.eyes = Channel(self.ahead)
+        self.gaze, self.eyes = Channel(self.ahead), Channel(self.ahead)
         self.expression = "neutral"
         """Base expression of the person in this shot."""
         self.face = Channel(values_of({}))
@@ -104,9 +102,8 @@ class Performer:
         self.table: dict[str, Vector] = {}
         """Where each hand can lie on the table they sit at; empty without a table."""
         self.free: dict[str, float] = dict.fromkeys(("body", "head", "L", "R"), 0.0)
-        self.place = Vector((0, 0, 0))
+        self.place, self.heading = Vector((0, 0, 0)), 0.0
         self.facing, self.facing_inverse = IDENTITY, IDENTITY
-        self.heading = 0.0
         self.missed = {side: 0.0 for side in SIDES}
 
     @property
@@ -152,15 +149,11 @@ class Performer:
     def plant(
         self, side: str, place: FloorPoint, yaw: float, *, width: float = 1.0, splay: float = 7.0, back: float = 0.0
     ) -> Floats:
-        """Return the target of a foot that stands: (9,) ankle x, y, z, yaw, pitch, toe pitch, knee direction.
+        """Return the target of a standing foot: (9,) ankle x, y, z, yaw, pitch, toe pitch, knee direction.
 
-        Args:
-            side: ``L`` or ``R``.
-            place: x and y of the person, metres.
-            yaw: Of the person, radians.
-            width: Factor on the normal distance of the feet.
-            splay: Degrees the toes point outwards.
-            back: Metres the foot is behind its normal place.
+        The person is at ``place``, facing ``yaw`` (radians). ``width`` is a factor on the normal distance of the feet,
+        ``splay`` the degrees that the toes point outwards, ``back`` the metres that the foot is behind its normal
+        place.
         """
         (x, y), cos, sin = place[:2], math.cos(yaw), math.sin(yaw)
         aside, behind = sign(side) * self.measures.stance * width, self.measures.foot_y + back
@@ -169,11 +162,7 @@ class Performer:
         return np.array([*ankle, turned, 0, 0, math.sin(turned), -math.cos(turned), 0])
 
     def rolled_ankle(self, side: str, ankle: Floats, yaw: float, pitch: float) -> Vector:
-        """Return the ankle of a planted foot that is rolled by ``pitch`` degrees: above 0 about its heel, below 0 about
-        its toes.
-
-        ``ankle`` is the target of the flat foot and ``yaw`` its yaw in radians.
-        """
+        """Return the ankle of a flat foot after a roll by ``pitch`` degrees: > 0 on the heel, < 0 on the toes."""
         flat = about("Z", math.degrees(yaw - self.measures.toe_out[side]))
         tilted = flat @ self.bones.pitch(side, pitch)
         along = self.bones.head[f"toe.{side}"] - self.bones.head[f"foot.{side}"]
@@ -272,10 +261,8 @@ class Performer:
         if gait.running:
             self.bones.rotate("hips", x=5 * swing, z=-9 * swing * math.cos(turn))
             self.bones.rotate("hips", y=2 * swing * math.sin(turn))
-            return (
-                dx + 0.006 * k * math.sin(turn) * swing,
-                height + swing * self.measures.leg * (-0.036 + 0.030 * math.cos(2 * turn)),
-            )
+            rise = swing * self.measures.leg * (-0.036 + 0.030 * math.cos(2 * turn))
+            return dx + 0.006 * k * math.sin(turn) * swing, height + rise
         self.bones.rotate("hips", x=2 * swing, y=2.5 * swing * math.sin(turn), z=-5 * swing * math.cos(turn))
         low = 0.0025 * gait.stoop
         return (dx + 0.018 * k * math.sin(turn) * swing, height - (0.018 * math.cos(2 * turn) + 0.02 + low) * k * swing)

@@ -256,6 +256,7 @@ def facing_yaw(direction: Vector) -> float:
 
 
 def _still(matrix: Matrix) -> MatrixOf:
+    """Return a function of seconds that always gives ``matrix``."""
     return lambda t: matrix
 
 

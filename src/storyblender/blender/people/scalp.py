@@ -69,6 +69,7 @@ class Scalp:
 
     @cached_property
     def _skull(self) -> Sheet:
+        """The skin of the head above the neck, without the ears."""
         sheet = self.figure.part("skin")
         base = sheet.base
         kept = (base[:, 1] > 6.3) & ~self.figure.pack.ears & (np.abs(base[:, 0]) < 1.2)
@@ -76,6 +77,7 @@ class Scalp:
 
     @cached_property
     def _tree(self) -> BVHTree:
+        """The skull for ray casts."""
         return BVHTree.FromPolygons(self._skull.points.tolist(), polygons(self._skull))
 
     @cached_property

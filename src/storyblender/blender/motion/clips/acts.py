@@ -73,7 +73,7 @@ class _Playing:
         self.spot = Vector((0, 0, 0))
 
     def run(self) -> float:
-        """Set all keys and return the end in seconds."""
+        """Set all keys of the act and return the end in seconds."""
         who, act = self.who, self.act
         t = self._tool_in_hand(self.cue.start)
         if self.partner is not None and act.reach == "person":
