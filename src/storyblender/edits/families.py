@@ -144,13 +144,22 @@ def _lock(graph: ContinuityMemoryGraph, edit: LockEdit) -> Effect:
     item, name, parts = _parts(graph, edit)
     if isinstance(item, Asset):
         return Effect(item.model_copy(update={"locked": True}), name, "locked", frozenset({"asset"}))
-    fields: dict[str, tuple[str, ...]] = {**SHOT_LOCKS, **SCENE_LOCKS}
-    for part in parts:
-        if not getattr(item, fields[part][0]) and not (part == "blocking" and not getattr(item, "on_stage", ())):
-            raise InputError(f"{name} has no {part} yet that could be locked", mend="run `storyblender render` first")
+    there = tuple(part for part in parts if _is_there(item, part))
+    missing = [part for part in edit.parts or parts[: not there] if part not in there]
+    if missing:
+        raise InputError(f"{name} has no {missing[0]} yet that could be locked", mend="run `storyblender render` first")
+    parts = there
     locked = tuple(dict.fromkeys([*item.locked, *parts]))
     words = f"{', '.join(parts)} locked"
     return Effect(item.model_copy(update={"locked": locked}), name, words, frozenset(parts))
+
+
+def _is_there(item: ShotContext | SceneContext, part: LockName) -> bool:
+    """Return whether a part of a shot or scene is made; where nobody is on stage there is no blocking to wait for."""
+    if part == "blocking" and isinstance(item, ShotContext) and not item.on_stage:
+        return True
+    fields: dict[str, tuple[str, ...]] = {**SHOT_LOCKS, **SCENE_LOCKS}
+    return bool(getattr(item, fields[part][0]))
 
 
 def _unlock(graph: ContinuityMemoryGraph, edit: UnlockEdit) -> Effect:

@@ -52,8 +52,13 @@ def person_or_thing(graph: ContinuityMemoryGraph, name: str) -> str:
         InputError: There is no such asset.
     """
     ids = {asset.asset_id: asset.asset_id for asset in graph.assets}
-    called = {asset.name.lower(): asset.asset_id for asset in graph.assets if asset.name}
-    return ids.get(name) or called.get(name.lower()) or _known("person or thing", name, name.lower(), ids)
+    called = {as_id(asset.name): asset.asset_id for asset in graph.assets if asset.name}
+    return ids.get(name) or called.get(as_id(name)) or _known("person or thing", name, name.lower(), ids)
+
+
+def as_id(name: str) -> str:
+    """Return a name in the form of an id: ``Young Anna`` is ``young_anna``."""
+    return "_".join(name.lower().split())
 
 
 def _known(what: str, written: str, name: str, known: Collection[str]) -> str:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import get_args
+from typing import Any, get_args
 
 from pydantic import ValidationError
 from pydantic_core import from_json
 
+from storyblender.edits.targets import as_id
 from storyblender.errors import InputError
 from storyblender.memory.camera_decision import CameraPosition, FreeCamera
 from storyblender.memory.edits import EDITS, Edit
@@ -29,15 +30,20 @@ def camera_decision(words: Mapping[str, Word]) -> CameraDecision:
     """Read what a person says about a camera.
 
     Args:
-        words: Fields of ``CameraDecision``; ``movement`` may end in its direction, as in ``pan left``.
+        words: Fields of ``CameraDecision``; ``movement`` may end in its direction, as in ``pan left``, and people and
+            things may be called as the script calls them.
 
     Raises:
         InputError: A word is not in the vocabulary.
     """
-    said = dict(words)
+    said: dict[str, Any] = dict(words)
     move, _, way = str(words.get("movement", "")).rpartition(" ")
     if way in get_args(CameraDirection):
         said |= {"movement": move, "direction": way}
+    for field in {"over_id", "pov_id", "focus", "focus_to"} & said.keys():
+        said[field] = as_id(str(said[field]))
+    if "focus_on_ids" in words:
+        said["focus_on_ids"] = tuple(as_id(name) for name in said["focus_on_ids"])
     if "kind" in said:
         said["kind"] = str(said["kind"]).lower().replace("-", "_")
     try:
