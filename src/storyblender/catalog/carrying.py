@@ -1,4 +1,4 @@
-"""How things are carried, as one may tell from their size and their grips."""
+"""How a thing is carried, from its size, its grips and what it is: one hand, two hands, on the body."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from storyblender.memory.base import Vec3
 from storyblender.memory.vocabulary import BodyPlace, Grip, Hand
 
 TWO_HANDED = 0.37
-"""Metres; things wider and deeper than this are carried with both hands."""
+"""Metres: a thing wider and deeper than this is carried with both hands."""
 ON_THE_LEFT = 0.35
-"""Metres to one's left from which the left hand takes what is offered."""
+"""Metres to the left of a person from which the left hand takes what is offered."""
 
 _WORN_ON: dict[str, BodyPlace] = {
     **dict.fromkeys(("hat", "crown", "helmet", "bucket", "pot", "cardboard_box"), "head"),
@@ -24,7 +24,7 @@ _WORN_ON: dict[str, BodyPlace] = {
                      "hammer", "key", "key_ring"), "hip"),
     **dict.fromkeys(("towel", "cloth", "blanket", "rifle", "spear", "climbing_rope", "parrot", "axe"), "shoulder"),
 }  # fmt: skip
-"""By prop key; what is not here and is worn is a garment, which the body's own clothes show."""
+"""Prop key -> where it is worn. Other worn things are garments, which the person's clothes show."""
 _PLACES: dict[Grip, BodyPlace] = {"under_arm": "under_arm", "shoulder": "shoulder", "lap": "lap", "mouth": "mouth"}
 ON_BODY: frozenset[Grip] = frozenset((*_PLACES, "worn"))
 """Ways to carry that leave both hands free."""

@@ -1,4 +1,4 @@
-"""A word for any colour, so that what is made of it can be called by name."""
+"""Names a colour by the nearest of two dozen common words."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What of a set people and things cannot pass through, as upright boxes: every planner reads the same ones. Pure."""
+"""Walls and solid pieces of a set as upright boxes that people and props must stay out of. Pure."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from storyblender.catalog.set_plan import Piece, SetPlan, Wall
 from storyblender.geometry.boxes import Box
 
 _HIGH = 4.0
-"""Metres: a solid piece of the set is taken to be this high, unless its parameter ``tall`` says otherwise."""
+"""Height of a solid piece in metres, unless its parameter ``tall`` says otherwise."""
 _STEP = 0.3
-"""Metres: an opening with a lower sill is walked through."""
+"""Openings with a sill lower than this, in metres, can be walked through."""
 _SLIVER = 0.02
-"""Metres: narrower pieces of wall are left out."""
+"""Pieces of wall narrower than this, in metres, are left out."""
 
 
 _STAGE, _SHARE = 1.25, 0.28
-"""Metres and share of the narrower side of a set: half the side of the floor that stays free for people."""
+"""Metres and share of the narrower side of a set: the smaller is half the side of the square kept free for people."""
 
 
 def stage_box(plan: SetPlan, more: float = 0.0) -> Box:

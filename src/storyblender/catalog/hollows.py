@@ -1,4 +1,4 @@
-"""Hollow things: where what is told to be in them lies, so that it is seen there. Data and pure arithmetic."""
+"""Hollow props and where a thing put into them lies, so that it can still be seen. Data and pure arithmetic."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _VESSELS = {
     "shopping_cart": 0.5, "cart": 0.5, "crate": 0.7, "cardboard_box": 0.25, "chest": 0.35, "jewel_box": 0.3,
     "toolbox": 0.6, "bag": 0.6, "sack": 0.75, "backpack": 0.75, "briefcase": 0.8, "hat": 0.2, "coffin": 0.6,
 }  # fmt: skip
-"""Share of the height at which the bottom is, of what is open above; what is full or soft, a thing sinks into."""
+"""Height of the inner bottom as a share of the height, for props that are open above."""
 _FRONTS = {
     "cabinet": 0.45, "wardrobe": 0.35, "locker": 0.45, "safe": 0.3, "filing_cabinet": 0.62, "dresser": 0.55,
     "nightstand": 0.5, "stove": 0.3, "wood_stove": 0.3, "microwave": 0.2, "mailbox": 0.75,
@@ -49,9 +49,9 @@ HOLLOWS: dict[str, Hollow] = {
 }
 """By prop key."""
 OPEN_ABOVE = frozenset({*_VESSELS, "suitcase"}) - {"hat", "bag", "backpack", "briefcase", "coffin"}
-"""Keys of what a thing that is put down at it goes into."""
+"""Keys of props that a thing put down on them falls into."""
 _MOST = 1.6
-"""A thing is put in what is at least its own width and depth over this: it sticks out, but it is in there."""
+"""A thing may be this many times as wide and deep as the inside: then it sticks out."""
 
 
 def place_inside(key: str | None, size: Vec3, thing: Vec3, before: int = 0) -> Vec3 | None:

@@ -1,4 +1,4 @@
-"""Homelands: how most people look where a story says it is set, for those of whom the script says nothing.
+"""Homelands: typical skin and hair of people where a story is set, used where the script does not describe them.
 
 Only the names of countries, cities and their districts count, as headings give them; what a script says of a person
 always goes before. To know another place, add its name to a line of ``_PLACES``.

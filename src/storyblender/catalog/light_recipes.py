@@ -103,11 +103,11 @@ class LampKind(NamedTuple):
     cone: float = 140.0
     """Full angle of a SPOT in degrees."""
     off_by_default: bool = False
-    """It burns only in a hand, or where the story says so."""
+    """Whether it shines only in a hand, or where the story says that it is lit."""
 
     @property
     def without_mains(self) -> bool:
-        """Whether it burns on when the power fails: a flame, or a lamp with a battery."""
+        """Whether it keeps shining when the power fails: a flame, or a lamp with a battery."""
         return self.off_by_default or self.color in (FIRE, CANDLE)
 
 

@@ -1,4 +1,4 @@
-"""What plain words for things mean in the age of a story: a phone of today is no dial telephone. Data only."""
+"""Props that plain words mean in the age of a story: today a phone is a smartphone, once a telephone. Data only."""
 
 from __future__ import annotations
 
@@ -14,4 +14,4 @@ WORDS_BY_AGE: Final[Mapping[Age, Mapping[str, str]]] = {
     "west": {"lamp": "lantern", "wagon": "cart"},
     "medieval": {"lamp": "lantern"},
 }
-"""Age -> word -> key of a prop. What a kind of place means by the word goes before this."""
+"""Age -> word -> key of a prop. A set kit's own ``means`` takes precedence."""

@@ -49,7 +49,7 @@ class Wall(Frozen):
 
     @property
     def missing(self) -> bool:
-        """Whether only the line is there: the set ends at it, and nobody is to see where."""
+        """Whether nothing is built: the wall only marks where the set ends."""
         return any(hole.style == "open" for hole in self.openings)
 
 
@@ -107,7 +107,7 @@ class Furnishing(Frozen):
     required: bool = True
     """False: dressing, dropped first when room is short."""
     loose: bool = False
-    """Whether it lies about: no thing of the script takes its place."""
+    """Whether it is a small thing lying about, which no prop of the script replaces."""
 
 
 class PlanMark(Frozen):

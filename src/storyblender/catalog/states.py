@@ -1,4 +1,4 @@
-"""What a thing looks like once the story has changed it: open, off, broken, on fire, spilled, full. Pure."""
+"""States of props that the story changes (open, off, broken, on fire, spilled, full) and how each state looks."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ STATE_BEFORE: Mapping[str, str] = {
     "closed": "open", "shut": "open", "off": "on", "out": "lit", "on": "off", "lit": "unlit", "open": "closed",
     "running": "off", "burning": "unlit", "there": "gone", "empty": "full", "spilled": "full", "full": "empty",
 }  # fmt: skip
-"""What a thing was before its first change."""
+"""State -> the state of a thing before it changed to that one for the first time."""
 OFF_STATES = frozenset({"off", "out", "unlit", "dead"})
 ON_STATES = frozenset({"on", "lit", "burning"})
 GONE = "gone"
 READS_PREFIX = "reads "
-"""How a state begins that puts other words on a thing; the words follow."""
+"""Start of a state that changes the lettering of a thing; the new words follow."""
 DOOR_OPEN_SUFFIX, DOORS_CLOSED = " door open", "doors closed"
-"""How the state of a vehicle with open doors ends, after their names, and its state with none."""
+"""End of the state of a vehicle with open doors, after the names of the doors; and its state with all doors closed."""
 _BROKEN = frozenset({"broken", "smashed", "shattered", "cracked"})
 LYING_STATES = frozenset(
     {"tipped", "spilled", "fallen", "overturned", "knocked over", "toppled", "on its side", "upturned"}
 )
 """States in which a thing lies on its side."""
 SEEN_AGAIN = LYING_STATES | _BROKEN | {"burning", "on fire", "smoking"}
-"""States in which a thing is seen when a place is seen again, though nobody names it."""
+"""States in which a thing still is when its place is seen again, though the script does not mention it."""
 UPRIGHT_STATES = frozenset({"upright", "standing", "righted"})
 _FLAT = 0.35
 """Ratio of height to width below which a thing is too flat to fall over."""
@@ -50,22 +50,22 @@ _KINDS: tuple[frozenset[str], ...] = (
     frozenset({"wet", "dry", "dirty", "clean", "bloody"}),
     frozenset({GONE, "there"}),
 )
-"""States of one kind: a later one takes the place of an earlier one."""
+"""States that exclude each other: a later one replaces an earlier one of the same set."""
 
 Condition = tuple[str, ...]
-"""The states a thing is in at one time, the oldest first, one of each kind."""
+"""The states of a thing at one time, the oldest first; at most one of each set that excludes another."""
 
 
 class StateLook(NamedTuple):
-    """How a thing, or what is seen with it, is built in a state.
+    """The prop to build for a thing in a state, or for what the state adds beside it, such as flames or a puddle.
 
     Attributes:
         key: Prop key.
-        params: Of the prop.
-        added: Whether it is seen together with the thing and not in its place.
-        width: Metres to which it is scaled; None takes the size it has.
-        location: Of what is added, in the thing's own frame, metres.
-        lying: Whether it stays level under a thing that lies on its side.
+        params: Parameters of the prop.
+        added: Whether it is shown beside the thing rather than instead of it.
+        width: Metres to which it is scaled; None keeps its size.
+        location: Where an added prop is, in the thing's own frame, metres.
+        lying: Whether it stays level when the thing lies on its side.
     """
 
     key: str

@@ -1,4 +1,4 @@
-"""The years that words tell: ``Paris, 1789`` and ``in 1942``, but not ``Room 1408`` or ``1500 men``."""
+"""Finds the years a text is set in: ``Paris, 1789`` and ``in 1942``, but not ``Room 1408`` or ``1500 men``."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ _SHOWN = re.compile(
     r"\b(?:photo(?:graph)?|picture|portrait|plaque|headstone|gravestone|tombstone|engraved|label|medal|trophy|vintage)s?\b",
     re.IGNORECASE,
 )
-"""What shows the year of another time than its story's."""
+"""Things that show a year other than the story's, such as a gravestone."""
 _NEAR = 80
-"""Characters before a year in which such a thing is named."""
+"""A year is skipped if such a thing is named within this many characters before it."""
 
 
 def years_in(words: str) -> list[int]:

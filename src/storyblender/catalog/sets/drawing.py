@@ -27,7 +27,7 @@ SODIUM: Color = (1.0, 0.70, 0.38)
 
 @dataclass(frozen=True)
 class SetParams:
-    """What every kit is told: metres between the walls or the extent of the ground people act on."""
+    """Parameters of every kit: size in metres between the walls, or of the ground people act on, period and options."""
 
     width: float
     depth: float

@@ -1,4 +1,4 @@
-"""What things tell of a place that no word names: pews make a church, a counter with glasses and stools a bar."""
+"""Guesses the kind of a place from the things and people in it: pews make a church, a bartender a bar."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.sets import SETS
 
 _ENOUGH = 3
-"""Points that things must give before they overrule the plain fallback."""
+"""Points that a kit needs to be chosen over the plain fallback."""
 
 _EVIDENCE: dict[str, str] = {
     "bar": "bar=1 bartender=3 barman=3 barmaid=3 beer=2 whisky=2 whiskey=2 jukebox=2 stool=2 counter=2 piano=1 "
@@ -48,7 +48,7 @@ _EVIDENCE: dict[str, str] = {
     "beach": "sand=2 surfboard=3 wave=2 parasol=2 shell=1 surfer=3 towel=1 deckchair=2",
     "rooftop": "chimney=2 antenna=2 ledge=1",
 }
-"""Kit -> how much each thing or trade speaks for it."""
+"""Kit -> points that each thing or trade gives it."""
 
 _POINTS: Mapping[str, Mapping[str, int]] = {
     kit: {word: int(points) for word, points in (pair.split("=") for pair in told.split())}
@@ -57,7 +57,7 @@ _POINTS: Mapping[str, Mapping[str, int]] = {
 
 
 def kit_of_things(words: Iterable[str], kits: Iterable[str]) -> str | None:
-    """Return the kit that things speak for most, or None where they say too little.
+    """Return the kit with most points from the things and people of a place; None if all have too few.
 
     Args:
         words: Names and ids of what and who is there, in any order; each word counts once.

@@ -40,7 +40,7 @@ class SetKit:
         height: Span of the ceiling; ignored outdoors.
         period: When the place is usually set.
         options: The kit's own parameters and their defaults.
-        means: Local meaning of props: a bed in a ward is a hospital bed.
+        means: Word -> prop that it means here: a bed in a ward is a hospital bed.
         has: Words for objects that its pieces include already, such as the mirror of a car: no prop is added for them.
         seated: Whether characters already here sit unless the script says otherwise.
         on_foot: Occupations that stand here nevertheless: the steward of a cabin.
@@ -73,5 +73,5 @@ class SetKit:
 
     @property
     def meanings(self) -> Mapping[str, str]:
-        """What plain words mean here; under a ceiling a tree is one that somebody brought in."""
+        """Word -> prop that it means here; indoors a tree is a Christmas tree unless the kit says otherwise."""
         return {"tree": "christmas_tree", **self.means} if self.indoor else self.means

@@ -1,7 +1,7 @@
-"""Fills bare walls, corners and table tops of a room with what people keep there.
+"""Fills bare walls, corners and table tops of a room with everyday belongings.
 
-A kit draws what makes the place; this pass adds what makes it used, by the sort of room. Nothing that it adds is
-needed: all of it goes where a scene is crowded, and the script's things never take the place of what lies about.
+A kit draws the essentials of a place; this pass adds what makes it look used, by the sort of room. All of it is
+dressing, which crowded scenes drop; props of the script do not replace the small things it lays on tops.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ _WAY = 0.55
 _NEAR = 0.45
 """Metres from a wall up to which a thing covers it."""
 _FULL = 3
-"""Most things that are set down along one wall."""
+"""At most this many pieces of furniture are added along one wall."""
 
 
 def lived_in(plan: SetPlan, room: str, period: Period, seed: int) -> SetPlan:
@@ -63,11 +63,11 @@ def lived_in(plan: SetPlan, room: str, period: Period, seed: int) -> SetPlan:
 
 @dataclass
 class _Filling:
-    """What is added to one plan.
+    """Adds belongings to one plan.
 
     Args:
         plan: As the kit drew it.
-        kept: What people keep in such a room.
+        kept: Belongings of this sort of room.
         period: When the story plays.
         rng: The seeded source of variation.
     """

@@ -1,6 +1,6 @@
-"""Takes out of a set what its time does not know yet, and puts in its place what people had instead.
+"""Replaces what did not exist in a set's period by what people had instead: a fridge by a cabinet.
 
-Kits that differ much between periods draw each themselves; this pass sees to it that none shows a fridge to a queen.
+Kits that differ much between periods draw each period themselves; this pass corrects the rest.
 """
 
 from __future__ import annotations
@@ -35,14 +35,14 @@ _INSTEAD: Final[Mapping[Period, Mapping[str, str]]] = {
     },
     "modern": {},
 }  # fmt: skip
-"""Period -> what it does not know -> the prop in its place, or nothing."""
+"""Period -> prop that it lacks -> the prop in its place, or an empty string for none."""
 _NO_PIECES: Final[Mapping[Period, frozenset[str]]] = {
     "past": frozenset({"ceiling_light", "wall_lamp", "vending_machine", "jukebox", "copier", "desk_screen",
                        "server_rack", "extractor", "road_marking", "parking_bays", "bay_sign"}),
     "classic": frozenset({"desk_screen", "server_rack", "vending_machine"}),
     "modern": frozenset(),
 }  # fmt: skip
-"""Period -> pieces of a set that it does not know."""
+"""Period -> set pieces that it lacks."""
 _DROP = 0.55
 """Metres from the ceiling to a lantern in place of an electric light."""
 

@@ -1,4 +1,4 @@
-"""Which kit a place of the script gets: by its heading, else by what is there, with a plausible set for any place."""
+"""Chooses the set kit for a place of the script: by its heading, else by its contents, else a plain fallback."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _VAGUE = frozenset(
         "ship", "boat", "plane", "estate", "farm", "island", "university", "station", "road", "highway",
     ]
 )  # fmt: skip
-"""Words that name the whole around a place; a more particular word beside them wins."""
+"""Words for what surrounds a place (house, city); a more specific word beside them wins."""
 
 _OUTSIDE_OF = {
     "living_room": "suburb", "bedroom": "suburb", "kitchen": "back_yard", "cottage": "cottage_garden",
@@ -32,7 +32,7 @@ _OUTSIDE_OF = {
     "waiting_room": "platform", "control_room": "space_hull", "tatami_room": "park", "nursery": "back_yard",
     "locker_room": "stadium", "motel_room": "parking_lot", "supermarket": "parking_lot",
 }  # fmt: skip
-"""EXT. of an indoor place: what lies before its door; a street unless said otherwise."""
+"""Indoor kit -> the kit for EXT. of the same place; a street if it is not listed."""
 
 _INSIDE_OF = {
     "street": "room", "alley": "warehouse", "forest": "cottage", "park": "living_room", "porch": "living_room",
@@ -41,7 +41,7 @@ _INSIDE_OF = {
     "desert": "cottage", "mountain": "cave", "ship_deck": "carriage", "space_hull": "control_room",
     "platform": "subway", "open_ground": "cottage", "vineyard": "barn",
 }  # fmt: skip
-"""INT. of an outdoor place: the room such a place has."""
+"""Outdoor kit -> the kit for INT. of the same place; a plain room if it is not listed."""
 
 
 _SURE, _SUITS = 10.0, 30.0
@@ -53,7 +53,7 @@ _HALL = frozenset(["hall", "great", "main", "central", "big", "large"])
 
 
 _BESIDE = re.compile(r"(?<=\w)[\s,-]+(?:of|behind|near|beside|outside|opposite|next to|close to|on|by|above)\s+")
-"""What comes after is another place: the alley behind the market is an alley."""
+"""Words after which another place is named: the alley behind the market is an alley."""
 
 
 _PARTS = re.compile(r",\s*|\s+[-–—]+\s+")
@@ -94,7 +94,7 @@ def _names(words: str, key: str) -> bool:
 
 
 def names_a_kit(place_kind: str, words: str, scene_type: SceneType) -> bool:
-    """Return whether the words of a place name a kit, as opposed to the fallback; ``ROOM`` names the plain room.
+    """Return whether the words of a place name a kit rather than falling back; ``ROOM`` names the plain room.
 
     Args:
         place_kind: The Director's key of the place, or empty.
