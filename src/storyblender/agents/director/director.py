@@ -65,7 +65,7 @@ def _uncovered_lines(reading: Reading, script: Screenplay) -> Iterator[Fault]:
     for index, element in enumerate(script.elements):
         told = element.kind in ("action", "dialogue") and element.text.strip() and element.start >= first
         if told and index not in covered:
-            yield Fault(kind="uncovered", subject=f"line {element.line}", message=f"no unit has line {element.line}")
+            yield Fault(kind="uncovered", subject=f"line {element.line}", message=f"line {element.line} is in no unit")
     places = [(unit.scene, unit.start) for unit in reading.units]
     for number, (before, after) in enumerate(itertools.pairwise(places), start=2):
         if after < before:
@@ -81,10 +81,12 @@ def _faults_of_units(reading: Reading) -> Iterator[Iterator[Fault]]:
 
 def _faults_of_unit(name: str, unit: Unit, reading: Reading, people: set[str], known: set[str]) -> Iterator[Fault]:
     for kind, unknown in dict.fromkeys(unknown_names(unit, people, known)):
-        yield Fault(kind="unknown", subject=name, message=f"{name} names {unknown!r}: there is no such {kind}")
+        yield Fault(kind="unknown", subject=name, message=f"{name} names the {kind} {unknown!r}, which does not exist")
     kit = reading.scenes[unit.scene].kit
     if kit and kit not in SETS:
-        yield Fault(kind="vocabulary", subject=name, message=f"{name} plays in the kit {kit!r}: there is none")
+        yield Fault(
+            kind="vocabulary", subject=name, message=f"{name} plays in the set kit {kit!r}, which does not exist"
+        )
     if unit.speaker is not None and unit.speaker not in unit.on_stage and not unit.off_screen:
         message = f"{unit.speaker} speaks in {name}, and is neither on stage nor marked off screen"
         yield Fault(kind="speaker", subject=name, message=message)

@@ -130,7 +130,7 @@ def read_reading(path: Path, screenplay: Screenplay) -> Reading:
     file = _parsed(path)
     if not _is_of(file, screenplay):
         mend = "write a new one with `storyblender plan SCRIPT --write-reading FILE`"
-        raise InputError("is a reading of other words than this script's", mend=mend, path=path)
+        raise InputError("is a reading of another script, or of another version of it", mend=mend, path=path)
     _check_units(file, screenplay, path)
     _check_ids(file, path)
     if ids := fixture_ids((thing.id, thing.name) for thing in file.things if thing.part_of is None):
@@ -238,7 +238,7 @@ def _check_ids(file: ReadingFile, path: Path) -> None:
             identifier.validate_python(each.id)
         except ValidationError as error:
             mend = "an id is small letters, digits and _, and begins with a letter"
-            raise InputError(f"{each.id!r} is no id", mend=mend, path=path) from error
+            raise InputError(f"{each.id!r} is not a valid id", mend=mend, path=path) from error
         if each.id in known:
             raise InputError(f"the id {each.id!r} is given twice", mend="rename one of them", path=path)
         known.add(each.id)

@@ -64,7 +64,7 @@ def _unit_with(plain: dict[str, Any], key: str) -> dict[str, Any]:
     [
         (lambda plain: plain["people"][0].update(hare=["red"]), "people 1, hare"),
         (lambda plain: plain["people"][0].update(gender="lady"), "people 1, gender"),
-        (lambda plain: plain["people"][0].update(id="../up"), "no id"),
+        (lambda plain: plain["people"][0].update(id="../up"), "not a valid id"),
         (lambda plain: plain["people"].append(dict(plain["people"][0])), "given twice"),
         (lambda plain: _unit_with(plain, "on_stage")["on_stage"].append("nobody"), "there is no person of that id"),
         (lambda plain: _unit_with(plain, "deeds")["deeds"][0].update(actor="nobody"), "there is no person of that id"),
@@ -72,7 +72,7 @@ def _unit_with(plain: dict[str, Any], key: str) -> dict[str, Any]:
         (lambda plain: plain["units"][1].update(number=7), "unit 2 has the number 7"),
         (lambda plain: plain["units"][1]["unit"].update(scene=99), "unit 2 is in scene 99"),
         (lambda plain: plain["units"][1]["unit"].update(end=10**9), "unit 2 covers the characters"),
-        (lambda plain: plain.update(script="0" * 16), "other words"),
+        (lambda plain: plain.update(script="0" * 16), "another script"),
         (lambda plain: plain.update(reading_version=99), "reading_version"),
     ],
 )

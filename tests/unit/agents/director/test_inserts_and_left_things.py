@@ -1,4 +1,4 @@
-"""Things that a direction shows, and things that lie where an earlier scene left them."""
+"""Things that a direction shows, and things where an earlier scene put them."""
 
 from __future__ import annotations
 

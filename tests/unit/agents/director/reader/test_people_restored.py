@@ -1,4 +1,4 @@
-"""Who was left at a place is still there when the story comes back to it."""
+"""People left at a place are still there when the story returns to it."""
 
 import pytest
 

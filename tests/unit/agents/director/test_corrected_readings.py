@@ -1,4 +1,4 @@
-"""What a corrected reading tells of bodies, places and panels reaches the graph and is carried from shot to shot."""
+"""Bodies, places and panels of a corrected reading reach the graph and are carried from shot to shot."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where a thing is put, from where it is taken and with what something is worked on are told of the deed."""
+"""Deeds have their target and prop: where a thing is put, taken from, or worked on."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Who is cast and who is not: places with names, animals introduced by name, people told of by what they are."""
+"""Who is cast and who is not: places with names, animals introduced by name, people named by a description."""
 
 from collections.abc import Callable
 

@@ -1,4 +1,4 @@
-"""Each fact of a reading has the rule that decided it and words of the script that it stands on."""
+"""Each fact of a reading has the rule that decided it, and words of the script."""
 
 from pathlib import Path
 

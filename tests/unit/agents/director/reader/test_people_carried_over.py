@@ -1,4 +1,4 @@
-"""People of the scene before whom a scene means that names nobody."""
+"""People of the scene before come along into a scene that names nobody."""
 
 from collections.abc import Callable
 

@@ -1,4 +1,4 @@
-"""Which motion a verb tells with this object, particle and place."""
+"""The motion of a verb with an object, particle and place."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""What comes later is not there before; what was left broken, open or dark is found so; screens show what is told."""
+"""Things that arrive later are hidden before; broken, open and dark things stay so; screens show what is written."""
 
 from __future__ import annotations
 
