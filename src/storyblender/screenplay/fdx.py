@@ -42,6 +42,8 @@ _EXPORT = "save it again from Final Draft, or export it as Fountain"
 
 @dataclass
 class _Paragraph:
+    """A paragraph of a Final Draft document."""
+
     type: str
     line: int
     number: str = ""
@@ -51,6 +53,7 @@ class _Paragraph:
 
     @property
     def text(self) -> str:
+        """The words of the paragraph."""
         return "".join(self.pieces).strip()
 
 
@@ -100,6 +103,7 @@ def parse(text: str, path: str = "") -> Screenplay:
 
 
 def _without_declaration(text: str) -> str:
+    """Return a document without its XML declaration, line numbers unchanged."""
     return re.sub(r"\A\s*<\?xml[^>]*\?>", lambda match: "\n" * match[0].count("\n"), text)
 
 
@@ -214,6 +218,7 @@ class _Handler(ContentHandler):
 
 
 def _in_script(parents: tuple[str, ...]) -> bool:
+    """Return whether a paragraph belongs to the script itself."""
     return parents[:2] == ("FinalDraft", "Content") and set(parents[2:]) <= {"Paragraph", "DualDialogue"}
 
 

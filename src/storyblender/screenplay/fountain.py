@@ -61,6 +61,7 @@ class _Line(NamedTuple):
 
     @property
     def words(self) -> str:
+        """The words of the line as shown."""
         return self.shown.strip()
 
     @property
@@ -112,6 +113,7 @@ class _FountainReader:
         self.picture: int | None = None
 
     def read(self) -> Screenplay:
+        """Return the screenplay."""
         title_page = self._title_page()
         while self.at < len(self.lines):
             self._element()
@@ -126,6 +128,7 @@ class _FountainReader:
         )
 
     def _split_lines(self) -> list[_Line]:
+        """Return the lines of the text."""
         lines, start = [], 0
         for number, raw in enumerate(self.text.split("\n"), 1):
             lines.append(_Line(number, start, raw, self.shown[start : start + len(raw)]))
@@ -134,6 +137,7 @@ class _FountainReader:
         return [line for index, line in enumerate(lines) if index not in spacing]
 
     def _title_page(self) -> tuple[tuple[str, str], ...]:
+        """Return keys and values of the title page, and move past it."""
         first = next((index for index, line in enumerate(self.lines) if line.words), len(self.lines))
         block = []
         for line in self.lines[first:]:
@@ -156,6 +160,7 @@ class _FountainReader:
         )
 
     def _element(self) -> None:
+        """Read the element at the current line."""
         line = self.lines[self.at]
         if not line.words:
             self.at += 1
@@ -218,6 +223,7 @@ class _FountainReader:
 
     @staticmethod
     def _forced(words: str) -> ElementKind | None:
+        """Return the kind that a forcing mark at the start of a line gives, or None."""
         if re.fullmatch(r"={3,}", words):
             return "page_break"
         if re.match(r"\.[^\W_]", words):
@@ -228,6 +234,7 @@ class _FountainReader:
         return marks.get(words[0])
 
     def _single(self, kind: ElementKind, line: _Line) -> None:
+        """Add an element of one line."""
         number = ""
         start, end = self._trim(line.start, line.start + len(line.shown))
         if kind == "heading":
@@ -258,6 +265,7 @@ class _FountainReader:
         return number, start + after, start + after + again.start() if again else end
 
     def _action(self) -> None:
+        """Add a paragraph of action."""
         first = self.at
         self.at += 1
         while self.at < len(self.lines) and not self.lines[self.at].blank:
@@ -279,6 +287,7 @@ class _FountainReader:
         return (start + 1, end - 1) if whole else (start, end)
 
     def _speech(self) -> None:
+        """Add a cue and its speech."""
         line = self.lines[self.at]
         start, end = self._trim(line.start, line.start + len(line.shown))
         start += self.text[start] == "@"
@@ -313,9 +322,11 @@ class _FountainReader:
 
     @staticmethod
     def _speech_kind(words: str) -> ElementKind:
+        """Return the kind of a line inside a speech."""
         return "parenthetical" if words.startswith("(") else "lyric" if words.startswith("~") else "dialogue"
 
     def _speech_goes_on(self, kind: ElementKind) -> bool:
+        """Return whether the current line belongs to the element of speech above."""
         if not self._in_speech(self.at) or kind == "lyric":
             return False
         before = self.lines[self.at - 1].words
@@ -324,6 +335,7 @@ class _FountainReader:
         return self._speech_kind(self.lines[self.at].words) == "dialogue"
 
     def _end_of(self, index: int) -> int:
+        """Return the end offset of a line."""
         return self.lines[index].start + len(self.lines[index].shown)
 
     def _trim(self, start: int, end: int) -> tuple[int, int]:
@@ -350,6 +362,7 @@ class _FountainReader:
         scene_number: str = "",
         dual: bool = False,
     ) -> None:
+        """Add an element."""
         start, end = self._trim(start, max(start, end))
         if start >= end:
             return
@@ -372,6 +385,7 @@ class _FountainReader:
         )
 
     def _line_at(self, offset: int) -> int:
+        """Return the line number of an offset, from 1."""
         low, high = 0, len(self.lines)
         while high - low > 1:
             middle = (low + high) // 2

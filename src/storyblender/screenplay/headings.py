@@ -98,6 +98,7 @@ def heading_words(heading: str) -> HeadingWords:
 
 
 def _side(words: str) -> Side:
+    """Return whether the first words of a heading are inside, outside, both or neither."""
     first, _, second = words.upper().replace("ß", "SS").partition("/")
     begins: Side = "inside" if re.match(rf"{_INSIDE}|I$", first.strip()) else "outside"
     if not second:

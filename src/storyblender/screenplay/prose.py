@@ -150,6 +150,7 @@ def _classify(words: str) -> tuple[ElementKind, str, int]:
 
 
 def _first_sentence(words: str) -> str:
+    """Return the first sentence of a paragraph."""
     line = words.partition("\n")[0]
     if len(line) <= _HEADED:
         return line

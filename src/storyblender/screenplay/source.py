@@ -132,6 +132,7 @@ def decode(data: bytes, path: Path | str = "") -> str:
 
 
 def _bytes(path: Path) -> bytes:
+    """Return the bytes of a file, or raise an InputError that says why it cannot be read."""
     shown = str(path).encode("utf-8", "backslashreplace").decode()
     if shown != str(path):  # it goes into the graph, the page and the commands told, which are UTF-8
         raise InputError("the name of the file is not text in UTF-8", mend="rename it", path=shown)
@@ -158,6 +159,7 @@ def _bytes(path: Path) -> bytes:
 
 
 def _refuse_binary(data: bytes, path: Path | str) -> None:
+    """Raise an InputError for a known binary format."""
     head = data.lstrip()[:16]
     for magic, problem in _MAGIC:
         if head.startswith(magic):
@@ -179,6 +181,7 @@ def _utf16_without_mark(data: bytes) -> str | None:
 
 
 def _strictly(data: bytes, encoding: str, path: Path | str) -> str:
+    """Decode bytes, or raise an InputError that names the first wrong byte."""
     try:
         return data.decode(encoding)
     except UnicodeDecodeError as error:
@@ -188,10 +191,12 @@ def _strictly(data: bytes, encoding: str, path: Path | str) -> str:
 
 
 def _is_xml(text: str) -> bool:
+    """Return whether a text is an XML document."""
     return text.lstrip().startswith(("<?xml", "<FinalDraft", "<!DOCTYPE"))
 
 
 def _sniff(text: str, path: str) -> ScriptFormat:
+    """Return the format of a text by its content."""
     head = text.lstrip()[:500]
     if re.match(r"(?:<!DOCTYPE )?\s*<?html\b", head, re.IGNORECASE):
         raise InputError("this is a web page (HTML)", mend="save the script itself as text", path=path or None)
@@ -208,6 +213,7 @@ def _sniff(text: str, path: str) -> ScriptFormat:
 
 
 def _is_fountain(text: str) -> bool:
+    """Return whether a text has headings or cues of Fountain."""
     lines = [line.strip() for line in text.split("\n")]
     if any(is_heading(line) and (line == line.upper() or line[:3] in ("INT", "EXT")) for line in lines):
         return True
@@ -226,6 +232,7 @@ def _cues(lines: list[str]) -> int:
 
 
 def _refuse_empty(screenplay: Screenplay) -> None:
+    """Raise an InputError for a screenplay without action or speech."""
     told = {"heading", "action", "dialogue", "lyric", "shot", "centered"}
     if any(element.kind in told for element in screenplay.elements):
         return

@@ -61,6 +61,7 @@ class Assembly:
         return (*people, *(self._thing(thing) for thing in things))
 
     def _person(self, person: Person, worn_by_others: Sequence[tuple[Garment, ...]]) -> Asset:
+        """Return the asset of a person, an animal or a robot."""
         character = person.id in self.story.actors
         name = self.story.names[person.id]
         description = describe_person(person) if character else describe_creature(person, self.reading)
@@ -88,6 +89,7 @@ class Assembly:
         )
 
     def _thing(self, thing: Thing) -> Asset:
+        """Return the asset of a thing."""
         name, modifiers = self.story.names[thing.id], modifiers_of(thing, self.text)
         description = thing.description or one_line(f"{size_in_script(thing, self.text)} {modifiers} {thing.name}")
         return Asset(
@@ -132,6 +134,7 @@ class Assembly:
         )
 
     def _line(self, beat: Beat) -> ScriptLine:
+        """Return the script line that a beat covers."""
         unit = beat.unit
         return ScriptLine(
             kind="dialogue" if unit.kind == "dialogue" else "action",

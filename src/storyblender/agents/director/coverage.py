@@ -95,6 +95,7 @@ class _SceneCoverage:
         """On-screen text and asides before the first shot of the scene or of a picture."""
 
     def shots(self) -> list[ShotDraft]:
+        """Return the shots of the scene, in order."""
         for index, unit in enumerate(self.units):
             note = self.notes.get(index)
             if self.waiting and self.waiting[0].picture not in (None, unit.picture):

@@ -46,6 +46,7 @@ class NameFinder:
             self._name(thing.id, thing.name, *thing.name.split()[-1:])
 
     def _name(self, id_: str, *names: str) -> None:
+        """Let an id be found by some names."""
         for name in {name.lower(): None for name in names if name}:
             if name not in self._ids:
                 self._ids[name], self._order[name] = [], len(self._order)
@@ -66,6 +67,7 @@ class NameFinder:
         return self._whole.get(name, self._ids.get(name, []))[:1]
 
     def _named_inside(self, words: str) -> list[str]:
+        """Return the ids of the longest names inside ``words``, in order of place."""
         found: list[tuple[int, str]] = []
         rest = words
         words_in = {"", *re.findall(r"\w+", words.lower())}

@@ -73,6 +73,7 @@ def _uncovered_lines(reading: Reading, script: Screenplay) -> Iterator[Fault]:
 
 
 def _faults_of_units(reading: Reading) -> Iterator[Iterator[Fault]]:
+    """Yield the faults of each unit of a reading."""
     people = {person.id for person in reading.people}
     known = people | {thing.id for thing in reading.things}
     for number, unit in enumerate(reading.units, start=1):
@@ -80,6 +81,7 @@ def _faults_of_units(reading: Reading) -> Iterator[Iterator[Fault]]:
 
 
 def _faults_of_unit(name: str, unit: Unit, reading: Reading, people: set[str], known: set[str]) -> Iterator[Fault]:
+    """Yield names, kits and speakers of a unit that do not exist or are not on stage."""
     for kind, unknown in dict.fromkeys(unknown_names(unit, people, known)):
         yield Fault(kind="unknown", subject=name, message=f"{name} names the {kind} {unknown!r}, which does not exist")
     kit = reading.scenes[unit.scene].kit
@@ -132,6 +134,7 @@ class ShotDirectorCritic:
 
 
 def _lines(board: Storyboard) -> Iterator[tuple[str, ScriptLine]]:
+    """Yield every line of a storyboard with the name of its shot."""
     for scene in board.storyboard_outline:
         for shot in scene.shots:
             for line in shot.lines:

@@ -185,9 +185,11 @@ class _Economy:
         return not ordered and bool(a.beats and b.beats) and self._seconds(a, b) <= self._limit(a, b)
 
     def _limit(self, a: ShotDraft, b: ShotDraft) -> float:
+        """Return the longest that two joined shots may be, in seconds."""
         return self.settings.longest_talk if a.speech_only and b.speech_only else self.settings.longest_action
 
     def _seconds(self, a: ShotDraft, b: ShotDraft) -> float:
+        """Return how long two shots last together."""
         return shot_seconds(a, self.text) + shot_seconds(b, self.text)
 
     def _distance(self, a: ShotDraft, b: ShotDraft) -> float:
@@ -200,6 +202,7 @@ class _Economy:
         return self._seconds(a, b) + abs(size_steps(a.size, b.size)) + apart + alone + strangers + mixed
 
     def _faces(self, draft: ShotDraft) -> list[str]:
+        """Return the people in the focus of a shot."""
         return [each for each in draft.focus if each in self.people]
 
     def _join(self, a: ShotDraft, b: ShotDraft) -> None:
@@ -238,14 +241,17 @@ class _Economy:
 
 
 def _wider(*sizes: ShotSize) -> ShotSize:
+    """Return the widest of some shot sizes."""
     return min(sizes, key=SHOT_SIZES.index)
 
 
 def _is_subset(one: list[str], other: list[str]) -> bool:
+    """Whether one of two focuses contains the other."""
     return bool(one and other) and (set(one) <= set(other) or set(other) <= set(one))
 
 
 def _one_conversation(a: ShotDraft, b: ShotDraft) -> bool:
+    """Whether two shots have the same line, or share a speaker or listener."""
     if a.axis and b.axis:
         return set(a.axis) == set(b.axis)
     return bool({*a.focus, a.over} & {*b.focus, b.over} - {None})

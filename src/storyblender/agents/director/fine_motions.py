@@ -28,6 +28,7 @@ class _Row(NamedTuple):
 
 @lru_cache(maxsize=1)
 def _rows() -> tuple[_Row, ...]:
+    """Return the rows of ``finer.tsv``."""
     text = files("storyblender.agents.director.lexicon").joinpath("finer.tsv").read_text(encoding="utf-8")
     rows = [line.split("\t") for line in text.splitlines() if line and not line.startswith("#")]
     return tuple(
@@ -38,6 +39,7 @@ def _rows() -> tuple[_Row, ...]:
 
 
 def _any_or(cell: str) -> frozenset[str]:
+    """Return the words of a cell; empty for any."""
     return frozenset() if cell == "*" else frozenset(cell.split(" "))
 
 

@@ -167,6 +167,7 @@ def is_reading_of(path: Path, screenplay: Screenplay) -> bool:
 
 
 def _digest(screenplay: Screenplay) -> str:
+    """Return the digest of a script's text."""
     return content_hash(screenplay.text)
 
 
@@ -181,6 +182,7 @@ def _element_at(start: int, screenplay: Screenplay) -> int:
 
 
 def _parsed(path: Path) -> ReadingFile:
+    """Return the file at a path, or raise an InputError that says what is wrong in it."""
     try:
         return ReadingFile.model_validate_json(path.read_bytes())
     except OSError as error:

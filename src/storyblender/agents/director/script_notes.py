@@ -39,6 +39,7 @@ def notes_by_scene(screenplay: Screenplay, scenes: Sequence[SceneReading]) -> di
 
 
 def _notes(screenplay: Screenplay) -> Iterator[ScriptNote]:
+    """Yield the notes of a script, in order."""
     text = screenplay.text
     if screenplay.format == "fdx":
         spans = [(element.start, element.end) for element in screenplay.elements if element.kind == "note"]

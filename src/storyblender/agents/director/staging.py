@@ -21,6 +21,8 @@ _KEYBOARDS = ("piano", "organ", "harpsichord", "keyboard")
 
 @dataclass
 class _Body:
+    """State of one person or thing that moves."""
+
     posture: Posture = "stand"
     support: str | None = None
     held: list[str] = field(default_factory=list)
@@ -181,12 +183,14 @@ class Staging:
         return body
 
     def _pose(self, person: str, unit: Unit) -> None:
+        """Set the posture that a unit states for a person."""
         posture, support = unit.posture[person]
         body = self._body(person)
         kept = body.support if posture == body.posture else None
         body.posture, body.support = posture, support or kept
 
     def _play(self, unit: Unit) -> None:
+        """Apply a unit: postures, things in hand, gaze, spots."""
         for person in unit.posture:
             self._pose(person, unit)
         for person in unit.on_stage:
@@ -211,6 +215,7 @@ class Staging:
             self._body(person).spot = unit.spots[person]
 
     def _state(self, person: str, start: int) -> BodyState:
+        """Return the body state of a person at a shot that starts at an offset."""
         body = self.bodies[person]
         brought = [thing for thing, parted in self.brought.get(person, {}).items() if start <= parted]
         held = tuple(thing for thing in dict.fromkeys([*body.held, *brought]) if thing in self.assets)
@@ -237,11 +242,13 @@ class Staging:
         return last[1]
 
     def _body(self, person: str) -> _Body:
+        """Return the state of a person, new if not seen yet."""
         if person not in self.bodies:
             self.bodies[person] = _Body()
         return self.bodies[person]
 
     def _known(self, id_: str | None) -> str | None:
+        """Return an id that is on the asset sheet, else None."""
         return id_ if id_ in self.assets else None
 
 

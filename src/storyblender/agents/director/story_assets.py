@@ -89,4 +89,5 @@ def unique(items: Iterable[str | None]) -> list[str]:
 
 
 def _display_name(each: Person | Thing) -> str:
+    """Return a name as it is displayed: capitals become initial capitals."""
     return capwords(each.name) if each.name.isupper() else each.name

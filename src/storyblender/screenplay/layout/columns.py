@@ -64,6 +64,7 @@ def parse(text: str, path: str = "") -> Screenplay:
 
 
 def _rows(lines: list[str], head: int) -> list[tuple[list[str], list[str]]]:
+    """Return the items of picture and sound of each row below the header."""
     header = _HEADER.search(lines[head])
     assert header is not None, "it was found by it"
     column = header.start("right")
@@ -130,6 +131,7 @@ def _items(lines: list[str]) -> list[str]:
 
 
 def _read(page: Page, pieces: list[tuple[str, str]]) -> None:
+    """Read the cells of all rows."""
     at = 0
     for place, words in pieces:
         if place == "row":
@@ -149,6 +151,7 @@ def _read(page: Page, pieces: list[tuple[str, str]]) -> None:
 
 
 def _picture(page: Page, at: int, end: int) -> None:
+    """Add a cell of the picture column."""
     words = page.text[at:end]
     told = element_of_label(words)
     if told:
@@ -162,6 +165,7 @@ def _picture(page: Page, at: int, end: int) -> None:
 
 
 def _sound(page: Page, at: int, end: int) -> None:
+    """Add a cell of the sound column."""
     words = page.text[at:end]
     label = _LABEL.match(words)
     told = element_of_label(words)

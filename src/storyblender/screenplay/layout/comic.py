@@ -98,6 +98,7 @@ class _ComicReader:
         return frozenset(found)
 
     def read(self) -> None:
+        """Read the whole script."""
         start = next((i for i, line in enumerate(self.lines) if self._opens(line)), len(self.lines))
         self._front(self.lines[:start])
         self.at = start
@@ -105,6 +106,7 @@ class _ComicReader:
             self._line(self.lines[self.at])
 
     def _opens(self, line: Line) -> bool:
+        """Return whether a line opens a page or a panel."""
         return bool(line.words and (_PAGE.fullmatch(line.words) or _PANEL.match(line.words)))
 
     def _front(self, lines: list[Line]) -> None:
@@ -120,6 +122,7 @@ class _ComicReader:
             self.page.add("section", line.start, line.end)
 
     def _line(self, line: Line) -> None:
+        """Read the current line and what belongs to it."""
         words = line.words
         self.at += 1
         if not words:
@@ -151,13 +154,16 @@ class _ComicReader:
             self._told(line.start)
 
     def _panel(self, words: str) -> re.Match[str] | None:
+        """Match the heading of a panel."""
         return _PANEL.match(words) if self.labelled else _NUMBER.match(words)
 
     def _balloon(self, line: Line) -> re.Match[str] | None:
+        """Match a balloon of a known speaker."""
         match = _BALLOON.match(line.words)
         return match if match and key_of_name(match["name"]) in self.speakers else None
 
     def _marked(self, line: Line) -> bool:
+        """Return whether a line ends the text above it: blank, a heading or a label."""
         words = line.words
         return bool(
             not words or (self._panel(words) and not _BALLOON.match(words))
@@ -166,6 +172,7 @@ class _ComicReader:
         )  # fmt: skip
 
     def _told(self, start: int) -> None:
+        """Add action from an offset to the next marked line."""
         self.page.add("action", start, self._run())
 
     def _run(self) -> int:

@@ -110,6 +110,7 @@ def ends_cast(line: Line) -> bool:
 
 
 def _titled(page: Page, line: Line) -> None:
+    """Add the title or author that a line gives to the title page."""
     words = plain(line.words).strip("\"“”'’* ")
     keys = {key for key, _ in page.title_page}
     by = _BY.fullmatch(words)

@@ -161,6 +161,7 @@ def element_of_label(words: str) -> tuple[ElementKind, int] | None:
 
 
 def _may_speak(match: re.Match[str], line: Line, form: str, known: frozenset[str]) -> bool:
+    """Return whether a matched label can be the name of a speaker."""
     name = plain_name(match["name"])
     words = name.lower().split()
     if not words or name.lower() in _NOBODY or words[0].strip(".") in _NOBODY or len(words) > 5:

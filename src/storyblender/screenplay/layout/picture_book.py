@@ -59,6 +59,7 @@ def parse(text: str, path: str = "") -> Screenplay:
 
 
 def _front(page: Page, lines: list[Line]) -> None:
+    """Read the lines before the first page."""
     for line in lines:
         if line.words and not page.title_page:
             page.title_page.append(("Title", line.words.strip('*_"“” ')))

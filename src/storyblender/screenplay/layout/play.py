@@ -109,6 +109,7 @@ class _PlayReader:
         self.headed = False
 
     def read(self, path: str) -> Screenplay:
+        """Return the screenplay."""
         start = self._body()
         read_front(self.page, self.lines[:start])
         self.at = start
@@ -136,6 +137,7 @@ class _PlayReader:
         return next((i for i in range(start, len(self.lines)) if self.lines[i].words and self._begins(i)), start)
 
     def _begins(self, index: int, *, listing: bool = False) -> bool:
+        """Return whether the story begins at a line; ``listing`` inside a cast list."""
         line = self.lines[index]
         if listing and not ends_cast(line):
             label = self._label(line)
@@ -154,6 +156,7 @@ class _PlayReader:
         return ends and len(told) > 60 and not element_of_label(line.words)
 
     def _label(self, line: Line) -> Label | None:
+        """Return the speaker's label of a line, or None."""
         return spoken_line(line, self.convention) if self.convention else None
 
     def _end_of_block(self, index: int) -> int:
@@ -162,6 +165,7 @@ class _PlayReader:
         return self.empty[at] if at < len(self.empty) else len(self.lines)
 
     def _line(self) -> None:
+        """Read the current line and what belongs to it."""
         line = self.lines[self.at]
         if not line.words:
             self.at += 1
@@ -212,6 +216,7 @@ class _PlayReader:
         return True
 
     def _single(self, kind: ElementKind, line: Line) -> None:
+        """Add an element of one line, and move past it."""
         self.page.add(kind, line.start, line.end)
         self.at += 1
 
@@ -273,6 +278,7 @@ class _PlayReader:
                 self._told(close + 1, rest)
 
     def _told(self, start: int, end: int) -> None:
+        """Add a span as speech while a character speaks, else as action."""
         if self.speaking:
             add_speech(self.page, start, end)
         else:
@@ -307,6 +313,7 @@ class _PlayReader:
         self.speaking = True
 
     def _following(self, index: int) -> Line:
+        """Return the next line; an empty one at the end."""
         return self.lines[index + 1] if index + 1 < len(self.lines) else Line(0, 0, "", 0)
 
     def _run(self, index: int, *, inside: bool = False) -> int:
@@ -328,6 +335,7 @@ class _PlayReader:
         return self.lines[index - 1].end if index else 0
 
     def _divides(self, line: Line) -> bool:
+        """Return whether a line ends the paragraph above it."""
         words = line.words
         marked = is_heading(words) or scene_label(words) or place_label(words) or element_of_label(words)
         marked = marked or re.fullmatch(r"\d{1,3}\.|\(?(?:CONTINUED|MORE)\)?:?", words)

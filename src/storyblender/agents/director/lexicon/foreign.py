@@ -50,6 +50,7 @@ class Tongue:
 
 
 def _rows(name: str) -> list[tuple[str, str, list[str]]]:
+    """Return language, kind and words of each row of a file."""
     text = files(__package__ or "").joinpath(name).read_text(encoding="utf-8")
     rows = [line.split("\t") for line in text.splitlines() if line and not line.startswith("#")]
     return [(*cast(tuple[str, str], tuple(key.split(" "))), words.split(" ")) for key, words in rows]

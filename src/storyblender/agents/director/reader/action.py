@@ -128,6 +128,7 @@ def _enter_named_people(state: ReaderState) -> None:
 
 
 def _read_clause(state: ReaderState, clause: Clause, previous: list[Person], first: bool) -> None:
+    """Read one clause: its people and things, motion, deeds, changes and relations."""
     state.sentence.verb = clause.verb
     roles = resolve_subject(state, clause, previous)
     if first:

@@ -94,4 +94,5 @@ def flag_unread(state: ReaderState) -> None:
 
 
 def _names(people: list[Person]) -> str:
+    """Return the names of people, for a flag."""
     return " and ".join(person.name for person in people[:2])

@@ -40,6 +40,8 @@ def cut_page(script: Manuscript, roster: Roster, scenes: list[SceneReading]) -> 
 
 
 class _Cutter:
+    """Cuts the paragraphs of one script."""
+
     def __init__(self, script: Manuscript, roster: Roster, scenes: list[SceneReading]) -> None:
         self.script = script
         self.roster = roster
@@ -58,6 +60,7 @@ class _Cutter:
         """Person -> index of the scene of the last picture that showed them."""
 
     def cut(self) -> list[Sentence]:
+        """Return the sentences and speeches of the script."""
         for index, paragraph in enumerate(self.script.paragraphs):
             headed = paragraph.kind == "heading"
             with as_rule("place.heading" if headed else "place.told", paragraph.start, paragraph.end):
@@ -72,6 +75,7 @@ class _Cutter:
 
     # -- scenes ----------------------------------------------------------------------------------------------------
     def _heading(self, index: int, paragraph: Paragraph) -> None:
+        """Open the scene of a heading."""
         self.intercut = None
         if index == self.read_ahead:
             return
@@ -174,6 +178,7 @@ class _Cutter:
         return next((word for word in words if word in WHOLE), last.place)
 
     def _new_scene(self, told: NamedPlace, paragraph: Paragraph, number: str) -> SceneReading:
+        """Return a new scene at a named place."""
         scene_type = told.scene_type or "outdoor"
         last = self.scenes[-1] if self.scenes else None
         return SceneReading(
@@ -234,6 +239,7 @@ class _Cutter:
 
     # -- sentences -------------------------------------------------------------------------------------------------
     def _action(self, index: int, paragraph: Paragraph) -> None:
+        """Add the sentences of a paragraph of action."""
         if not self.scenes:
             self._open_without_heading(index, paragraph)
         elif paragraph.kind == "action":
@@ -250,6 +256,7 @@ class _Cutter:
             self.homes |= dict.fromkeys(self._people_in(paragraph), len(self.scenes) - 1)
 
     def _sentences_of(self, index: int, paragraph: Paragraph) -> list[Sentence]:
+        """Return the sentences of a paragraph."""
         scene = len(self.scenes) - 1
         whole = Sentence(paragraph, scene, paragraph.start, paragraph.end)
         if paragraph.kind in ("title", "sound"):

@@ -101,6 +101,7 @@ def weather_of(text: str) -> Weather:
 
 
 def _time_of_hour(hour: int) -> TimeOfDay:
+    """Return the time of day of an hour, 0 to 23."""
     return next(time for until, time in _HOURS if hour < until)
 
 
@@ -131,6 +132,7 @@ def story_time(told: list[str], title: str) -> TimeOfDay | None:
 
 
 def _opening_time(text: str) -> TimeOfDay | None:
+    """Return the time of day that opening words tell, or None."""
     for match in re.finditer(r"[a-z]+", text):
         named = time_in_text(match.group(0))
         if named and not _GONE.search(text[: match.start()]):

@@ -45,6 +45,7 @@ def intercut_places(text: str, scenes: Sequence[SceneReading]) -> list[SceneRead
 
 
 def _place(name: str, scenes: Sequence[SceneReading]) -> SceneReading | None:
+    """Return a scene to copy for a place of the intercut, or None where the words name none."""
     been = last_scene_with_words(name, scenes)
     if been:
         return replace(been, place=been.place)

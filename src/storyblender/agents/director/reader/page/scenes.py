@@ -129,6 +129,7 @@ def _trailing_time(place: str) -> tuple[list[str], TimeOfDay | None, list[str]]:
 
 
 def _scene_type(side: Side, place: str) -> SceneType:
+    """Return the scene type by ``INT.`` or ``EXT.``, else by the words of the place."""
     if "," in side and place.split()[-1:] and place.split()[-1] in lexicon.OUTDOOR - lexicon.INDOOR:
         return "outdoor"
     if side:
@@ -162,6 +163,7 @@ def same_place(place: str, scene_type: SceneType, scenes: list[SceneReading], bu
 
 @lru_cache(maxsize=16384)
 def _words(place: str) -> frozenset[str]:
+    """Return the words of a place that tell it from others."""
     return frozenset(re.findall(r"[^\W_]+", place)) - _SMALL
 
 

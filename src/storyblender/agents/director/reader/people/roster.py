@@ -131,16 +131,19 @@ class Roster:
         return known[0] if known else None
 
     def _note_title(self, person: Person) -> None:
+        """Note a person's title and surname."""
         title = _title_and_surname(person.name)
         if title:
             self._titled.setdefault(title, []).append(person)
 
     def _forget_title(self, person: Person) -> None:
+        """Forget a person's title and surname."""
         title = _title_and_surname(person.name)
         if title:
             self._titled[title].remove(person)
 
     def _known(self, name: str) -> Person | None:
+        """Return the person who is called by exactly this name or role, or None."""
         written, key = " ".join(name.lower().split()), bare(name)
         answering = self._answering.get(written, {}) | self._answering.get(key, {})
         for person in self.in_order(answering.values()):
