@@ -11,7 +11,7 @@ from pydantic import TypeAdapter
 
 from storyblender.agents.layout_artist.camera_continuity import CUT_KINDS, judge_cuts
 from storyblender.agents.layout_artist.camera_operator_view import Moment
-from storyblender.agents.layout_artist.camera_scene import camera_operator_view, shoot_scene, telling_frames
+from storyblender.agents.layout_artist.camera_scene import camera_operator_view, measured_frames, shoot_scene
 from storyblender.agents.layout_artist.spatial_planner_view import measures_of
 from storyblender.agents.layout_artist.story_moment import story_moment
 from storyblender.catalog.sets import plan_of
@@ -54,7 +54,7 @@ class PackViewfinder:
         return [Moment(frame, tuple(self._figures[start + frame])) for frame in self._telling(shot)]
 
     def _telling(self, shot: ShotContext) -> tuple[int, ...]:
-        return telling_frames(shot, self._pack.played(shot.shot_id))
+        return measured_frames(shot, self._pack.played(shot.shot_id))
 
     @cached_property
     def _figures(self) -> dict[int, list[Figure]]:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 
 from storyblender.agents.director.crowds import background_crowd_size, is_crowd_gone
-from storyblender.agents.layout_artist.bystanders import bystanders, placed
-from storyblender.agents.layout_artist.roomier import Room, larger, until_it_fits, without_dressing
-from storyblender.agents.layout_artist.spatial_planner import ways_of
+from storyblender.agents.layout_artist.bystanders import bystander_objects, place_bystanders
+from storyblender.agents.layout_artist.room_steps import RoomStep, drop_dressing, enlarge_set, find_fitting_room
+from storyblender.agents.layout_artist.spatial_planner import free_floor_of
 from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView, measures_of
 from storyblender.agents.visual_effects_artist.furniture import dressing_asset
 from storyblender.agents.visual_effects_artist.lamp_states import lit_shots
@@ -44,10 +44,10 @@ def _stage_scene(run: Run, scene_id: int) -> None:
     environment = design(run, run.graph, scene_id)
     same_place = run.graph.scene(scene_id).setup.reference_scene_id is not None  # it stays as large as it was
 
-    def stage_in(room: Room, faulty: Collection[Vec2]) -> tuple[SceneContext, Outcome[SpatialPlannerView, Layout]]:
-        return _laid_out(run, scene_id, larger(environment, 1.0 if same_place else room.grown), room, faulty)
+    def stage_in(room: RoomStep, faulty: Collection[Vec2]) -> tuple[SceneContext, Outcome[SpatialPlannerView, Layout]]:
+        return _laid_out(run, scene_id, enlarge_set(environment, 1.0 if same_place else room.set_scale), room, faulty)
 
-    fitted = until_it_fits(stage_in, threshold=run.crew.spatial_planner.threshold)
+    fitted = find_fitting_room(stage_in, threshold=run.crew.spatial_planner.threshold)
     layout = _with_crowd(run, fitted.outcome.view, fitted.outcome.draft)
     scene = fitted.tried.model_copy(update={"layout": layout})
     run.commit("spatial_planner", f"layout of {name}", scene)
@@ -89,7 +89,7 @@ def _again(before: ShotContext, shot: ShotContext, assets: Mapping[str, Asset]) 
 
 
 def _laid_out(
-    run: Run, scene_id: int, environment: Environment, room: Room, faulty: Collection[Vec2]
+    run: Run, scene_id: int, environment: Environment, room: RoomStep, faulty: Collection[Vec2]
 ) -> tuple[SceneContext, Outcome[SpatialPlannerView, Layout]]:
     """Dress a set and lay the scene out in it, without the dressing near what did not fit before."""
     name, plan = scene_name(scene_id), plan_of(environment)
@@ -100,9 +100,9 @@ def _laid_out(
     run.commit("set_dresser", f"set and dressing of {name}", scene, *fresh)
     materialize(run, fresh)
     placements = {asset.asset_id: entry.placement for asset in run.graph.assets if (entry := _entry_of(asset))}
-    standing = without_dressing(dressing.objects, plan, faulty, room.shed)
+    standing = drop_dressing(dressing.objects, plan, faulty, room.clear_radius)
     role, pending = run.crew.spatial_planner, dressing.pending
-    return scene, run.reflect(role, name, run.graph, scene_id, plan, standing, pending, placements, room.apart)
+    return scene, run.reflect(role, name, run.graph, scene_id, plan, standing, pending, placements, room.distance_scale)
 
 
 def _with_crowd(run: Run, view: SpatialPlannerView, layout: Layout) -> Layout:
@@ -113,7 +113,7 @@ def _with_crowd(run: Run, view: SpatialPlannerView, layout: Layout) -> Layout:
     count = _crowd_told(graph, view.scene_id, area) - graph.people_in(view.scene_id)
     if count <= 0:
         return layout
-    found = bystanders(view, layout, count, ways_of(view, layout))
+    found = place_bystanders(view, layout, count, free_floor_of(view, layout))
     age = graph.age or "today"
     params = [{"posture": each.posture, "variant": each.variant, "age": age} for each in found]
     figures = [dressing_asset("background_figure", dict(each)) for each in params]
@@ -122,7 +122,7 @@ def _with_crowd(run: Run, view: SpatialPlannerView, layout: Layout) -> Layout:
     if fresh:
         run.commit("set_dresser", f"people of the background of {scene_name(view.scene_id)}", *fresh.values())
         materialize(run, list(fresh.values()))
-    objects = placed(found, figures, measures_of(run.graph.assets))
+    objects = bystander_objects(found, figures, measures_of(run.graph.assets))
     return layout.model_copy(update={"objects": (*layout.objects, *objects)})
 
 

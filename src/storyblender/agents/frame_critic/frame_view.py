@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from storyblender.agents.layout_artist.story_moment import board_frame, cues_of, span_of
+from storyblender.agents.layout_artist.story_moment import board_frame, cue_span, cues_of
 from storyblender.catalog.motions import clip_of
 from storyblender.look.picture_measure import PictureMeasure
 from storyblender.memory.asset_sheet import Asset
@@ -84,7 +84,7 @@ def deeds_not_shown(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> list
             continue
         deed = (action.motion, action.action_description)
         for cue in cues_of(action, shot):
-            start, length = span_of(cue, shot, played)
+            start, length = cue_span(cue, shot, played)
             stays = cue.lasting or clip_of(cue.clip).after not in (None, "stand")
             if start <= moment and (stays or moment <= start + length):
                 shown.add(deed)

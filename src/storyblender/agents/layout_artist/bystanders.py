@@ -1,6 +1,6 @@
-"""Stands a told crowd in a scene that is laid out: figures on free seats and in small groups, out of the story's way.
+"""Places the people of the background: figures on free seats and in small groups, out of the story's way.
 
-The figures are built once and shared; nobody speaks to them and the camera does not seek them.
+The figures are built once and shared; nobody speaks to them and the camera does not look for them.
 """
 
 from __future__ import annotations
@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from storyblender.agents.layout_artist.crowd_places import for_anybody
-from storyblender.agents.layout_artist.layout_stage import Stage
+from storyblender.agents.layout_artist.crowd_places import is_public_seat
+from storyblender.agents.layout_artist.layout_stage import LayoutStage
 from storyblender.agents.layout_artist.people_seats import free_seats
 from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView
 from storyblender.catalog.bystanders import BYSTANDER, VARIANTS
@@ -24,10 +24,11 @@ from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.scene_context import Layout, LayoutObject
 
 _SITTING = 0.6
+"""Share of the figures that sit if there are seats."""
 _OWN_TABLE = 2.2
-"""Metres from one of the story's people within which seats stay free."""
+"""Metres from a person of the story within which seats stay free."""
 _LANE = 1.0
-"""Metres to either side of the line from one of them to the audience that stay free, unless far behind them."""
+"""Metres on either side of the line from a person of the story to the audience that stay free."""
 _NEAR, _APART = 2.0, 0.3
 """Metres from the story's people to the nearest group; metres between a group and everything else."""
 _GROUPS = (2, 3, 2, 1, 3)
@@ -38,14 +39,14 @@ _GRID = 0.4
 
 @dataclass(frozen=True)
 class Bystander:
-    """One figure: which it is and where it is.
+    """One figure of the background.
 
     Attributes:
         posture: ``stand`` or ``sit``.
-        variant: Which person.
-        location: Floor point below it; of a sitter, the front edge of the seat at sitting height.
+        variant: Number of the figure's look.
+        location: World metres: floor point, or the middle of the seat's front edge.
         yaw: Radians.
-        seat: node_id of the seat.
+        seat: node_id of the seat; None for a standing figure.
     """
 
     posture: str
@@ -55,39 +56,39 @@ class Bystander:
     seat: str | None = None
 
 
-def bystanders(view: SpatialPlannerView, layout: Layout, count: int, lanes: Sequence[Box]) -> list[Bystander]:
-    """Return where the people of the background are: as many as told, or as find room.
+def place_bystanders(view: SpatialPlannerView, layout: Layout, count: int, lanes: Sequence[Box]) -> list[Bystander]:
+    """Return the figures of the background: as many as wanted, or as find room.
 
     Args:
-        view: Of the scene.
-        layout: With everybody and everything of the story in place.
-        count: How many are told.
-        lanes: Floor that stays free for ways.
+        view: The scene.
+        layout: Its layout, with everybody and everything of the story.
+        count: Number of figures wanted.
+        lanes: Boxes of the floor that stay free for walks.
     """
-    stage = Stage(view)
+    stage = LayoutStage(view)
     for item in layout.objects:
         if item.node_id not in stage.things:
-            stage.put(item, fixed=item.fixed)
+            stage.add_object(item, fixed=item.fixed)
     people = [(thing.box.x, thing.box.y) for thing in stage.things.values() if thing.walks]
     people = people or [stage.middle]
-    seated = _seated(stage, people, round(_SITTING * count), set(view.targets))
+    seated = _choose_seats(stage, people, round(_SITTING * count), set(view.targets))
     for number, lane in enumerate(lanes):
         stage.add(Thing(f"lane_{number}", lane, fixed=True), "")
-    return [*seated, *_standing(stage, people, count - len(seated))]
+    return [*seated, *_place_standing_groups(stage, people, count - len(seated))]
 
 
-def _seated(stage: Stage, people: Sequence[Vec2], most: int, wanted: set[str]) -> list[Bystander]:
-    """Return the seated figures: on free seats, those nearest to the story's people first."""
+def _choose_seats(stage: LayoutStage, people: Sequence[Vec2], most: int, wanted: set[str]) -> list[Bystander]:
+    """Return at most ``most`` seated figures, those nearest to the story's people first; not on ``wanted`` assets."""
     open_to_all: list[tuple[float, Bystander]] = []
     for name, anchor in free_seats(stage):
         base = stage.things[name].box
         x, y = base.to_world(*anchor.location[:2])
         away = min(math.dist((x, y), each) for each in people)
         if (
-            not for_anybody(stage, name)
+            not is_public_seat(stage, name)
             or stage.assets[name] in wanted
             or away < _OWN_TABLE
-            or _in_view((x, y), people)
+            or _blocks_view((x, y), people)
         ):
             continue
         yaw = base.yaw + yaw_along(*anchor.direction[:2])
@@ -99,15 +100,15 @@ def _seated(stage: Stage, people: Sequence[Vec2], most: int, wanted: set[str]) -
     ]
 
 
-def _standing(stage: Stage, people: Sequence[Vec2], count: int) -> list[Bystander]:
-    """Return the standing figures, in groups of one to three where there is room."""
+def _place_standing_groups(stage: LayoutStage, people: Sequence[Vec2], count: int) -> list[Bystander]:
+    """Return ``count`` standing figures in groups of one to three; fewer if there is no room."""
     x0, x1, y0, y1 = stage.room
     grid = [(x, y) for x in np.arange(x0 + 0.5, x1 - 0.4, _GRID) for y in np.arange(y0 + 0.5, y1 - 0.4, _GRID)]
     found: list[Bystander] = []
     turn = 0
     while len(found) < count:
         size = min(_GROUPS[turn % len(_GROUPS)], count - len(found))
-        points = np.array([point for point in grid if not _in_view(point, people, _RADIUS[size])])
+        points = np.array([point for point in grid if not _blocks_view(point, people, _RADIUS[size])])
         if not len(points):
             break
         away = np.min([np.hypot(points[:, 0] - x, points[:, 1] - y) for x, y in people], axis=0)
@@ -115,7 +116,7 @@ def _standing(stage: Stage, people: Sequence[Vec2], count: int) -> list[Bystande
         if not fits.any():
             if size == 1:
                 break
-            turn = 3  # where three do not stand, one may
+            turn = 3  # no room for this size: try a single figure
             continue
         cost = away + 0.9 * np.abs(np.sin(1.7 * turn + 2.1 * points[:, 0])) + np.where(fits, 0.0, 1e6)
         x, y = (float(value) for value in points[int(np.argmin(np.round(cost, 4)))])
@@ -130,20 +131,20 @@ def _standing(stage: Stage, people: Sequence[Vec2], count: int) -> list[Bystande
     return found
 
 
-def _in_view(point: Vec2, people: Sequence[Vec2], radius: float = 0.0) -> bool:
-    """Return whether a group of that radius stands between the story's people and the audience."""
+def _blocks_view(point: Vec2, people: Sequence[Vec2], radius: float = 0.0) -> bool:
+    """Return whether a group of a radius in metres stands between the story's people and the audience."""
     return any(abs(point[0] - x) < _LANE + radius and point[1] - radius < y - 0.3 for x, y in people)
 
 
-def placed(
+def bystander_objects(
     found: Sequence[Bystander], assets: Sequence[Asset], measures: Mapping[str, AssetMeasure]
 ) -> tuple[LayoutObject, ...]:
     """Return the figures as objects of a layout.
 
     Args:
-        found: Where they are.
-        assets: The figure that each of them is.
-        measures: Of the figures: a sitter is placed by the seat anchor below.
+        found: The figures.
+        assets: Asset of each figure, in the same order.
+        measures: Measures of these assets; a sitter is placed by its seat anchor.
     """
     objects: list[LayoutObject] = []
     for number, (each, asset) in enumerate(zip(found, assets, strict=True)):

@@ -1,13 +1,13 @@
-"""Judges the picture itself: angle, size, headroom, place. Every fault comes with the numbers that mend it."""
+"""Judges the composition of a take: angle, size, headroom, placement; every fault has the numbers that mend it."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 
-from storyblender.agents.layout_artist.camera_details import at_hand
+from storyblender.agents.layout_artist.camera_details import held_things
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment
-from storyblender.agents.layout_artist.camera_solids import aboard
+from storyblender.agents.layout_artist.camera_solids import is_anyone_aboard
 from storyblender.agents.layout_artist.camera_start import ignored_partner, requires_shoulder
 from storyblender.geometry import framing
 from storyblender.geometry.framing import Figure
@@ -18,51 +18,58 @@ from storyblender.memory.shot_sizes import SIZES
 from storyblender.reflection import Fault
 
 _STRAY = 0.09
-"""How far in widths or heights of the picture a face may be from its place."""
+"""Most widths or heights of the picture between a face and its place; the same for a thing."""
 _THING_STRAY = 0.14
 AT_SIDE = 0.08
-"""Share of the width at either side in which nobody of a group has the face: the frame would cut the body."""
+"""Share of the width at either side in which no face of a group may be: the frame would cut the body."""
 _PAST_OTHERS = 24.0
-"""Degrees up to which several people are seen past each other before it reads as a high angle."""
+"""Degrees of elevation up to which an eye-level picture may look at several people, past each other."""
 
 
 _PAST_SIDES = 30.0
-"""Degrees up to which whoever is in a boat is seen over its side."""
+"""Degrees of elevation up to which people in a boat may be seen over its side."""
 
 
 def fault(kind: str, subject: str, severity: float, message: str, **fix: float | str) -> Fault:
-    """Return a fault with its fix; severity in points of ten."""
+    """Return a camera fault with its fix; severity in points of ten, message for the user."""
     return Fault(kind=kind, subject=subject, severity=round(severity, 3), message=message, fix=fix)
 
 
-def composition(view: CameraOperatorView, camera: Orbit, moment: Moment, seen: CameraView) -> list[Fault]:
-    """Size, headroom, place in the picture, angle."""
+def find_composition_faults(view: CameraOperatorView, camera: Orbit, moment: Moment, seen: CameraView) -> list[Fault]:
+    """Return the faults of size, headroom, placement and angle.
+
+    Args:
+        view: The shot.
+        camera: The camera.
+        moment: The moment that is judged.
+        seen: What the viewfinder measured.
+    """
     kind = view.instruction.kind
     found: list[Fault] = []
     if kind not in ("pov", "establishing"):
-        found += _angle(view, camera)
+        found += _angle_faults(view, camera)
     subjects = {subject.node_id: subject for subject in seen.subjects}
     faces = [(moment.figure(node), subjects[node]) for node in view.focus if node in subjects]
     heads = [(figure, subject) for figure, subject in faces if figure is not None and subject.face is not None]
     if kind == "insert" or (not faces and kind not in ("establishing", "pov")):
-        return found + _thing(view, camera, [subjects[node] for node in view.focus if node in subjects])
+        return found + _thing_faults(view, camera, [subjects[node] for node in view.focus if node in subjects])
     if not heads or kind in ("establishing", "pov"):
         return found
     over = subjects.get(view.over.node_id) if view.over is not None else None
     after = ignored_partner(view)
     if over is not None and over.face is not None and after is not None and not requires_shoulder(view):
-        # Who has their back to somebody and who sees it are a group.
+        # A subject and a partner whom they do not face are framed as a group.
         heads.append((after, over))
         over = None
     if over is None or after is None:
-        # Who walks off from a shoulder is as small as the way they have gone.
-        found += _size(view, [subject for _, subject in heads])
-    if at_hand(view) and over is None:
+        # A subject who walks away from the shoulder may be small.
+        found += _size_faults(view, [subject for _, subject in heads])
+    if held_things(view) and over is None:
         return found
     if len(heads) == 1 or over is not None:
         figure, subject = heads[0]
         assert figure is not None and subject.face is not None
-        found += _lone_place(view, camera, figure, subject)
+        found += _placement_faults(view, camera, figure, subject)
     else:
         xs = [subject.face[0] for _, subject in heads if subject.face is not None]
         off = (min(xs) + max(xs)) / 2 - 0.5
@@ -73,14 +80,14 @@ def composition(view: CameraOperatorView, camera: Orbit, moment: Moment, seen: C
         if aside > 0:
             text = "the frame cuts the people at its sides"
             found.append(fault("squeezed", heads[0][1].node_id, 1.0 + 10 * aside, text, dolly=-2.0, ops="zoom_out"))
-        found += _apart(view, camera, [subject for _, subject in heads])
+        found += _gap_faults(view, camera, [subject for _, subject in heads])
     bends = any(figure is not None and view.upright(figure) is not figure for figure, _ in heads)
-    # The air above somebody bent is where they stood.
-    return found if bends else found + _headroom(view, [subject for _, subject in heads], over)
+    # The headroom above a bent person is for their full height.
+    return found if bends else found + _headroom_faults(view, [subject for _, subject in heads], over)
 
 
-def _apart(view: CameraOperatorView, camera: Orbit, heads: Sequence[SubjectView]) -> list[Fault]:
-    """People of a picture that is no wide shot stand together in it."""
+def _gap_faults(view: CameraOperatorView, camera: Orbit, heads: Sequence[SubjectView]) -> list[Fault]:
+    """Return the fault of people too far apart in a picture that is no wide shot."""
     faces = [(subject.face[0], subject.head_height) for subject in heads if subject.face is not None]
     over = widest_face_gap(faces, camera.aspect) - MAX_FACE_GAP
     if over <= 0 or view.instruction.size in ("WS", "EWS"):
@@ -89,8 +96,8 @@ def _apart(view: CameraOperatorView, camera: Orbit, heads: Sequence[SubjectView]
     return [fault("apart", heads[0].node_id, min(0.5 + 0.3 * over, 2.0), text, ops="orbit_left orbit_right")]
 
 
-def _thing(view: CameraOperatorView, camera: Orbit, subjects: Sequence[SubjectView]) -> list[Fault]:
-    """A thing is in the middle and fills the picture as its size wants; hands may hold it anywhere."""
+def _thing_faults(view: CameraOperatorView, camera: Orbit, subjects: Sequence[SubjectView]) -> list[Fault]:
+    """Return the faults of a focus thing: off the middle, or too small or large for the shot size."""
     boxes = [subject.box for subject in subjects if subject.box is not None]
     if not boxes or not view.things:
         return []
@@ -110,13 +117,14 @@ def _thing(view: CameraOperatorView, camera: Orbit, subjects: Sequence[SubjectVi
     return found
 
 
-def _angle(view: CameraOperatorView, camera: Orbit) -> list[Fault]:
+def _angle_faults(view: CameraOperatorView, camera: Orbit) -> list[Fault]:
+    """Return the fault of an elevation outside the band of the instruction's angle."""
     low, high = framing.ELEVATION_BAND[view.instruction.angle]
     if view.things and not view.people:
         high = max(high, 45.0)
     if view.instruction.angle == "eye-level" and (view.over is not None or len(view.people) > 2):
         high = max(high, _PAST_OTHERS)
-    if aboard(view.props.values(), view.people):
+    if is_anyone_aboard(view.props.values(), view.people):
         high = max(high, _PAST_SIDES)
     elevation = camera.elevation
     if low <= elevation <= high:
@@ -126,10 +134,11 @@ def _angle(view: CameraOperatorView, camera: Orbit) -> list[Fault]:
     return [fault("angle", "", min(0.4 + abs(by) / 25, 1.5), text, elevation=by + math.copysign(2, by))]
 
 
-def _size(view: CameraOperatorView, heads: Sequence[SubjectView]) -> list[Fault]:
+def _size_faults(view: CameraOperatorView, heads: Sequence[SubjectView]) -> list[Fault]:
+    """Return the fault of heads too small or too large for the shot size."""
     scale = SIZES[view.instruction.size]
     low, high = scale.band
-    if len(heads) > 1 or at_hand(view):
+    if len(heads) > 1 or held_things(view):
         low *= 0.5
     largest = max(subject.head_height for subject in heads)
     if low <= largest <= high or largest <= 0:
@@ -139,8 +148,8 @@ def _size(view: CameraOperatorView, heads: Sequence[SubjectView]) -> list[Fault]
     return [fault("size", heads[0].node_id, min(0.5 + 0.25 * abs(steps), 3.0), text, dolly=steps)]
 
 
-def _lone_place(view: CameraOperatorView, camera: Orbit, figure: Figure, subject: SubjectView) -> list[Fault]:
-    """Lead room for one face; in an over-the-shoulder the face has the half without the shoulder."""
+def _placement_faults(view: CameraOperatorView, camera: Orbit, figure: Figure, subject: SubjectView) -> list[Fault]:
+    """Return the fault of a lone face off its place: lead room, or the half beside the shoulder."""
     assert subject.face is not None
     wanted = framing.lead_room_x(camera, figure)
     if view.over is not None:
@@ -152,14 +161,14 @@ def _lone_place(view: CameraOperatorView, camera: Orbit, figure: Figure, subject
     return [fault("placement", subject.node_id, 0.5 + 2 * abs(off), text, pan_x=off * camera.aspect)]
 
 
-def _headroom(view: CameraOperatorView, heads: Sequence[SubjectView], over: SubjectView | None) -> list[Fault]:
-    """The crown at its height; the near head of an over-the-shoulder may need more of it."""
+def _headroom_faults(view: CameraOperatorView, heads: Sequence[SubjectView], over: SubjectView | None) -> list[Fault]:
+    """Return the fault of a crown too high or too low; the near head of an over-the-shoulder may need more air."""
     tops = [subject.head_top for subject in heads if subject.head_top is not None]
     if not tops or view.instruction.size in ("ECU", "EWS"):
         return []
     crown, top = SIZES[view.instruction.size].crown, min(tops)
     if len(heads) > 1:
-        # A group may be taken from further away than its size says: then more air belongs above it.
+        # A group may be taken from further away than its size says, with more air above it.
         crown = max(crown, framing.crown_screen_y(max(subject.head_height for subject in heads)))
     if over is not None and over.head_top is not None and over.head_top < top:
         top = max(over.head_top, min(crown, top))

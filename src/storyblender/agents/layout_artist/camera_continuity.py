@@ -1,12 +1,12 @@
-"""What the shots of a scene have to match, in order: the cut before, the reverse, the side of the line."""
+"""What the shots of a scene have to match: the shot before, the reverse shot, the side of the line."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from storyblender.agents.layout_artist.camera_cuts import cuts
-from storyblender.agents.layout_artist.camera_operator import side_used
+from storyblender.agents.layout_artist.camera_cuts import find_cut_faults
+from storyblender.agents.layout_artist.camera_operator import camera_side
 from storyblender.agents.layout_artist.camera_operator_view import (
     CameraOperatorDraft,
     CameraOperatorView,
@@ -19,7 +19,7 @@ from storyblender.memory.base import Vec3
 from storyblender.memory.shot_context import CameraState, Flaw, ShotContext
 
 CUT_KINDS = ("line", "jump", "eyeline")
-"""Faults that a shot may get or lose by the camera of another."""
+"""Kinds of faults that a shot may get or lose by the camera of another shot."""
 _ANSWERS = ("single", "reaction", "ots")
 """Kinds of shots that have a reverse."""
 Faces = tuple[Vec3, Vec3]
@@ -27,7 +27,7 @@ Pair = tuple[str, str]
 
 
 class SceneCuts:
-    """Goes along with a scene, shot by shot: ``match`` before a camera is set, ``follow`` after it."""
+    """Collects what later shots have to match: call `match` before a camera is set and `remember` after it."""
 
     def __init__(self) -> None:
         self._previous: EarlierShot | None = None
@@ -36,10 +36,10 @@ class SceneCuts:
         self._lines: dict[Pair, Faces] = {}
 
     def match(self, shot: ShotContext, view: CameraOperatorView) -> CameraOperatorView:
-        """Return a shot's view with what its camera has to match.
+        """Return a shot's view with the earlier shots and the side of the line that its camera has to match.
 
         Args:
-            shot: The next one of the scene.
+            shot: The next shot of the scene.
             view: Its projection of the graph.
         """
         view = replace(view, previous=self._previous)
@@ -55,27 +55,26 @@ class SceneCuts:
         had_last_word = last is not None and last.instruction.focus_on_ids != shot.camera_instruction.focus_on_ids
         return replace(view, side=self._sides.get(axis, 0), reverse=last if had_last_word else None)
 
-    def follow(self, shot: ShotContext, view: CameraOperatorView, state: CameraState) -> None:
+    def remember(self, shot: ShotContext, view: CameraOperatorView, state: CameraState) -> None:
         """Remember the camera of a shot for the shots after it.
 
         Args:
-            shot: The one that was matched last.
-            view: As ``match`` returned it.
+            shot: The shot that was matched last.
+            view: Its view, as `match` returned it.
             state: Its camera.
         """
         instruction = shot.camera_instruction
         self._previous = EarlierShot(instruction, state, view.subjects(view.moments[-1]) if view.moments else ())
         if instruction.axis is not None:
-            self._sides[instruction.axis] = self._sides.get(instruction.axis) or side_used(view, state)
+            self._sides[instruction.axis] = self._sides.get(instruction.axis) or camera_side(view, state)
             if instruction.kind in _ANSWERS:
                 self._answered[instruction.axis] = self._previous
 
 
 def judge_cuts(scene: Iterable[tuple[ShotContext, CameraOperatorView]]) -> Mapping[int, CameraState]:
-    """Return the cameras of a scene, by shot, with the faults that their cuts have now.
+    """Return the cameras of a scene by shot id, with the flaws that their cuts have now.
 
-    A camera keeps the faults it was left with, and another one before it may have been changed since: by a person, by a
-    retake, by an undo.
+    A stored camera keeps the flaws of its own time; the camera before it may have changed since.
 
     Args:
         scene: All shots in order, with their projections of the graph.
@@ -85,10 +84,10 @@ def judge_cuts(scene: Iterable[tuple[ShotContext, CameraOperatorView]]) -> Mappi
         state, view = shot.camera, going.match(shot, alone)
         if state is None:
             continue
-        going.follow(shot, view, state)
+        going.remember(shot, view, state)
         ends = [orbit_of(pose, view.film) for pose in (state.poses[0], state.poses[-1])]
         take = CameraOperatorDraft(interpolate_cameras(ends[0], ends[1], 0.5), ends[0], ends[1], state.hidden_node_ids)
-        found = cuts(view, take) if view.moments else []
+        found = find_cut_faults(view, take) if view.moments else []
         now = [Flaw(kind=each.kind, subject=each.subject, weight=each.severity, message=each.message) for each in found]
         kept = [flaw for flaw in state.residual if flaw.kind not in CUT_KINDS]
         states[shot.shot_id] = state.model_copy(update={"residual": (*kept, *now)})

@@ -1,4 +1,4 @@
-"""Judges the cut: the 180-degree line, the 30-degree rule, and eyelines that meet."""
+"""Judges the cut into a shot: the 180-degree line, the 30-degree rule, and eyelines that meet."""
 
 from __future__ import annotations
 
@@ -17,12 +17,16 @@ from storyblender.reflection import Fault
 
 _AROUND = "orbit_left orbit_right"
 _LIKE, _OTHER = math.log(1.5), math.log(2.5)
-"""How many times heads grow or shrink in a cut, as logarithms: up to the first it is the same picture, from the second
-on it is another one."""
+"""Logarithms of the change of head size in a cut: up to the first the pictures are alike, from the second not."""
 
 
-def cuts(view: CameraOperatorView, take: CameraOperatorDraft) -> list[Fault]:
-    """Return what is wrong with the cuts from the shots before."""
+def find_cut_faults(view: CameraOperatorView, take: CameraOperatorDraft) -> list[Fault]:
+    """Return the faults of the cuts from the earlier shots to a take.
+
+    Args:
+        view: The shot, with the shots it has to match.
+        take: Its camera.
+    """
     found: list[Fault] = []
     name = shot_name(view.scene_id, view.shot_id)
     kind, axis = view.instruction.kind, view.axis
@@ -30,7 +34,7 @@ def cuts(view: CameraOperatorView, take: CameraOperatorDraft) -> list[Fault]:
         crossed = [crosses_line(end, axis[0].face, axis[1].face, view.side) for end in (take.start, take.end)]
         if any(crossed):
             found.append(fault("line", name, 3.5, f"{name} crosses the line", ops=_AROUND))
-    found += _jump(view, take, name)
+    found += _find_jump_cut(view, take, name)
     reverse = view.reverse
     if reverse is not None and axis is not None and kind in ("single", "reaction", "ots") and view.people:
         partner = next((figure for figure in axis if figure.node_id != view.people[0].node_id), None)
@@ -40,13 +44,13 @@ def cuts(view: CameraOperatorView, take: CameraOperatorDraft) -> list[Fault]:
     return found
 
 
-def _jump(view: CameraOperatorView, take: CameraOperatorDraft, name: str) -> list[Fault]:
-    """Return the cut from one picture of somebody to nearly the same picture of them."""
+def _find_jump_cut(view: CameraOperatorView, take: CameraOperatorDraft, name: str) -> list[Fault]:
+    """Return the fault of a cut between two nearly equal pictures of the same people; empty if there is none."""
     before = view.previous
     if before is None or "pov" in (view.instruction.kind, before.instruction.kind) or take.start.distance <= 0:
         return []
     last = orbit_of(before.state.poses[-1], view.film)
-    alike, subject = _alike(view, before, last, take.start)
+    alike, subject = _similarity(view, before, last, take.start)
     change = angle_between_views(last, take.start, subject)
     if not alike or change >= JUMP_CUT_DEGREES:
         return []
@@ -56,10 +60,10 @@ def _jump(view: CameraOperatorView, take: CameraOperatorDraft, name: str) -> lis
     return [fault("jump", name, alike * (0.6 + short / 40), text, azimuth=float(way * short))]
 
 
-def _alike(view: CameraOperatorView, before: EarlierShot, last: Orbit, now: Orbit) -> tuple[float, Vec3]:
-    """Return how far a shot shows the same as the one before in like size, 0 to 1, and whom it is measured by.
+def _similarity(view: CameraOperatorView, before: EarlierShot, last: Orbit, now: Orbit) -> tuple[float, Vec3]:
+    """Return how alike two pictures are, 0 to 1, and the world point around which the change of angle is measured.
 
-    People are measured by their heads: a wide of two who stand together may be as near as a medium of two apart.
+    People are compared by their heads: a wide shot of two close people may be as near as a medium shot of two apart.
     """
     pairs = [
         (then, figure)

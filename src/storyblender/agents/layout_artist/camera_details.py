@@ -1,4 +1,4 @@
-"""Where the small things of a shot are when it is drawn: what somebody holds, the part of them an insert shows."""
+"""Small subjects of a shot at its story moment: things in hands, and parts of people in inserts."""
 
 from __future__ import annotations
 
@@ -13,29 +13,29 @@ from storyblender.memory.shot_context import ShotContext
 from storyblender.memory.vocabulary import Hand
 
 _HAND = 0.2
-"""Metres: a hand and what is in it."""
+"""Metres of a hand with what it holds."""
 _SMALL, _AT_HAND = 1.0, 0.9
-"""Metres: the largest thing, and its farthest distance from a person, that is framed with the person."""
+"""Metres of the largest thing that is framed with its person, and its farthest distance from them."""
 _AHEAD = 0.25
-"""Metres that a hand counts as further ahead of the hips, when it is asked from where it is seen."""
+"""Metres by which a hand counts as further ahead of the hips when its front is computed."""
 _FEET = (0.5, 0.3)
 """Metres: width and height of two feet."""
 _EYES, _MOUTH = (0.08, 0.3), (-0.28, 0.25)
-"""Shares of a head: how far above the middle of the face, and how high the part is."""
+"""Height above the middle of the face and height of the part, in head heights."""
 
 
-def middle_of(moments: Sequence[Moment]) -> Moment:
-    """Return the moment of a shot that is drawn."""
+def story_moment_of(moments: Sequence[Moment]) -> Moment:
+    """Return the story moment of a shot's moments (start, story moment, end)."""
     return moments[len(moments) // 2]
 
 
-def held_at(figure: Figure, hand: Hand | None, size: Vec3) -> Box:
-    """Return about where a thing in somebody's hands is: at the hand, or half an arm before the chest.
+def held_box(figure: Figure, hand: Hand | None, size: Vec3) -> Box:
+    """Return the approximate box of a thing in a person's hands: at the hand, or half an arm in front of the chest.
 
     Args:
-        figure: Who holds it.
-        hand: Which hand; None for both.
-        size: Width, depth and height of the thing, metres.
+        figure: The person.
+        hand: The hand; None for both.
+        size: Width, depth and height of the thing in metres.
     """
     yaw = math.radians(figure.yaw)
     if figure.hands and hand is not None:
@@ -46,7 +46,7 @@ def held_at(figure: Figure, hand: Hand | None, size: Vec3) -> Box:
     return Box(x + ahead * math.sin(yaw), y - ahead * math.cos(yaw), z - below, *size, yaw)
 
 
-def at_hand(view: CameraOperatorView) -> tuple[Box, ...]:
+def held_things(view: CameraOperatorView) -> tuple[Box, ...]:
     """Return the boxes of small focus things near the first person, so that one picture holds both."""
     if not view.people or view.detail is not None:
         return ()
@@ -55,17 +55,22 @@ def at_hand(view: CameraOperatorView) -> tuple[Box, ...]:
     return tuple(box for box in small if distance_to_point(box, x, y) < _AT_HAND)
 
 
-def detail_of(shot: ShotContext, moments: Sequence[Moment]) -> Box | None:
-    """Return where the part of a person is that an insert shows; None if it is not about a part of anybody."""
+def detail_box(shot: ShotContext, moments: Sequence[Moment]) -> Box | None:
+    """Return the box of the part of a person that an insert shows; None if the shot shows no such part.
+
+    Args:
+        shot: The shot with its instruction and cues.
+        moments: Its moments; may be empty.
+    """
     instruction = shot.camera_instruction
     who = instruction.focus_on_ids[0] if instruction.focus_on_ids else None
-    figure = middle_of(moments).figure(who) if moments else None
+    figure = story_moment_of(moments).figure(who) if moments else None
     if instruction.detail is None or figure is None:
         return None
     yaw, (x, y, z) = math.radians(figure.yaw), figure.face
     if instruction.detail == "hand":
-        x, y, z = _acting_hand(shot, figure, middle_of(moments).frame)
-        # A hand is seen from its own side: before the chest from the front, by the hip from the left or right.
+        x, y, z = _acting_hand(shot, figure, story_moment_of(moments).frame)
+        # A hand's front is away from the body: in front of the chest ahead, beside the hip to the left or right.
         out_x, out_y = x - figure.base[0] + _AHEAD * figure.forward[0], y - figure.base[1] + _AHEAD * figure.forward[1]
         return Box(x, y, z - _HAND / 2, _HAND, _HAND, _HAND, math.atan2(out_x, -out_y))
     if instruction.detail == "feet":
@@ -78,9 +83,9 @@ def detail_of(shot: ShotContext, moments: Sequence[Moment]) -> Box | None:
 
 
 def _acting_hand(shot: ShotContext, figure: Figure, frame: int) -> Vec3:
-    """Return the hand that acts at a frame, or holds something, or is furthest ahead."""
+    """Return the world point of the hand that acts at a frame, else holds something, else is furthest ahead."""
     if not figure.hands:
-        box = held_at(figure, None, (_HAND, _HAND, _HAND))
+        box = held_box(figure, None, (_HAND, _HAND, _HAND))
         return box.x, box.y, box.z + _HAND / 2
     acting = [cue.hand for cue in shot.cues if cue.asset_id == figure.node_id and cue.hand and cue.start <= frame]
     holding = [state.hand for state in shot.prop_states if state.held_by == figure.node_id and state.hand]

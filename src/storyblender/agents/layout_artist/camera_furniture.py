@@ -1,4 +1,4 @@
-"""Furniture in a picture: what a crew moves out of the camera's way, and backs of things that nobody wants to see."""
+"""Furniture in a picture: what may be hidden in front of the subjects, and backs that nobody wants to see."""
 
 from __future__ import annotations
 
@@ -12,24 +12,27 @@ from storyblender.geometry.orbit import Orbit
 from storyblender.geometry.sight import find_hidden
 
 GRID = (15, 8)
-"""Columns and rows of the rays that look for what stands before everybody."""
+"""Columns and rows of the rays sampled over a picture."""
 _ON = 0.05
-"""Metres between a top and the foot of what stands on it."""
+"""Most metres between a top and the foot of a thing on it."""
 _THEIRS = 0.7
-"""Metres from somebody of the picture within which a thing is theirs: their table is not moved."""
+"""Metres from a subject within which furniture is theirs and stays."""
 _NEARER, _TAKES, _WORTH = 0.7, 0.015, 0.05
-"""Share of the way to the people up to which a thing stands before them; shares of the picture that one such thing
-takes, and all of them, before anything is moved."""
+"""Share of the distance to the people up to which a thing is in front of them; least share of the picture of one such
+thing, and of all of them, for anything to be hidden.
+"""
 _ABOVE = 0.4
-"""Metres above a thing within which an object hides it: a table top, not a lamp at the ceiling."""
+"""Metres above a thing within which an object covers it: a table top, not a ceiling lamp."""
 _FURNITURE = 0.3
 """Cubic metres from which a thing has a back."""
 
 
-def in_the_way(view: CameraOperatorView, camera: Orbit) -> list[str]:
-    """Return the node_ids of the furniture that stands before the people of a picture, and of what stands on it.
+def find_furniture_in_front(view: CameraOperatorView, camera: Orbit) -> list[str]:
+    """Return the node_ids of furniture in front of the subjects, and of what stands on it; empty for a shot of a place.
 
-    Not what is theirs, what somebody uses or sits on; nothing where the shot shows a place.
+    Args:
+        view: The shot.
+        camera: The camera.
     """
     people = view.people
     if not people or not view.removable_props or view.instruction.kind in ("establishing", "pov", "insert"):
@@ -39,7 +42,7 @@ def in_the_way(view: CameraOperatorView, camera: Orbit) -> list[str]:
     near = [
         pair for pair, depth in zip(view.removable_props.items(), depths, strict=True) if 0 < depth < _NEARER * deep
     ]
-    near = [(node, box) for node, box in near if not _is_theirs(view, box)]
+    near = [(node, box) for node, box in near if not _belongs_to_subject(view, box)]
     if not near:
         return []
     spots = camera.position + rays(camera, *GRID) * deep
@@ -52,8 +55,8 @@ def in_the_way(view: CameraOperatorView, camera: Orbit) -> list[str]:
     return gone
 
 
-def covers(view: CameraOperatorView) -> list[str]:
-    """Return the node_ids that contain or cover the thing of an insert: the drawer's desk, the cup on the letter."""
+def find_covers(view: CameraOperatorView) -> list[str]:
+    """Return the node_ids of things that contain or cover the thing of an insert: its desk, the cup on the letter."""
     if view.instruction.kind != "insert" or view.detail is not None:
         return []
     found: list[str] = []
@@ -61,29 +64,27 @@ def covers(view: CameraOperatorView) -> list[str]:
         for node, box in view.removable_props.items():
             over = box.top > thing.top + _ON and box.z < thing.top + _ABOVE
             if over and distance_to_point(box, thing.x, thing.y) <= 0:
-                found += [node, *(each for each, other in view.props.items() if _on_it(each, other, box, view))]
+                found += [node, *(each for each, other in view.removable_props.items() if _stands_on(other, box))]
     return list(dict.fromkeys(found))
 
 
-def _on_it(node: str, thing: Box, box: Box, view: CameraOperatorView) -> bool:
-    return node in view.removable_props and _stands_on(thing, box)
-
-
-def _is_theirs(view: CameraOperatorView, box: Box) -> bool:
+def _belongs_to_subject(view: CameraOperatorView, box: Box) -> bool:
+    """Return whether furniture is close to a focus person."""
     return min(distance_to_point(box, *figure.base[:2]) for figure in view.people) < _THEIRS
 
 
 def _stands_on(thing: Box, box: Box) -> bool:
+    """Return whether a thing stands on a box."""
     return abs(thing.z - box.top) < _ON and distance_to_point(box, thing.x, thing.y) <= 0
 
 
-def backs(view: CameraOperatorView, take: CameraOperatorDraft, deep: float) -> float:
-    """Return the share of the picture that shows the backs of furniture: bare boards that stood at a wall.
+def share_of_backs(view: CameraOperatorView, take: CameraOperatorDraft, deep: float) -> float:
+    """Return the share of the picture that shows backs of furniture, such as bare boards that stood at a wall.
 
     Args:
         view: The shot.
-        take: The camera, and what it hides.
-        deep: Metres from the camera up to which it counts.
+        take: The camera and what it hides.
+        deep: Most metres from the camera.
     """
     camera, behind = take.camera, list[Box]()
     eye_x, eye_y = float(camera.position[0]), float(camera.position[1])

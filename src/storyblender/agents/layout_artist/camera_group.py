@@ -8,8 +8,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView
-from storyblender.agents.layout_artist.camera_room import BEFORE_WALL, VOID, outside, reach_back
-from storyblender.agents.layout_artist.wild_walls import taken_away
+from storyblender.agents.layout_artist.camera_room import BEFORE_WALL, VOID, reach_back, share_outside
+from storyblender.agents.layout_artist.wild_walls import find_hidden_nodes
 from storyblender.geometry import framing
 from storyblender.geometry.boxes import wrap_angle
 from storyblender.geometry.continuity import side_of_line
@@ -55,7 +55,7 @@ def keep_group_in_room(view: CameraOperatorView, camera: Orbit) -> Orbit:
         return camera
     widest = view.instruction.lens or (min(SIZES[size].widest, camera.lens) if size in TIGHT else SIZES["WS"].widest)
     held = _frame_group_from(view, camera, reach, widest)
-    if outside(plan, held, taken_away(plan, {}, [held], [])) < VOID:
+    if share_outside(plan, held, find_hidden_nodes(plan, {}, [held], [])) < VOID:
         return held
     return _frame_group_from(view, camera, reach_back(plan, camera, BEFORE_WALL), widest)
 

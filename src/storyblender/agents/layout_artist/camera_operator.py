@@ -1,7 +1,7 @@
-"""The Camera Operator: a start found on the floor plan, then the paper's discrete visual servo before the viewfinder.
+"""The Camera Operator: a first camera from the floor plan, then the paper's discrete visual servo with the viewfinder.
 
-The paper lets a vision model name one operation a turn. Here the critic's own numbers propose the operations, all of
-them are looked at in one batch, and the best one is kept; the update laws and step sizes are the paper's.
+The paper lets a vision model name one operation a turn. Here the critic's numbers propose the operations, all of them
+are looked at in one batch, and the best one is kept; update laws and step sizes are the paper's.
 """
 
 from __future__ import annotations
@@ -10,8 +10,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from storyblender.agents.layout_artist.camera_focus import with_focus
-from storyblender.agents.layout_artist.camera_furniture import covers
-from storyblender.agents.layout_artist.camera_operator_critic import CameraOperatorCritic, telling_moments
+from storyblender.agents.layout_artist.camera_furniture import find_covers
+from storyblender.agents.layout_artist.camera_operator_critic import CameraOperatorCritic, moments_to_judge
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorDraft, CameraOperatorView
 from storyblender.agents.layout_artist.camera_scout import scout_takes, take_cost, with_hidden
 from storyblender.agents.layout_artist.camera_start import placed_take, take_with_camera
@@ -43,60 +43,71 @@ OPERATIONS: dict[str, Callable[[Orbit], Orbit]] = {
 """The paper's operations and step sizes (appendix, prompt of the Camera Operator)."""
 
 _FIRST, _FIXES, _NEXT = 3, 4, 3
-"""Takes that are looked at: first of the scout's list, of the fixes, and of the list where no fix helps."""
+"""Takes that are looked at: of the scout's list at first, of the fixes, and of the list if no fix helps."""
 CAMERA_THRESHOLD = 9.25
-"""Points (tau): what is left then is not worth ten looks."""
+"""Score (tau) from which a take is accepted."""
 CAMERA_HORIZON = 3
-"""Refinements (T_max)."""
+"""Most refinements (T_max)."""
 _LOOKS = 20
-"""Most looks that one shot is worth."""
+"""Most looks for one shot."""
 _ANSWERED = 2
-"""The worst faults, which one turn answers."""
+"""Number of the worst faults that one refinement fixes."""
 
 
 @dataclass(frozen=True)
 class RulesCameraOperator:
-    """The Camera Operator without a model: greedy steps over the critic's fixes."""
+    """The Camera Operator without a model: greedy steps over the critic's fixes.
+
+    Attributes:
+        critic: Its critic, which remembers every look.
+    """
 
     critic: CameraOperatorCritic
     _lists: dict[tuple[int, int], list[CameraOperatorDraft]] = field(default_factory=dict)
 
     def propose(self, view: CameraOperatorView) -> CameraOperatorDraft:
-        """Return the scout's first place, or the best of his first few where that is not good enough."""
-        first = self._scouted(view)[0]
+        """Return the scout's first take, or the best of the first few if that is not good enough."""
+        first = self._ranked_takes(view)[0]
         if self.critic.judge(first, view).score >= CAMERA_THRESHOLD:
             return first
-        best, _ = self._best(self._scouted(view)[:_FIRST], view)
+        best, _ = self._best_take(self._ranked_takes(view)[:_FIRST], view)
         return best or first
 
     def refine(self, draft: CameraOperatorDraft, critique: Critique, view: CameraOperatorView) -> CameraOperatorDraft:
-        """Return the best of the fixed takes, of the scout's next places if no fix helps, or the draft itself."""
+        """Return the best of the fixed takes, else of the scout's next ones, else the draft itself.
+
+        Args:
+            draft: The take so far.
+            critique: Its faults with their fixes.
+            view: The shot.
+        """
         known = self.critic.judged(view)
         needed = take_with_camera(view, draft.camera).hidden
         cleared = [node for node in draft.hidden if node not in needed]
-        fixed = [with_hidden(take_with_camera(view, camera), cleared) for camera in _fixed(draft, critique)]
+        fixed = [with_hidden(take_with_camera(view, camera), cleared) for camera in _fixed_cameras(draft, critique)]
         fixed = sorted((other for other in fixed if other not in known), key=lambda other: take_cost(view, other))
-        if any(fault.kind in ("hidden", "out_of_frame") for fault in critique.faults) and (over := covers(view)):
+        if any(fault.kind in ("hidden", "out_of_frame") for fault in critique.faults) and (over := find_covers(view)):
             bare = with_hidden(draft, over)
             fixed = fixed if bare in known else [bare, *fixed]
-        best, score = self._best(fixed[:_FIXES], view)
+        best, score = self._best_take(fixed[:_FIXES], view)
         if best is not None and score > critique.score + 0.1:
             return best
         known = self.critic.judged(view)
-        best, score = self._best([other for other in self._scouted(view) if other not in known][:_NEXT], view)
+        best, score = self._best_take([other for other in self._ranked_takes(view) if other not in known][:_NEXT], view)
         return best if best is not None and score > critique.score + 0.02 else draft
 
-    def _scouted(self, view: CameraOperatorView) -> list[CameraOperatorDraft]:
-        """Return the scout's list of a shot; he goes round only once."""
+    def _ranked_takes(self, view: CameraOperatorView) -> list[CameraOperatorDraft]:
+        """Return the scout's takes of a shot, computed once."""
         key = view.scene_id, view.shot_id
         if key not in self._lists:
             self._lists[key] = scout_takes(view)
         return self._lists[key]
 
-    def _best(
+    def _best_take(
         self, takes: list[CameraOperatorDraft], view: CameraOperatorView
     ) -> tuple[CameraOperatorDraft | None, float]:
-        moments = len(telling_moments(view, takes))
+        """Return the best of some takes and its score, within the looks left; None if there is none."""
+        moments = len(moments_to_judge(view, takes))
         takes = takes[: max(0, (_LOOKS - self.critic.looks) // max(moments, 1))]
         if not takes:
             return None, 0.0
@@ -105,15 +116,15 @@ class RulesCameraOperator:
         return takes[index], scores[index]
 
 
-def _fixed(draft: CameraOperatorDraft, critique: Critique) -> list[Orbit]:
-    """Return the cameras that the critique asks for: each numeric fix, all of them together, each named operation."""
+def _fixed_cameras(draft: CameraOperatorDraft, critique: Critique) -> list[Orbit]:
+    """Return the cameras of a critique's fixes: each numeric fix, all of them together, each named operation."""
     cameras: dict[Orbit, None] = {}
     together = draft.camera
     for fault in sorted(critique.faults, key=lambda fault: -fault.severity)[:_ANSWERED]:
         numbers = {name: value for name, value in fault.fix.items() if isinstance(value, float | int)}
         if numbers:
-            cameras[_applied(draft.camera, numbers)] = None
-            together = _applied(together, numbers)
+            cameras[_apply_numbers(draft.camera, numbers)] = None
+            together = _apply_numbers(together, numbers)
         for name in str(fault.fix.get("ops", "")).split():
             cameras[OPERATIONS[name](draft.camera)] = None
             cameras[OPERATIONS[name](together)] = None
@@ -122,7 +133,8 @@ def _fixed(draft: CameraOperatorDraft, critique: Critique) -> list[Orbit]:
     return list(cameras)
 
 
-def _applied(camera: Orbit, numbers: Mapping[str, float]) -> Orbit:
+def _apply_numbers(camera: Orbit, numbers: Mapping[str, float]) -> Orbit:
+    """Return a camera changed by a fix's numbers: degrees, dolly steps, and pans in heights of the picture."""
     camera = orbit(camera, numbers.get("azimuth", 0.0), numbers.get("elevation", 0.0))
     camera = dolly(camera, numbers.get("dolly", 0.0))
     return pan(camera, numbers.get("pan_x", 0.0), numbers.get("pan_y", 0.0))
@@ -130,7 +142,7 @@ def _applied(camera: Orbit, numbers: Mapping[str, float]) -> Orbit:
 
 CameraRole = Role[..., CameraOperatorView, CameraOperatorDraft]
 Operator = Callable[[Viewfinder], CameraRole]
-"""The Camera Operator for one shot: its critic looks through the engine's eye, and counts its looks."""
+"""Builds the Camera Operator for one shot; its critic looks through the viewfinder and counts its looks."""
 
 
 def rules_operator(
@@ -139,9 +151,9 @@ def rules_operator(
     """Return the Camera Operator without a model, for one shot.
 
     Args:
-        viewfinder: The engine's eye.
-        threshold: tau.
-        horizon: T_max.
+        viewfinder: The engine's viewfinder.
+        threshold: Score from which a take is accepted (tau).
+        horizon: Most refinements (T_max).
     """
     critic = CameraOperatorCritic(viewfinder)
     rules = RulesCameraOperator(critic)
@@ -151,12 +163,12 @@ def rules_operator(
 def operate(
     view: CameraOperatorView, viewfinder: Viewfinder, operator: Operator = rules_operator, listener: Listener = silent
 ) -> CameraState:
-    """Return the camera of a shot with its score and what the critic still minds; one placed by a person stays there.
+    """Return the camera of a shot with its score and remaining flaws; a camera placed by a person keeps its place.
 
     Args:
         view: The shot.
-        viewfinder: The engine's eye.
-        operator: The member of the crew who decides.
+        viewfinder: The engine's viewfinder.
+        operator: Builds the Camera Operator.
         listener: Receives the trace.
     """
     role = operator(viewfinder)
@@ -174,8 +186,13 @@ def operate(
     return with_focus(view, chosen.state(view.duration, f_number, critique.score, residual))
 
 
-def side_used(view: CameraOperatorView, state: CameraState) -> int:
-    """Return the side of the instruction's axis that a shot's camera is on, for the shots after it; 0 if neither."""
+def camera_side(view: CameraOperatorView, state: CameraState) -> int:
+    """Return the side of the instruction's axis that a camera is on, 1 left or -1 right of the line; 0 for neither.
+
+    Args:
+        view: The shot.
+        state: Its camera.
+    """
     if view.axis is None or view.instruction.kind in ("pov", "insert", "establishing"):
         return 0
     first, second = view.axis

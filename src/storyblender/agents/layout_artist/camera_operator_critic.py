@@ -1,7 +1,7 @@
 """Judges a take by what the viewfinder measures: visibility, size, composition, cuts; each fault with its fix.
 
-Fixes are numbers where the geometry gives them (``pan_x``/``pan_y`` in heights of the picture, ``dolly`` in steps,
-``azimuth``/``elevation`` in degrees) and names of the paper's operations (``ops``) where only trying tells.
+Fixes are numbers where the geometry gives them (``pan_x`` and ``pan_y`` in heights of the picture, ``dolly`` in steps,
+``azimuth`` and ``elevation`` in degrees), else names of the paper's operations (``ops``) to be tried.
 """
 
 from __future__ import annotations
@@ -9,8 +9,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from storyblender.agents.layout_artist.camera_composition import composition, fault
-from storyblender.agents.layout_artist.camera_cuts import cuts
+from storyblender.agents.layout_artist.camera_composition import fault, find_composition_faults
+from storyblender.agents.layout_artist.camera_cuts import find_cut_faults
 from storyblender.agents.layout_artist.camera_operator_view import (
     CameraOperatorDraft,
     CameraOperatorView,
@@ -18,7 +18,7 @@ from storyblender.agents.layout_artist.camera_operator_view import (
     pose_of,
     time_share,
 )
-from storyblender.agents.layout_artist.camera_room import outside, void_points
+from storyblender.agents.layout_artist.camera_room import share_outside, void_points
 from storyblender.agents.layout_artist.camera_scout import AT_EDGE, CLEARED, LEAST_OVER
 from storyblender.agents.layout_artist.camera_start import max_face_angle, requires_shoulder
 from storyblender.geometry.orbit import Orbit
@@ -36,17 +36,17 @@ _FOREGROUND_OTS = 0.38
 _LEFT_OUT = 1.2
 """Most points for a thing that a picture of people does not show."""
 _PASSING = 0.5
-"""How much of a fault's weight is left where it passes: the board shows the middle of the shot."""
+"""Factor on the weight of faults outside the story moment, which the board does not show."""
 _ARMS = 0.5
-"""Metres between the faces of two who are in each other's arms."""
+"""Metres between the faces of two people who embrace."""
 _AROUND = "orbit_left orbit_right"
 
 
 class CameraOperatorCritic:
-    """R of the Camera Operator. Remembers what it saw, so that judging the same take again costs nothing.
+    """The Camera Operator's critic. It remembers its looks, so that judging a take again costs nothing.
 
     Args:
-        viewfinder: The engine's eye.
+        viewfinder: The engine's viewfinder.
     """
 
     def __init__(self, viewfinder: Viewfinder) -> None:
@@ -59,7 +59,7 @@ class CameraOperatorCritic:
 
     @property
     def looks(self) -> int:
-        """How often this critic has looked."""
+        """Number of looks so far."""
         return len(self._seen)
 
     def judged(self, view: CameraOperatorView) -> set[CameraOperatorDraft]:
@@ -67,8 +67,8 @@ class CameraOperatorCritic:
         return {take for scene, shot, _, take in self._seen if (scene, shot) == (view.scene_id, view.shot_id)}
 
     def judge_all(self, takes: Sequence[CameraOperatorDraft], view: CameraOperatorView) -> list[Critique]:
-        """Score several takes with one batch of looks."""
-        moments = telling_moments(view, takes)
+        """Return the critiques of several takes of a shot, with one batch of looks."""
+        moments = moments_to_judge(view, takes)
         wanted = [(take, moment) for take in takes for moment in moments]
         fresh = [pair for pair in dict.fromkeys((take, moment.frame) for take, moment in wanted)
                  if self._key(view, *pair) not in self._seen]  # fmt: skip
@@ -77,7 +77,7 @@ class CameraOperatorCritic:
         for (take, frame), seen in zip(fresh, views, strict=True):
             self._seen[self._key(view, take, frame)] = seen
         return [
-            Critique.of(_faults(view, take, [(m, self._seen[self._key(view, take, m.frame)]) for m in moments]))
+            Critique.of(_find_faults(view, take, [(m, self._seen[self._key(view, take, m.frame)]) for m in moments]))
             for take in takes
         ]
 
@@ -88,8 +88,13 @@ class CameraOperatorCritic:
         return view.scene_id, view.shot_id, frame, take
 
 
-def telling_moments(view: CameraOperatorView, takes: Sequence[CameraOperatorDraft]) -> list[Moment]:
-    """Return the moments worth a look: the one that is drawn; all of them if the camera moves or goes with a walk."""
+def moments_to_judge(view: CameraOperatorView, takes: Sequence[CameraOperatorDraft]) -> list[Moment]:
+    """Return the story moment; all moments of the shot if the subject walks or a take's camera moves.
+
+    Args:
+        view: The shot.
+        takes: Takes to judge.
+    """
     if view.walks or any(take.moves for take in takes):
         return list(view.moments)
     return [view.story_moment]
@@ -107,35 +112,35 @@ def _request(view: CameraOperatorView, take: CameraOperatorDraft, frame: int) ->
     )
 
 
-def _faults(
+def _find_faults(
     view: CameraOperatorView, take: CameraOperatorDraft, looks: Sequence[tuple[Moment, CameraView]]
 ) -> tuple[Fault, ...]:
-    """Judge composition where the take is centred, and visibility everywhere."""
+    """Return a take's faults: composition at the story moment, visibility at all moments, and cuts."""
     told: list[Fault] = []
     main = view.story_moment
     for moment, seen in sorted(looks, key=lambda pair: pair[0] is not main):
         camera = take.at(time_share(view, moment.frame))
-        found = _visibility(view, moment, seen)
+        found = _visibility_faults(view, moment, seen)
         if moment is not main:
             found = [
                 each.model_copy(update={"severity": _PASSING * each.severity})
                 for each in found
                 if each.kind != "face_away"
             ]
-        found += [*_place(seen), *_void(_nothing(view, take, camera, seen))]
+        found += [*_camera_place_faults(seen), *_void_faults(_void_share(view, take, camera, seen))]
         if moment is main:
-            found += [*composition(view, camera, moment, seen), *_surroundings(view, seen)]
+            found += [*find_composition_faults(view, camera, moment, seen), *_surrounding_faults(view, seen)]
         known = {(fault.kind, fault.subject) for fault in told}
         told += [fault for fault in found if (fault.kind, fault.subject) not in known]
-    told += cuts(view, take)
+    told += find_cut_faults(view, take)
     for node in view.strangers:
         if node in take.hidden:
             told.append(fault("cleared", node, CLEARED, f"{node} stands aside for this picture"))
     return tuple(told)
 
 
-def _visibility(view: CameraOperatorView, moment: Moment, seen: CameraView) -> list[Fault]:
-    """Focus seen and not hidden, faces free; whoever else belongs in the picture is in it."""
+def _visibility_faults(view: CameraOperatorView, moment: Moment, seen: CameraView) -> list[Fault]:
+    """Return the faults of what is visible at a moment: focus, faces, and other people who belong in the picture."""
     found: list[Fault] = []
     faces: dict[str, list[Fault]] = {}
     kind, size = view.instruction.kind, view.instruction.size
@@ -162,10 +167,10 @@ def _visibility(view: CameraOperatorView, moment: Moment, seen: CameraView) -> l
             cut = 1 - subject.in_frame_fraction
             found.append(fault("cropped", node, 0.5 + 2 * cut, f"{node} is cut off", ops="zoom_out pan_down pan_up"))
         if is_person and kind != "establishing":
-            faces[node] = _face(view, subject)
+            faces[node] = _face_faults(view, subject)
     for node, faults in faces.items():
-        # Of two in each other's arms one face is seen.
-        held = [other for other in faces if other != node and _in_arms(moment, node, other)]
+        # In an embrace one visible face is enough.
+        held = [other for other in faces if other != node and _is_embrace(moment, node, other)]
         found += [] if any(not faces[other] for other in held) else faults
     over_node = view.node(view.instruction.over_id or "")
     for node in () if size in TIGHT else view.in_frame:
@@ -173,12 +178,12 @@ def _visibility(view: CameraOperatorView, moment: Moment, seen: CameraView) -> l
         if other is not None and other.visible_fraction < 0.05 and node not in (*view.focus, over_node):
             found.append(fault("missing", node, 1.0, f"{node} belongs in the picture", ops=f"zoom_out {_AROUND}"))
     if view.over is not None and (over := subjects.get(view.over.node_id)) is not None:
-        found += _shoulder(view, over)
+        found += _shoulder_faults(view, over)
     return found
 
 
-def _shoulder(view: CameraOperatorView, over: SubjectView) -> list[Fault]:
-    """The partner is before the subject, with a head, and not somebody in the background."""
+def _shoulder_faults(view: CameraOperatorView, over: SubjectView) -> list[Fault]:
+    """Return the faults of an over-the-shoulder partner: in front of the subject, at the side, with a head."""
     aside = over.face is not None and abs(over.face[0] - 0.5) > AT_EDGE
     far = requires_shoulder(view) and over.head_height < LEAST_OVER
     if over.pixels < 0.02 or aside or far:
@@ -189,12 +194,14 @@ def _shoulder(view: CameraOperatorView, over: SubjectView) -> list[Fault]:
     return []
 
 
-def _in_arms(moment: Moment, one: str, other: str) -> bool:
+def _is_embrace(moment: Moment, one: str, other: str) -> bool:
+    """Return whether the faces of two people (node_ids) are as close as in an embrace."""
     first, second = moment.figure(one), moment.figure(other)
     return first is not None and second is not None and math.dist(first.face, second.face) < _ARMS
 
 
-def _face(view: CameraOperatorView, subject: SubjectView) -> list[Fault]:
+def _face_faults(view: CameraOperatorView, subject: SubjectView) -> list[Fault]:
+    """Return the faults of a focus face: out of the picture, turned away or hidden."""
     node = subject.node_id
     limit = max_face_angle(view)
     if subject.face is None or not (0.02 < subject.face[0] < 0.98 and -0.02 < subject.face[1] < 0.98):
@@ -211,7 +218,8 @@ def _face(view: CameraOperatorView, subject: SubjectView) -> list[Fault]:
     return found
 
 
-def _place(seen: CameraView) -> list[Fault]:
+def _camera_place_faults(seen: CameraView) -> list[Fault]:
+    """Return the faults of a camera inside a thing or below the floor."""
     found = [
         fault("inside", node, 5.0, f"the camera is in {node}", ops="zoom_in zoom_out orbit_left orbit_right")
         for node in seen.inside
@@ -221,24 +229,24 @@ def _place(seen: CameraView) -> list[Fault]:
     return found
 
 
-def _nothing(view: CameraOperatorView, take: CameraOperatorDraft, camera: Orbit, seen: CameraView) -> float:
-    """Return the share of the picture that is empty, or that looks past the edge of the room."""
-    return seen.void if view.plan is None else max(seen.void, outside(view.plan, camera, take.hidden))
+def _void_share(view: CameraOperatorView, take: CameraOperatorDraft, camera: Orbit, seen: CameraView) -> float:
+    """Return the share of the picture that is empty or beyond the walls of the room."""
+    return seen.void if view.plan is None else max(seen.void, share_outside(view.plan, camera, take.hidden))
 
 
-def _void(share: float) -> list[Fault]:
+def _void_faults(share: float) -> list[Fault]:
     if not (points := void_points(share)):
         return []
     text = f"{share:.0%} of the picture shows nothing"
     return [fault("void", "", points, text, ops="orbit_left orbit_right orbit_down zoom_in")]
 
 
-def _surroundings(view: CameraOperatorView, seen: CameraView) -> list[Fault]:
-    """Nothing looming, nobody cut by the frame, somebody to look at."""
+def _surrounding_faults(view: CameraOperatorView, seen: CameraView) -> list[Fault]:
+    """Return the faults of an empty picture, of things in the foreground, and of people besides the focus."""
     found: list[Fault] = []
     kind = view.instruction.kind
     allowed = _FOREGROUND_OTS if view.over is not None else _FOREGROUND
-    # A place that is shown for itself has a floor before its middle, and nobody to stand before.
+    # An establishing shot without subjects may have anything in its foreground.
     if seen.foreground > allowed and kind != "pov" and view.named:
         text = f"{seen.foreground:.0%} of the picture is in front of the subject"
         ops = "zoom_in zoom_out orbit_left orbit_right orbit_up"
@@ -251,15 +259,12 @@ def _surroundings(view: CameraOperatorView, seen: CameraView) -> list[Fault]:
         found.append(fault("empty", "", 3.0, "nobody of the scene is seen", ops=f"{_AROUND} orbit_up zoom_in"))
     if kind != "pov":
         main = set() if kind == "establishing" else own
-        found += _bystanders(view, seen, main)
+        found += _bystander_faults(view, seen, main)
     return found
 
 
-def _bystanders(view: CameraOperatorView, seen: CameraView, own: set[str]) -> list[Fault]:
-    """People outside the focus are whole from side to side, and only at home where the shot shows a place.
-
-    Of an insert nobody is asked to be whole.
-    """
+def _bystander_faults(view: CameraOperatorView, seen: CameraView, own: set[str]) -> list[Fault]:
+    """Return the faults of people besides the focus (``own``): cut by the frame, or with no part in the shot."""
     found: list[Fault] = []
     largest = max((subject.pixels for subject in seen.subjects if subject.node_id in own), default=0.0)
     for subject in seen.subjects:
@@ -271,7 +276,7 @@ def _bystanders(view: CameraOperatorView, seen: CameraView, own: set[str]) -> li
             found.append(fault("stranger", subject.node_id, 1.0, text, ops=f"{_AROUND} zoom_in"))
         if subject.face is None or subject.pixels < 0.004 or view.instruction.kind == "insert":
             continue
-        top = _top(view, subject)
+        top = _top_to_show(view, subject)
         if subject.pixels > 0.012 and (top < 0 or subject.face[1] > 1):
             text = f"the frame takes the head off {subject.node_id}"
             ops = f"{_AROUND} zoom_in zoom_out"
@@ -286,8 +291,8 @@ def _bystanders(view: CameraOperatorView, seen: CameraView, own: set[str]) -> li
     return found
 
 
-def _top(view: CameraOperatorView, subject: SubjectView) -> float:
-    """Return what of a bystander has to be below the picture's upper edge: the crown, in a tight shot the face."""
+def _top_to_show(view: CameraOperatorView, subject: SubjectView) -> float:
+    """Return the screen y of a bystander that must be in the picture: the crown, in a tight shot the face."""
     assert subject.face is not None
     crown = subject.head_top if view.instruction.size not in TIGHT else None
     return subject.face[1] if crown is None else crown

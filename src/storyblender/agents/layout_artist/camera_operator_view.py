@@ -9,7 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
-from storyblender.agents.layout_artist.camera_solids import aboard
+from storyblender.agents.layout_artist.camera_solids import is_anyone_aboard
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box, corners, distance_to_point
 from storyblender.geometry.framing import Figure, Film, can_frame_over_shoulder
@@ -257,7 +257,7 @@ class CameraOperatorView:
     @cached_property
     def vessels(self) -> tuple[str, ...]:
         """node_ids of the boats and carriages that focus people are in: these do not stand in front of them."""
-        return tuple(node for node, box in self.props.items() if aboard([box], self.people))
+        return tuple(node for node, box in self.props.items() if is_anyone_aboard([box], self.people))
 
     def _is_occupied(self, box: Box) -> bool:
         """Return whether a person sits or lies on a thing, so that hiding it would leave them in the air."""

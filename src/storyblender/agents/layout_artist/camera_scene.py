@@ -1,4 +1,4 @@
-"""Shoots a scene in order: every camera knows the cuts before it, its reverse, and the side of the line."""
+"""Shoots a scene shot by shot: every camera knows the shots it has to match."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 from storyblender.agents.layout_artist.camera_continuity import SceneCuts
-from storyblender.agents.layout_artist.camera_details import detail_of, held_at, middle_of
+from storyblender.agents.layout_artist.camera_details import detail_box, held_box, story_moment_of
 from storyblender.agents.layout_artist.camera_operator import Operator, operate, rules_operator
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment, too_far_to_frame
 from storyblender.agents.layout_artist.layout_things import size_of
@@ -23,33 +23,43 @@ from storyblender.memory.shot_context import CameraState, Cue, ShotContext
 from storyblender.ports import Viewfinder
 from storyblender.trace import Listener, silent
 
-_LEAVES = ("put_down", "drop", "throw")
+_RELEASING_CLIPS = ("put_down", "drop", "throw")
 """Clips after which a thing is in nobody's hands."""
-_TAKES = ("pick_up", "take", "catch")
+_TAKING_CLIPS = ("pick_up", "take", "catch")
 """Clips after which a thing is in the hand."""
 Moments = Callable[[ShotContext], Sequence[Moment]]
-"""Where everybody's face is at the frames of ``telling_frames``, as the engine measured it."""
+"""Returns the figures of a shot at the frames of `measured_frames`, as the engine measured them."""
 
 
-def put_away(shot: ShotContext, frame: int) -> set[str]:
-    """Return what somebody has put down and left before a frame: a picture of what they do next is not about it."""
+def props_put_away(shot: ShotContext, frame: int) -> set[str]:
+    """Return the asset ids of props that a person has put down before a frame and no longer handles.
+
+    Args:
+        shot: The shot with its cues; an insert has none.
+        frame: Frame of the shot.
+    """
     if shot.camera_instruction.kind == "insert":
         return set()
     gone: set[str] = set()
     for cue in sorted(shot.cues, key=lambda cue: cue.start):
         if cue.prop_id is not None and cue.start <= frame:
-            gone = gone - {cue.prop_id} | ({cue.prop_id} if cue.clip in _LEAVES else set())
+            gone = gone - {cue.prop_id} | ({cue.prop_id} if cue.clip in _RELEASING_CLIPS else set())
     busy = [cue for cue in shot.cues if cue.start <= frame and cue.clip not in AT_REST]
     last: dict[str, Cue] = {}
     for cue in sorted(busy, key=lambda cue: cue.start):
-        # Who is embraced is in the embrace, whatever they did with their hands before.
+        # Both people of an embrace are busy with it, whatever their hands did before.
         pair = (cue.asset_id, cue.target_id) if clip_of(cue.clip).reach == "person" else (cue.asset_id,)
         last |= {who: cue for who in pair if who is not None}
     return gone - {cue.prop_id for cue in last.values()}
 
 
-def telling_frames(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> tuple[int, ...]:
-    """Return the frames at which a shot's faces are wanted: start, the moment that is drawn, and end."""
+def measured_frames(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> tuple[int, ...]:
+    """Return the frames at which the engine measures figures: start, story moment and end of the shot.
+
+    Args:
+        shot: The shot.
+        played: The cues as the engine played them; may be empty.
+    """
     last = max(shot.duration - 1, 0)
     middle = min(max(board_frame(shot, played), 1), max(last - 1, 0))
     return tuple(dict.fromkeys((0, middle, last)))
@@ -70,42 +80,42 @@ def shoot_scene(
     """Return the camera of every shot of a scene by shot id; cameras that are set stay, and the others match them.
 
     Args:
-        graph: With layout and blocking of the scene.
-        scene_id: Of the scene.
+        graph: The graph, with layout and blocking of the scene.
+        scene_id: Number of the scene.
         plan: Its set.
-        measures: By asset id.
-        moments: Faces of a shot.
-        viewfinder: The engine's eye.
-        operator: The member of the crew who decides.
-        kit: mm of the lenses at hand; any lens where it is empty.
+        measures: Measures by asset id.
+        moments: Returns the figures of a shot.
+        viewfinder: The engine's viewfinder.
+        operator: Builds the Camera Operator for a shot.
+        kit: Focal lengths in mm of the lenses at hand; empty for any lens.
         listener: Receives the trace.
     """
     cameras: dict[int, CameraState] = {}
     cuts = SceneCuts()
     for shot in graph.shots_of(scene_id):
         view = cuts.match(shot, replace(camera_operator_view(graph, shot, plan, measures, moments(shot)), kit=kit))
-        state = shot.camera or _leaving_out(operate(view, viewfinder, operator, listener), shot, view)
+        state = shot.camera or _with_people_left_out(operate(view, viewfinder, operator, listener), shot, view)
         cameras[shot.shot_id] = state
-        cuts.follow(shot, view, state)
+        cuts.remember(shot, view, state)
     return cameras
 
 
-def _leaving_out(state: CameraState, shot: ShotContext, view: CameraOperatorView) -> CameraState:
-    """Return the camera with whom it was meant to show and leaves out."""
+def _with_people_left_out(state: CameraState, shot: ShotContext, view: CameraOperatorView) -> CameraState:
+    """Return the camera state with the people whom the shot is meant to show but had to leave out."""
     left = tuple(node for node in shot.in_frame if node not in view.in_frame)
     return state.model_copy(update={"leaves_out": left}) if left else state
 
 
-def _handlings(shot: ShotContext, frame: int) -> list[Cue]:
+def _handling_cues(shot: ShotContext, frame: int) -> list[Cue]:
     """Return the cues that handle things up to a frame: the last for each thing not put down again."""
     last: dict[str, Cue] = {}
     for cue in sorted(shot.cues, key=lambda cue: cue.start):
         if cue.prop_id is None or cue.start > frame:
             continue
         taken = last.get(cue.prop_id)
-        if taken is None or taken.clip not in _TAKES or cue.clip in (*_TAKES, *_LEAVES):
+        if taken is None or taken.clip not in _TAKING_CLIPS or cue.clip in (*_TAKING_CLIPS, *_RELEASING_CLIPS):
             last[cue.prop_id] = cue
-    return [cue for cue in last.values() if cue.clip not in _LEAVES]
+    return [cue for cue in last.values() if cue.clip not in _RELEASING_CLIPS]
 
 
 def camera_operator_view(
@@ -115,7 +125,15 @@ def camera_operator_view(
     measures: Mapping[str, AssetMeasure],
     moments: Sequence[Moment],
 ) -> CameraOperatorView:
-    """Return the Camera Operator's projection of the graph for one shot, without its cuts."""
+    """Return the Camera Operator's projection of the graph for one shot, without the shots it has to match.
+
+    Args:
+        graph: The graph, with layout and blocking of the scene.
+        shot: The shot.
+        plan: The set.
+        measures: Measures by asset id.
+        moments: Its figures at start, story moment and end; may be empty.
+    """
     layout = graph.scene(shot.scene_id).layout
     props: dict[str, Box] = {}
     nodes: dict[str, str] = {}
@@ -136,31 +154,31 @@ def camera_operator_view(
         if item.asset_id in handled or item.node_id in handled:
             used.append(item.node_id)
     for state in shot.prop_states:
-        holder = middle_of(moments).figure(state.held_by) if moments and state.visible else None
+        holder = story_moment_of(moments).figure(state.held_by) if moments and state.visible else None
         measure = measures.get(state.asset_id)
         if measure is None or not state.visible:
             continue
         node = nodes.get(state.asset_id, state.asset_id)
         if holder is not None:
-            props[node] = held_at(holder, state.hand, size_of(measure))
+            props[node] = held_box(holder, state.hand, size_of(measure))
             carried[state.held_by or ""] = (*carried.get(state.held_by or "", ()), node)
-        elif state.location is not None:  # brought by somebody and laid down: the layout does not know it
+        elif state.location is not None:  # brought along and laid down: the layout does not have it
             props[node] = Box(*state.location, *size_of(measure), math.radians(state.rotation[2]))
     instruction, in_frame = shot.camera_instruction, shot.in_frame
-    for cue in _handlings(shot, middle_of(moments).frame) if moments else ():
-        node, holder = nodes.get(cue.prop_id or "", cue.prop_id or ""), middle_of(moments).figure(cue.asset_id)
+    for cue in _handling_cues(shot, story_moment_of(moments).frame) if moments else ():
+        node, holder = nodes.get(cue.prop_id or "", cue.prop_id or ""), story_moment_of(moments).figure(cue.asset_id)
         if holder is None or node in carried.get(cue.asset_id, ()):
             continue
         carried[cue.asset_id] = (*carried.get(cue.asset_id, ()), node)
-        if cue.clip in _TAKES and (measure := measures.get(cue.prop_id or "")) is not None:
-            props[node] = held_at(holder, cue.hand, size_of(measure))
+        if cue.clip in _TAKING_CLIPS and (measure := measures.get(cue.prop_id or "")) is not None:
+            props[node] = held_box(holder, cue.hand, size_of(measure))
     if moments:
-        over = put_away(shot, middle_of(moments).frame)
+        over = props_put_away(shot, story_moment_of(moments).frame)
         instruction = instruction.model_copy(
             update={"focus_on_ids": tuple(name for name in instruction.focus_on_ids if name not in over)}
         )
         together = (*(nodes.get(name, name) for name in instruction.focus_on_ids[:1]), *in_frame)
-        distant = too_far_to_frame(instruction, middle_of(moments), together)
+        distant = too_far_to_frame(instruction, story_moment_of(moments), together)
         in_frame = tuple(node for node in in_frame if node not in distant)
     return CameraOperatorView(
         scene_id=shot.scene_id,
@@ -174,7 +192,7 @@ def camera_operator_view(
         film=Film(graph.format.sensor_width, graph.format.aspect),
         nodes=nodes,
         carried=carried,
-        detail=detail_of(shot, moments),
+        detail=detail_box(shot, moments),
         used=tuple(used),
         placed=shot.camera_decision.placed if shot.camera_decision is not None else None,
     )

@@ -13,12 +13,24 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from storyblender.agents.layout_artist.camera_composition import AT_SIDE
-from storyblender.agents.layout_artist.camera_cuts import cuts
-from storyblender.agents.layout_artist.camera_details import at_hand
-from storyblender.agents.layout_artist.camera_furniture import GRID, backs, covers, in_the_way
+from storyblender.agents.layout_artist.camera_cuts import find_cut_faults
+from storyblender.agents.layout_artist.camera_details import held_things
+from storyblender.agents.layout_artist.camera_furniture import (
+    GRID,
+    find_covers,
+    find_furniture_in_front,
+    share_of_backs,
+)
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorDraft, CameraOperatorView, time_share
-from storyblender.agents.layout_artist.camera_room import outside, rays, void_points
-from storyblender.agents.layout_artist.camera_solids import aboard, body, holds, lidded, opened, solids
+from storyblender.agents.layout_artist.camera_room import rays, share_outside, void_points
+from storyblender.agents.layout_artist.camera_solids import (
+    body_boxes,
+    contains_person,
+    is_anyone_aboard,
+    open_vessels,
+    solid_boxes,
+    top_slab,
+)
 from storyblender.agents.layout_artist.camera_start import (
     compose_take,
     ignored_partner,
@@ -112,13 +124,16 @@ def scout_takes(view: CameraOperatorView) -> list[CameraOperatorDraft]:
     if view.over is not None:
         turns = _OVER_TURNS if requires_shoulder(view) else (*_OVER_TURNS, *_PROFILE_TURNS)
     takes: dict[CameraOperatorDraft, float] = {}
-    for rise in _BOAT_RISES if aboard(view.props.values(), view.people) else rises:
+    for rise in _BOAT_RISES if is_anyone_aboard(view.props.values(), view.people) else rises:
         for turn in turns:
             take = compose_take(view, turn, rise)
             away = abs(turn) / 240 + rise / 45
             takes.setdefault(take, take_cost(view, take) + away)
             cleared = _without_strangers(view, take)
-            for other in (cleared, with_hidden(cleared, (*in_the_way(view, take.camera), *covers(view)))):
+            for other in (
+                cleared,
+                with_hidden(cleared, (*find_furniture_in_front(view, take.camera), *find_covers(view))),
+            ):
                 if other not in takes:
                     takes[other] = take_cost(view, other) + away
     return sorted(takes, key=lambda take: takes[take])
@@ -151,9 +166,9 @@ def with_hidden(take: CameraOperatorDraft, nodes: Iterable[str]) -> CameraOperat
 
 def take_cost(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
     """Return about how many points (of ten) the critic would take off a take, from boxes and faces alone."""
-    points = sum(fault.severity for fault in cuts(view, take)) + _camera_place_cost(view, take)
+    points = sum(fault.severity for fault in find_cut_faults(view, take)) + _camera_place_cost(view, take)
     if view.plan is not None:
-        points += void_points(outside(view.plan, take.camera, take.hidden))
+        points += void_points(share_outside(view.plan, take.camera, take.hidden))
     points += CLEARED * sum(node in take.hidden for node in view.strangers)
     gone = [box for node, box in view.props.items() if node in take.hidden and box.z < _STANDS]
     points += sum(min(_TAKEN + 0.5 * box.width * box.depth * box.height, 2.0) for box in gone)
@@ -179,11 +194,11 @@ def _foreground_cost(view: CameraOperatorView, take: CameraOperatorDraft) -> flo
     deep = max(float(project(camera, shown or [camera.pivot])[1].mean()), 0.5) - _OWN
     spots = camera.position + rays(camera, columns, rows) * deep
     own = () if view.people else view.focus
-    boxes = solids(dict(view.props) if shown else {}, view.plan, (*take.hidden, *view.vessels, *own))
+    boxes = solid_boxes(dict(view.props) if shown else {}, view.plan, (*take.hidden, *view.vessels, *own))
     taken = find_hidden(boxes, camera.position, spots).reshape(rows, columns).mean(0)
     third = columns // 3
     share = (taken.sum() + taken[third : columns - third].sum()) / (2 * columns - 2 * third)
-    return 8.0 * (max(0.0, float(share) - _FRONT) + max(0.0, backs(view, take, deep + 2 * _OWN) - _BACKSIDE))
+    return 8.0 * (max(0.0, float(share) - _FRONT) + max(0.0, share_of_backs(view, take, deep + 2 * _OWN) - _BACKSIDE))
 
 
 def _leaving_cost(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
@@ -212,18 +227,21 @@ def _things_cost(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
     if view.instruction.kind == "insert":
         spots = [(box.x, box.y, box.top) for box in view.things]
         figures, boxes = view.story_moment.figures, _solid_boxes(view, take.hidden)
-        bodies = [box for figure in figures if figure.node_id not in take.hidden for box in body(figure)]
+        bodies = [box for figure in figures if figure.node_id not in take.hidden for box in body_boxes(figure)]
         around = [box for box in [*bodies, *boxes] if any(_is_near_box(box, *spot, near=0.0) for spot in spots)]
         # A box that contains the thing (a hand beside the hip is in the chair's box) would hide it from everywhere:
         # only its top counts, such as a table's. A boat has none.
-        tops = [lidded(box) for box in around if not any(holds(box, figure) for figure in figures)]
+        tops = [top_slab(box) for box in around if not any(contains_person(box, figure) for figure in figures)]
         boxes = [*(box for box in [*bodies, *boxes] if box not in around), *tops]
         framed &= ~find_hidden(boxes, take.camera.position, spots, _AT_HAND)
-    elif at_hand(view):
+    elif held_things(view):
         boxes = [
-            box for figure in view.story_moment.figures if figure.node_id not in take.hidden for box in body(figure)
+            box
+            for figure in view.story_moment.figures
+            if figure.node_id not in take.hidden
+            for box in body_boxes(figure)
         ]
-        small = np.array([box in at_hand(view) for box in view.things])
+        small = np.array([box in held_things(view) for box in view.things])
         points += _UNSEEN * float((framed & small & find_hidden(boxes, take.camera.position, middles, _AT_HAND)).sum())
     lost = 1.6 if view.people and view.instruction.explicit else 1.0 if view.people else 2.5
     return points + lost * float((~framed).sum()) + _thing_side_cost(view, take.camera)
@@ -248,7 +266,7 @@ def _camera_place_cost(view: CameraOperatorView, take: CameraOperatorDraft) -> f
         points += 5.0 * any(_is_near_box(box, x, y, z) for box in _solid_boxes(view, take.hidden))
         for each in there:
             near = _AT_BACK if view.over is not None and each.node_id == view.over.node_id else _NEAR
-            points += 5.0 * any(_is_near_box(box, x, y, z, near) for box in body(each))
+            points += 5.0 * any(_is_near_box(box, x, y, z, near) for box in body_boxes(each))
     return points
 
 
@@ -260,7 +278,7 @@ def _is_near_box(box: Box, x: float, y: float, z: float, near: float = _NEAR) ->
 def _solid_boxes(view: CameraOperatorView, hidden: Sequence[str]) -> list[Box]:
     """Return the boxes of the set and of the things that a camera must not be in, without those the shot is about."""
     own = with_carried_things(view, view.named) if view.detail is not None else view.focus
-    return solids(dict(view.props), view.plan, (*hidden, *own))
+    return solid_boxes(dict(view.props), view.plan, (*hidden, *own))
 
 
 def _people_cost(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
@@ -268,14 +286,14 @@ def _people_cost(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
     moment = view.story_moment
     camera, instruction, points = take.camera, view.instruction, 0.0
     there = [figure for figure in moment.figures if figure.node_id not in take.hidden]
-    solid = solids(dict(view.props), view.plan, take.hidden)
+    solid = solid_boxes(dict(view.props), view.plan, take.hidden)
     wanted = SIZES[instruction.size].head
     points += _gap_cost(view, camera)
-    bodies = {figure.node_id: body(figure) for figure in there}
+    bodies = {figure.node_id: body_boxes(figure) for figure in there}
     for figure in there:
         others = [box for other in there if other is not figure for box in bodies[other.node_id]]
         if figure.node_id in view.focus and instruction.kind != "establishing":
-            points += _subject_cost(view, camera, figure, [*others, *opened(solid, figure)])
+            points += _subject_cost(view, camera, figure, [*others, *open_vessels(solid, figure)])
         elif figure is view.over:
             (near,), _ = project(camera, [figure.face])
             head = head_share(camera, figure)

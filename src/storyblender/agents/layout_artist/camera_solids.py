@@ -1,4 +1,4 @@
-"""What stands in a camera's way on the floor plan: things, solid pieces of the set, piers, blocks and bodies."""
+"""Boxes that stand in a camera's way: things, solid pieces of the set, blocks and bodies."""
 
 from __future__ import annotations
 
@@ -11,17 +11,23 @@ from storyblender.geometry.boxes import Box
 from storyblender.geometry.framing import Figure
 
 _BODY, _HEAD = 0.24, 0.12
-"""Metres: radius of a person who stands in the way, and of the head."""
+"""Metres: radius of a standing person, and of the head."""
 _ABOARD = 0.45
-"""Metres that a boat or a carriage reaches past whoever is in it, on every side; a chair or a sofa does not."""
+"""Metres that a boat or a carriage extends past a person in it, on every side; a chair does not."""
 _BOARD = 0.06
-"""Metres: the thickness of a side of it, or of a table's top."""
+"""Metres: thickness of its sides, and of a table's top."""
 _NECK = 1.4
 """Heads from the crown down to the shoulders."""
 
 
-def solids(props: dict[str, Box], plan: SetPlan | None, hidden: Collection[str]) -> list[Box]:
-    """Return the boxes of everything that stands on the set, but for what is hidden."""
+def solid_boxes(props: dict[str, Box], plan: SetPlan | None, hidden: Collection[str]) -> list[Box]:
+    """Return the boxes of all things and solid parts of the set that are not hidden.
+
+    Args:
+        props: Boxes of things by node_id.
+        plan: The set; None on an empty stage.
+        hidden: node_ids to leave out.
+    """
     found = [box for node, box in props.items() if node not in hidden]
     if plan is None:
         return found
@@ -36,8 +42,8 @@ def solids(props: dict[str, Box], plan: SetPlan | None, hidden: Collection[str])
     return found
 
 
-def body(figure: Figure) -> list[Box]:
-    """Return the boxes of somebody who stands or sits there: up to the shoulders, and the head between them."""
+def body_boxes(figure: Figure) -> list[Box]:
+    """Return the boxes of a person: body up to the shoulders, and head."""
     x, y, _ = figure.face
     low, crown = figure.base[2], figure.crown[2]
     neck = max(crown - _NECK * figure.head, low + 0.1)
@@ -47,33 +53,34 @@ def body(figure: Figure) -> list[Box]:
     ]
 
 
-def holds(box: Box, figure: Figure) -> bool:
-    """Return whether somebody is in a thing, as in a boat or a carriage."""
+def contains_person(box: Box, figure: Figure) -> bool:
+    """Return whether a person is inside a thing such as a boat or a carriage."""
     x, y = box.to_local(figure.base[0], figure.base[1])
     aboard = min(box.width / 2 - abs(x), box.depth / 2 - abs(y)) > _ABOARD
     return aboard and box.z < (figure.base[2] + figure.crown[2]) / 2 < box.top
 
 
-def aboard(boxes: Iterable[Box], people: Sequence[Figure]) -> bool:
-    """Return whether any of the people are in a thing, as in a boat."""
-    return any(holds(box, figure) for box in boxes for figure in people)
+def is_anyone_aboard(boxes: Iterable[Box], people: Sequence[Figure]) -> bool:
+    """Return whether any of the people is inside one of the things."""
+    return any(contains_person(box, figure) for box in boxes for figure in people)
 
 
-def opened(boxes: Sequence[Box], figure: Figure) -> list[Box]:
-    """Return the boxes as somebody is seen past them: of what they are in, only the four sides stand in the way."""
+def open_vessels(boxes: Sequence[Box], figure: Figure) -> list[Box]:
+    """Return the boxes with every one that contains the person replaced by its four sides."""
     found: list[Box] = []
     for box in boxes:
-        found += _sides(box) if holds(box, figure) else [box]
+        found += _side_boxes(box) if contains_person(box, figure) else [box]
     return found
 
 
-def lidded(box: Box) -> Box:
-    """Return a thing's top alone: what hides a hand below a table."""
+def top_slab(box: Box) -> Box:
+    """Return the top of a thing as a thin box, such as a table's."""
     thick = min(_BOARD, box.height)
     return replace(box, z=box.top - thick, height=thick)
 
 
-def _sides(box: Box) -> list[Box]:
+def _side_boxes(box: Box) -> list[Box]:
+    """Return the four sides of a box as thin boxes."""
     across, along = (box.width - _BOARD) / 2, (box.depth - _BOARD) / 2
     found: list[Box] = []
     for x, y, width, depth in (

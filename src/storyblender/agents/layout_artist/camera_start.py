@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from storyblender.agents.layout_artist.camera_details import at_hand
+from storyblender.agents.layout_artist.camera_details import held_things
 from storyblender.agents.layout_artist.camera_group import (
     azimuth_towards_audience,
     frame_moving_group,
@@ -22,8 +22,8 @@ from storyblender.agents.layout_artist.camera_operator_view import (
     CameraOperatorView,
     time_share,
 )
-from storyblender.agents.layout_artist.camera_room import fitted, walked_in
-from storyblender.agents.layout_artist.wild_walls import taken_away
+from storyblender.agents.layout_artist.camera_room import fit_lens_to_room, move_into_room
+from storyblender.agents.layout_artist.wild_walls import find_hidden_nodes
 from storyblender.geometry import framing
 from storyblender.geometry.boxes import corners, distance_to_point
 from storyblender.geometry.camera_path import orbit_of
@@ -80,13 +80,13 @@ def compose_take(view: CameraOperatorView, turn: float = 0.0, rise: float = 0.0)
             widest = "WS" if kind == "insert" or not view.people else view.instruction.size
             # A lens in the instruction is kept: then only the camera moves.
             for _ in range(0 if view.instruction.lens else _FITTINGS):
-                lens = view.widened(fitted(view.plan, camera, widest).lens)
+                lens = view.widened(fit_lens_to_room(view.plan, camera, widest).lens)
                 if lens == camera.lens:
                     break
                 camera = _compose_camera(view, lens, turn, rise)
         if kind == "establishing" or not view.people:
-            camera = walked_in(view.plan, camera)
-    if kind != "insert" and at_hand(view) and view.over is None and kind not in ("pov", "establishing"):
+            camera = move_into_room(view.plan, camera)
+    if kind != "insert" and held_things(view) and view.over is None and kind not in ("pov", "establishing"):
         camera = _include_held_things(view, camera)
     if view.instruction.angle == "dutch":
         camera = roll(camera, framing.DUTCH_ROLL)
@@ -108,7 +108,9 @@ def take_with_camera(view: CameraOperatorView, camera: Orbit) -> CameraOperatorD
         first, last = (move_camera(camera, instruction.movement, direction, share) for share in (-0.5, 0.5))
     hidden: list[str] = []
     if view.plan is not None:
-        hidden = taken_away(view.plan, view.removable_props, dict.fromkeys((first, camera, last)), _sight_targets(view))
+        hidden = find_hidden_nodes(
+            view.plan, view.removable_props, dict.fromkeys((first, camera, last)), _sight_targets(view)
+        )
     if instruction.kind == "pov" and instruction.pov_id is not None:
         hidden.append(view.node(instruction.pov_id))
     return CameraOperatorDraft(camera, first, last, tuple(hidden), span)
@@ -218,7 +220,7 @@ def _compose_camera(view: CameraOperatorView, lens: float, turn: float, rise: fl
 
 def _include_held_things(view: CameraOperatorView, camera: Orbit) -> Orbit:
     """Return the camera panned and moved back a little, so that things in people's hands are in the picture."""
-    things = np.concatenate([corners(box) for box in at_hand(view)])
+    things = np.concatenate([corners(box) for box in held_things(view)])
     heads = [point for each in view.people for point in (each.crown, each.face)]
     points = np.concatenate([np.asarray(heads, float), things])
     for _ in range(2):

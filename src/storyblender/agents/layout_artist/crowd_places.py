@@ -1,4 +1,4 @@
-"""Places a crowd: on free seats if the place has them, else in small groups around the principals."""
+"""Places a crowd: on free seats if the set has them, else in small groups around the principals."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from storyblender.agents.layout_artist.layout_stage import Stage
-from storyblender.agents.layout_artist.people_seats import free_seats, take
+from storyblender.agents.layout_artist.layout_stage import LayoutStage
+from storyblender.agents.layout_artist.people_seats import free_seats, put_on_seat
 from storyblender.catalog.props.prop_families import family_of
 from storyblender.geometry.boxes import yaw_along
 from storyblender.geometry.relations import Thing
@@ -22,7 +22,7 @@ _SIZES = (3, 2, 4, 2, 3)
 _RADIUS = {1: 0.0, 2: 0.5, 3: 0.6, 4: 0.75}
 """Metres from the middle of a small group to its members, by group size."""
 _NEAR, _FAR = 1.9, 5.5
-"""Metres from the principals: no crowd closer than the first, hardly visible beyond the second."""
+"""Metres from the principals: least distance, and distance from which a crowd is hardly visible."""
 _LANE = 1.1
 """Metres that a crowd leaves open on either side of the line from a principal to the audience."""
 _SITTING = 0.6
@@ -33,7 +33,7 @@ _SEATS = family_of("chair") | family_of("bench") | family_of("sofa") | family_of
 
 
 def crowds_of(people: Sequence[str]) -> list[list[str]]:
-    """Return the large groups among people: ``guest_1`` to ``guest_12``."""
+    """Return the groups of at least ``CROWD`` asset ids that differ in a number only: ``guest_1`` to ``guest_12``."""
     stems: dict[str, list[str]] = {}
     for person in people:
         stem, _, number = person.rpartition("_")
@@ -42,7 +42,7 @@ def crowds_of(people: Sequence[str]) -> list[list[str]]:
     return [members for members in stems.values() if len(members) >= CROWD]
 
 
-def place_crowd(stage: Stage, members: Sequence[str]) -> None:
+def place_crowd(stage: LayoutStage, members: Sequence[str]) -> None:
     """Place the members of a crowd who have no place of their own.
 
     Args:
@@ -53,33 +53,35 @@ def place_crowd(stage: Stage, members: Sequence[str]) -> None:
     principals = [thing for thing in stage.things.values() if thing.walks]
     spots = [(thing.box.x, thing.box.y) for thing in principals] or [stage.middle]
     seats = [
-        seat for seat in free_seats(stage) if _open(stage.things[seat[0]].box.to_world(*seat[1].location[:2]), spots)
+        seat
+        for seat in free_seats(stage)
+        if _leaves_view_free(stage.things[seat[0]].box.to_world(*seat[1].location[:2]), spots)
     ]
     seats.sort(key=lambda seat: round(min(math.dist(stage.things[seat[0]].box.to_world(*seat[1].location[:2]), s)
                                           for s in spots), 2))  # fmt: skip
     for member, seat in zip(waiting[: round(_SITTING * len(waiting))], seats, strict=False):
-        take(stage, member, seat)
+        put_on_seat(stage, member, seat)
     waiting = [member for member in waiting if member not in stage.things]
     turn = 0
     while waiting:
         count = min(_SIZES[turn % len(_SIZES)], len(waiting))
         group, waiting = waiting[:count], waiting[count:]
-        _stand_together(stage, group, spots, turn)
+        _place_ring(stage, group, spots, turn)
         turn += 1
 
 
-def for_anybody(stage: Stage, name: str) -> bool:
-    """Return whether a seat is open to a crowd: not a throne or a place of work."""
+def is_public_seat(stage: LayoutStage, name: str) -> bool:
+    """Return whether the thing ``name`` is a seat for anybody: not a throne or a place of work."""
     return stage.view.props.get(stage.assets[name]) in _SEATS
 
 
-def _open(point: Vec2, principals: Sequence[Vec2]) -> bool:
-    """Return whether a point leaves the audience's view of the principals free."""
+def _leaves_view_free(point: Vec2, principals: Sequence[Vec2]) -> bool:
+    """Return whether a floor point leaves the audience's view of the principals free."""
     return all(abs(point[0] - x) > _LANE or point[1] > y - 0.3 for x, y in principals)
 
 
-def _stand_together(stage: Stage, group: Sequence[str], principals: Sequence[Vec2], turn: int) -> None:
-    """Stand a small group in a ring with enough room: near the principals, but not among or in front of them."""
+def _place_ring(stage: LayoutStage, group: Sequence[str], principals: Sequence[Vec2], turn: int) -> None:
+    """Place a small group in a ring: near the principals, but not among them or in front of them."""
     radius = _RADIUS[len(group)]
     x0, y0, x1, y1 = stage.room.x_min, stage.room.y_min, stage.room.x_max, stage.room.y_max
     xs, ys = np.arange(x0 + 0.4, x1 - 0.4, _GRID), np.arange(y0 + 0.4, y1 - 0.4, _GRID)

@@ -1,4 +1,4 @@
-"""The stage while it is being laid out: what stands, and where there is room."""
+"""The stage while a scene is laid out: what stands on it, and where there is room."""
 
 from __future__ import annotations
 
@@ -8,7 +8,14 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.agents.layout_artist.layout_things import room_of, size_of, thing_of, walls_of, with_surfaces
+from storyblender.agents.layout_artist.layout_things import (
+    assign_surfaces,
+    mass_of,
+    room_of,
+    size_of,
+    thing_of,
+    walls_of,
+)
 from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView
 from storyblender.catalog.fixtures import Fixture, fixtures_called
 from storyblender.catalog.props.prop_families import family_of, props_named
@@ -21,20 +28,25 @@ from storyblender.memory.scene_context import LayoutObject
 
 _GRID = 0.2
 """Metres between the places tried."""
-_MASS_OF_BULK = 6.0
 _SEEN, _BEHIND = 0.55, 5.5
-"""Metres: things higher than the first are visible behind people, up to the second distance behind them."""
+"""Metres of height from which a thing is visible behind people; metres behind them up to which it is."""
 _RAYS = np.linspace(-28.0, 28.0, 9)
 """Degrees to either side of the audience's viewing direction in which the background is sampled."""
 _EDGE = 0.3
 """Metres kept from the border of the playing area."""
 
 
-class Stage:
-    """Things by name, and questions about the room between them.
+class LayoutStage:
+    """Placed things by name, and questions about the room between them. Floor points are in metres in the set.
 
     Args:
-        view: The scene; what is dressed and what an earlier scene left stands already.
+        view: The scene; its dressed furniture and what an earlier scene left in the place stand already.
+
+    Attributes:
+        room: The playing area.
+        walls: Walls and solid parts of the set.
+        things: Placed things by name, which is their node id.
+        assets: Asset id of each placed thing, by name.
     """
 
     def __init__(self, view: SpatialPlannerView) -> None:
@@ -45,12 +57,12 @@ class Stage:
         self.assets: dict[str, str] = {}
         self._dressed: NDArray[np.float64] | None = None
         for item in view.dressed:
-            self.put(item, fixed=True)
-        for item in self._left():
-            self.put(item, fixed=True)
+            self.add_object(item, fixed=True)
+        for item in self._objects_left_by_earlier_scene():
+            self.add_object(item, fixed=True)
 
-    def _left(self) -> list[LayoutObject]:
-        """Return what this scene asks for and an earlier one left here, with what it lay on still under it."""
+    def _objects_left_by_earlier_scene(self) -> list[LayoutObject]:
+        """Return the objects of the earlier scene in this place that the scene names, if what they lie on is there."""
         objects = self.view.reference.objects if self.view.reference is not None else ()
         wanted = {*self.view.pending, *self.view.setup.asset_ids}
         asked = [
@@ -66,39 +78,39 @@ class Stage:
             names -= {item.node_id for item in lost}
         return asked
 
-    def put(self, item: LayoutObject, fixed: bool) -> None:
-        """Stand a thing where the graph has it."""
+    def add_object(self, item: LayoutObject, fixed: bool) -> None:
+        """Place an object of a layout; ``fixed`` keeps the solver from moving it."""
         thing = thing_of(item, self.view.measures, self.view.plan)
         if thing is not None:
             thing.fixed = fixed or thing.floats
             self.add(thing, item.asset_id)
-            with_surfaces([thing, *self.things.values()], self.assets, self.view.measures)
+            assign_surfaces([thing, *self.things.values()], self.assets, self.view.measures)
 
     def add(self, thing: Thing, asset_id: str) -> None:
-        """Stand a thing."""
+        """Add a thing that shows an asset (asset id)."""
         self.things[thing.name], self.assets[thing.name] = thing, asset_id
         self._dressed = None
 
-    def stand(self, asset_id: str, box: Box, **asked: object) -> None:
-        """Stand one of the script's things in a box; ``asked`` are the fields of its ``Thing``."""
-        mass = min(max(_MASS_OF_BULK * box.width * box.depth * max(box.height, 0.3), 0.3), 8.0)
+    def place(self, asset_id: str, box: Box, **asked: object) -> None:
+        """Place a thing of the script (asset id) in a box; ``asked`` are further fields of its ``Thing``."""
+        mass = mass_of((box.width, box.depth, box.height))
         self.add(Thing(asset_id, box, mass=mass, **asked), asset_id)  # pyright: ignore[reportArgumentType]
 
     @property
     def middle(self) -> tuple[float, float]:
-        """Where people act: the set's own mark for it, else the middle of the playing area."""
+        """Floor point where people act: the set's mark for it, else the middle of the playing area."""
         mark = next((mark for mark in self.view.plan.marks if "centre" in mark.tags), None)
         if mark is not None:
             return mark.location[0], mark.location[1]
         return (self.room.x_min + self.room.x_max) / 2, (self.room.y_min + self.room.y_max) / 2
 
     def measure(self, asset_id: str) -> AssetMeasure:
-        """Return an asset's measure; a knee-high stand-in's where it is unknown."""
+        """Return an asset's measure; that of a cube of 0.4 m if it is unknown."""
         known = self.view.measures.get(asset_id)
         return known or AssetMeasure(asset_id=asset_id, digest="", geometry_hash="", dimensions=(0.4, 0.4, 0.4))
 
     def find(self, asset_id: str | None, near: tuple[float, float] = (0.0, 0.0)) -> Thing | None:
-        """Return the thing of that name, or the nearest one that shows the asset."""
+        """Return the thing with that name, else the thing that shows the asset and is nearest to a floor point."""
         if asset_id is None:
             return None
         if asset_id in self.things:
@@ -106,8 +118,8 @@ class Stage:
         shown = [thing for name, thing in self.things.items() if self.assets[name] == asset_id]
         return min(shown, key=lambda thing: math.dist((thing.box.x, thing.box.y), near), default=None)
 
-    def anchor(self, asset_id: str | None, near: tuple[float, float] | None = None) -> Thing | None:
-        """Return the thing that an anchor id stands for: the thing, a substitute for it, or a part of the set."""
+    def find_anchor(self, asset_id: str | None, near: tuple[float, float] | None = None) -> Thing | None:
+        """Return the thing for an anchor id: the thing itself, a related prop, or a part of the set; else None."""
         near = near or self.middle
         thing = self.find(asset_id, near)
         if thing is not None or asset_id is None or asset_id in self.view.pending:
@@ -117,18 +129,18 @@ class Stage:
         alike = [thing for name, thing in self.things.items() if self.view.props.get(self.assets[name]) in kin]
         if alike:
             return min(alike, key=lambda thing: math.dist((thing.box.x, thing.box.y), near))
-        fixture = self.fixture(asset_id, near)
+        fixture = self.find_fixture(asset_id, near)
         return Thing(fixture.name, fixture.box, fixed=True, floats=True) if fixture is not None else None
 
-    def fixture(self, name: str | None, near: tuple[float, float] | None = None) -> Fixture | None:
-        """Return the part of the set that a name means; the nearest one if several match equally."""
+    def find_fixture(self, name: str | None, near: tuple[float, float] | None = None) -> Fixture | None:
+        """Return the part of the set with a name; the one nearest to a floor point if several match equally."""
         found = fixtures_called(self.view.plan, name)
         near = near or self.middle
         sure = [fixture for fixture in found if fixture.kind == found[0].kind and fixture.tags == found[0].tags]
         return min(sure, key=lambda each: math.dist((each.box.x, each.box.y), near), default=None)
 
     def box(self, asset_id: str, x: float, y: float, z: float = 0.0, yaw: float = 0.0) -> Box:
-        """Return the box of an asset at a place; yaw in radians."""
+        """Return the box of an asset at a position in metres; yaw in radians."""
         return Box(x, y, z, *size_of(self.measure(asset_id)), yaw)
 
     def free_spot(
@@ -137,12 +149,12 @@ class Stage:
         radius: float,
         suits: Callable[[float, float], float] = lambda x, y: 0.0,
     ) -> tuple[float, float]:
-        """Return the place nearest to a wish with clearance around it; ``suits`` adds metres of dislike.
+        """Return the floor point nearest to a wish with free floor around it.
 
         Args:
-            near: Wish.
-            radius: Metres wanted free.
-            suits: Extra cost of a place.
+            near: Wished floor point.
+            radius: Metres to be free.
+            suits: Returns the penalty of a floor point, in metres.
         """
         x0, x1, y0, y1 = self.room
         edge = min(_EDGE, (x1 - x0) / 4, (y1 - y0) / 4)
@@ -156,11 +168,11 @@ class Stage:
         return float(x), float(y)
 
     def backdrop(self, x: float, y: float) -> float:
-        """Return the share of the view behind a place, from the audience, that the set fills: 0 for a bare wall.
+        """Return the share of the view behind a floor point, from the audience, that the set fills: 0 for a bare wall.
 
         Args:
-            x: Metres, across the set.
-            y: Metres, into the depth of the set.
+            x: Metres across the set.
+            y: Metres into the depth of the set.
         """
         if self._dressed is None:
             solid = [thing.box for thing in self.things.values() if not thing.walks and thing.box.top > _SEEN]
@@ -177,7 +189,7 @@ class Stage:
         return float(hit.any(axis=1).mean())
 
     def clearance(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return how far each point is from what one cannot stand in, people included."""
+        """Return (n,) metres from each of (n, 2) floor points to the nearest obstacle or person."""
         solid = [thing for thing in (*self.things.values(), *self.walls) if thing.walks or blocks_walkers(thing)]
         footprints = [
             Footprint((thing.box.x, thing.box.y), (thing.box.width, thing.box.depth), thing.box.yaw) for thing in solid

@@ -1,4 +1,4 @@
-"""Between the graph's layout and the solver's things, and the check that every layout has to pass."""
+"""Conversion between the graph's layout objects and the solver's things, and the check of every layout."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ _SEATED_BEHIND = 0.26
 _TRUNK = (0.42, 0.3, 0.8)
 _FLAT = 0.05
 _HUNG = 0.12
-"""Metres from a wall or a ceiling at which a thing hangs on it."""
+"""Most metres from a wall or a ceiling at which a thing counts as hanging."""
 _SEVERITY = 2.5
-"""Points for each violation: validity is binary, so one is enough to be refined at the usual threshold of 8."""
+"""Points for each violation: one is enough to be refined at the usual threshold of 8."""
 
 
 def room_of(size: SceneSize) -> Room:
@@ -35,12 +35,12 @@ def room_of(size: SceneSize) -> Room:
 
 
 def anchors_of(measure: AssetMeasure, kind: str) -> list[Anchor]:
-    """Return the anchors of one kind, in their order."""
+    """Return the anchors of one kind, such as ``seat`` or ``top``, in their order."""
     return [anchor for anchor in measure.anchors if anchor.kind == kind]
 
 
 def tops_of(measure: AssetMeasure) -> list[Top]:
-    """Return where things can stand on an asset; the top of its box if it declares nothing."""
+    """Return the surfaces of an asset on which things can stand; the top of its box if it declares none."""
     tops = [
         Top(Surface(*anchor.location, *anchor.size), anchor.clearance)
         for anchor in measure.anchors
@@ -51,7 +51,7 @@ def tops_of(measure: AssetMeasure) -> list[Top]:
 
 
 def size_of(measure: AssetMeasure) -> tuple[float, float, float]:
-    """Return width, depth and height of the room a thing takes; people have their arms down."""
+    """Return the width, depth and height in metres that an asset takes; people have their arms down."""
     width, depth, height = measure.dimensions
     if measure.asset_type == "character" and height > 1.05 * max(width, depth):
         return min(width, PERSON[0]), min(depth, PERSON[1]), height
@@ -59,33 +59,39 @@ def size_of(measure: AssetMeasure) -> tuple[float, float, float]:
 
 
 def thing_of(item: LayoutObject, measures: Mapping[str, AssetMeasure], plan: SetPlan) -> Thing | None:
-    """Return a laid-out object as the solver sees it, or None where nothing is known of its shape."""
+    """Return a layout object as the solver sees it; None if its asset has no measure.
+
+    Args:
+        item: The object.
+        measures: Measures by asset id.
+        plan: The set, to tell whether the object hangs.
+    """
     measure = measures.get(item.asset_id)
     if measure is None:
         return None
     x, y, z = item.location
     yaw = math.radians(item.rotation[2])
     is_person = measure.asset_type == "character"
-    if is_person and seated(item):
+    if is_person and is_seated(item):
         width, depth, height = _TRUNK
         box = Box(x - math.sin(yaw) * _SEATED_BEHIND, y + math.cos(yaw) * _SEATED_BEHIND, z, width, depth, height, yaw)
     else:
-        box = Box(x, y, z, *_lying_aside(size_of(measure), item.rotation), yaw)
+        box = Box(x, y, z, *_rotated_extent(size_of(measure), item.rotation), yaw)
     thing = Thing(
         item.node_id, box, item.anchor_asset_id, item.relationship, item.contact, item.direction,
-        mass=1.0 if is_person else _mass(measure), fixed=item.fixed, walks=is_person,
+        mass=1.0 if is_person else mass_of(measure.dimensions), fixed=item.fixed, walks=is_person,
     )  # fmt: skip
-    thing.floats = item.fixed or (z > _FLAT and hangs(box, plan))
+    thing.floats = item.fixed or (z > _FLAT and is_hanging(box, plan))
     return thing
 
 
-def seated(item: LayoutObject) -> bool:
-    """Return whether a person is laid out on a seat or a bed."""
+def is_seated(item: LayoutObject) -> bool:
+    """Return whether an object of the layout is a person on a seat or a bed."""
     return item.anchor_asset_id is not None and item.relationship is None and item.direction is None
 
 
-def _lying_aside(size: tuple[float, float, float], rotation: Sequence[float]) -> tuple[float, float, float]:
-    """Return the extent of a thing that lies on its side or back; yaw is left to the box."""
+def _rotated_extent(size: tuple[float, float, float], rotation: Sequence[float]) -> tuple[float, float, float]:
+    """Return the width, depth and height of a thing after its rotation around x and y (degrees); yaw is left out."""
     rx, ry = math.radians(rotation[0]), math.radians(rotation[1])
     turn_x = np.array([[1, 0, 0], [0, math.cos(rx), -math.sin(rx)], [0, math.sin(rx), math.cos(rx)]])
     turn_y = np.array([[math.cos(ry), 0, math.sin(ry)], [0, 1, 0], [-math.sin(ry), 0, math.cos(ry)]])
@@ -93,13 +99,14 @@ def _lying_aside(size: tuple[float, float, float], rotation: Sequence[float]) ->
     return float(width), float(depth), float(height)
 
 
-def _mass(measure: AssetMeasure) -> float:
-    width, depth, height = measure.dimensions
+def mass_of(size: tuple[float, float, float]) -> float:
+    """Return how hard the solver finds it to move a thing of this width, depth and height in metres, 0.3 to 8."""
+    width, depth, height = size
     return min(max(6.0 * width * depth * max(height, 0.3), 0.3), 8.0)
 
 
-def hangs(box: Box, plan: SetPlan) -> bool:
-    """Return whether a thing touches a wall or a ceiling."""
+def is_hanging(box: Box, plan: SetPlan) -> bool:
+    """Return whether a box touches a wall or a ceiling of the set."""
     ceilings = [slab.z for slab in plan.slabs if slab.role == "ceiling"]
     if any(abs(height - box.top) < 2 * _HUNG for height in ceilings):
         return True
@@ -117,8 +124,8 @@ def walls_of(plan: SetPlan) -> list[Thing]:
     ]
 
 
-def laid_out(thing: Thing, asset_id: str) -> LayoutObject:
-    """Return a solved thing as the graph stores it: a millimetre and a tenth of a degree are enough."""
+def layout_object_of(thing: Thing, asset_id: str) -> LayoutObject:
+    """Return a solved thing as the graph stores it, rounded to a millimetre and a tenth of a degree."""
     box = thing.box
     x, y, z = box.x, box.y, box.z
     if thing.walks and thing.anchor is not None and thing.relationship is None and thing.direction is None:
@@ -137,12 +144,18 @@ def laid_out(thing: Thing, asset_id: str) -> LayoutObject:
 
 
 def seat_box(x: float, y: float, z: float, yaw: float) -> Box:
-    """Return the trunk of somebody who sits with the seat's front edge at (x, y, z), facing ``yaw`` radians."""
+    """Return the trunk of a person who sits with the seat's front edge at (x, y, z) metres, facing ``yaw`` radians."""
     return Box(x - math.sin(yaw) * _SEATED_BEHIND, y + math.cos(yaw) * _SEATED_BEHIND, z, *_TRUNK, yaw)
 
 
-def with_surfaces(things: Sequence[Thing], assets: Mapping[str, str], measures: Mapping[str, AssetMeasure]) -> None:
-    """Find, for everything that stands on something, the surface nearest below it."""
+def assign_surfaces(things: Sequence[Thing], assets: Mapping[str, str], measures: Mapping[str, AssetMeasure]) -> None:
+    """Set the surface on which each thing stands, if it stands on another: the one nearest below it.
+
+    Args:
+        things: The things; changed in place.
+        assets: Asset ids by the things' names.
+        measures: Measures by asset id.
+    """
     by_name = {thing.name: thing for thing in things}
     for thing in things:
         anchor = by_name.get(thing.anchor or "")
@@ -154,22 +167,28 @@ def with_surfaces(things: Sequence[Thing], assets: Mapping[str, str], measures: 
 
 
 def layout_violations(layout: Layout, measures: Mapping[str, AssetMeasure], plan: SetPlan) -> tuple[Fault, ...]:
-    """Return everything that is geometrically wrong with a layout, each with its exact fix; empty means V = 1.
+    """Return everything that is geometrically wrong with a layout, each with its exact fix; empty if it is valid.
 
     Args:
-        layout: To check.
-        measures: By asset id; what has none is not checked.
+        layout: The layout to check.
+        measures: Measures by asset id; an object without one is not checked.
         plan: The set, for its walls and solid parts.
     """
     things = [thing for item in layout.objects if (thing := thing_of(item, measures, plan)) is not None]
-    with_surfaces(things, {item.node_id: item.asset_id for item in layout.objects}, measures)
+    assign_surfaces(things, {item.node_id: item.asset_id for item in layout.objects}, measures)
     everything = [*things, *walls_of(plan)]
     room = room_of(layout.scene_size)
     return tuple(fault_of(violation, everything, room) for violation in violations(everything, room))
 
 
 def fault_of(violation: Violation, things: Sequence[Thing], room: Room) -> Fault:
-    """Return a violation as a fault: the sentence and the numbers that mend it."""
+    """Return a violation of the solver as a fault with its fix.
+
+    Args:
+        violation: The violation.
+        things: Everything in the layout and the set.
+        room: The playing area.
+    """
     fix = {name: round(value, 3) for name, value in remedy(violation, things, room).items()}
     amount = violation.amount
     angular = violation.kind in ("direction", "relationship")

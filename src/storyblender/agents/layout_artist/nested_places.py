@@ -1,10 +1,10 @@
-"""Places of things that are in, under or fixed to others: in the tub, under the bed, on the sill, up on the wall."""
+"""Places things in, under or outside others and on walls: in the tub, under the bed, on the sill, on the wall."""
 
 from __future__ import annotations
 
 import math
 
-from storyblender.agents.layout_artist.layout_stage import Stage
+from storyblender.agents.layout_artist.layout_stage import LayoutStage
 from storyblender.agents.layout_artist.layout_things import anchors_of, size_of
 from storyblender.agents.layout_artist.wall_places import hang, stand_against
 from storyblender.catalog.hollows import place_inside
@@ -14,15 +14,21 @@ from storyblender.memory.base import Vec2
 from storyblender.memory.scene_context import Spot
 
 _ON_SEAT = 1.0
-"""Metres: what is smaller is put on a seat of a vehicle."""
+"""Metres: smaller things are put on a seat of a vehicle."""
 _LARGE, _OUTSIDE = 0.4, 2.0
-"""Share of a room's width from which a thing is too large to stand in it; metres beyond a window that it is then."""
+"""Share of a room's width from which a thing is too large for it; its metres beyond a window or door."""
 _SILL = 0.12
-"""Metres that a sill holds of a thing."""
+"""Metres of a thing's depth that stand on a sill."""
 
 
-def put_in(stage: Stage, asset_id: str, anchor: Thing) -> bool:
-    """Put a thing into what is hollow, or on a seat of a vehicle that has doors; return whether it was possible."""
+def place_inside(stage: LayoutStage, asset_id: str, anchor: Thing) -> bool:
+    """Place a thing in a hollow one, or on a seat of a vehicle with doors; return whether there was room.
+
+    Args:
+        stage: The stage; changed.
+        asset_id: The thing.
+        anchor: The hollow thing or the vehicle.
+    """
     measure = stage.measure(stage.assets[anchor.name])
     riders = [thing for thing in stage.things.values() if thing.anchor == anchor.name and may_overlap_anchor(thing)]
     size, base = size_of(stage.measure(asset_id)), anchor.box
@@ -35,13 +41,23 @@ def put_in(stage: Stage, asset_id: str, anchor: Thing) -> bool:
         return False
     yaw = base.yaw + (math.pi / 2 if size[1] > size[0] and base.width > base.depth else 0.0)
     x, y = base.to_world(*place[:2])
-    stage.stand(asset_id, stage.box(asset_id, x, y, base.z + place[2], yaw), anchor=anchor.name)
+    stage.place(asset_id, stage.box(asset_id, x, y, base.z + place[2], yaw), anchor=anchor.name)
     return True
 
 
-def put_outside(stage: Stage, asset_id: str, spot: Spot, anchor: Thing) -> bool:
-    """Stand what is told to be behind a window or a door of a room outside, beyond the wall; return whether it was."""
-    fixture = stage.fixture(spot.anchor_id) if anchor.name not in stage.things else None
+def place_outside(stage: LayoutStage, asset_id: str, spot: Spot, anchor: Thing) -> bool:
+    """Place a thing behind a window or door outdoors, if it is too large for the room or its distance is given.
+
+    Args:
+        stage: The stage; changed.
+        asset_id: The thing.
+        spot: Its spot in the script.
+        anchor: The window or the door.
+
+    Returns:
+        Whether it was placed.
+    """
+    fixture = stage.find_fixture(spot.anchor_id) if anchor.name not in stage.things else None
     opening = fixture.kind if fixture is not None else stage.view.props.get(stage.assets.get(anchor.name, ""))
     size, base = size_of(stage.measure(asset_id)), anchor.box
     x_min, x_max, y_min, y_max = stage.room
@@ -49,34 +65,34 @@ def put_outside(stage: Stage, asset_id: str, spot: Spot, anchor: Thing) -> bool:
     if opening not in ("window", "door") or not stage.view.plan.indoor or not (large or spot.distance):
         return False
     x, y = base.to_world(0.0, base.depth / 2 + (_OUTSIDE if spot.distance is None else spot.distance) + size[1] / 2)
-    stage.stand(asset_id, stage.box(asset_id, x, y, 0.0, base.yaw), floats=True, fixed=True)
+    stage.place(asset_id, stage.box(asset_id, x, y, 0.0, base.yaw), floats=True, fixed=True)
     return True
 
 
-def under(stage: Stage, asset_id: str, base: Box, peeps: bool) -> Box:
-    """Return the place of a thing under another: in its middle, or with a quarter of it out in front."""
+def box_under(stage: LayoutStage, asset_id: str, base: Box, peeps: bool) -> Box:
+    """Return the box of a thing under another: in its middle, or with a quarter of it in front if it ``peeps`` out."""
     width, depth, _ = size_of(stage.measure(asset_id))
     ahead = max(0.0, base.depth / 2 - depth / 4) if peeps and depth < base.depth and width < base.width else 0.0
     x, y = base.to_world(0.0, -ahead)
     return stage.box(asset_id, x, y, base.z, base.yaw)
 
 
-def at_wall(stage: Stage, asset_id: str, spot: Spot, near: Vec2 | None, part: Thing | None = None) -> bool:
-    """Hang a thing up on a wall or stand it with its back to one, as its spot says; return whether it was possible.
+def place_at_wall(stage: LayoutStage, asset_id: str, spot: Spot, near: Vec2 | None, part: Thing | None = None) -> bool:
+    """Hang a thing on a wall or place its back to one, as its spot says; return whether it was placed.
 
     Args:
-        stage: Changed.
+        stage: The stage; changed.
         asset_id: The thing.
-        spot: The spot; its anchor is a part of the set or nothing.
-        near: The floor point that it is wanted at.
-        part: The anchor.
+        spot: Its spot; the anchor is a part of the set or nothing.
+        near: Wished floor point; None for the middle of the set.
+        part: The anchor; None if there is none.
     """
-    fixture = stage.fixture(spot.anchor_id) if part is not None else None
+    fixture = stage.find_fixture(spot.anchor_id) if part is not None else None
     if part is not None and fixture is not None and fixture.kind == "window" and spot.relation == "on":
         box, (_, depth, height) = part.box, size_of(stage.measure(asset_id))
         if height < box.height:
             x, y = box.to_world(0.0, min(depth, _SILL) - depth / 2)
-            stage.stand(asset_id, stage.box(asset_id, x, y, box.z, box.yaw), floats=True, fixed=True)
+            stage.place(asset_id, stage.box(asset_id, x, y, box.z, box.yaw), floats=True, fixed=True)
             return True
     if spot.height is not None or (fixture is not None and fixture.kind == "wall" and spot.relation == "on"):
         return hang(stage, asset_id, near=near, height=spot.height)

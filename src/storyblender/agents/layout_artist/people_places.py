@@ -1,4 +1,4 @@
-"""Where people are when a scene begins: on their seats, at what they do, in groups that the audience can read."""
+"""Places people as a scene begins: on seats, at their actions, in groups that face the audience."""
 
 from __future__ import annotations
 
@@ -7,18 +7,25 @@ import math
 import numpy as np
 
 from storyblender.agents.layout_artist.crowd_places import crowds_of, place_crowd
-from storyblender.agents.layout_artist.layout_stage import Stage
-from storyblender.agents.layout_artist.people_seats import SEATED, sit
-from storyblender.agents.layout_artist.people_stations import Wanted, in_reach, stand_at, wanted_by, work_place
+from storyblender.agents.layout_artist.layout_stage import LayoutStage
+from storyblender.agents.layout_artist.people_seats import SEATED, seat_person
+from storyblender.agents.layout_artist.people_stations import (
+    WantedPlace,
+    find_workplace,
+    is_reachable,
+    stand_person_at,
+    wanted_places,
+)
 from storyblender.catalog.set_plan import PlanMark
-from storyblender.geometry.boxes import footprint_gap, wrap_angle, yaw_along
+from storyblender.geometry.boxes import footprint_gap, yaw_along
 from storyblender.geometry.relations import Thing
+from storyblender.geometry.stations import turn_towards_audience
 from storyblender.memory.shot_context import BodyState
 
 TALK = 1.15
 """Metres between people who talk."""
 _CHEAT = math.radians(16)
-"""How far a talker turns towards the audience."""
+"""Radians that a talker turns towards the audience."""
 _BARE = 1.4
 """Largest penalty, in metres, for a place in front of a bare wall."""
 _ALONE = 1.5
@@ -27,68 +34,70 @@ _FORMATION = {2: (180.0, 0.0), 3: (195.0, 90.0, -15.0), 4: (200.0, 130.0, 50.0, 
 """Degrees around the middle of a group, open to the audience."""
 
 
-def place_people(stage: Stage) -> None:
+def place_people(stage: LayoutStage) -> None:
     """Place the people who are on stage at the start, then the people who are first seen in a later shot."""
     states = {state.asset_id: state for state in stage.view.states}
-    wishes = wanted_by(stage)
+    wishes = wanted_places(stage)
     for state in sorted(states.values(), key=lambda state: state.asset_id in wishes):
         if state.posture in SEATED:
             _seat_person(stage, state, wishes.get(state.asset_id))
     for state in (each for each in states.values() if each.asset_id not in stage.things):
         _place_standing_person(stage, state, wishes.get(state.asset_id))
-    company = stage.view.company
+    company = stage.view.companions
     for member in sorted((each for each in states if each not in stage.things), key=lambda each: each not in wishes):
         _place_beside_companion(stage, member, wishes.get(member), company.get(member, ""))
-    crowds = crowds_of([*states, *(state.asset_id for state in stage.view.found)])
+    crowds = crowds_of([*states, *(state.asset_id for state in stage.view.found_later)])
     many = {member for members in crowds for member in members if not (member in wishes and wishes[member].sure)}
     for members in _group_people(stage, [each for each in states if each not in many]):
         _place_group(stage, members)
-    for state in (each for each in stage.view.found if each.asset_id not in many):
+    for state in (each for each in stage.view.found_later if each.asset_id not in many):
         _place_found_person(stage, state, wishes.get(state.asset_id))
     for members in crowds:
         place_crowd(stage, [member for member in members if member in many])
     _turn_to_looked_at(stage)
 
 
-def _place_standing_person(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
+def _place_standing_person(stage: LayoutStage, state: BodyState, wanted: WantedPlace | None) -> None:
     """Stand a person at the thing or part of the set they belong to, at their work, or at the mark of their trade."""
     leaned_on = state.support_id if state.posture == "lean" else None
     carried = wanted is not None and stage.view.placements.get(leaned_on or "") == "surface"
-    anchor = stage.anchor(None if carried else leaned_on)  # a person who leans on a stick by the boat is by the boat
-    anchor = anchor or (stage.anchor(wanted.anchor) if wanted is not None else None)
-    anchor = anchor or work_place(stage, state)
-    if anchor is not None and not anchor.walks and in_reach(stage, anchor):
-        stand_at(stage, state.asset_id, anchor, wanted or Wanted())
+    anchor = stage.find_anchor(
+        None if carried else leaned_on
+    )  # a person who leans on a stick by the boat is by the boat
+    anchor = anchor or (stage.find_anchor(wanted.anchor) if wanted is not None else None)
+    anchor = anchor or find_workplace(stage, state)
+    if anchor is not None and not anchor.walks and is_reachable(stage, anchor):
+        stand_person_at(stage, state.asset_id, anchor, wanted or WantedPlace())
     elif wanted is None or wanted.anchor not in stage.assets.values():
         _place_at_set_mark(stage, state.asset_id, wanted)
 
 
-def _place_beside_companion(stage: Stage, member: str, wanted: Wanted | None, companion: str) -> None:
+def _place_beside_companion(stage: LayoutStage, member: str, wanted: WantedPlace | None, companion: str) -> None:
     """Stand a person relative to another one as the script says, else next to their companion."""
     told = stage.things.get(wanted.anchor or "") if wanted is not None else None
     if wanted is not None and told is not None and told.walks:
         if member not in stage.things:
-            stand_at(stage, member, told, wanted)
+            stand_person_at(stage, member, told, wanted)
         return
     other = stage.things.get(companion)
     if other is not None and other.walks and member not in stage.things:
-        _accompany(stage, member, other)
+        _place_companion(stage, member, other)
 
 
-def _place_found_person(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
+def _place_found_person(stage: LayoutStage, state: BodyState, wanted: WantedPlace | None) -> None:
     """Place a person who is first seen in a later shot: on a seat, on a set mark, or at a thing in the script."""
     if state.posture in SEATED:
         _seat_person(stage, state, wanted)
     if state.asset_id not in stage.things and (wanted is None or not wanted.sure):
         _place_at_set_mark(stage, state.asset_id, wanted)
-    anchor = stage.anchor(wanted.anchor) if wanted is not None else None
+    anchor = stage.find_anchor(wanted.anchor) if wanted is not None else None
     if state.asset_id in stage.things or wanted is None or anchor is None or anchor.walks:
         return
-    if in_reach(stage, anchor):
-        stand_at(stage, state.asset_id, anchor, wanted)
+    if is_reachable(stage, anchor):
+        stand_person_at(stage, state.asset_id, anchor, wanted)
 
 
-def _group_people(stage: Stage, present: list[str]) -> list[list[str]]:
+def _group_people(stage: LayoutStage, present: list[str]) -> list[list[str]]:
     """Return groups of asset ids: talkers whose pairs share a person stand together, others alone."""
     groups: list[list[str]] = []
     for pair in stage.view.groups:
@@ -106,14 +115,14 @@ def _group_people(stage: Stage, present: list[str]) -> list[list[str]]:
     return groups + [[member] for member in present if member not in told]
 
 
-def _seat_person(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
+def _seat_person(stage: LayoutStage, state: BodyState, wanted: WantedPlace | None) -> None:
     """Seat a person on the seat in the script, or near the mark of their trade; they stay unplaced if none is free."""
     told = wanted.anchor if wanted is not None and wanted.relation not in ("facing", "in_front_of") else None
     own = _find_set_mark(stage, state.asset_id, state.support_id or told)
-    sit(stage, state, wanted, own.location[:2] if own is not None else None)
+    seat_person(stage, state, wanted, own.location[:2] if own is not None else None)
 
 
-def _find_set_mark(stage: Stage, person: str, place: str | None) -> PlanMark | None:
+def _find_set_mark(stage: LayoutStage, person: str, place: str | None) -> PlanMark | None:
     """Return the mark of the set whose tags match a person's place best, then their station, then their trade.
 
     Args:
@@ -126,7 +135,8 @@ def _find_set_mark(stage: Stage, person: str, place: str | None) -> PlanMark | N
     """
     trade = {word for word in person.split("_") if not word.isdigit()}
     named = [
-        {each, each.rsplit("_", 1)[-1]} if each else set[str]() for each in (place, stage.view.stations.get(person))
+        {each, each.rsplit("_", 1)[-1]} if each else set[str]()
+        for each in (place, stage.view.resting_places.get(person))
     ]
 
     def match_score(mark: PlanMark) -> int:
@@ -137,7 +147,7 @@ def _find_set_mark(stage: Stage, person: str, place: str | None) -> PlanMark | N
     return best if match_score(best) else None
 
 
-def _place_at_set_mark(stage: Stage, asset_id: str, wanted: Wanted | None) -> None:
+def _place_at_set_mark(stage: LayoutStage, asset_id: str, wanted: WantedPlace | None) -> None:
     """Place a person on the mark of the set that belongs to their place in the script or to their trade.
 
     Nothing happens if the set has no such mark or another thing is within 0.1 m of it.
@@ -156,12 +166,13 @@ def _place_at_set_mark(stage: Stage, asset_id: str, wanted: Wanted | None) -> No
         stage.add(Thing(asset_id, box, walks=True), asset_id)
 
 
-def _direction_to_audience(x: float, stage: Stage) -> tuple[float, float]:
+def _direction_to_audience(x: float, stage: LayoutStage) -> tuple[float, float]:
+    """Return the floor direction from a place at ``x`` towards the audience, not normalised."""
     middle = (stage.room.x_min + stage.room.x_max) / 2
     return 0.3 * (middle - x), -1.0
 
 
-def _place_group(stage: Stage, members: list[str]) -> None:
+def _place_group(stage: LayoutStage, members: list[str]) -> None:
     """Place a group of people: beside those who have a place already, else in a formation open to the audience."""
     placed = [stage.things[member] for member in members if member in stage.things]
     waiting = [member for member in members if member not in stage.things]
@@ -174,17 +185,19 @@ def _place_group(stage: Stage, members: list[str]) -> None:
         return
     if len(members) == 1:
         others = [(thing.box.x, thing.box.y) for thing in stage.things.values() if thing.walks]
-        x, y = stage.free_spot(stage.middle, 0.5, lambda x, y: _crowding((x, y), others) + 0.5 * _bareness(stage, x, y))
+        x, y = stage.free_spot(
+            stage.middle, 0.5, lambda x, y: _crowding_penalty((x, y), others) + 0.5 * _bareness_penalty(stage, x, y)
+        )
         box = stage.box(members[0], x, y, 0.0, 0.0)
         box.turn_to(yaw_along(*_direction_to_audience(x, stage)))
         stage.add(Thing(members[0], box, walks=True), members[0])
         return
-    radius = stage.view.apart * (TALK / 2 if len(members) == 2 else max(0.8, 0.22 * len(members)))
-    x, y = stage.free_spot(stage.middle, radius + 0.45, lambda x, y: _bareness(stage, x, y))
+    radius = stage.view.distance_scale * (TALK / 2 if len(members) == 2 else max(0.8, 0.22 * len(members)))
+    x, y = stage.free_spot(stage.middle, radius + 0.45, lambda x, y: _bareness_penalty(stage, x, y))
     angles = _FORMATION.get(len(members)) or tuple(np.linspace(200, -20, len(members)).tolist())
     for member, angle in zip(members, angles, strict=True):
         dx, dy = radius * math.cos(math.radians(angle)), radius * math.sin(math.radians(angle))
-        box = stage.box(member, x + dx, y + dy, 0.0, turn_towards_audience(yaw_along(-dx, -dy)))
+        box = stage.box(member, x + dx, y + dy, 0.0, turn_towards_audience(yaw_along(-dx, -dy), _CHEAT))
         stage.add(Thing(member, box, walks=True), member)
     if len(members) == 2:
         left, right = (stage.things[member] for member in members)
@@ -192,25 +205,25 @@ def _place_group(stage: Stage, members: list[str]) -> None:
         right.anchor, right.direction = left.name, "facing"
 
 
-def _accompany(stage: Stage, member: str, other: Thing) -> None:
-    """Stand beside somebody, at the shoulder, looking the same way."""
-    x, y = stage.free_spot((other.box.x, other.box.y), 0.42, lambda x, y: _shoulder(other, x, y))
+def _place_companion(stage: LayoutStage, member: str, other: Thing) -> None:
+    """Place a person beside another, shoulder to shoulder, looking the same way."""
+    x, y = stage.free_spot((other.box.x, other.box.y), 0.42, lambda x, y: _companion_penalty(other, x, y))
     stage.add(Thing(member, stage.box(member, x, y, 0.0, other.box.yaw), walks=True), member)
 
 
-def _shoulder(other: Thing, x: float, y: float) -> float:
-    """Dislike being before somebody, or far behind."""
+def _companion_penalty(other: Thing, x: float, y: float) -> float:
+    """Return the penalty in metres for a place in front of another person, or far behind them."""
     across, along = other.box.to_local(x, y)
     return max(-along - 0.1, 0.0) + 0.5 * max(along - 0.4, 0.0) + max(0.6 - abs(across), 0.0)
 
 
-def _bareness(stage: Stage, x: float, y: float) -> float:
+def _bareness_penalty(stage: LayoutStage, x: float, y: float) -> float:
     """Return the penalty in metres for a place with nothing of the set visible behind it."""
     return _BARE * (1.0 - stage.backdrop(x, y))
 
 
-def _crowding(place: tuple[float, float], others: list[tuple[float, float]]) -> float:
-    """Dislike being in a group one does not belong to, between it and the audience, or in line with it."""
+def _crowding_penalty(place: tuple[float, float], others: list[tuple[float, float]]) -> float:
+    """Return the penalty in metres for a place in a group, in front of it, or in line with it."""
     cost = sum(3 * max(_ALONE - math.dist(place, other), 0.0) for other in others)
     if others:
         xs, ys = zip(*others, strict=True)
@@ -219,7 +232,7 @@ def _crowding(place: tuple[float, float], others: list[tuple[float, float]]) -> 
     return cost + sum(max(0.5 - abs(place[0] - other[0]), 0.0) for other in others)
 
 
-def _place_beside_group(stage: Stage, member: str, placed: list[Thing]) -> None:
+def _place_beside_group(stage: LayoutStage, member: str, placed: list[Thing]) -> None:
     """Place a person at talking distance from a group, beside it as the audience sees it and not in front of it."""
     first = placed[0]
     ahead = math.atan2(first.box.forward[1], first.box.forward[0])
@@ -237,20 +250,16 @@ def _place_beside_group(stage: Stage, member: str, placed: list[Thing]) -> None:
                 best = (cost, x, y)
     assert best is not None
     _, x, y = best
-    box = stage.box(member, x, y, 0.0, turn_towards_audience(yaw_along(first.box.x - x, first.box.y - y)))
+    box = stage.box(member, x, y, 0.0, turn_towards_audience(yaw_along(first.box.x - x, first.box.y - y), _CHEAT))
     stage.add(Thing(member, box, anchor=first.name, direction="facing", walks=True), member)
 
 
-def turn_towards_audience(yaw: float) -> float:
-    """Return a yaw turned a little towards the audience (yaw 0)."""
-    yaw = wrap_angle(yaw)
-    return yaw - max(-_CHEAT, min(_CHEAT, yaw))
-
-
-def _turn_to_looked_at(stage: Stage) -> None:
+def _turn_to_looked_at(stage: LayoutStage) -> None:
     """Turn every person who stands alone towards the person or thing they look at."""
     for state in stage.view.states:
         thing, target = stage.things.get(state.asset_id), stage.find(state.looking_at)
         free = thing is not None and thing.anchor is None and target is not None and target is not thing
         if free and thing is not None and target is not None and footprint_gap(thing.box, target.box)[0] > 0:
-            thing.box.turn_to(turn_towards_audience(yaw_along(target.box.x - thing.box.x, target.box.y - thing.box.y)))
+            thing.box.turn_to(
+                turn_towards_audience(yaw_along(target.box.x - thing.box.x, target.box.y - thing.box.y), _CHEAT)
+            )

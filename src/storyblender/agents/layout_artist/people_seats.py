@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 
-from storyblender.agents.layout_artist.layout_stage import Stage
+from storyblender.agents.layout_artist.layout_stage import LayoutStage
 from storyblender.agents.layout_artist.layout_things import anchors_of, seat_box
-from storyblender.agents.layout_artist.people_stations import Wanted
+from storyblender.agents.layout_artist.people_stations import WantedPlace
 from storyblender.geometry.boxes import distance_to_point, yaw_along
 from storyblender.geometry.relations import Thing
 from storyblender.geometry.seating import list_seats, select_seats
@@ -30,18 +30,18 @@ Seat = tuple[str, Anchor]
 """Name of the furniture, and the seat on it."""
 
 
-def sit(stage: Stage, state: BodyState, wanted: Wanted | None, near: Vec2 | None) -> bool:
-    """Seat a person on the free seat that is meant, else on the nearest one; False if there is none.
+def seat_person(stage: LayoutStage, state: BodyState, wanted: WantedPlace | None, near: Vec2 | None) -> bool:
+    """Seat a person on the free seat that the script names, else on the nearest one; return False if none is free.
 
     Args:
-        stage: Changed.
-        state: Posture and support.
-        wanted: The place that the script gives them.
-        near: Floor point of their work, if they have any.
+        stage: The stage; changed.
+        state: Posture and support of the person.
+        wanted: The place that the script gives them; None if it gives none.
+        near: Floor point of their work; None if they have none.
     """
     kinds = ("bed", "seat") if state.posture in ("lie", "asleep") else ("seat",)
-    support = stage.find(state.support_id) or (None if near else stage.anchor(state.support_id))
-    other = stage.anchor(wanted.anchor) if wanted is not None else None
+    support = stage.find(state.support_id) or (None if near else stage.find_anchor(state.support_id))
+    other = stage.find_anchor(wanted.anchor) if wanted is not None else None
     if support is None and other is not None and not other.walks and wanted and wanted.relation not in _OPPOSITE:
         support = other
     wish = near or stage.middle
@@ -54,24 +54,28 @@ def sit(stage: Stage, state: BodyState, wanted: Wanted | None, near: Vec2 | None
     seats: list[Seat] = []
     if support is not None and support.name in stage.things and support.box.z < _SEAT_FOOT:
         on_it = wanted is not None and wanted.relation == "on" and wanted.anchor == state.support_id
-        seats = [] if on_it else _free(stage, _drawn_up(stage, support))
-        seats = seats or _free(stage, _seats(stage, [support.name], kinds, asked=True))
+        seats = [] if on_it else _free_among(stage, _seats_at_table(stage, support))
+        seats = seats or _free_among(stage, _list_seats(stage, [support.name], kinds, asked=True))
         if wanted is not None and wanted.side is not None:
             seats = select_seats(seats, wanted.side, lambda seat: (seat[1].location[0], -seat[1].location[1]))
-    seats = seats or _free(stage, _seats(stage, list(stage.things), kinds, asked=False))
+    seats = seats or _free_among(stage, _list_seats(stage, list(stage.things), kinds, asked=False))
     if not seats:
         return False
-    take(stage, state.asset_id, min(seats, key=lambda seat: (round(math.dist(_place(stage, seat), wish), 3), seat[0])))
+    put_on_seat(
+        stage,
+        state.asset_id,
+        min(seats, key=lambda seat: (round(math.dist(_seat_point(stage, seat), wish), 3), seat[0])),
+    )
     return True
 
 
-def free_seats(stage: Stage) -> list[Seat]:
+def free_seats(stage: LayoutStage) -> list[Seat]:
     """Return every seat of the set that is free of people and things."""
-    return _free(stage, _seats(stage, list(stage.things), ("seat",), asked=False))
+    return _free_among(stage, _list_seats(stage, list(stage.things), ("seat",), asked=False))
 
 
-def take(stage: Stage, person: str, seat: Seat) -> None:
-    """Seat a person on a free seat."""
+def put_on_seat(stage: LayoutStage, person: str, seat: Seat) -> None:
+    """Place a person (asset id) on a seat."""
     name, anchor = seat
     base = stage.things[name].box
     x, y = base.to_world(*anchor.location[:2])
@@ -80,8 +84,8 @@ def take(stage: Stage, person: str, seat: Seat) -> None:
     stage.add(Thing(person, box, anchor=name, walks=True), person)
 
 
-def _seats(stage: Stage, names: Iterable[str], kinds: tuple[str, ...], asked: bool) -> list[Seat]:
-    """Return the beds or seats of things, also the edge of a thing that the script seats people on."""
+def _list_seats(stage: LayoutStage, names: Iterable[str], kinds: tuple[str, ...], asked: bool) -> list[Seat]:
+    """Return the seats or beds of things, and edges of a thing that the script has people sit on (``asked``)."""
     found: list[Seat] = []
     for name in (name for name in names if not stage.things[name].walks):
         measure = stage.measure(stage.assets[name])
@@ -94,32 +98,33 @@ def _seats(stage: Stage, names: Iterable[str], kinds: tuple[str, ...], asked: bo
     return found
 
 
-def _free(stage: Stage, seats: Iterable[Seat]) -> list[Seat]:
+def _free_among(stage: LayoutStage, seats: Iterable[Seat]) -> list[Seat]:
     """Return those of the seats that are free of people and things."""
     return [
         seat
         for seat in seats
         if all(
-            math.dist(_place(stage, seat), (thing.box.x, thing.box.y)) > _TAKEN
+            math.dist(_seat_point(stage, seat), (thing.box.x, thing.box.y)) > _TAKEN
             for thing in stage.things.values()
             if thing.walks or (thing.anchor == seat[0] and thing.relationship == "on_top_of")
         )
     ]
 
 
-def _place(stage: Stage, seat: Seat) -> Vec2:
+def _seat_point(stage: LayoutStage, seat: Seat) -> Vec2:
+    """Return the floor point of a seat's front edge."""
     return stage.things[seat[0]].box.to_world(*seat[1].location[:2])
 
 
-def _drawn_up(stage: Stage, table: Thing) -> list[Seat]:
+def _seats_at_table(stage: LayoutStage, table: Thing) -> list[Seat]:
     """Return the seats that face a table without a seat of its own."""
     own = stage.measure(stage.assets[table.name])
     if any(anchor.kind in ("seat", "bed") for anchor in own.anchors) or not anchors_of(own, "top"):
         return []
     found: list[Seat] = []
-    for seat in _seats(stage, [name for name in stage.things if name != table.name], ("seat",), asked=False):
+    for seat in _list_seats(stage, [name for name in stage.things if name != table.name], ("seat",), asked=False):
         base = stage.things[seat[0]].box
-        x, y = _place(stage, seat)
+        x, y = _seat_point(stage, seat)
         ahead = base.to_world(*(seat[1].location[i] + 0.3 * seat[1].direction[i] for i in (0, 1)))
         away = distance_to_point(table.box, x, y)
         if away < _DRAWN_UP and distance_to_point(table.box, *ahead) < away:

@@ -1,4 +1,4 @@
-"""Stations of people who stand at, behind or beside something, chosen by the room around them."""
+"""Places for people who stand at, behind or beside something, chosen by the room around them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from storyblender.agents.layout_artist.layout_stage import Stage
+from storyblender.agents.layout_artist.layout_stage import LayoutStage
 from storyblender.agents.layout_artist.layout_things import anchors_of
 from storyblender.catalog.workplaces import workplaces_of
 from storyblender.geometry.boxes import Box, wrap_angle, yaw_along
@@ -16,11 +16,11 @@ from storyblender.geometry.stations import Sort, Station, stations, turn_towards
 from storyblender.memory.shot_context import BodyState
 
 _STANDING = 0.15
-"""Least metres from the middle of a standing person to the next thing."""
+"""Least metres from the middle of a standing person to the nearest thing."""
 _ELBOW = 0.28
-"""Metres with room for the elbows; more room gives no bonus."""
+"""Metres of room for the elbows; more room gives no bonus."""
 _TIGHT = 8.0
-"""Penalty, in metres, for each metre less room than that."""
+"""Penalty in metres for each metre of room missing to ``_ELBOW``."""
 _AFAR = 2.5
 """Metres from the playing area beyond which a thing is scenery."""
 _ROOMY = 0.6
@@ -32,7 +32,7 @@ _FACES = ("at", "facing", "in_front_of", "behind")
 
 
 @dataclass(frozen=True)
-class Wanted:
+class WantedPlace:
     """The place that the script gives a person.
 
     Attributes:
@@ -52,20 +52,20 @@ class Wanted:
     sure: bool = False
 
 
-def wanted_by(stage: Stage) -> dict[str, Wanted]:
-    """Return each person's place in the script as the scene begins, or when they are first found in it."""
-    states = (*stage.view.states, *stage.view.found)
+def wanted_places(stage: LayoutStage) -> dict[str, WantedPlace]:
+    """Return each person's place in the script, at the start or when first seen, by asset id."""
+    states = (*stage.view.states, *stage.view.found_later)
     people = {state.asset_id for state in states}
     stated = [relation for relation in reversed(stage.view.setup.relations) if relation.asset_id in people]
-    wishes = {each.asset_id: Wanted(each.kind, each.anchor_asset_id) for each in stated}
+    wishes = {each.asset_id: WantedPlace(each.kind, each.anchor_asset_id) for each in stated}
     told = [(state.asset_id, state.spot) for state in reversed(states) if state.spot is not None]
-    own = {name: Wanted(s.relation, s.anchor_id, s.side, s.distance, s.facing, sure=True) for name, s in told}
+    own = {name: WantedPlace(s.relation, s.anchor_id, s.side, s.distance, s.facing, sure=True) for name, s in told}
     return wishes | {name: wish for name, wish in own.items() if wish.anchor is not None or name not in wishes}
 
 
-def work_place(stage: Stage, state: BodyState) -> Thing | None:
-    """Return the thing for a person's action as the scene begins, if the script names none."""
-    for motion, prop in stage.view.deeds.get(state.asset_id, ()):
+def find_workplace(stage: LayoutStage, state: BodyState) -> Thing | None:
+    """Return the thing at which a person does their first actions, if the script names none; None if there is none."""
+    for motion, prop in stage.view.first_actions.get(state.asset_id, ()):
         for wanted in workplaces_of(motion, prop):
             found = [t for name, t in stage.things.items() if stage.view.props.get(stage.assets[name]) == wanted]
             if found:
@@ -73,23 +73,23 @@ def work_place(stage: Stage, state: BodyState) -> Thing | None:
     return None
 
 
-def sort_of(stage: Stage, anchor: Thing) -> Sort:
-    """Return the sort of an anchor, for a person who stands at it."""
+def sort_of(stage: LayoutStage, anchor: Thing) -> Sort:
+    """Return the sort of an anchor, as `geometry.stations` has them."""
     if anchor.walks:
         return "person"
     if anchor.name in stage.things:
         return "thing"
-    kind = next((each.kind for each in (stage.fixture(anchor.name),) if each is not None), "piece")
+    kind = next((each.kind for each in (stage.find_fixture(anchor.name),) if each is not None), "piece")
     sorts: dict[str, Sort] = {"door": "door", "window": "window", "wall": "wall", "corner": "point", "mark": "point"}
     return sorts.get(kind, "thing")
 
 
-def stand_at(stage: Stage, asset_id: str, anchor: Thing, wanted: Wanted) -> None:
-    """Stand a person at, behind, in front of or beside something, on the side that has room.
+def stand_person_at(stage: LayoutStage, asset_id: str, anchor: Thing, wanted: WantedPlace) -> None:
+    """Place a person at, behind, in front of or beside something, on the side that has room.
 
     Args:
-        stage: Changed.
-        asset_id: Asset id of the person.
+        stage: The stage; changed.
+        asset_id: The person.
         anchor: The thing, the person or the part of the set.
         wanted: Their relation to the anchor.
     """
@@ -97,13 +97,15 @@ def stand_at(stage: Stage, asset_id: str, anchor: Thing, wanted: Wanted) -> None
     options = stations(anchor.box, sort, relation, wanted.side, wanted.distance)
     if relation == "at" and wanted.side is None and sort == "thing" and _has_its_own_seat(stage, anchor):
         options = [*stations(anchor.box, sort, relation, "left"), *stations(anchor.box, sort, relation, "right")]
-    best, room = _best(stage, options)
+    best, room = _best_station(stage, options)
     if room < _STANDING and sort == "thing":  # no room behind a thing that stands against a wall
-        best, room = _best(stage, [*options, *stations(anchor.box, sort, "at"), *stations(anchor.box, sort, "next_to")])
+        best, room = _best_station(
+            stage, [*options, *stations(anchor.box, sort, "at"), *stations(anchor.box, sort, "next_to")]
+        )
     if room < 0 and sort == "thing":
         best = _nearest_in_room(stage, anchor.box, best)
     box = stage.box(asset_id, best.x, best.y, 0.0, best.yaw)
-    turned_to(stage, box, wanted.facing, anchor.box)
+    turn_person(stage, box, wanted.facing, anchor.box)
     thing = Thing(asset_id, box, walks=True)
     if anchor.name in stage.things:
         bearing = math.atan2(box.y - anchor.box.y, box.x - anchor.box.x)
@@ -114,8 +116,8 @@ def stand_at(stage: Stage, asset_id: str, anchor: Thing, wanted: Wanted) -> None
     stage.add(thing, asset_id)
 
 
-def in_reach(stage: Stage, anchor: Thing) -> bool:
-    """Return whether people of the scene can get to a thing: not to distant scenery such as a plane in the sky."""
+def is_reachable(stage: LayoutStage, anchor: Thing) -> bool:
+    """Return whether people can walk to a thing; not to distant scenery such as a plane in the sky."""
     room, box = stage.room, anchor.box
     dx = max(room.x_min - box.x, box.x - room.x_max, 0.0) - box.reach((1.0, 0.0))
     dy = max(room.y_min - box.y, box.y - room.y_max, 0.0) - box.reach((0.0, 1.0))
@@ -123,11 +125,12 @@ def in_reach(stage: Stage, anchor: Thing) -> bool:
 
 
 def _looks_at(box: Box, other: Box) -> bool:
+    """Return whether a box faces another within 44 degrees."""
     return abs(wrap_angle(yaw_along(other.x - box.x, other.y - box.y) - box.yaw)) < math.radians(44)
 
 
-def _best(stage: Stage, options: list[Station]) -> tuple[Station, float]:
-    """Return the station with the lowest penalty, and how much room it has in metres: -1 outside the playing area."""
+def _best_station(stage: LayoutStage, options: list[Station]) -> tuple[Station, float]:
+    """Return the station with the lowest penalty, and its room in metres, -1 outside the playing area."""
     points = np.array([(each.x, each.y) for each in options])
     x_min, x_max, y_min, y_max = stage.room
     inside = (points > (x_min, y_min)).all(axis=1) & (points < (x_max, y_max)).all(axis=1)
@@ -144,8 +147,8 @@ def _best(stage: Stage, options: list[Station]) -> tuple[Station, float]:
     return options[best], float(room[best])
 
 
-def _nearest_in_room(stage: Stage, anchor: Box, wish: Station) -> Station:
-    """Return the place of the playing area nearest to a thing outside it: by the plane on the runway."""
+def _nearest_in_room(stage: LayoutStage, anchor: Box, wish: Station) -> Station:
+    """Return the place in the playing area nearest to a thing outside it, such as by a plane on the runway."""
     across, along = anchor.to_local(*stage.middle)
     half = anchor.width / 2, anchor.depth / 2
     edge = anchor.to_world(max(-half[0], min(half[0], across)), max(-half[1], min(half[1], along)))
@@ -153,19 +156,26 @@ def _nearest_in_room(stage: Stage, anchor: Box, wish: Station) -> Station:
     return Station(x, y, wish.yaw)
 
 
-def _has_its_own_seat(stage: Stage, anchor: Thing) -> bool:
-    """Return whether a seat faces a thing, such as a piano's stool: people who do not play stand at its ends."""
+def _has_its_own_seat(stage: LayoutStage, anchor: Thing) -> bool:
+    """Return whether a thing has a seat that faces it, such as a piano's stool: others stand at its ends."""
     if anchor.name not in stage.assets:  # a part of the set
         return False
     seats = anchors_of(stage.measure(stage.assets[anchor.name]), "seat")
     return any(seat.direction[1] > 0.5 for seat in seats)
 
 
-def turned_to(stage: Stage, box: Box, wanted: str | None, anchor: Box | None) -> None:
-    """Turn a person to what the script says they face: an id, ``away`` from the anchor, or ``camera``."""
+def turn_person(stage: LayoutStage, box: Box, wanted: str | None, anchor: Box | None) -> None:
+    """Turn a person's box to what the script has them face.
+
+    Args:
+        stage: The stage.
+        box: The person; changed.
+        wanted: An id, ``away`` from the anchor, ``camera``, or None to stay.
+        anchor: The anchor; None if there is none.
+    """
     if wanted == "camera":
         box.turn_to(0.0)
     elif wanted == "away" and anchor is not None:
         box.turn_to(yaw_along(box.x - anchor.x, box.y - anchor.y))
-    elif wanted is not None and (thing := stage.anchor(wanted)) is not None:
+    elif wanted is not None and (thing := stage.find_anchor(wanted)) is not None:
         box.turn_to(turn_towards_audience(yaw_along(thing.box.x - box.x, thing.box.y - box.y)))

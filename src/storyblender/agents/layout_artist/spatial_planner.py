@@ -1,7 +1,6 @@
-"""The Spatial Planner: wishes from the script, then the solver, then the geometric critic (paper, appendix).
+"""The Spatial Planner without a model: wished places from the script, then the solver, then the geometric critic.
 
-The rules propose where everything is wished and let the solver make it valid; ``refine`` applies the critic's exact
-fixes and solves again. Geometry is never asked of a model: a language policy proposes wishes in the same way.
+``refine`` applies the critic's exact fixes and solves again (paper, appendix).
 """
 
 from __future__ import annotations
@@ -10,8 +9,14 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from storyblender.agents.layout_artist.layout_stage import Stage
-from storyblender.agents.layout_artist.layout_things import laid_out, layout_violations, room_of, thing_of, walls_of
+from storyblender.agents.layout_artist.layout_stage import LayoutStage
+from storyblender.agents.layout_artist.layout_things import (
+    layout_object_of,
+    layout_violations,
+    room_of,
+    thing_of,
+    walls_of,
+)
 from storyblender.agents.layout_artist.object_places import place_objects
 from storyblender.agents.layout_artist.people_places import place_people
 from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView
@@ -24,10 +29,11 @@ from storyblender.memory.scene_context import Layout
 from storyblender.reflection import Critique, Fault
 
 _REACH = 0.55
-"""Metres before a target where somebody must be able to stand."""
+"""Metres in front of a target at which a person must be able to stand."""
 _SQUEEZE = 0.5
-"""Metres that a person gets through, behind a bar for example; lanes are wider."""
+"""Least width in metres of a way for a person, such as behind a bar; lanes are wider."""
 _RESERVED = (0.6, 0.5)
+"""Width and depth in metres of the floor kept free in front of a target."""
 
 
 @dataclass(frozen=True)
@@ -36,14 +42,20 @@ class RulesSpatialPlanner:
 
     def propose(self, view: SpatialPlannerView) -> Layout:
         """Return a solved layout of the scene at its start."""
-        stage = Stage(view)
+        stage = LayoutStage(view)
         place_objects(stage)
         place_people(stage)
         place_objects(stage, beside_people=True)
-        return _solved(stage, view)
+        return _solve_layout(stage, view)
 
     def refine(self, draft: Layout, critique: Critique, view: SpatialPlannerView) -> Layout:
-        """Apply the critic's exact fixes, then solve again from there."""
+        """Apply the critic's exact fixes to the draft, then solve it again.
+
+        Args:
+            draft: The layout.
+            critique: Its faults, with ``move_x``, ``move_y``, ``move_z`` (metres) and ``turn`` (degrees) as fixes.
+            view: The scene.
+        """
         moved = {item.node_id: item for item in draft.objects}
         for fault in critique.faults:
             item = moved.get(fault.subject)
@@ -54,38 +66,38 @@ class RulesSpatialPlanner:
             rx, ry, rz = item.rotation
             turned = (rx, ry, rz + float(fault.fix.get("turn", 0.0)))
             moved[fault.subject] = item.model_copy(update={"location": (x, y, z), "rotation": turned})
-        stage = Stage(view)
+        stage = LayoutStage(view)
         for item in moved.values():
             if item.node_id not in stage.things:
-                stage.put(item, fixed=item.fixed)
-        return _solved(stage, view)
+                stage.add_object(item, fixed=item.fixed)
+        return _solve_layout(stage, view)
 
 
-def _solved(stage: Stage, view: SpatialPlannerView) -> Layout:
-    """Solve the stage twice: once as wished as far as that can be, then with the walkways this leaves kept free."""
+def _solve_layout(stage: LayoutStage, view: SpatialPlannerView) -> Layout:
+    """Solve the stage as wished, then again with the walkways kept free; return the better layout."""
     things = [*stage.things.values(), *stage.walls]
     seed = int(content_hash("layout", view.scene_id, view.seed)[:8], 16)
-    solution = solve(things, stage.room, keep_free=_reserved(stage), seed=seed)
+    solution = solve(things, stage.room, keep_free=_reserved_floor(stage), seed=seed)
     if solution.residual:
-        freed = [_let_go(thing, solution.residual) for thing in solution.things]
-        without = solve(freed, stage.room, keep_free=_reserved(stage), seed=seed)
+        freed = [_without_relation(thing, solution.residual) for thing in solution.things]
+        without = solve(freed, stage.room, keep_free=_reserved_floor(stage), seed=seed)
         solution = without if len(without.residual) < len(solution.residual) else solution
-    lanes = [*_reserved(stage), *_walkways(stage, solution.things)]
+    lanes = [*_reserved_floor(stage), *_walkways(stage, solution.things)]
     if lanes:
         with_lanes = solve(solution.things, stage.room, keep_free=lanes, seed=seed)
         if len(with_lanes.residual) <= len(solution.residual):
             solution = with_lanes
     known = {item.node_id: item for item in view.dressed}
     objects = [
-        known.get(thing.name) or laid_out(thing, stage.assets[thing.name])
+        known.get(thing.name) or layout_object_of(thing, stage.assets[thing.name])
         for thing in solution.things
         if thing.name in stage.assets
     ]
     return Layout(scene_size=view.plan.size, objects=tuple(objects))
 
 
-def _let_go(thing: Thing, residual: Sequence[Violation]) -> Thing:
-    """Return a thing without its place beside another where there is no room for it: a van across an alley."""
+def _without_relation(thing: Thing, residual: Sequence[Violation]) -> Thing:
+    """Return a thing without its place beside another, if a violation says there is no room for it."""
     freed = thing.copy()
     unmet = any(violation.subject == thing.name for violation in residual)
     if unmet and not (thing.fixed or thing.walks or may_overlap_anchor(thing) or thing.relationship == "on_top_of"):
@@ -93,8 +105,8 @@ def _let_go(thing: Thing, residual: Sequence[Violation]) -> Thing:
     return freed
 
 
-def _reserved(stage: Stage) -> list[Box]:
-    """Return the floor before everything that somebody will go to."""
+def _reserved_floor(stage: LayoutStage) -> list[Box]:
+    """Return boxes of the floor in front of every fixed thing that people will go to."""
     volumes = []
     for asset_id in stage.view.targets:
         target = stage.find(asset_id)
@@ -104,24 +116,29 @@ def _reserved(stage: Stage) -> list[Box]:
     return volumes
 
 
-def ways_of(view: SpatialPlannerView, layout: Layout) -> list[Box]:
-    """Return the floor of a finished layout that stays free: before what people go to, and on their ways there."""
-    stage = Stage(view)
+def free_floor_of(view: SpatialPlannerView, layout: Layout) -> list[Box]:
+    """Return boxes of the floor of a finished layout that stay free: in front of people's targets, and on their ways.
+
+    Args:
+        view: The scene.
+        layout: Its layout.
+    """
+    stage = LayoutStage(view)
     for item in layout.objects:
         if item.node_id not in stage.things:
-            stage.put(item, fixed=item.fixed)
-    return [*_reserved(stage), *_walkways(stage, list(stage.things.values()))]
+            stage.add_object(item, fixed=item.fixed)
+    return [*_reserved_floor(stage), *_walkways(stage, list(stage.things.values()))]
 
 
-def _walkways(stage: Stage, things: Sequence[Thing]) -> list[Box]:
-    """Return the lanes from a door to everybody, and from the people to what they will go to."""
+def _walkways(stage: LayoutStage, things: Sequence[Thing]) -> list[Box]:
+    """Return boxes of the lanes from a door to everybody, and from the people to their targets."""
     people = [thing for thing in things if thing.walks and not may_overlap_anchor(thing)]
     if not people:
         return []
     spots = [(person.box.x, person.box.y) for person in people]
     doors = _doors(stage.view)
     trips = [(door, spots[0]) for door in doors[:2]]
-    trips += [(doors[0], spot) for spot in spots[1:] if doors and not _is_open(doors, spot, things, stage.room)]
+    trips += [(doors[0], spot) for spot in spots[1:] if doors and not _is_reachable(doors, spot, things, stage.room)]
     by_name = {thing.name: thing for thing in things}
     for asset_id in stage.view.targets[:4]:
         target = stage.find(asset_id)
@@ -138,26 +155,32 @@ def _walkways(stage: Stage, things: Sequence[Thing]) -> list[Box]:
 
 
 def _doors(view: SpatialPlannerView) -> list[tuple[float, float]]:
-    """Return the places where people enter the set."""
+    """Return the floor points where people enter the set."""
     return [(mark.location[0], mark.location[1]) for mark in view.plan.marks if "enter" in mark.tags]
 
 
-def _is_open(doors: Sequence[Vec2], spot: Vec2, things: Sequence[Thing], room: Room) -> bool:
-    """Return whether somebody can walk to a place from any door."""
+def _is_reachable(doors: Sequence[Vec2], spot: Vec2, things: Sequence[Thing], room: Room) -> bool:
+    """Return whether a person can walk to a floor point from any door."""
     return any(find_walkway(door, spot, things, room, width=_SQUEEZE) is not None for door in doors)
 
 
 @dataclass(frozen=True)
 class SpatialPlannerCritic:
-    """R of the Spatial Planner: the geometric checks, and everybody reachable from the doors."""
+    """The Spatial Planner's critic: the geometric checks, and everybody reachable from the doors."""
 
     def judge(self, draft: Layout, view: SpatialPlannerView) -> Critique:
-        """Score ten less the severities of what is wrong."""
+        """Return the critique of a layout: geometric faults with exact fixes, people cut off, things without a place.
+
+        Args:
+            draft: The layout.
+            view: The scene.
+        """
         faults = layout_violations(draft, view.measures, view.plan)
-        return Critique.of((*faults, *_unreachable(draft, view), *_missing(draft, view)))
+        return Critique.of((*faults, *_find_unreachable(draft, view), *_find_missing(draft, view)))
 
 
-def _unreachable(draft: Layout, view: SpatialPlannerView) -> list[Fault]:
+def _find_unreachable(draft: Layout, view: SpatialPlannerView) -> list[Fault]:
+    """Return a fault for each person whom no walk from a door reaches."""
     things = [thing for item in draft.objects if (thing := thing_of(item, view.measures, view.plan)) is not None]
     things += walls_of(view.plan)
     doors, room = _doors(view), room_of(draft.scene_size)
@@ -170,11 +193,12 @@ def _unreachable(draft: Layout, view: SpatialPlannerView) -> list[Fault]:
         )
         for person in things
         if doors and person.walks and not may_overlap_anchor(person)
-        if not _is_open(doors, (person.box.x, person.box.y), things, room)
+        if not _is_reachable(doors, (person.box.x, person.box.y), things, room)
     ]
 
 
-def _missing(draft: Layout, view: SpatialPlannerView) -> list[Fault]:
+def _find_missing(draft: Layout, view: SpatialPlannerView) -> list[Fault]:
+    """Return a fault for each pending thing or person that the layout lacks."""
     present = {item.asset_id for item in draft.objects}
     wanted = [*view.pending, *(state.asset_id for state in view.states)]
     return [

@@ -1,11 +1,11 @@
-"""What the Spatial Planner knows of a scene: its projection of the graph."""
+"""The Spatial Planner's view of a scene: its projection of the graph."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from storyblender.agents.layout_artist.told_places import told_places
+from storyblender.agents.layout_artist.scripted_spots import find_scripted_spots
 from storyblender.catalog.motions import clip_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.memory.asset_sheet import Asset
@@ -36,13 +36,13 @@ class SpatialPlannerView:
         seed: Random seed of the solver.
         placements: ``floor``, ``surface``, ``wall`` or ``ceiling`` by asset id, where the catalog knows it.
         handlers: People who take a thing into their hands, in order, by the thing's asset id.
-        company: Who stands with whom as the scene begins: companion -> the person the script places.
-        found: Postures of people whom a later shot finds in place without an entrance: jurors, guests, guards.
-        stations: Where people without an action are found: the dock, the door.
+        companions: People placed beside another as the scene begins: companion -> the person the script places.
+        found_later: States of people whom a later shot shows in place without an entrance: jurors, guests.
+        resting_places: Ids of things at which people are first seen at rest, by asset id: the dock, the door.
         props: Catalog keys by asset id.
-        told: Spots of things in the script, by asset id.
-        deeds: Motions that each person does on the spot in their first shot, with the prop of each.
-        apart: Distances between people who stand together, times the usual.
+        scripted_spots: Spots of things in the script, by asset id.
+        first_actions: Motions that each person does on the spot in their first shot, each with its prop.
+        distance_scale: Factor on distances between people who stand together.
     """
 
     scene_id: int
@@ -52,23 +52,23 @@ class SpatialPlannerView:
     dressed: tuple[LayoutObject, ...] = ()
     pending: tuple[str, ...] = ()
     states: tuple[BodyState, ...] = ()
-    found: tuple[BodyState, ...] = ()
+    found_later: tuple[BodyState, ...] = ()
     groups: tuple[tuple[str, ...], ...] = ()
     targets: tuple[str, ...] = ()
     reference: Layout | None = None
     seed: int = 0
     placements: Mapping[str, str] = field(default_factory=dict)
     handlers: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    company: Mapping[str, str] = field(default_factory=dict)
-    stations: Mapping[str, str] = field(default_factory=dict)
+    companions: Mapping[str, str] = field(default_factory=dict)
+    resting_places: Mapping[str, str] = field(default_factory=dict)
     props: Mapping[str, str] = field(default_factory=dict)
-    told: Mapping[str, Spot] = field(default_factory=dict)
-    deeds: Mapping[str, tuple[tuple[str, str | None], ...]] = field(default_factory=dict)
-    apart: float = 1.0
+    scripted_spots: Mapping[str, Spot] = field(default_factory=dict)
+    first_actions: Mapping[str, tuple[tuple[str, str | None], ...]] = field(default_factory=dict)
+    distance_scale: float = 1.0
 
 
 def measures_of(assets: Iterable[Asset]) -> dict[str, AssetMeasure]:
-    """Return the measures of all assets that have become something, by asset id."""
+    """Return the measures of all assets that have geometry, by asset id."""
     return {
         asset.asset_id: AssetMeasure(
             asset_id=asset.asset_id,
@@ -90,18 +90,18 @@ def spatial_planner_view(
     dressed: tuple[LayoutObject, ...] = (),
     pending: tuple[str, ...] | None = None,
     placements: Mapping[str, str] | None = None,
-    apart: float = 1.0,
+    distance_scale: float = 1.0,
 ) -> SpatialPlannerView:
-    """Read a scene's view from the graph.
+    """Return the Spatial Planner's projection of the graph.
 
     Args:
-        graph: With the Director's scenes and shots, and the assets already built.
-        scene_id: Of the scene.
+        graph: The graph, with the Director's scenes and shots, and the assets already built.
+        scene_id: Number of the scene.
         plan: Its set.
-        dressed: From the Set Dresser.
-        pending: Likewise; None takes every object of the scene that is not dressed.
-        placements: By asset id, from the prop catalog.
-        apart: Distances between people who stand together, times the usual.
+        dressed: Furniture that the Set Dresser has placed.
+        pending: Asset ids of things to place; None takes every object of the scene that is not dressed.
+        placements: ``floor``, ``surface``, ``wall`` or ``ceiling`` by asset id.
+        distance_scale: Factor on the distances between people who stand together.
     """
     scene, shots = graph.scene(scene_id), graph.shots_of(scene_id)
     objects = {asset.asset_id for asset in graph.assets if asset.asset_type == "object"}
@@ -142,13 +142,13 @@ def spatial_planner_view(
         seed=graph.format.seed,
         placements=placements or {},
         handlers=handlers,
-        company=_company(first) if first is not None else {},
-        found=_found(shots),
-        stations=_stations(shots),
+        companions=_companions(first) if first is not None else {},
+        found_later=_people_found_later(shots),
+        resting_places=_resting_places(shots),
         props=props_of(graph.assets),
-        told=told_places(scene.setup, shots),
-        deeds=_deeds(shots, props_of(graph.assets)),
-        apart=apart,
+        scripted_spots=find_scripted_spots(scene.setup, shots),
+        first_actions=_first_actions(shots, props_of(graph.assets)),
+        distance_scale=distance_scale,
     )
 
 
@@ -158,8 +158,8 @@ def props_of(assets: Iterable[Asset]) -> dict[str, str]:
     return {asset_id: each.key for asset_id, each in made if each is not None and each.source == "catalog"}
 
 
-def _found(shots: Sequence[ShotContext]) -> tuple[BodyState, ...]:
-    """Return the first state of everybody who is there only later and whom nothing brings."""
+def _people_found_later(shots: Sequence[ShotContext]) -> tuple[BodyState, ...]:
+    """Return the first state of everybody who is first seen in a later shot without walking in."""
     seen = {*shots[0].on_stage} if shots else set[str]()
     found: list[BodyState] = []
     for shot in shots[1:]:
@@ -169,33 +169,35 @@ def _found(shots: Sequence[ShotContext]) -> tuple[BodyState, ...]:
     return tuple(found)
 
 
-def _stations(shots: Sequence[ShotContext]) -> dict[str, str]:
-    """Return what somebody is found at in the shot they are first seen in."""
+def _resting_places(shots: Sequence[ShotContext]) -> dict[str, str]:
+    """Return the id of the thing at which each person is first seen at rest."""
     seen: set[str] = set()
-    stations: dict[str, str] = {}
+    places: dict[str, str] = {}
     for shot in shots:
         for action in shot.character_actions:
             if action.asset_id not in seen and action.motion in _RESTING and action.target_id is not None:
-                stations.setdefault(action.asset_id, action.target_id)
+                places.setdefault(action.asset_id, action.target_id)
         seen |= {*shot.on_stage}
-    return stations
+    return places
 
 
-def _deeds(shots: Sequence[ShotContext], props: Mapping[str, str]) -> dict[str, tuple[tuple[str, str | None], ...]]:
-    """Return each person's actions before they go anywhere, in the first shot that shows them."""
-    deeds: dict[str, tuple[tuple[str, str | None], ...]] = {}
+def _first_actions(
+    shots: Sequence[ShotContext], props: Mapping[str, str]
+) -> dict[str, tuple[tuple[str, str | None], ...]]:
+    """Return each person's actions on the spot, with their props, in the first shot that shows them."""
+    actions_of: dict[str, tuple[tuple[str, str | None], ...]] = {}
     for shot in shots:
         done: dict[str, list[tuple[str, str | None]]] = {person: [] for person in shot.on_stage}
         for action in shot.character_actions:
             if clip_of(action.motion).speed is None and action.asset_id in done:
                 done[action.asset_id].append((action.motion, props.get(action.prop_id or action.target_id or "")))
         for person, motions in done.items():
-            deeds.setdefault(person, tuple(motions))
-    return deeds
+            actions_of.setdefault(person, tuple(motions))
+    return actions_of
 
 
-def _company(first: ShotContext) -> dict[str, str]:
-    """Return the person that each companion stands with as the scene begins."""
+def _companions(first: ShotContext) -> dict[str, str]:
+    """Return the person beside whom each companion stands as the scene begins."""
     found: dict[str, str] = {}
     for action in first.character_actions:
         for companion in action.company if action.motion in _RESTING else ():

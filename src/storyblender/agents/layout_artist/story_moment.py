@@ -1,4 +1,4 @@
-"""The moment of a shot that its frame shows: what its lines tell to be done, at its key pose."""
+"""The moment of a shot that its frame shows: its strongest action at the key pose."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ _REST = 0.55
 _FPS = 24
 """Frames per second assumed for motions; other rates are near enough."""
 _OPENING = 2
-"""First frame that is past the opening of a shot."""
+"""First frame after the opening of a shot."""
 _ARRIVAL = 0.95
 """Share of a walk to a person at which it is drawn: near the goal, the face turned to them."""
 _BENT = ("pick_up", "put_down")
-"""Clips that bend the body: drawn when the face shows again, or earlier in an insert of the hand."""
+"""Clips that bend the body; in an insert of the hand they are drawn earlier."""
 _SPOKEN = ("talk", "shout", "whisper")
 """Clips of speech."""
 _FIRST_STRESS = 1.1
 """Seconds into a speech at which the speaker's hands are raised; later they rest between phrases."""
 AT_REST = ("idle", "look", "listen", "turn", "face")
-"""Clips that tell nothing by themselves."""
-_UNASKED = {"put_down": ("put_down",), "rise": ("stand", "get_up")}
-"""Clips that the crew writes by itself before others -> the motions of a script that ask for them."""
-_LEAVES = ("put_down", "drop", "throw")
-"""Clips after which a thing is in nobody's hands."""
+"""Clips that show no action."""
+_ADDED_CLIPS = {"put_down": ("put_down",), "rise": ("stand", "get_up")}
+"""Clips that the crew adds before others -> the motions of a script that ask for them."""
+_RELEASING_CLIPS = ("put_down", "drop", "throw")
+"""Clips after which nobody holds the thing."""
 _BEGUN = 0.45
 """Share of the time until its key pose at which an action has begun."""
 
@@ -38,11 +38,10 @@ def board_frame(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> int:
 
 
 def story_moment(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> int:
-    """Return the frame that tells the shot: when the last of its strongest actions has reached its key pose.
+    """Return the frame that shows the story of a shot: its strongest action at its key pose, the last of several.
 
-    The script or the user may ask for the start of the shot, or for its end: its last action at its key pose, not what
-    people do with their hands after it. What the script asks of one line holds for the actions of that line. A shot
-    whose subjects do nothing shows what others do in it.
+    The script or the user may ask for the start or the end of the shot; if they ask it of one line, it holds for the
+    actions of that line. If the subjects of a shot do nothing, it shows what others do.
 
     Args:
         shot: The shot with its cues.
@@ -65,13 +64,13 @@ def story_moment(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> int:
         if clip_of(cue.clip).after not in (None, "stand"):
             return last
     else:
-        cue = max(cues, key=lambda item: (_strength(item, shot) - _is_prelude(item, cues, shot), item.start))
+        cue = max(cues, key=lambda item: (_cue_rank(item, shot) - _is_prelude(item, cues, shot), item.start))
     motion = clip_of(cue.clip)
     together = len(focus & set(shot.on_stage)) > 1 and shot.camera_instruction.kind != "establishing"
     arrives = motion.speed is not None and (together or moment == "end")
     insert = cue.clip in _BENT and shot.camera_instruction.kind == "insert"
     share = _ARRIVAL if arrives else 0.5 if insert else motion.telling
-    start, length = span_of(cue, shot, played)
+    start, length = cue_span(cue, shot, played)
     told = round(length * share)
     return min(last, start + (min(told, round(_FIRST_STRESS * _FPS)) if cue.clip in _SPOKEN else told))
 
@@ -83,20 +82,24 @@ def _named_moment(shot: ShotContext, played: Sequence[PlayedCue]) -> int | None:
     if shot.moment is None or shot.moment_line is None or not cues:
         return None
     if shot.moment == "middle":
-        cue = max(cues, key=lambda item: (_strength(item, shot), item.start))
+        cue = max(cues, key=lambda item: (_cue_rank(item, shot), item.start))
     else:
         cue = min(cues, key=lambda item: item.start) if shot.moment == "start" else max(cues, key=lambda c: c.start)
     motion = clip_of(cue.clip)
     share = _ARRIVAL if motion.speed is not None and shot.moment == "end" else motion.telling
-    start, length = span_of(cue, shot, played)
+    start, length = cue_span(cue, shot, played)
     return start + round(length * share * (_BEGUN if shot.moment == "start" else 1.0))
 
 
 def cues_of(action: CharacterAction, shot: ShotContext) -> list[Cue]:
     """Return the cues that play an action.
 
-    Its own clip; else what is done with its thing or to its target instead; else all that somebody does whose only
-    deed in the shot it is.
+    They have its clip; else they handle its thing or its target; else they are all that the person does, if this is
+    their only action in the shot.
+
+    Args:
+        action: The action in the script.
+        shot: The staged shot.
     """
     own = [cue for cue in shot.cues if cue.asset_id == action.asset_id]
     done = [cue for cue in own if cue.clip not in (*AT_REST, *_SPOKEN)]
@@ -108,9 +111,15 @@ def cues_of(action: CharacterAction, shot: ShotContext) -> list[Cue]:
     return played or [cue for cue in done if alone and clip_of(cue.clip).speed is None]
 
 
-def span_of(cue: Cue, shot: ShotContext, played: Sequence[PlayedCue] = ()) -> tuple[int, int]:
-    """Return the start frame and the length in frames of a cue, without the steps and turns before it."""
-    length = _length(cue, shot)
+def cue_span(cue: Cue, shot: ShotContext, played: Sequence[PlayedCue] = ()) -> tuple[int, int]:
+    """Return the start frame and the length in frames of a cue, without the steps and turns before it.
+
+    Args:
+        cue: The cue.
+        shot: Its shot.
+        played: The cues as the engine played them; may be empty.
+    """
+    length = _cue_length(cue, shot)
     name = (cue.asset_id, cue.clip, cue.start)
     real = next((each for each in played if (each.asset_id, each.clip, each.start) == name), None)
     if real is None:
@@ -120,7 +129,7 @@ def span_of(cue: Cue, shot: ShotContext, played: Sequence[PlayedCue] = ()) -> tu
     return max(real.began, real.over - length), length
 
 
-def _length(cue: Cue, shot: ShotContext) -> int:
+def _cue_length(cue: Cue, shot: ShotContext) -> int:
     """Return the length of a cue in frames: its own, else until the same person's next cue."""
     if cue.duration is not None:
         return cue.duration
@@ -131,18 +140,20 @@ def _length(cue: Cue, shot: ShotContext) -> int:
 
 
 def _is_prelude(cue: Cue, cues: Sequence[Cue], shot: ShotContext) -> bool:
-    """Tell whether a cue only takes up a thing that the same person then uses, or only frees a hand for what comes."""
+    """Tell whether a cue only picks up a thing that the person then uses, or only frees a hand."""
     after = [each for each in cues if each.asset_id == cue.asset_id and each.start > cue.start]
-    if cue.clip in _UNASKED:
+    if cue.clip in _ADDED_CLIPS:
         told = {action.motion for action in shot.character_actions if action.asset_id == cue.asset_id}
-        return bool(after) and not any(clip_of(each).key == cue.clip or each in _UNASKED[cue.clip] for each in told)
-    return cue.clip == "pick_up" and any(each.prop_id == cue.prop_id and each.clip not in _LEAVES for each in after)
+        return bool(after) and not any(clip_of(each).key == cue.clip or each in _ADDED_CLIPS[cue.clip] for each in told)
+    return cue.clip == "pick_up" and any(
+        each.prop_id == cue.prop_id and each.clip not in _RELEASING_CLIPS for each in after
+    )
 
 
-def _strength(cue: Cue, shot: ShotContext) -> int:
-    """Rank what a shot is remembered by: what people do to each other 3, a deed, a sign or a shout 2, words 1, a way 0.
+def _cue_rank(cue: Cue, shot: ShotContext) -> int:
+    """Return the rank of a cue: actions on people 3; other actions, signs and shouts 2; words 1; walks 0.
 
-    What has gone on since before the shot, as somebody's playing or reading may, counts as words.
+    An activity that goes on since before the shot, such as reading, counts as words.
     """
     motion = clip_of(cue.clip)
     if motion.speed is not None:

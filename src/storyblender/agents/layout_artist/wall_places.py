@@ -1,4 +1,4 @@
-"""Where things hang on the walls or stand with their back to one."""
+"""Places for things that hang on walls or stand with their back to one."""
 
 from __future__ import annotations
 
@@ -6,32 +6,32 @@ import math
 
 import numpy as np
 
-from storyblender.agents.layout_artist.layout_stage import Stage
+from storyblender.agents.layout_artist.layout_stage import LayoutStage
 from storyblender.agents.layout_artist.layout_things import size_of
 from storyblender.catalog.set_plan import Wall
 from storyblender.geometry.boxes import Box, footprint_gap, wrap_angle, yaw_along
 
 _LONG = 2.0
-"""Times its width: what is deeper hangs along the wall, as a rifle does."""
+"""Depth over width from which a thing hangs along the wall, such as a rifle."""
 _EYE = 1.5
-"""Metres: the middle of what hangs on a wall."""
+"""Metres above the floor of the middle of a thing on a wall."""
 
 
 def hang(
-    stage: Stage,
+    stage: LayoutStage,
     asset_id: str,
     near: tuple[float, float] | None = None,
     lowest: float = 0.0,
     height: float | None = None,
 ) -> bool:
-    """Hang a thing on a wall, above what stands before it; False where no wall has room.
+    """Hang a thing on a wall, above what stands in front of it; return False if no wall has room.
 
     Args:
-        stage: Changed.
+        stage: The stage; changed.
         asset_id: The thing.
-        near: Floor point it is wanted at; the middle of the set if not given.
-        lowest: Metres above the floor that it stays clear of.
-        height: Metres above the floor of its lower edge, if the script says so; less under a low ceiling.
+        near: Wished floor point; None for the middle of the set.
+        lowest: Least metres of its lower edge above the floor.
+        height: Metres of its lower edge above the floor in the script; less under a low ceiling, None if not given.
     """
     width, depth, tall = size_of(stage.measure(asset_id))
     wish = near or stage.middle
@@ -54,17 +54,17 @@ def hang(
             best = (cost, box)
     if best is None or best[0] >= 3:
         return False
-    stage.stand(asset_id, best[1], floats=True, fixed=True)
+    stage.place(asset_id, best[1], floats=True, fixed=True)
     return True
 
 
-def stand_against(stage: Stage, asset_id: str, near: tuple[float, float] | None = None) -> bool:
-    """Stand a large thing with its back to a wall that has room for it; False where none has.
+def stand_against(stage: LayoutStage, asset_id: str, near: tuple[float, float] | None = None) -> bool:
+    """Place a large thing with its back to a wall; return False if no wall has room.
 
     Args:
-        stage: Changed.
+        stage: The stage; changed.
         asset_id: The thing.
-        near: Floor point it is wanted at; the middle of the set if not given.
+        near: Wished floor point; None for the middle of the set.
     """
     width, depth, _ = size_of(stage.measure(asset_id))
     best: tuple[float, Box] | None = None
@@ -78,12 +78,12 @@ def stand_against(stage: Stage, asset_id: str, near: tuple[float, float] | None 
             best = (cost, box)
     if best is None:
         return False
-    stage.stand(asset_id, best[1])
+    stage.place(asset_id, best[1])
     return True
 
 
-def _wall_places(stage: Stage, width: float, reach: float) -> list[tuple[Wall, float, float, float, float]]:
-    """Return (wall, x, y, yaw, dislike) along the walls: the back wall first, openings and the camera's wall out."""
+def _wall_places(stage: LayoutStage, width: float, reach: float) -> list[tuple[Wall, float, float, float, float]]:
+    """Return (wall, x, y, yaw, penalty) along the walls: back walls first, without openings and the camera's wall."""
     places = []
     for wall in stage.view.plan.walls:
         length = math.dist(wall.start, wall.end)

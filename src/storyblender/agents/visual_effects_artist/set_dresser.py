@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from storyblender.agents.layout_artist.told_places import told_relations
+from storyblender.agents.layout_artist.scripted_spots import scripted_relations
 from storyblender.agents.visual_effects_artist.furniture import (
     TUCKED_OVERLAP,
     PlacedFurnishing,
@@ -86,7 +86,7 @@ def set_dresser_view(graph: ContinuityMemoryGraph, scene_id: int) -> SetDresserV
     """
     scene = graph.scene(scene_id)
     assert scene.environment is not None, "the set comes before its dressing"
-    told = told_relations(scene.setup, graph.shots_of(scene_id))
+    told = scripted_relations(scene.setup, graph.shots_of(scene_id))
     return SetDresserView(
         setup=scene.setup.model_copy(update={"relations": told}),
         plan=plan_of(scene.environment),

@@ -6,8 +6,8 @@ import math
 
 import pytest
 
-from storyblender.agents.layout_artist.bystanders import bystanders, placed
-from storyblender.agents.layout_artist.spatial_planner import RulesSpatialPlanner, ways_of
+from storyblender.agents.layout_artist.bystanders import bystander_objects, place_bystanders
+from storyblender.agents.layout_artist.spatial_planner import RulesSpatialPlanner, free_floor_of
 from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView, measures_of, props_of
 from storyblender.agents.visual_effects_artist.furniture import dressing_asset
 from storyblender.agents.visual_effects_artist.set_dresser import RulesSetDresser, SetDresserView
@@ -49,8 +49,8 @@ def test_a_crowd_finds_room_and_leaves_the_story_its_own(kit: str) -> None:
     scene = view_of(kit)
     layout = RulesSpatialPlanner().propose(scene)
     people = [item.location for item in layout.objects if item.asset_id in ("ada", "tom")]
-    lanes = ways_of(scene, layout)
-    found = bystanders(scene, layout, 14, lanes)
+    lanes = free_floor_of(scene, layout)
+    found = place_bystanders(scene, layout, 14, lanes)
     assert len(found) >= 8
     for each in found:
         x, y, _ = each.location
@@ -63,15 +63,15 @@ def test_a_crowd_finds_room_and_leaves_the_story_its_own(kit: str) -> None:
 
 def test_nobody_is_put_where_there_is_no_room() -> None:
     scene = view_of("elevator")
-    assert len(bystanders(scene, RulesSpatialPlanner().propose(scene), 20, [])) < 6
+    assert len(place_bystanders(scene, RulesSpatialPlanner().propose(scene), 20, [])) < 6
 
 
 def test_figures_are_few_and_their_copies_many() -> None:
     scene = view_of("cafe")
     layout = RulesSpatialPlanner().propose(scene)
-    found = bystanders(scene, layout, 20, [])
+    found = place_bystanders(scene, layout, 20, [])
     assets = [dressing_asset("background_figure", {"posture": each.posture, "variant": each.variant}) for each in found]
-    objects = placed(found, assets, measures_of(assets))
+    objects = bystander_objects(found, assets, measures_of(assets))
     assert len({asset.asset_id for asset in assets}) <= 12 < len(objects)
     assert all(item.node_id.startswith(BYSTANDER) and item.fixed for item in objects)
     assert any(item.anchor_asset_id for item in objects)

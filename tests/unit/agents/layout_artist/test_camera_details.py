@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 from test_camera_operator import ANNA, TOM, view_of
 
-from storyblender.agents.layout_artist.camera_details import detail_of, held_at
+from storyblender.agents.layout_artist.camera_details import detail_box, held_box
 from storyblender.agents.layout_artist.camera_operator_view import Moment
 from storyblender.agents.layout_artist.camera_scout import scout_takes, take_cost
 from storyblender.agents.layout_artist.camera_start import compose_take
@@ -33,29 +33,29 @@ def test_the_hand_is_the_one_that_acts_or_holds_or_reaches_furthest() -> None:
     moments = [Moment(0, (HANDED, TOM))]
     cue = Cue(asset_id="anna", clip="pick_up", start=0, hand="L")
     holds = PropState(asset_id="cup", held_by="anna", hand="L")
-    assert middle(detail_of(shot("hand", cues=(cue,)), moments)) == pytest.approx(LEFT)
-    assert middle(detail_of(shot("hand", prop_states=(holds,)), moments)) == pytest.approx(LEFT)
-    assert middle(detail_of(shot("hand"), moments)) == pytest.approx(RIGHT), "she looks to +X"
+    assert middle(detail_box(shot("hand", cues=(cue,)), moments)) == pytest.approx(LEFT)
+    assert middle(detail_box(shot("hand", prop_states=(holds,)), moments)) == pytest.approx(LEFT)
+    assert middle(detail_box(shot("hand"), moments)) == pytest.approx(RIGHT), "she looks to +X"
 
 
 def test_a_hand_by_the_hip_is_seen_from_its_side() -> None:
     by_hip = Figure("anna", ANNA.face, ANNA.forward, ANNA.head, ANNA.base, ((-0.5, -0.5, 0.8), RIGHT))
     cue = Cue(asset_id="anna", clip="pick_up", start=0, hand="L")
-    box = detail_of(shot("hand", cues=(cue,)), [Moment(0, (by_hip,))])
+    box = detail_box(shot("hand", cues=(cue,)), [Moment(0, (by_hip,))])
     assert box is not None and 15 < math.degrees(box.yaw) < 60, "between her front, +X, and -Y"
 
 
 def test_eyes_are_above_the_mouth_and_feet_on_the_floor() -> None:
     moments = [Moment(0, (HANDED,))]
-    eyes, mouth = (middle(detail_of(shot(part), moments))[2] for part in ("eyes", "mouth"))
-    feet = detail_of(shot("feet"), moments)
+    eyes, mouth = (middle(detail_box(shot(part), moments))[2] for part in ("eyes", "mouth"))
+    feet = detail_box(shot("feet"), moments)
     assert eyes > HANDED.face[2] > mouth and feet is not None and feet.z == 0
-    assert detail_of(shot("hand"), [Moment(0, (TOM,))]) is None, "she is not there"
+    assert detail_box(shot("hand"), [Moment(0, (TOM,))]) is None, "she is not there"
 
 
 def test_what_is_held_is_at_the_hand() -> None:
-    assert middle(held_at(HANDED, "R", (0.1, 0.1, 0.2))) == pytest.approx(RIGHT)
-    assert held_at(HANDED, None, (0.1, 0.1, 0.2)).z < HANDED.face[2]
+    assert middle(held_box(HANDED, "R", (0.1, 0.1, 0.2))) == pytest.approx(RIGHT)
+    assert held_box(HANDED, None, (0.1, 0.1, 0.2)).z < HANDED.face[2]
 
 
 def test_an_insert_frames_the_hand_from_where_nobody_stands_before_it() -> None:
@@ -91,7 +91,7 @@ def test_the_top_of_a_table_hides_the_hand_below_it() -> None:
 
 
 def test_whoever_holds_what_an_insert_shows_does_not_stand_aside() -> None:
-    orange = held_at(HANDED, "R", (0.08, 0.08, 0.08))
+    orange = held_box(HANDED, "R", (0.08, 0.08, 0.08))
     wish = {"kind": "insert", "size": "CU", "focus_on_ids": ("orange",), "props": {"orange": orange}}
     view = view_of((HANDED, TOM), carried={"anna": ("orange",)}, **wish)
     assert view.strangers == ("tom",)

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from test_camera_operator import ANNA, FILM, TOM, figure, view_of
 
-from storyblender.agents.layout_artist.camera_furniture import backs, in_the_way
+from storyblender.agents.layout_artist.camera_furniture import find_furniture_in_front, share_of_backs
 from storyblender.agents.layout_artist.camera_scout import scout_takes, take_cost
 from storyblender.agents.layout_artist.camera_start import compose_take, take_with_camera
 from storyblender.geometry.boxes import Box
@@ -20,7 +20,7 @@ def test_a_table_before_two_people_is_moved_with_the_lamp_on_it() -> None:
     view = view_of((ANNA, TOM), props={"table": TABLE, "lamp": LAMP}, **PAIR)
     camera = compose_take(view).camera
     assert abs(camera.azimuth) < 20, "the table is before the camera"
-    assert set(in_the_way(view, camera)) == {"table", "lamp"}
+    assert set(find_furniture_in_front(view, camera)) == {"table", "lamp"}
     assert any({"table", "lamp"} <= set(each.hidden) for each in scout_takes(view))
 
 
@@ -37,15 +37,15 @@ def test_what_is_used_or_theirs_or_behind_them_stays_and_a_place_is_shown_as_it_
     props: dict[str, Box], more: dict[str, object]
 ) -> None:
     view = view_of((ANNA, TOM), props=props, **{**PAIR, **more})
-    assert in_the_way(view, compose_take(replace(view, props={})).camera) == []
+    assert find_furniture_in_front(view, compose_take(replace(view, props={})).camera) == []
 
 
 def test_the_back_of_a_piano_counts_and_its_front_does_not() -> None:
     view = view_of((ANNA, TOM), props={"piano": PIANO}, **PAIR)
     camera = FILM.look((0.3, 0.0, 1.2), 0.0, 3.0, 4.0, 35.0)
     turned = replace(view, props={"piano": replace(PIANO, yaw=3.1416)})
-    assert backs(view, take_with_camera(view, camera), 4.5) == 0
-    assert backs(turned, take_with_camera(turned, camera), 4.5) > 0.1
+    assert share_of_backs(view, take_with_camera(view, camera), 4.5) == 0
+    assert share_of_backs(turned, take_with_camera(turned, camera), 4.5) > 0.1
     assert take_cost(turned, take_with_camera(turned, camera)) > take_cost(view, take_with_camera(view, camera)) + 0.3
 
 

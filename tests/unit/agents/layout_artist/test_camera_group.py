@@ -7,18 +7,18 @@ import pytest
 from test_camera_operator import NumberFinder
 from test_camera_room import ROOM, person, view_of
 
-from storyblender.agents.layout_artist.camera_composition import composition
+from storyblender.agents.layout_artist.camera_composition import find_composition_faults
 from storyblender.agents.layout_artist.camera_operator_view import (
     CameraOperatorDraft,
     CameraOperatorView,
     Moment,
     pose_of,
 )
-from storyblender.agents.layout_artist.camera_room import outside, reach_back, void_points
+from storyblender.agents.layout_artist.camera_room import reach_back, share_outside, void_points
 from storyblender.agents.layout_artist.camera_scout import scout_takes, take_cost
-from storyblender.agents.layout_artist.camera_solids import body
+from storyblender.agents.layout_artist.camera_solids import body_boxes
 from storyblender.agents.layout_artist.camera_start import compose_take
-from storyblender.agents.layout_artist.wild_walls import taken_away
+from storyblender.agents.layout_artist.wild_walls import find_hidden_nodes
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.framing import (
     Figure,
@@ -42,7 +42,7 @@ def test_a_group_is_never_taken_from_beyond_the_walls(size: str) -> None:
     view = view_of(*APART, in_frame=NAMES, kind="action", size=size, focus_on_ids=NAMES, explicit=True)
     for turn in (0, 30, -70, 125, 180):
         take = compose_take(view, turn)
-        assert outside(ROOM, take.camera, take.hidden) < 0.03
+        assert share_outside(ROOM, take.camera, take.hidden) < 0.03
         assert np.abs(take.camera.position[:2]).max() < 3.31
     best = scout_takes(view)[0]
     screen, depth = project(best.camera, [who.face for who in APART])
@@ -70,7 +70,7 @@ def test_small_heads_stand_lower_in_the_picture_than_large_ones() -> None:
 
 def test_only_what_hides_the_room_is_taken_away() -> None:
     camera = camera_looking_at((0.0, -3.2, 1.5), (2.0, 2.0, 1.4), 18.0, sensor_width=36.0, aspect=16 / 9)
-    assert taken_away(ROOM, {}, [camera], [np.array(APART[1].face)]) == ["front"]
+    assert find_hidden_nodes(ROOM, {}, [camera], [np.array(APART[1].face)]) == ["front"]
 
 
 def test_the_room_before_a_wall_can_be_asked_for() -> None:
@@ -135,7 +135,9 @@ def test_who_walks_up_and_bends_over_a_thing_is_in_the_picture_all_the_way() -> 
     for moment in view.moments:
         (face,), _ = project(take.at(moment.frame / 47), [moment.figures[0].face])
         assert ((face > 0) & (face < 1)).all()
-    told = {fault.kind for fault in composition(view, take.camera, view.story_moment, _seen(view, take, bent))}
+    told = {
+        fault.kind for fault in find_composition_faults(view, take.camera, view.story_moment, _seen(view, take, bent))
+    }
     assert "headroom" not in told
 
 
@@ -172,13 +174,13 @@ def test_a_shoulder_that_is_not_in_the_picture_costs() -> None:
 
 
 def test_a_face_is_seen_beside_the_head_of_whom_we_look_past() -> None:
-    shoulders, head = body(APART[0])
+    shoulders, head = body_boxes(APART[0])
     assert shoulders.top == pytest.approx(head.z) and head.width < shoulders.width
     assert head.top == pytest.approx(APART[0].crown[2])
     pair = person("anna", 0.0, 0.0, 0), person("tom", 0.0, -1.8, 180)
     wish = {"kind": "ots", "size": "MCU", "focus_on_ids": ("anna",), "over_id": "tom"}
     view = replace(view_of(*pair, in_frame=("anna", "tom"), **wish), plan=None)
-    assert not find_hidden(body(pair[1]), compose_take(view).camera.position, [pair[0].face]).any()
+    assert not find_hidden(body_boxes(pair[1]), compose_take(view).camera.position, [pair[0].face]).any()
 
 
 def test_a_rise_over_a_shoulder_is_a_rise_once() -> None:
@@ -203,7 +205,7 @@ def test_air_above_small_heads_is_no_fault() -> None:
     view = replace(view_of(*far, in_frame=("anna", "tom"), **wish), plan=None)
     take = compose_take(view)
     (look,) = NumberFinder(view.moments, {}).look([request(view, take)])
-    kinds = {flaw.kind for flaw in composition(view, take.camera, view.story_moment, look)}
+    kinds = {flaw.kind for flaw in find_composition_faults(view, take.camera, view.story_moment, look)}
     assert min(subject.head_top for subject in look.subjects if subject.head_top) > 0.33
     assert "headroom" not in kinds
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from storyblender.agents.layout_artist.camera_operator import RulesCameraOperator, operate, side_used
+from storyblender.agents.layout_artist.camera_operator import RulesCameraOperator, camera_side, operate
 from storyblender.agents.layout_artist.camera_operator_critic import CameraOperatorCritic
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, EarlierShot, Moment
 from storyblender.agents.layout_artist.camera_start import compose_take
@@ -158,7 +158,7 @@ def test_a_dialogue_stays_on_its_side_of_the_line(side: int) -> None:
 def test_the_side_of_the_first_shot_is_handed_on() -> None:
     view = view_of(kind="two_shot", size="MS", focus_on_ids=("anna", "tom"), **TALK)
     state = operate(view, NumberFinder(view.moments, {}))
-    assert side_used(view, state) == -1, "the audience's side"
+    assert camera_side(view, state) == -1, "the audience's side"
 
 
 def test_reverse_singles_mirror_each_other() -> None:

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import pytest
 from test_camera_operator import ANNA, GUARD, TOM, figure, view_of
 
-from storyblender.agents.layout_artist.camera_operator_critic import CameraOperatorCritic, telling_moments
+from storyblender.agents.layout_artist.camera_operator_critic import CameraOperatorCritic, moments_to_judge
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment
 from storyblender.agents.layout_artist.camera_scout import take_cost
 from storyblender.agents.layout_artist.camera_start import compose_take
@@ -113,9 +113,9 @@ def test_of_two_in_each_others_arms_one_face_is_enough() -> None:
 def test_a_camera_that_stands_still_is_looked_through_when_it_is_drawn() -> None:
     moments = (Moment(0, (GUARD, TOM)), Moment(20, (ANNA, TOM)), Moment(40, (ANNA, GUARD)))
     still = view_of(moments=moments, kind="two_shot", size="MS", focus_on_ids=("anna", "tom"))
-    assert telling_moments(still, [compose_take(still)]) == [still.story_moment]
+    assert moments_to_judge(still, [compose_take(still)]) == [still.story_moment]
     pushed = view_of(moments=moments, kind="two_shot", size="MS", focus_on_ids=("anna", "tom"), movement="push in")
-    assert telling_moments(pushed, [compose_take(pushed)]) == list(moments)
+    assert moments_to_judge(pushed, [compose_take(pushed)]) == list(moments)
 
 
 @pytest.mark.parametrize(("x", "cut"), [(0.03, True), (0.15, False)])

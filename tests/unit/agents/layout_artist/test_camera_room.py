@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorDraft, CameraOperatorView, Moment
-from storyblender.agents.layout_artist.camera_room import VOID, fitted, outside
+from storyblender.agents.layout_artist.camera_room import VOID, fit_lens_to_room, share_outside
 from storyblender.agents.layout_artist.camera_scout import scout_takes, take_cost
 from storyblender.agents.layout_artist.camera_start import compose_take, take_with_camera
-from storyblender.agents.layout_artist.wild_walls import taken_away
+from storyblender.agents.layout_artist.wild_walls import find_hidden_nodes
 from storyblender.catalog.set_plan import Piece, SetPlan, Slab, Wall
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.framing import Figure, Film, project
@@ -56,17 +56,17 @@ def view_of(*people: Figure, in_frame: tuple[str, ...] = (), **more) -> CameraOp
 )
 def test_what_lies_outside_counts(eye, hidden, low: float, high: float) -> None:
     camera = camera_looking_at(eye, (0.0, 2.9, 1.4), 28.0, **FILM)
-    assert low <= outside(ROOM, camera, hidden) <= high
+    assert low <= share_outside(ROOM, camera, hidden) <= high
 
 
 def test_outdoors_there_is_no_outside() -> None:
     open_air = ROOM.model_copy(update={"indoor": False})
-    assert outside(open_air, camera_looking_at((0, -8, 1.5), (0, 0, 1), 28.0, **FILM), ()) == 0.0
+    assert share_outside(open_air, camera_looking_at((0, -8, 1.5), (0, 0, 1), 28.0, **FILM), ()) == 0.0
 
 
 def test_a_long_lens_gives_way_to_the_room_and_keeps_the_size() -> None:
     camera = camera_looking_at((0, -7.0, 1.5), (0, 0, 1.5), 50.0, **FILM)
-    inside = fitted(ROOM, camera, "WS")
+    inside = fit_lens_to_room(ROOM, camera, "WS")
     assert inside.lens < 50 and abs(inside.position[1]) < 3.5
     assert inside.frame_height == pytest.approx(camera.frame_height)
 
@@ -76,7 +76,7 @@ def test_a_master_indoors_stays_in_the_room_and_shows_people_large(kind: str) ->
     people = (person("anna", -1, 1, 30), person("tom", 0.6, 1.2, -20))
     names = ("anna", "tom")
     take = scout_takes(view_of(*people, in_frame=names, kind=kind, size="WS", focus_on_ids=names))[0]
-    assert outside(ROOM, take.camera, take.hidden) < 0.03
+    assert share_outside(ROOM, take.camera, take.hidden) < 0.03
     heights = [float(project(take.camera, [who.base, who.crown])[0][:, 1] @ (1, -1)) for who in people]
     assert 0.17 < max(heights) < 0.75
 
@@ -87,7 +87,7 @@ def test_a_picture_of_things_stays_in_the_room_however_large_they_are() -> None:
     shot = replace(shot, props={"tree": tree, "bone": bone})
     assert shot.things, "the picture is of them"
     camera = compose_take(shot).camera
-    assert outside(ROOM, camera, [wall.node_id for wall in ROOM.walls]) < 0.9
+    assert share_outside(ROOM, camera, [wall.node_id for wall in ROOM.walls]) < 0.9
     assert max(abs(value) for value in camera.position[:2]) < 3.5
 
 
@@ -129,10 +129,12 @@ def test_what_somebody_lies_on_stays_where_the_wall_before_it_goes() -> None:
 def test_who_bows_into_a_wall_opens_none() -> None:
     bowed = replace(person("anna", -3.05, 0, -90), base=(-2.6, 0.0, 0.0))
     camera = camera_looking_at((0, 0, 1.5), bowed.face, 35.0, **FILM)
-    assert taken_away(ROOM, {}, [camera], [np.array(bowed.face)]) == []
-    assert taken_away(ROOM, {}, [camera], [np.array((-3.6, 0.0, 1.6))]) == ["left"], "who is behind a wall is seen"
+    assert find_hidden_nodes(ROOM, {}, [camera], [np.array(bowed.face)]) == []
+    assert find_hidden_nodes(ROOM, {}, [camera], [np.array((-3.6, 0.0, 1.6))]) == ["left"], (
+        "who is behind a wall is seen"
+    )
     best = scout_takes(view_of(bowed, kind="action", size="MWS", focus_on_ids=("anna",)))[0]
-    assert outside(ROOM, best.camera, best.hidden) < VOID
+    assert share_outside(ROOM, best.camera, best.hidden) < VOID
 
 
 def test_what_hangs_on_a_wall_goes_with_it() -> None:
@@ -141,7 +143,7 @@ def test_what_hangs_on_a_wall_goes_with_it() -> None:
     )
     plan = ROOM.model_copy(update={"pieces": (mirror, lamp)})
     camera = camera_looking_at((0, -3.25, 1.5), (0, 0, 1.5), 35.0, **FILM)
-    assert taken_away(plan, {}, [camera], [np.array([0, 0, 1.5])]) == ["front", "m"]
+    assert find_hidden_nodes(plan, {}, [camera], [np.array([0, 0, 1.5])]) == ["front", "m"]
 
 
 @pytest.mark.parametrize("kind", ["action", "insert"])
@@ -156,7 +158,7 @@ def test_what_stands_on_a_thing_that_goes_with_its_wall_goes_too() -> None:
     shelf, cup = Box(0.0, -2.8, 0.0, 1.6, 0.4, 0.9), Box(0.3, -2.8, 0.9, 0.1, 0.1, 0.1)
     table, lamp = Box(1.5, 1.0, 0.0, 1.2, 0.8, 0.75), Box(1.5, 1.0, 0.75, 0.2, 0.2, 0.4)
     props = {"shelf": shelf, "cup": cup, "lamp": lamp, "table": table}
-    hidden = taken_away(
+    hidden = find_hidden_nodes(
         ROOM, props, [camera_looking_at((0, -4.5, 0.8), (0, 0, 0.5), 35.0, **FILM)], [np.array([0, 0, 0.5])]
     )
     assert {"front", "shelf", "cup"} <= {*hidden} and not {"lamp", "table"} & {*hidden}

@@ -6,7 +6,7 @@ from test_camera_operator import ANNA, FILM, TOM, NumberFinder
 from storyblender.agents.layout_artist import camera_scene
 from storyblender.agents.layout_artist.camera_continuity import CUT_KINDS, judge_cuts
 from storyblender.agents.layout_artist.camera_operator_view import Moment
-from storyblender.agents.layout_artist.camera_scene import camera_operator_view, shoot_scene, telling_frames
+from storyblender.agents.layout_artist.camera_scene import camera_operator_view, measured_frames, shoot_scene
 from storyblender.agents.layout_artist.story_moment import story_moment
 from storyblender.catalog.sets import plan_of
 from storyblender.geometry.camera_path import orbit_of
@@ -43,7 +43,7 @@ def graph(*instructions: dict, **shot) -> ContinuityMemoryGraph:
 
 
 def moments(shot: ShotContext) -> list[Moment]:
-    return [Moment(frame, (ANNA, TOM)) for frame in telling_frames(shot)]
+    return [Moment(frame, (ANNA, TOM)) for frame in measured_frames(shot)]
 
 
 def shoot(story: ContinuityMemoryGraph):
@@ -163,7 +163,7 @@ def test_a_reverse_answers_only_where_the_two_have_not_walked_around_each_other(
         views = []
         monkeypatch.setattr(camera_scene, "operate", lambda view, *_, seen=views, **more: seen.append(view) or SET)
         at = {1: (ANNA, TOM), 2: (ANNA, second)}
-        faces = lambda shot, at=at: [Moment(frame, at[shot.shot_id]) for frame in telling_frames(shot)]  # noqa: E731
+        faces = lambda shot, at=at: [Moment(frame, at[shot.shot_id]) for frame in measured_frames(shot)]  # noqa: E731
         shoot_scene(story, 1, PLAN, {"cup": CUP}, faces, NumberFinder([], {}))
         assert (views[1].reverse is not None) == answers
         assert (views[1].side != 0) == answers, "a new line has no side yet"

@@ -7,12 +7,12 @@ import pytest
 from test_camera_operator import ANNA, FILM, GUARD, TOM, NumberFinder, figure, shoot, view_of
 
 from storyblender.agents.layout_artist.camera_composition import AT_SIDE
-from storyblender.agents.layout_artist.camera_cuts import cuts
+from storyblender.agents.layout_artist.camera_cuts import find_cut_faults
 from storyblender.agents.layout_artist.camera_operator import operate
 from storyblender.agents.layout_artist.camera_operator_critic import CameraOperatorCritic
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorDraft, EarlierShot, Moment
 from storyblender.agents.layout_artist.camera_scout import CLEARED, hidden_share, scout_takes, take_cost
-from storyblender.agents.layout_artist.camera_solids import holds, opened, solids
+from storyblender.agents.layout_artist.camera_solids import contains_person, open_vessels, solid_boxes
 from storyblender.agents.layout_artist.camera_start import compose_take
 from storyblender.catalog.footprints import piece_boxes
 from storyblender.catalog.set_plan import Piece, SetPlan, Slab
@@ -35,19 +35,19 @@ PLAN = SetPlan(kit="yard", indoor=False, size=SceneSize(x=6, x_negative=-6, y=6,
 def test_a_stage_is_a_solid() -> None:
     corners = ((0, 0), (4, 0), (4, 2), (0, 2))
     block = Slab(node_id="stage", role="block", polygon=corners, z=1, thickness=1, material="m")
-    (box,) = solids({}, PLAN.model_copy(update={"pieces": (), "slabs": (block,)}), ())
+    (box,) = solid_boxes({}, PLAN.model_copy(update={"pieces": (), "slabs": (block,)}), ())
     assert (box.x, box.y, box.z, box.width, box.depth, box.top) == (2, 1, 0, 4, 2, 1)
 
 
 def test_who_sits_in_a_boat_is_seen_over_its_side_and_who_sits_on_a_chair_is_seen_as_before() -> None:
     rower = figure("anna", 0.2, 0, 0, 1.3)
     boat, chair = Box(0, 0, 0, 3.4, 1.5, 0.75), Box(0.2, 0, 0, 0.5, 0.5, 0.9)
-    assert holds(boat, rower) and not holds(chair, rower)
-    assert opened([chair], rower) == [chair] and len(opened([boat], rower)) == 4
+    assert contains_person(boat, rower) and not contains_person(chair, rower)
+    assert open_vessels([chair], rower) == [chair] and len(open_vessels([boat], rower)) == 4
     view = view_of([rower], kind="action", size="FS", focus_on_ids=("anna",), props={"boat": boat})
     level, high = compose_take(view), compose_take(view, 0, 19)
     assert high.camera.elevation > level.camera.elevation + 15
-    sides = opened([boat], rower)
+    sides = open_vessels([boat], rower)
     assert hidden_share(high.camera, rower, sides) < hidden_share(level.camera, rower, sides)
     assert high in scout_takes(view), "the scout goes up for her"
     ashore = replace(view, props={})
@@ -247,7 +247,7 @@ def test_a_wide_and_a_medium_of_the_same_two_from_the_same_place_are_one_picture
     for back in (1.0, 1.9, 2.6):
         camera = replace(first.camera, distance=first.camera.distance / back)
         before = EarlierShot(wide.instruction, first.state(48, 4.0, 10.0, ()), wide.subjects(wide.moments[-1]))
-        found = cuts(replace(near, previous=before), CameraOperatorDraft(camera, camera, camera))
+        found = find_cut_faults(replace(near, previous=before), CameraOperatorDraft(camera, camera, camera))
         weights.append(sum(fault.severity for fault in found if fault.kind == "jump"))
     assert weights[0] > 1.2 > weights[1] > 0 == weights[2]
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from storyblender.agents.layout_artist.camera_furniture import covers
+from storyblender.agents.layout_artist.camera_furniture import find_covers
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment
-from storyblender.agents.layout_artist.camera_scene import _handlings
+from storyblender.agents.layout_artist.camera_scene import _handling_cues
 from storyblender.agents.layout_artist.camera_scout import scout_takes
 from storyblender.agents.layout_artist.camera_start import compose_take
 from storyblender.geometry.boxes import Box, corners
@@ -30,9 +30,9 @@ def test_a_thing_is_with_who_took_it_until_it_is_laid_down() -> None:
     shot = ShotContext(
         scene_id=1, shot_id=1, cues=(took, reads, lays), camera_instruction=CameraInstruction(size="MS")
     )  # fmt: skip
-    assert _handlings(shot, 0) == []
-    assert _handlings(shot, 30) == [took], "what is done with it does not take it out of the hand"
-    assert _handlings(shot, 50) == []
+    assert _handling_cues(shot, 0) == []
+    assert _handling_cues(shot, 30) == [took], "what is done with it does not take it out of the hand"
+    assert _handling_cues(shot, 50) == []
 
 
 def test_an_ordered_close_shot_of_two_holds_both_heads_tall_and_small() -> None:
@@ -56,7 +56,7 @@ def test_a_close_shot_of_somebody_with_a_thing_in_hand_holds_both() -> None:
 def test_the_insert_of_a_thing_in_a_desk_may_do_without_the_desk_and_shows_its_front() -> None:
     desk, screen = Box(0.0, 0.0, 0.0, 1.6, 0.8, 0.76), Box(0.3, 0.0, 0.1, 0.34, 0.3, 0.23)
     view = _view_of((), {"desk": desk, "laptop": screen}, size="CU", kind="insert", focus_on_ids=("laptop",))
-    assert covers(view) == ["desk"]
+    assert find_covers(view) == ["desk"]
     takes = scout_takes(view)
     first = takes[0]
     assert any("desk" in take.hidden for take in takes)

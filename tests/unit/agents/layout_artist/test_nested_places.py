@@ -48,7 +48,7 @@ def laid_out(told: Mapping[str, Spot], *others: str, plan: SetPlan = PLAN) -> di
         states=(BodyState(asset_id="ann"),),
         placements={key: PROPS[key].placement for key in things},
         props={key: key for key in things},
-        told=told,
+        scripted_spots=told,
     )
     outcome = reflect(RULES.spatial_planner, "SC010", view)
     assert outcome.critique.faults == ()

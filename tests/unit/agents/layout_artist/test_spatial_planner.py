@@ -6,7 +6,7 @@ import pytest
 from tests.crew import RULES
 from tests.every import every
 
-from storyblender.agents.layout_artist.layout_stage import Stage
+from storyblender.agents.layout_artist.layout_stage import LayoutStage
 from storyblender.agents.layout_artist.layout_things import layout_violations
 from storyblender.agents.layout_artist.spatial_planner import RulesSpatialPlanner, SpatialPlannerCritic
 from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView, spatial_planner_view
@@ -287,7 +287,7 @@ def test_who_leans_on_a_stick_by_the_table_is_by_the_table() -> None:
 
 def test_who_is_by_a_thing_outside_the_playing_area_stands_at_its_edge_with_their_company() -> None:
     ship = LayoutObject(node_id="ship", asset_id="ship", location=(1.0, 5.5, 0), rotation=(0, 0, 95), fixed=True)
-    view = view_of((), [("ana", "next_to", "ship")], ["ana", "ben"], dressed=(ship,), company={"ben": "ana"})
+    view = view_of((), [("ana", "next_to", "ship")], ["ana", "ben"], dressed=(ship,), companions={"ben": "ana"})
     at = solved(replace(view, measures={**MEASURES, "ship": measure("ship", 4.0, 9.0, 5.0)}))
     assert at["ana"].location[1] > 1.0 and abs(at["ana"].location[0] - 1.0) < 2.5
     assert math.dist(at["ana"].location, at["ben"].location) < 1.3
@@ -311,7 +311,7 @@ def test_companions_of_the_first_actions_stand_together() -> None:
     graph = ContinuityMemoryGraph(
         assets=tuple(people), scenes=(SceneContext(scene_id=1, setup=SceneSetup()),), shots=(shot,)
     )
-    assert spatial_planner_view(graph, 1, plan()).company == {"ben": "ana"}
+    assert spatial_planner_view(graph, 1, plan()).companions == {"ben": "ana"}
 
 
 def test_the_lid_of_a_bin_is_no_table() -> None:
@@ -380,13 +380,13 @@ def test_whom_a_later_shot_finds_in_court_is_at_the_place_of_their_office() -> N
     layout = RulesSpatialPlanner().propose(
         court(
             states=(BodyState(asset_id="judge_ito", support_id="bench", posture="sit"),),
-            found=(
+            found_later=(
                 BodyState(asset_id="juror_1", support_id="jury_box", posture="sit"),
                 BodyState(asset_id="juror_2", support_id="jury_box", posture="sit"),
                 BodyState(asset_id="bo", posture="stand"),
                 BodyState(asset_id="eve", support_id="bench", posture="sit"),
             ),
-            stations={"bo": "dock"},
+            resting_places={"bo": "dock"},
         )
     )
     at = {item.asset_id: item.location for item in layout.objects}
@@ -418,8 +418,8 @@ def test_who_comes_in_later_has_no_place_yet_and_who_is_found_there_has() -> Non
         shots=(shot(1, ("ana",)), shot(2, ("ana", "ben"), waits), shot(3, ("ana", "ben", "cal"), walk)),
     )
     view = spatial_planner_view(graph, 1, plan())
-    assert [state.asset_id for state in view.found] == ["ben"]
-    assert view.stations == {"ben": "door"}
+    assert [state.asset_id for state in view.found_later] == ["ben"]
+    assert view.resting_places == {"ben": "door"}
 
 
 def test_nobody_stands_between_a_thing_and_the_wall_it_stands_against() -> None:
@@ -453,7 +453,7 @@ def test_a_place_before_furniture_has_a_backdrop_and_one_before_a_bare_wall_has_
     shelf = LayoutObject(node_id="wardrobe", asset_id="wardrobe", location=(1.6, 2.0, 0), fixed=True)
     bare = plan().model_copy(update={"walls": tuple(w.model_copy(update={"openings": ()}) for w in plan().walls)})
     view = view_of(people=["ana", "ben"], dressed=(shelf,))
-    stage = Stage(SpatialPlannerView(**{**view.__dict__, "plan": bare}))
+    stage = LayoutStage(SpatialPlannerView(**{**view.__dict__, "plan": bare}))
     assert stage.backdrop(1.6, 0.0) > 0.3
     assert stage.backdrop(-1.6, 0.0) < 0.15
     assert stage.backdrop(1.6, 2.4) == 0.0, "it is before them there"

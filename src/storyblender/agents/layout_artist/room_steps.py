@@ -1,7 +1,7 @@
-"""What a scene tries when its layout cannot be solved: less dressing, a larger set, people further apart.
+"""Makes room for a scene whose layout cannot be solved: less dressing, a larger set, people further apart.
 
-The Spatial Planner's own reflection mends what can be moved. What still stands in something else then has no room: the
-loop of this module gives it room, a step at a time, and keeps the best of all that it tried.
+The Spatial Planner's reflection moves things; if they still intersect, this loop gives the scene more room step by
+step and keeps the best result.
 """
 
 from __future__ import annotations
@@ -21,74 +21,77 @@ from storyblender.reflection import Outcome
 Tried = TypeVar("Tried")
 
 _AROUND = 2.2
-"""Metres around a fault within which dressing gives way at first."""
+"""Metres around a fault within which dressing is left out at first."""
 _EVERYWHERE = 99.0
 _IN_VAIN = 2
-"""Steps without any gain after which more room is not what the scene lacks."""
+"""Steps without any gain after which the loop stops."""
 _ON_IT = 1.0
-"""Metres from the middle of furniture to what stands on it."""
+"""Metres from the middle of furniture within which a thing stands on it."""
 
 
 @dataclass(frozen=True)
-class Room:
+class RoomStep:
     """One step of the loop.
 
     Attributes:
-        grown: Width and depth of the set, times what was designed.
-        shed: Metres around the faults within which dressing that nobody needs is left out; 0 keeps all.
-        apart: Distances between people who stand together, times the usual.
+        set_scale: Factor on the width and depth of the set as designed.
+        clear_radius: Metres around the faults within which optional dressing is left out; 0 keeps all.
+        distance_scale: Factor on distances between people who stand together.
     """
 
-    grown: float = 1.0
-    shed: float = 0.0
-    apart: float = 1.0
+    set_scale: float = 1.0
+    clear_radius: float = 0.0
+    distance_scale: float = 1.0
 
 
-ROOMS = (
-    Room(),
-    Room(shed=_AROUND),
-    Room(grown=1.2, shed=_AROUND),
-    Room(grown=1.45, shed=_EVERYWHERE, apart=1.15),
-    Room(grown=1.8, shed=_EVERYWHERE, apart=1.3),
+ROOM_STEPS = (
+    RoomStep(),
+    RoomStep(clear_radius=_AROUND),
+    RoomStep(set_scale=1.2, clear_radius=_AROUND),
+    RoomStep(set_scale=1.45, clear_radius=_EVERYWHERE, distance_scale=1.15),
+    RoomStep(set_scale=1.8, clear_radius=_EVERYWHERE, distance_scale=1.3),
 )
 """The steps of the loop, from the set as designed to the largest and barest."""
 
 
 @dataclass(frozen=True)
-class Fitted(Generic[Tried]):
-    """What the loop ended with.
+class FittedScene(Generic[Tried]):
+    """The result of the loop.
 
     Attributes:
-        tried: What the step made.
+        tried: What the step's staging returned.
         room: The step.
-        outcome: Of the Spatial Planner's reflection.
+        outcome: Outcome of the Spatial Planner's reflection.
     """
 
     tried: Tried
-    room: Room
+    room: RoomStep
     outcome: Outcome[SpatialPlannerView, Layout]
 
 
-def until_it_fits(
-    stage: Callable[[Room, Collection[Vec2]], tuple[Tried, Outcome[SpatialPlannerView, Layout]]],
-    rooms: Iterable[Room] = ROOMS,
+def find_fitting_room(
+    stage: Callable[[RoomStep, Collection[Vec2]], tuple[Tried, Outcome[SpatialPlannerView, Layout]]],
+    rooms: Iterable[RoomStep] = ROOM_STEPS,
     threshold: float = 8.0,
-) -> Fitted[Tried]:
-    """Stage a scene with more and more room until its layout is solved; else return the best of all.
+) -> FittedScene[Tried]:
+    """Stage a scene with more and more room until its layout is solved; return the best try.
 
     Args:
-        stage: Dresses and lays out the scene with so much room, given where the last layout had its faults.
-        rooms: Steps to try, in order; at least one.
-        threshold: Score of a layout that is solved.
+        stage: Dresses and lays out the scene for a step, given the floor points of the faults so far.
+        rooms: Steps to try, in order.
+        threshold: Score from which a layout counts as solved.
+
+    Raises:
+        ValueError: If there is no step.
     """
-    best: Fitted[Tried] | None = None
+    best: FittedScene[Tried] | None = None
     faulty: tuple[Vec2, ...] = ()
     in_vain = 0
     for room in rooms:
         tried, outcome = stage(room, faulty)
         in_vain += 1
         if best is None or outcome.critique.score > best.outcome.critique.score:
-            best, in_vain = Fitted(tried, room, outcome), 0
+            best, in_vain = FittedScene(tried, room, outcome), 0
         if outcome.critique.score >= threshold or in_vain == _IN_VAIN:
             break
         subjects = {fault.subject for fault in outcome.critique.faults}
@@ -99,24 +102,24 @@ def until_it_fits(
     return best
 
 
-def larger(environment: Environment, grown: float) -> Environment:
-    """Return a larger variant of a set, as large as its kit can be at most; what is no larger is the same."""
-    if grown <= 1.0:
+def enlarge_set(environment: Environment, set_scale: float) -> Environment:
+    """Return a set with its width and depth times ``set_scale``, within the limits of its kit; the same set up to 1."""
+    if set_scale <= 1.0:
         return environment
     kit, size = SETS[environment.kit], plan_of(environment).size
-    wide, deep = grown * (size.x - size.x_negative), grown * (size.y - size.y_negative)
+    wide, deep = set_scale * (size.x - size.x_negative), set_scale * (size.y - size.y_negative)
     params = {"width": round(kit.width.clamp(wide), 1), "depth": round(kit.depth.clamp(deep), 1)}
     return environment.model_copy(update={"params": environment.params | params})
 
 
-def without_dressing(
+def drop_dressing(
     objects: tuple[LayoutObject, ...], plan: SetPlan, spots: Collection[Vec2], reach: float
 ) -> tuple[LayoutObject, ...]:
-    """Return the furniture of a set without the dressing near some spots, and without what stood on that.
+    """Return the furniture of a set without the optional dressing near some floor points, and without what stood on it.
 
     Args:
-        objects: As the Set Dresser placed them.
-        plan: Of the set: it knows what is needed.
+        objects: Furniture as the Set Dresser placed it.
+        plan: The set; it knows which furniture is required.
         spots: Floor points of the faults.
         reach: Metres around them.
     """

@@ -9,7 +9,14 @@ from itertools import pairwise
 import pytest
 from tests.crew import RULES
 
-from storyblender.agents.layout_artist.roomier import ROOMS, Fitted, Room, larger, until_it_fits, without_dressing
+from storyblender.agents.layout_artist.room_steps import (
+    ROOM_STEPS,
+    FittedScene,
+    RoomStep,
+    drop_dressing,
+    enlarge_set,
+    find_fitting_room,
+)
 from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView, measures_of
 from storyblender.agents.visual_effects_artist.set_dresser import RulesSetDresser, SetDresserView
 from storyblender.catalog.sets import SETS, plan_of
@@ -32,19 +39,19 @@ def outcome(score: float) -> Outcome[SpatialPlannerView, Layout]:
     return Outcome(VIEW, draft, Critique(score=score, faults=(fault,) if score < 10 else ()), 0, False)
 
 
-def tried(scores: list[float]) -> tuple[Fitted[int], list[Collection[Vec2]]]:
+def tried(scores: list[float]) -> tuple[FittedScene[int], list[Collection[Vec2]]]:
     told: list[Collection[Vec2]] = []
 
-    def stage(room: Room, faulty: Collection[Vec2]) -> tuple[int, Outcome[SpatialPlannerView, Layout]]:
+    def stage(room: RoomStep, faulty: Collection[Vec2]) -> tuple[int, Outcome[SpatialPlannerView, Layout]]:
         told.append(faulty)
         return len(told), outcome(scores[len(told) - 1])
 
-    return until_it_fits(stage, ROOMS[: len(scores)]), told
+    return find_fitting_room(stage, ROOM_STEPS[: len(scores)]), told
 
 
 def test_a_layout_that_is_solved_is_tried_once() -> None:
     fitted, told = tried([10, 10])
-    assert fitted.tried == 1 and len(told) == 1 and fitted.room == Room()
+    assert fitted.tried == 1 and len(told) == 1 and fitted.room == RoomStep()
 
 
 def test_the_loop_ends_with_the_first_step_that_solves_it_and_knows_where_it_was_wrong() -> None:
@@ -59,25 +66,33 @@ def test_where_nothing_solves_it_the_best_stays() -> None:
 
 
 def test_each_step_gives_at_least_as_much_room_as_the_one_before() -> None:
-    for before, after in pairwise(ROOMS):
-        assert (after.grown, after.shed, after.apart) > (before.grown, before.shed, before.apart)
-        assert after.grown >= before.grown and after.shed >= before.shed and after.apart >= before.apart
+    for before, after in pairwise(ROOM_STEPS):
+        assert (after.set_scale, after.clear_radius, after.distance_scale) > (
+            before.set_scale,
+            before.clear_radius,
+            before.distance_scale,
+        )
+        assert (
+            after.set_scale >= before.set_scale
+            and after.clear_radius >= before.clear_radius
+            and after.distance_scale >= before.distance_scale
+        )
 
 
 @pytest.mark.parametrize("kit", ["kitchen", "closet", "street"])
 def test_a_set_grows_to_what_its_kit_can_be(kit: str) -> None:
     usual = Environment(kit=kit)
-    assert larger(usual, 1.0) is usual
-    sizes = [plan_of(larger(usual, grown)).size.x for grown in (1.0, 1.2, 1.8, 50.0)]
+    assert enlarge_set(usual, 1.0) is usual
+    sizes = [plan_of(enlarge_set(usual, set_scale)).size.x for set_scale in (1.0, 1.2, 1.8, 50.0)]
     assert sizes == sorted(sizes) and sizes[0] < sizes[-1] <= SETS[kit].width.most / 2 + 0.01
 
 
 def test_only_dressing_gives_way_and_nothing_is_left_in_the_air() -> None:
     plan = plan_of(Environment(kit="kitchen", seed=3))
     objects = RulesSetDresser().propose(SetDresserView(SceneSetup(place="KITCHEN"), plan)).objects
-    kept = without_dressing(objects, plan, [(0.0, 0.0)], 99.0)
+    kept = drop_dressing(objects, plan, [(0.0, 0.0)], 99.0)
     assert {item.node_id for item in kept} == {item.node_id for item in plan.furnishings if item.required}
-    assert without_dressing(objects, plan, [], 99.0) == objects
+    assert drop_dressing(objects, plan, [], 99.0) == objects
 
 
 def test_a_company_too_many_for_a_small_room_finds_place_in_a_larger_one() -> None:
@@ -94,18 +109,18 @@ def test_a_company_too_many_for_a_small_room_finds_place_in_a_larger_one() -> No
     }
     states = tuple(BodyState(asset_id=name) for name in people)
 
-    def stage(room: Room, faulty: Collection[Vec2]) -> tuple[float, Outcome[SpatialPlannerView, Layout]]:
-        plan = plan_of(larger(Environment(kit="closet", seed=1), room.grown))
+    def stage(room: RoomStep, faulty: Collection[Vec2]) -> tuple[float, Outcome[SpatialPlannerView, Layout]]:
+        plan = plan_of(enlarge_set(Environment(kit="closet", seed=1), room.set_scale))
         dressing = RulesSetDresser().propose(SetDresserView(SceneSetup(place="CLOSET"), plan, people=6))
-        standing = without_dressing(dressing.objects, plan, faulty, room.shed)
+        standing = drop_dressing(dressing.objects, plan, faulty, room.clear_radius)
         view = SpatialPlannerView(
             1, SceneSetup(place="CLOSET"), measures_of(dressing.assets) | known, plan, standing,
-            pending=("trunk", "stove"), states=states, apart=room.apart,
+            pending=("trunk", "stove"), states=states, distance_scale=room.distance_scale,
         )  # fmt: skip
         return plan.size.x, reflect(replace(RULES.spatial_planner, horizon=1), "SC010", view)
 
-    first = stage(ROOMS[0], [])
-    fitted = until_it_fits(stage)
+    first = stage(ROOM_STEPS[0], [])
+    fitted = find_fitting_room(stage)
     assert first[1].critique.score < 8 <= fitted.outcome.critique.score
     assert fitted.tried > first[0]
     assert not [fault for fault in fitted.outcome.critique.faults if fault.kind == "penetration"]

@@ -1,4 +1,4 @@
-"""Spots of things in the script before anyone moves them."""
+"""Spots of things in the script before anybody moves them."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from storyblender.memory.scene_context import Relation, SceneSetup, Spot
 from storyblender.memory.shot_context import ShotContext
 
 
-def told_places(setup: SceneSetup, shots: Sequence[ShotContext]) -> dict[str, Spot]:
-    """Return the spots of things when they are first seen, by asset id.
+def find_scripted_spots(setup: SceneSetup, shots: Sequence[ShotContext]) -> dict[str, Spot]:
+    """Return the spot of each thing when it is first seen, by asset id.
 
-    A thing that a person holds, handles or brings before that stays where they leave it, and is left out.
+    A thing that a person holds or handles before that is left out: it stays where they leave it.
 
     Args:
         setup: The setup, with the relations as the scene opens.
@@ -33,11 +33,11 @@ def told_places(setup: SceneSetup, shots: Sequence[ShotContext]) -> dict[str, Sp
     return told
 
 
-def told_relations(setup: SceneSetup, shots: Sequence[ShotContext]) -> tuple[Relation, ...]:
-    """Return the spots as relations, including people's, for the Set Dresser."""
+def scripted_relations(setup: SceneSetup, shots: Sequence[ShotContext]) -> tuple[Relation, ...]:
+    """Return the spots of things and people as relations, for the Set Dresser; arguments as `find_scripted_spots`."""
     own = {asset_id: relation for relation in reversed(setup.relations) for asset_id in (relation.asset_id,)}
     people = {state.asset_id: state.spot for shot in reversed(shots) for state in shot.states if state.spot is not None}
-    for asset_id, spot in {**people, **told_places(setup, shots)}.items():
+    for asset_id, spot in {**people, **find_scripted_spots(setup, shots)}.items():
         if spot.anchor_id is not None and spot.anchor_id != asset_id:
             own[asset_id] = Relation(asset_id=asset_id, kind=spot.relation, anchor_asset_id=spot.anchor_id)
     return tuple(own.values())
