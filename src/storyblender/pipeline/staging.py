@@ -10,7 +10,7 @@ from storyblender.agents.layout_artist.room_steps import RoomStep, drop_dressing
 from storyblender.agents.layout_artist.spatial_planner import free_floor_of
 from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView, measures_of
 from storyblender.agents.visual_effects_artist.furniture import dressing_asset
-from storyblender.agents.visual_effects_artist.lamp_states import lit_shots
+from storyblender.agents.visual_effects_artist.lamp_states import light_shots
 from storyblender.agents.visual_effects_artist.lighting_arranger_view import lighting_arranger_view
 from storyblender.agents.visual_effects_artist.staging_flaws import staging_flaws
 from storyblender.agents.visual_effects_artist.vehicle_doors import add_open_doors
@@ -171,6 +171,6 @@ def _light(
         name = shot_name(scene_id, shot.shot_id)
         return run.reflect(role, name, graph, scene_id, current, shot.light_change).draft
 
-    first, lit, found = lit_shots(usual, lighting_arranger_view(graph, scene_id), shots, scene.setup.found, change)
+    first, lit, found = light_shots(usual, lighting_arranger_view(graph, scene_id), shots, scene.setup.found, change)
     setup = scene.setup if found == scene.setup.found else scene.setup.model_copy(update={"found": found})
     return scene.model_copy(update={"lighting": first, "setup": setup}), lit

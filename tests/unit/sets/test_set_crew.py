@@ -18,7 +18,7 @@ from storyblender.agents.visual_effects_artist.environment_designer import (
     RulesEnvironmentDesigner,
 )
 from storyblender.agents.visual_effects_artist.furniture import prop_of, prop_size
-from storyblender.agents.visual_effects_artist.light_level import metered
+from storyblender.agents.visual_effects_artist.light_level import scale_lamps_to_level
 from storyblender.agents.visual_effects_artist.lighting_arranger import (
     LightingArrangerView,
     RulesLightingArranger,
@@ -337,7 +337,7 @@ def test_a_camp_fire_does_not_burn_out_who_sits_at_it() -> None:
         name="campfire_light", kind="POINT", role="practical", location=(0.9, 1.5, 0.8), target=(0.9, 1.5, 0), power=60
     )
     sky = Sky(zenith=(0.01, 0.01, 0.02), horizon=(0.02, 0.03, 0.05), ground=(0.01, 0.01, 0.01))
-    lit = metered(Lighting(lights=(fire,), sky=sky, set_luminance=0.05), plan, all_lights=False)
+    lit = scale_lamps_to_level(Lighting(lights=(fire,), sky=sky, set_luminance=0.05), plan, all_lights=False)
     assert fire.power < lit.lights[0].power < 300
 
 

@@ -1,6 +1,6 @@
-"""Judges a finished frame as a director would: is the subject of the lines in it, large enough, and not hidden?
+"""Judges a finished frame as a director would: are the subjects of its lines in it, large enough, and not hidden?
 
-The camera critic asks whether a view is well framed; this critic asks whether the frame tells its lines.
+The camera critic judges the composition of a camera; this critic judges whether the frame tells its lines.
 Severities are points out of ten; a frame passes from 8.0, and is retaken below 5.0.
 """
 
@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from storyblender.agents.frame_critic.doing import SENT_BACK, deeds, fault, staging
+from storyblender.agents.frame_critic.action_faults import NOT_ACCEPTED, fault, find_action_faults, find_staging_faults
 from storyblender.agents.frame_critic.frame_view import FrameView, actions_to_see, speakers, things_to_see
 from storyblender.catalog.motions import clip_of
 from storyblender.geometry.gaps import MAX_FACE_GAP, widest_face_gap
@@ -26,7 +26,7 @@ _LEAST_PERSON: dict[ShotSize, float] = {
 }  # fmt: skip
 """Least share of the frame that a person must fill, by shot size."""
 _LOOSE, _CLOSE = 7.0, 9.0
-"""Least match of a used thing with its words, and of the thing that the picture is about."""
+"""Least score (of ten) at which a used thing matches its words, and the thing that the picture is about."""
 _LEAST_THING = 0.0003
 _LEAST_INSERT = 0.012
 _LEAST_EXTENT = {"ECU": 0.3, "CU": 0.22, "MCU": 0.16}
@@ -39,8 +39,8 @@ _PROFILE = 100.0
 """Most degrees between the face and the camera at which a face is readable."""
 _BACK = 118.0
 """Degrees between face and camera from which a person counts as seen from behind."""
-_MOST_APART = MAX_FACE_GAP
-"""Heads between two neighbours from which a picture of people has an empty middle."""
+_MAX_GAP = MAX_FACE_GAP
+"""Widest gap between two neighbours, in head heights; a wider one is an empty middle."""
 _MOST_FLAT, _MOST_VOID, _MOST_FOREGROUND = 0.5, 0.08, 0.35
 _DARK = 0.08
 
@@ -49,27 +49,27 @@ class FrameCritic:
     """The critic of finished frames."""
 
     def judge(self, draft: FrameView) -> Critique:
-        """Score one frame; every fault says what is missing, and for which person or thing."""
+        """Return the critique of a frame; every fault says what is missing, and for which person or thing."""
         faults = (
-            *_people(draft),
-            *_faces(draft),
-            *_apart(draft),
-            *_backs(draft),
-            *_things(draft),
-            *deeds(draft),
-            *staging(draft),
-            *_picture(draft),
+            *_people_faults(draft),
+            *_face_faults(draft),
+            *_gap_faults(draft),
+            *_back_faults(draft),
+            *_thing_faults(draft),
+            *find_action_faults(draft),
+            *find_staging_faults(draft),
+            *_picture_faults(draft),
         )
         return Critique.of(faults)
 
 
 def verdict_of(score: float) -> Verdict:
-    """Return the board's verdict for a score."""
+    """Return the board's verdict for a score from 0 to 10."""
     return "pass" if score >= PASS else "fix" if score >= REJECT else "reject"
 
 
-def _people(view: FrameView) -> list[Fault]:
-    """Check that the subjects are in the picture, large enough and not hidden, and that the others are visible."""
+def _people_faults(view: FrameView) -> list[Fault]:
+    """Return the faults of subjects who are missing, too small, cut or hidden, and of others who are not visible."""
     shot, instruction = view.shot, view.shot.camera_instruction
     if instruction.kind == "insert":
         return []
@@ -87,14 +87,14 @@ def _people(view: FrameView) -> list[Fault]:
         least = _LEAST_PERSON[instruction.size] * (1.0 if central else 0.25)
         if subject is None or subject.pixels < _LEAST_PERSON["EWS"]:
             found.append(fault("person_missing", asset_id, 4.0 if central else 2.0, f"{asset_id} is not seen"))
-        elif subject.pixels < least or (asset_id in meant and _tiny(subject, instruction.size)):
+        elif subject.pixels < least or (asset_id in meant and _is_too_small(subject, instruction.size)):
             found.append(
                 fault("person_small", asset_id, 2.2 if central else 1.5, f"{asset_id} is too small to be read")
             )
-        elif central and _beheaded(subject, instruction.size):
+        elif central and _is_head_cut(subject, instruction.size):
             found.append(fault("face_out", asset_id, 2.2, f"the head of {asset_id} is cut by the frame"))
-        elif central and _hidden(subject) > 0.6 and subject.face_visible < 0.5:
-            found.append(fault("person_hidden", asset_id, 2.5, f"{asset_id} is {_hidden(subject):.0%} hidden"))
+        elif central and _hidden_share(subject) > 0.6 and subject.face_visible < 0.5:
+            found.append(fault("person_hidden", asset_id, 2.5, f"{asset_id} is {_hidden_share(subject):.0%} hidden"))
     others = [each for each in shot.shown if each not in main and each != instruction.pov_id]
     unseen = [each for each in others if (seen := view.subject(each)) is None or seen.pixels < _LEAST_PERSON["EWS"]]
     if not tight and unseen:
@@ -103,7 +103,7 @@ def _people(view: FrameView) -> list[Fault]:
     return found
 
 
-def _tiny(subject: SubjectView, size: ShotSize) -> bool:
+def _is_too_small(subject: SubjectView, size: ShotSize) -> bool:
     """Return whether the subject of a wide shot is too small to be recognised."""
     if subject.box is None or size not in _LEAST_WIDE or subject.head_height <= 0:
         return False
@@ -111,29 +111,29 @@ def _tiny(subject: SubjectView, size: ShotSize) -> bool:
     return bottom - top < _LEAST_WIDE[size] and subject.head_height < 0.13 * _LEAST_WIDE[size]
 
 
-def _beheaded(subject: SubjectView, size: ShotSize) -> bool:
-    """Return whether the top of the picture cuts a head in a size that shows all of it."""
+def _is_head_cut(subject: SubjectView, size: ShotSize) -> bool:
+    """Return whether the top of the picture cuts a head in a shot size that shows all of it."""
     whole = SHOT_SIZES.index(size) <= SHOT_SIZES.index("MS")
     return whole and subject.face is not None and 0 < subject.face[1] < 0.45 * subject.head_height
 
 
-def _replaced(view: FrameView, asset_id: str, focus: bool) -> Fault | None:
-    """Return the fault of a thing that something else stands in for, or that the library has only loosely.
+def _replacement_fault(view: FrameView, asset_id: str, focus: bool) -> Fault | None:
+    """Return the fault of a thing that another one stands in for, or that matches its words loosely; else None.
 
-    What the picture is about must match best.
+    The thing that the picture is about (``focus``) must match best.
     """
     asset = view.assets.get(asset_id)
     if asset is None or asset.canonical is None:
         return None
     if asset.canonical.is_stand_in:
-        return fault("stand_in", asset_id, 2.5 if focus else SENT_BACK, f"{asset_id} is a plain stand-in")
+        return fault("stand_in", asset_id, 2.5 if focus else NOT_ACCEPTED, f"{asset_id} is a plain stand-in")
     score = asset.canonical.match_score
     if asset.asset_type != "object" or score is None or score >= (_CLOSE if focus else _LOOSE):
         return None
-    return fault("loose_match", asset_id, SENT_BACK, f"{asset_id} is only like what the words say")
+    return fault("loose_match", asset_id, NOT_ACCEPTED, f"{asset_id} is only like what the words say")
 
 
-def _slight(subject: SubjectView | None, instruction: CameraInstruction) -> bool:
+def _is_insert_too_small(subject: SubjectView | None, instruction: CameraInstruction) -> bool:
     """Return whether the first thing of an insert is too small in the picture."""
     if subject is None or subject.box is None or subject.node_id not in instruction.focus_on_ids[:1]:
         return False
@@ -141,12 +141,13 @@ def _slight(subject: SubjectView | None, instruction: CameraInstruction) -> bool
     return max(right - left, bottom - top) < _LEAST_EXTENT.get(instruction.size, 0.0)
 
 
-def _hidden(subject: SubjectView) -> float:
+def _hidden_share(subject: SubjectView) -> float:
+    """Return the share of a subject within the frame that something hides."""
     return 1 - subject.visible_fraction / max(subject.in_frame_fraction, 1e-6)
 
 
-def _faces(view: FrameView) -> list[Fault]:
-    """Check that the faces of speakers and reacting people are readable, except over the shoulder or from far away."""
+def _face_faults(view: FrameView) -> list[Fault]:
+    """Return the faults of speakers and reacting people whose faces are not readable, except from far away."""
     shot, instruction = view.shot, view.shot.camera_instruction
     far = SHOT_SIZES.index(instruction.size) < SHOT_SIZES.index(_FACES_FROM)
     if far or instruction.behind or instruction.kind in ("insert", "establishing", "pov"):
@@ -165,13 +166,13 @@ def _faces(view: FrameView) -> list[Fault]:
             found.append(fault("face_away", asset_id, 2.5, f"the face of {asset_id} is turned away"))
         elif subject.face_visible < 0.4:
             found.append(fault("face_hidden", asset_id, 2.5, f"the face of {asset_id} is hidden"))
-    # Of two who talk past a shoulder one face is seen.
+    # In an over-the-shoulder one readable face is enough.
     turned = [each for each in found if each.kind == "face_away"]
     return found if len(turned) == len(wanted) else [each for each in found if each not in turned]
 
 
-def _apart(view: FrameView) -> list[Fault]:
-    """Check that the people of a picture that is no wide shot are not at its sides with nothing between them."""
+def _gap_faults(view: FrameView) -> list[Fault]:
+    """Return the fault of people at both sides of a picture with nothing between them; wide shots may have that."""
     shot, instruction = view.shot, view.shot.camera_instruction
     seen = [view.subject(each) for each in instruction.focus_on_ids if each in shot.on_stage]
     shown = [each for each in seen if each is not None and each.face is not None and each.pixels > _LEAST_PERSON["EWS"]]
@@ -179,33 +180,33 @@ def _apart(view: FrameView) -> list[Fault]:
     if instruction.size in _LEAST_WIDE or instruction.kind not in ("group", "two_shot", "action") or len(faces) < 2:
         return []
     gap = widest_face_gap(faces, view.aspect)
-    if gap < _MOST_APART:
+    if gap < _MAX_GAP:
         return []
-    return [fault("apart", shown[0].node_id, min(1.0 + 0.3 * (gap - _MOST_APART), 3.0), "the middle is empty")]
+    return [fault("apart", shown[0].node_id, min(1.0 + 0.3 * (gap - _MAX_GAP), 3.0), "the middle is empty")]
 
 
-def _backs(view: FrameView) -> list[Fault]:
-    """Check that not all subjects of the picture turn their backs; the one over whose shoulder it looks may."""
+def _back_faults(view: FrameView) -> list[Fault]:
+    """Return the fault of a picture in which all subjects turn their backs."""
     shot, instruction = view.shot, view.shot.camera_instruction
     if instruction.kind in ("insert", "pov") or instruction.explicit or instruction.behind or instruction.size == "EWS":
         return []
     shown = [view.subject(each) for each in instruction.focus_on_ids if each in shot.on_stage]
     angles = [each.face_angle for each in shown if each is not None and each.node_id in view.people and each.pixels]
-    if not angles or min(angles) < _BACK or _leaving(shot):
+    if not angles or min(angles) < _BACK or _is_walking_off(shot):
         return []
     return [fault("backs", instruction.focus_on_ids[0], 2.5, "everybody is seen from behind")]
 
 
-def _leaving(shot: ShotContext) -> bool:
-    """Return whether the first person of a shot is on the way: who walks off shows a back."""
+def _is_walking_off(shot: ShotContext) -> bool:
+    """Return whether the first person of a shot walks, and may show their back."""
     return any(
         clip_of(action.motion).speed is not None and action.asset_id in shot.camera_instruction.focus_on_ids[:1]
         for action in shot.character_actions
     )
 
 
-def _things(view: FrameView) -> list[Fault]:
-    """Check that used things are in the picture, and that its main thing is large and no stand-in."""
+def _thing_faults(view: FrameView) -> list[Fault]:
+    """Return the faults of used things that are not in the picture, and of a main thing that is small or a stand-in."""
     shot, instruction = view.shot, view.shot.camera_instruction
     tight = SHOT_SIZES.index(instruction.size) >= SHOT_SIZES.index("MCU")
     found: list[Fault] = []
@@ -218,21 +219,25 @@ def _things(view: FrameView) -> list[Fault]:
         pixels = subject.pixels if subject is not None else 0.0
         if asset_id in view.built and not pixels:
             continue
-        if focus and instruction.kind == "insert" and (pixels < _LEAST_INSERT or _slight(subject, instruction)):
+        if (
+            focus
+            and instruction.kind == "insert"
+            and (pixels < _LEAST_INSERT or _is_insert_too_small(subject, instruction))
+        ):
             found.append(fault("thing_missing", asset_id, 4.0, f"{asset_id}, which the picture is about, is not seen"))
         elif pixels < _LEAST_THING and (focus or not tight):
-            found.append(fault("thing_missing", asset_id, 2.5 if focus else SENT_BACK, f"{asset_id} is not seen"))
-        elif (replaced := _replaced(view, asset_id, focus)) is not None:
+            found.append(fault("thing_missing", asset_id, 2.5 if focus else NOT_ACCEPTED, f"{asset_id} is not seen"))
+        elif (replaced := _replacement_fault(view, asset_id, focus)) is not None:
             found.append(replaced)
     named = {each.subject for each in found}
     held = dict.fromkeys(prop for state in shot.states if state.asset_id in shot.shown for prop in state.held)
-    in_hand = (_replaced(view, prop, prop in instruction.focus_on_ids) for prop in held if prop not in named)
+    in_hand = (_replacement_fault(view, prop, prop in instruction.focus_on_ids) for prop in held if prop not in named)
     found += [replaced for replaced in in_hand if replaced is not None][:1]
     return found
 
 
-def _picture(view: FrameView) -> list[Fault]:
-    """Report an empty picture, a picture of one bare wall, a large thing before the subject, and darkness."""
+def _picture_faults(view: FrameView) -> list[Fault]:
+    """Return the faults of an empty, flat or dark picture, a blocked foreground, and a camera inside a thing."""
     seen, picture, kind = view.seen, view.picture, view.shot.camera_instruction.kind
     found: list[Fault] = []
     if seen.void > _MOST_VOID:

@@ -1,4 +1,4 @@
-"""The Frame Critic's view of one finished frame: its part of the graph, and the measurements of its picture."""
+"""The Frame Critic's view of a finished frame: its part of the graph, and the measurements of its picture."""
 
 from __future__ import annotations
 
@@ -18,24 +18,24 @@ _WAITING = ("idle", "listen")
 _SPEAKING = ("talk", "whisper", "shout", "sing")
 _LOOKING = ("look", "look_up", "look_down", "look_back", "look_left", "look_right", "look_away", "look_around")
 """Motions of head and eyes, which any frame of a shot may show."""
-_HAVING = ("hold", "take", "pick_up", "catch")
-"""Motions that are shown as well by the thing being in the hand."""
+_HOLDING = ("hold", "take", "pick_up", "catch")
+"""Motions that a thing in the hand shows as well."""
 
 
 @dataclass(frozen=True)
 class FrameView:
-    """One frame.
+    """One finished frame.
 
     Attributes:
         shot: The shot as drawn.
-        seen: Measurements of the ID mask at the drawn moment.
+        seen: Measurements of the ID mask at the story moment.
         people: node_ids of all characters with a face.
-        picture: Measurements of the pixels; None of a frame that is not drawn yet.
+        picture: Measurements of the pixels; None if the frame is not drawn yet.
         assets: Assets of the whole story by asset id.
-        nodes: Asset id to the node_ids that show it in the scene.
+        nodes: node_ids that show each asset in the scene, by asset id.
         staged: Flaws of the staging in the shot.
-        built: Assets that the set itself shows instead of an object, such as its own pool.
-        aspect: Width of the picture by its height.
+        built: Asset ids of things that the set itself shows, such as its own pool.
+        aspect: Width of the picture over its height.
         played: The cues of the shot as the engine played them.
     """
 
@@ -56,22 +56,26 @@ class FrameView:
         return {subject.node_id: subject for subject in self.seen.subjects}
 
     def subject(self, asset_id: str) -> SubjectView | None:
-        """Return the best visible node that shows an asset; None if the mask has none."""
+        """Return the largest visible node that shows an asset; None if the mask has none."""
         subjects = self.subjects
         shown = [subjects[node] for node in self.nodes.get(asset_id, (asset_id,)) if node in subjects]
         return max(shown, key=lambda subject: subject.pixels, default=None)
 
 
 def actions_to_see(shot: ShotContext) -> list[CharacterAction]:
-    """Return the actions of a shot that must be visible: neither waiting nor mere talk."""
+    """Return the actions of a shot that must be visible: neither waiting nor talk."""
     return [action for action in shot.character_actions if clip_of(action.motion).key not in (*_WAITING, *_SPEAKING)]
 
 
-def deeds_not_shown(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> list[CharacterAction]:
-    """Return what the lines tell to be done and nobody does at the drawn moment; members of a group count once.
+def actions_not_shown(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> list[CharacterAction]:
+    """Return the actions in the lines that nobody does at the story moment; members of a group count once.
 
-    Looks do not count, nor does having what is in the hand already, nor the way to where somebody then does something,
-    nor a posture that somebody has taken by then.
+    Looks do not count, nor taking a thing that is in the hand already, nor the walk to a place of another action, nor a
+    posture that is already taken.
+
+    Args:
+        shot: The shot with its cues.
+        played: The cues as the engine played them; may be empty.
     """
     moment = board_frame(shot, played)
     held = {(state.asset_id, prop) for state in shot.states for prop in state.held}
@@ -80,7 +84,7 @@ def deeds_not_shown(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> list
     doing: set[str] = set()
     for action in actions_to_see(shot):
         key = clip_of(action.motion).key
-        if key in _LOOKING or (key in _HAVING and (action.asset_id, action.prop_id) in held):
+        if key in _LOOKING or (key in _HOLDING and (action.asset_id, action.prop_id) in held):
             continue
         deed = (action.motion, action.action_description)
         for cue in cues_of(action, shot):
@@ -95,16 +99,17 @@ def deeds_not_shown(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> list
 
 
 def speakers(shot: ShotContext) -> list[str]:
-    """Return the speakers of a shot who are on stage."""
+    """Return the asset ids of people who speak in a shot."""
     said = (action.asset_id for action in shot.character_actions if action.motion in _SPEAKING)
     return list(dict.fromkeys(said))
 
 
 def things_to_see(shot: ShotContext) -> list[str]:
-    """Return the asset ids of the things that the actions of a shot use, and of things in hands."""
+    """Return the asset ids of the things that the actions of a shot use or its instruction names."""
     used = (id_ for action in actions_to_see(shot) for id_ in (action.prop_id, action.target_id))
     return _each_once([*used, *shot.camera_instruction.focus_on_ids], without=set(shot.on_stage))
 
 
 def _each_once(ids: Iterable[str | None], without: set[str]) -> list[str]:
+    """Return the ids in order, each once, but for those in ``without``."""
     return [id_ for id_ in dict.fromkeys(ids) if id_ and id_ not in without]

@@ -1,7 +1,7 @@
 """The Dimension Estimator: for every asset the one dimension that is surest, in metres (paper, appendix).
 
-People are as tall as their age and gender; things are as large as the catalog's, a stand-in as its noun or its class
-says; words of size in the description scale both. What people sit on and work at keeps to their size.
+People are as tall as their age and gender; things are as large as the catalog's, stand-ins as their noun or class;
+words of size in the description scale both. Furniture keeps close to its size.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ _STATURES: dict[StatureWord, float] = {
     "tall": 1.06, "towering": 1.1, "giant": 1.12, "huge": 1.08, "big": 1.03, "short": 0.94, "small": 0.94,
     "little": 0.94, "petite": 0.93, "tiny": 0.9,
 }  # fmt: skip
-"""People vary less than things."""
+"""Factors for people, who vary less than things."""
 NOUNS: dict[str, tuple[Side, float]] = {
     # animals
     "dog": ("height", 0.6), "cat": ("height", 0.3), "horse": ("height", 1.65), "bird": ("height", 0.15),
@@ -63,22 +63,22 @@ NOUNS: dict[str, tuple[Side, float]] = {
     "doll": ("height", 0.35), "toy": ("height", 0.2), "drum": ("width", 0.4), "plant": ("height", 0.8),
     "stick": ("height", 0.9), "stone": ("width", 0.2), "fruit": ("width", 0.08), "food": ("width", 0.2),
 }  # fmt: skip
-"""Head noun -> its surest side and metres, for what the catalog does not have."""
-_USUAL: tuple[Side, float] = ("height", 0.4)
+"""Head noun -> its surest side and metres, for things that are not in the catalog."""
+_DEFAULT_SIDE: tuple[Side, float] = ("height", 0.4)
 _FURNITURE = 0.4
-"""How much of a word of size furniture takes: its heights are people's."""
+"""Exponent on the factor of a word of size for furniture, which is made for people."""
 _STRETCH = 4.0
-"""How many times larger or smaller than usual a stand-in of a class may be."""
+"""Most times that a stand-in may be larger or smaller than usual."""
 _TOY = 0.3
-"""Metres: the longest side of a toy car, a plush bear, a model ship."""
+"""Metres of the longest side of a toy."""
 _IN_HAND = 0.45
-"""Metres: the longest side of what nobody knows and somebody holds."""
+"""Metres of the longest side of an unknown thing in a hand."""
 _IN_ARMS = 0.55
-"""Metres: the height of a plant that somebody carries."""
-_OF_ROOM = (0.45, 0.6, 0.92)
-"""The part of a room's shorter side, longer side and height that one thing may take: people go around it."""
-_CARRIED_BEAST = 1.2
-"""Metres: a longer beast in somebody's hands is a toy."""
+"""Metres of the height of a plant that a person carries."""
+_ROOM_SHARES = (0.45, 0.6, 0.92)
+"""Shares of a room's shorter side, longer side and height that one thing may take."""
+_CARRIED_ANIMAL = 1.2
+"""Metres of length from which an animal in a person's hands is a toy."""
 
 
 @dataclass(frozen=True)
@@ -86,8 +86,8 @@ class DimensionEstimatorView:
     """What the Dimension Estimator sees.
 
     Attributes:
-        assets: To be sized, with what they are made from.
-        rooms: Width, depth and height in metres of the smallest room of what is never outdoors, by asset_id.
+        assets: Assets to size, with their geometry if it is decided.
+        rooms: Width, depth and height in metres of the smallest room of assets that are never outdoors, by asset id.
     """
 
     assets: tuple[Asset, ...]
@@ -98,8 +98,8 @@ def dimension_estimator_view(graph: ContinuityMemoryGraph, assets: Sequence[Asse
     """Return the Dimension Estimator's projection of the graph.
 
     Args:
-        graph: With the places of the Director's plan.
-        assets: To be sized, with what they are made from.
+        graph: The graph, with the places of the Director's plan.
+        assets: Assets to size, with their geometry if it is decided.
     """
     setups = [scene.setup for scene in graph.scenes]
     outdoors = {asset_id for setup in setups if setup.scene_type == "outdoor" for asset_id in setup.asset_ids}
@@ -114,34 +114,46 @@ def dimension_estimator_view(graph: ContinuityMemoryGraph, assets: Sequence[Asse
 
 
 class RulesDimensionEstimator:
-    """The Dimension Estimator without a model; its draft is asset id -> dimension."""
+    """The Dimension Estimator without a model; its draft has a dimension by asset id."""
 
     def propose(self, view: DimensionEstimatorView) -> dict[str, AssetDimension]:
         """Return exactly one dimension for each asset."""
-        return {asset.asset_id: estimate(asset, view.rooms.get(asset.asset_id)) for asset in view.assets}
+        return {asset.asset_id: estimate_dimension(asset, view.rooms.get(asset.asset_id)) for asset in view.assets}
 
     def refine(
         self, draft: dict[str, AssetDimension], critique: Critique, view: DimensionEstimatorView
     ) -> dict[str, AssetDimension]:
-        """Replace what the critic minds by the rules' own estimate."""
+        """Return the draft with the rules' own estimate for every asset that has a fault.
+
+        Args:
+            draft: Dimensions by asset id.
+            critique: Its faults.
+            view: The assets.
+        """
         wrong = {fault.subject for fault in critique.faults}
         return {name: size if name in wrong else draft[name] for name, size in self.propose(view).items()}
 
 
 class DimensionEstimatorCritic:
-    """Exactly one plausible value for each asset, and people within human reach."""
+    """Checks that each asset has exactly one plausible value, and people a human height."""
 
     def judge(self, draft: dict[str, AssetDimension], view: DimensionEstimatorView) -> Critique:
-        """Score ten less two for each asset that is wrong."""
+        """Return the critique of dimensions: a fault for each asset that is wrong.
+
+        Args:
+            draft: Dimensions by asset id.
+            view: The assets.
+        """
         faults = [
             Fault(kind="dimension", subject=asset.asset_id, severity=2.0, message=f"{asset.asset_id}: {problem}")
             for asset in view.assets
-            if (problem := _problem(asset, draft.get(asset.asset_id)))
+            if (problem := _find_problem(asset, draft.get(asset.asset_id)))
         ]
         return Critique.of(tuple(faults))
 
 
-def _problem(asset: Asset, dimension: AssetDimension | None) -> str:
+def _find_problem(asset: Asset, dimension: AssetDimension | None) -> str:
+    """Return what is wrong with an asset's dimension; empty if nothing is."""
     values = [] if dimension is None else [value for value in dimension.model_dump().values() if value is not None]
     if len(values) != 1:
         return f"{len(values)} dimensions are given, one is wanted"
@@ -153,56 +165,58 @@ def _problem(asset: Asset, dimension: AssetDimension | None) -> str:
     return ""
 
 
-def estimate(asset: Asset, room: Vec3 | None = None) -> AssetDimension:
-    """Return the surest dimension of one asset: what the script measures, else what it is; no larger than its room.
+def estimate_dimension(asset: Asset, room: Vec3 | None = None) -> AssetDimension:
+    """Return the surest dimension of an asset: the script's, else its noun's; no larger than its room.
 
     Args:
-        asset: With what it is made from, where that is decided.
-        room: Width, depth and height in metres of where it is, if it is never outdoors.
+        asset: The asset, with its geometry if it is decided.
+        room: Width, depth and height of its room in metres; None if it is ever outdoors.
     """
-    dimension = _estimated(asset)
+    dimension = _estimate_without_room(asset)
     keeps = asset.asset_type == "character" or _is_furniture(asset)
-    return dimension if room is None or keeps else _fitted(dimension, asset, room)
+    return dimension if room is None or keeps else _fit_to_room(dimension, asset, room)
 
 
 def _is_furniture(asset: Asset) -> bool:
-    """Return whether people sit, lie or work at it: a bed in a cell is as long as any bed."""
+    """Return whether an asset is furniture, which keeps its size in any room."""
     made = asset.canonical
     return made is not None and made.source == "catalog" and PROPS[made.key].category == "furniture"
 
 
-def _fitted(dimension: AssetDimension, asset: Asset, room: Vec3) -> AssetDimension:
-    """Return the dimension at which the whole thing stands in a room with space around it."""
+def _fit_to_room(dimension: AssetDimension, asset: Asset, room: Vec3) -> AssetDimension:
+    """Return the dimension at which the thing fits into a room (metres) with space around it."""
     side = next(side for side in _SIDES if getattr(dimension, side) is not None)
     value: float = getattr(dimension, side)
     shape = asset.canonical.dimensions if asset.canonical is not None else (1.0, 1.0, 1.0)
     width, depth, height = (value * length / shape[_SIDES.index(side)] for length in shape)
     sizes = (min(width, depth), max(width, depth), height)
     spaces = (min(room[:2]), max(room[:2]), room[2])
-    scale = min(part * space / size for part, space, size in zip(_OF_ROOM, spaces, sizes, strict=True))
+    scale = min(part * space / size for part, space, size in zip(_ROOM_SHARES, spaces, sizes, strict=True))
     return dimension if scale >= 1 else AssetDimension(**{side: round(value * scale, 2)})
 
 
-def knows_size(asset: Asset) -> bool:
-    """Return whether the thing's noun says how large such things are."""
-    return _usual(asset, _text(asset)) is not _USUAL
+def has_usual_size(asset: Asset) -> bool:
+    """Return whether the noun of a thing has a usual size."""
+    return _usual_side(asset, _text(asset)) is not _DEFAULT_SIDE
 
 
 def _text(asset: Asset) -> str:
+    """Return the name and the description of an asset in lower case."""
     return f"{asset.name or asset.asset_id.replace('_', ' ')}. {asset.description}".lower()
 
 
-def _estimated(asset: Asset) -> AssetDimension:
+def _estimate_without_room(asset: Asset) -> AssetDimension:
+    """Return the dimension of an asset by measure, noun, class and words of size."""
     if asset.stated_size.measure is not None:
         return asset.stated_size.measure
     if asset.asset_type == "character" and asset.look is not None:
         return AssetDimension(height=round(min(max(_stature(asset.look, asset.stated_size.word), 0.4), 2.4), 2))
     scale = next((factor for word, factor in _SCALES.items() if word == asset.stated_size.word), 1.0)
     if asset.canonical is not None and asset.canonical.source == "catalog":
-        side, value = _largest(asset.canonical.dimensions)
+        side, value = _largest_side(asset.canonical.dimensions)
         entry = PROPS[asset.canonical.key]
         carried = asset.tags[:1] == ("prop",) and "handled" in asset.tags
-        too_large = carried and entry.category == "animal" and value > _CARRIED_BEAST
+        too_large = carried and entry.category == "animal" and value > _CARRIED_ANIMAL
         if too_large or (entry.life_size and asset.stated_size.toy):
             value = _TOY
         elif carried and entry.surface is Surface.FOLIAGE:
@@ -212,27 +226,28 @@ def _estimated(asset: Asset) -> AssetDimension:
         elif entry.category == "furniture":
             scale **= _FURNITURE
     elif asset.canonical is not None and asset.canonical.source == "stand_in":
-        side, value = _of_stand_in(_head(asset), asset.canonical.dimensions)
+        side, value = _stand_in_side(_head_noun(asset), asset.canonical.dimensions)
         if "handled" in asset.tags and max(asset.canonical.dimensions) <= _IN_HAND:
             value = min(value, _IN_HAND)
     else:
-        side, value = _usual(asset, _text(asset))
+        side, value = _usual_side(asset, _text(asset))
     return AssetDimension(**{side: round(value * scale, 3 if value < 0.1 else 2)})
 
 
-def _of_stand_in(noun: str, size: Vec3) -> tuple[Side, float]:
-    """Return the size of a noun if a shape of ``size`` can have it, else the shape's: a rocking horse is no horse."""
-    side, value = NOUNS.get(noun, _largest(size))
+def _stand_in_side(noun: str, size: Vec3) -> tuple[Side, float]:
+    """Return the side and metres of a noun if a shape of ``size`` can have them, else the shape's own."""
+    side, value = NOUNS.get(noun, _largest_side(size))
     fits = 1 / _STRETCH < value / size[_SIDES.index(side)] < _STRETCH
-    return (side, value) if fits else _largest(size)
+    return (side, value) if fits else _largest_side(size)
 
 
-def _head(asset: Asset) -> str:
-    """Return the last word of a thing's name, in the singular."""
+def _head_noun(asset: Asset) -> str:
+    """Return the last word of an asset's name, in the singular."""
     return noun_key((asset.name or asset.asset_id.replace("_", " ")).split(" ")[-1])
 
 
 def _stature(look: CharacterLook, word: SizeWord | StatureWord | None) -> float:
+    """Return a person's stature in metres: as described, else typical of age and gender with words of size."""
     if look.stature is not None:
         return look.stature
     genders = ("female", "male") if look.gender == "unknown" else (look.gender,)
@@ -240,27 +255,28 @@ def _stature(look: CharacterLook, word: SizeWord | StatureWord | None) -> float:
     return typical * next((scale for each, scale in _STATURES.items() if each == word), 1.0)
 
 
-def _largest(size: tuple[float, float, float]) -> tuple[Side, float]:
+def _largest_side(size: tuple[float, float, float]) -> tuple[Side, float]:
+    """Return the largest side of a size, and its metres."""
     value = max(size)
     return _SIDES[size.index(value)], value
 
 
-def _usual(asset: Asset, text: str) -> tuple[Side, float]:
-    """Return the size of the catalog's prop of that name, or of the last known noun in the name."""
+def _usual_side(asset: Asset, text: str) -> tuple[Side, float]:
+    """Return the side and metres of the catalog's prop with the asset's name, else of the last known noun in it."""
     name = (asset.name or asset.asset_id.replace("_", " ")).lower()
     words = re.findall(r"[a-z]+", name)
     for start in range(len(words)):
         for key in ("_".join(words[start:]), "_".join([*words[start:-1], noun_key(words[-1])])):
             if key in PROPS:
-                return _largest(PROPS[key].size)
+                return _largest_side(PROPS[key].size)
     by_tag = {tag: entry for entry in PROPS.values() for tag in entry.tags}
     for start in range(len(words)):
         if (entry := by_tag.get(" ".join(words[start:]))) is not None:
-            return _largest(entry.size)
+            return _largest_side(entry.size)
     for word in [*reversed(words), *re.findall(r"[a-z]+", text)]:
         for noun in (word, noun_key(word)):
             if noun in NOUNS:
                 return NOUNS[noun]
             if noun in PROPS:
-                return _largest(PROPS[noun].size)
-    return _USUAL
+                return _largest_side(PROPS[noun].size)
+    return _DEFAULT_SIDE

@@ -1,4 +1,4 @@
-"""Actions of the script turned into walks, postures and clips on the cue sheet. Pure."""
+"""Writes the actions of a shot on the cue sheet: walks, postures, clips, and actions with props and partners."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ DIRECTIONAL_LOOKS = frozenset(
 )
 """Looks in a direction, not at a person or thing: the body does not turn."""
 HANDSET_SIZE = 0.12
-"""Metres of the second largest extent: a larger telephone stays where it stands."""
+"""Second largest extent in metres above which a telephone stays where it stands."""
 PARTNER_MOTIONS = frozenset({"take", "catch", "push", "dance"})
-"""What is done with somebody where somebody is named."""
+"""Motions that involve the other person if the script names one."""
 LEAST_MOVE = 0.05
-"""Metres that nobody moves for."""
+"""Metres below which nobody moves."""
 
 
 class Actions:
@@ -52,11 +52,17 @@ class Actions:
         self.interactions = Interactions(stage, sheet, self.hands)
 
     def add_action(self, action: CharacterAction, person: StagedPerson, later: Sequence[CharacterAction]) -> None:
-        """Write one action that is not a speech."""
+        """Write the cues of one action that is not a speech.
+
+        Args:
+            action: The action in the script.
+            person: The person who does it.
+            later: Actions of the shot after this one.
+        """
         prop = self.resolver.prop_of(action, person)
         motion, partner = self.resolver.find_partner(action, person, prop)
         if person.entering and not person.acted and self.stage.opens_set_door(action):
-            return  # the door swings for who comes in
+            return  # the door swings by itself for an entrance
         if motion.key in ("idle", "stand"):
             if action.motion == "stand" and not person.upright:
                 start = self.sheet.earliest_start(person)
@@ -65,7 +71,7 @@ class Actions:
         if motion.key in ("jump", "climb") and self._get_over_or_onto(action, motion, person):
             return
         if motion.key == "put_down" and partner is not None and prop is None:
-            return  # who was lifted has been put down
+            return  # a lifted person is already back on the floor
         motion = self.resolver.resolve_motion(action, motion, person, prop, partner if prop is None else None)
         if self.interactions.is_done_by_partner(motion, person, partner):
             return
@@ -92,6 +98,7 @@ class Actions:
         partner: StagedPerson | None,
         later: Sequence[CharacterAction],
     ) -> None:
+        """Write a walk, ride or other way; it is left out if a later action implies it."""
         start = self.sheet.earliest_start(person)
         riding = motion.key in ("drive", "ride")
         out = None if riding else leaving_station(self.stage, person, action)
@@ -134,7 +141,7 @@ class Actions:
         self.sheet.finish_action(person, start, end)
 
     def _station_at_end(self, person: StagedPerson) -> Station | None:
-        """Return the station of a standing person at the end of the shot, if the script gives one."""
+        """Return a person's standing place at the end of the shot, if the script gives one; else None."""
         state = self.ends.get(person.asset_id)
         if state is not None and state.posture in SEATED and person.upright:
             return boarding_station(self.stage, person, state)
@@ -144,9 +151,9 @@ class Actions:
         return self.stage.spot_finder.find_station(person, state.spot)
 
     def _find_person_met_later(self, person: StagedPerson, later: Sequence[CharacterAction]) -> StagedPerson | None:
-        """Return to whom a way leads that is told without an end: ``crosses the floor and embraces her``.
+        """Return the person to whom a walk without a goal leads: ``crosses the floor and embraces her``.
 
-        Who has no place of their own on the set goes to whom they then speak to.
+        A person without a layout place also walks to the one they then speak to.
         """
         homeless = person.asset_id not in self.stage.home
         for action in (each for each in later if each.asset_id == person.asset_id):
@@ -159,14 +166,15 @@ class Actions:
         return None
 
     def _next_target(self, person: StagedPerson, later: Sequence[CharacterAction]) -> str | None:
-        """Return what a person's next action is about."""
+        """Return the target id of a person's next action."""
         return next((a.target_id for a in later if a.asset_id == person.asset_id), None)
 
     def _get_over_or_onto(self, action: CharacterAction, motion: Motion, person: StagedPerson) -> bool:
+        """Climb or leap onto or over the target of an action; return whether that is possible."""
         return self._get_onto_thing(action, motion, person) or self._cross_thing(action, motion, person)
 
     def _get_onto_thing(self, action: CharacterAction, motion: Motion, person: StagedPerson) -> bool:
-        """Climb or leap onto a thing if the person's spot at the end of the shot is on it; tell whether that is so."""
+        """Climb or leap onto a thing if the person ends the shot on it; return whether they do."""
         state, floor = self.ends.get(person.asset_id), self.stage.floor
         thing = floor.thing(action.target_id, person.place)
         if state is None or state.spot is None or state.spot.relation != "on" or thing is None:
@@ -189,7 +197,7 @@ class Actions:
         return True
 
     def _cross_thing(self, action: CharacterAction, motion: Motion, person: StagedPerson) -> bool:
-        """Leap or climb over a thing, or into a boat; tell whether there is one to get over."""
+        """Leap or climb over a thing, or into a boat; return whether that is possible."""
         floor = self.stage.floor
         thing = floor.things.get(getattr(floor.thing(action.target_id), "node_id", ""))
         if thing is None:
@@ -208,6 +216,7 @@ class Actions:
     def _take_posture(
         self, action: CharacterAction, motion: Motion, person: StagedPerson, partner: StagedPerson | None
     ) -> None:
+        """Write the cues of sitting, lying, leaning, kneeling, falling or rising, with the walk to the place."""
         start = self.sheet.earliest_start(person)
         length = natural_seconds(motion, stature=1.7 * person.scale)
         thing = self.stage.floor.thing(action.target_id)
@@ -252,7 +261,7 @@ class Actions:
         self.sheet.finish_action(person, start, end)
 
     def _move_to_room(self, person: StagedPerson, place: Vec2, yaw: float, now: float) -> float:
-        """Be where there is room for what comes: from the start, else by walking; return the end."""
+        """Bring a person to a place with room: from the first frame, else by walking; return the end second."""
         if math.dist(place, person.place) < LEAST_MOVE and abs(shortest_turn(person.yaw, yaw)) < math.radians(5):
             return now
         if person.acted or person.entering:
@@ -261,6 +270,7 @@ class Actions:
         return now
 
     def _sit_down(self, action: CharacterAction, person: StagedPerson, start: float, length: float) -> None:
+        """Write the walk to a seat and the cue of sitting down (``length`` seconds), from second ``start`` on."""
         name = action.target_id if self.stage.floor.seats(action.target_id) else None
         told = self.ends.get(person.asset_id)
         seat = self.stage.spot_finder.seat_of_spot(person, told) if told is not None else None
@@ -292,6 +302,7 @@ class Actions:
     def _lie_down(
         self, action: CharacterAction, motion: Motion, person: StagedPerson, start: float, length: float
     ) -> None:
+        """Write the walk to a bed or the floor and the cues of lying down, from second ``start`` on."""
         asleep: Posture = "asleep" if motion.key == "sleep" else "lie"
         if person.posture in SEATED and (motion.key == "sleep" or person.posture != "sit"):
             person.posture = "asleep" if motion.key == "sleep" else person.posture
@@ -320,7 +331,7 @@ class Actions:
     def _use_prop(
         self, action: CharacterAction, motion: Motion, person: StagedPerson, prop: str, later: Sequence[CharacterAction]
     ) -> None:
-        """Do something with a prop; what somebody else holds is taken from them."""
+        """Write an action with a prop; a prop that another person holds is taken from them."""
         holder = self.stage.holder_of(prop)
         if motion.key in ("take", "catch") and holder is not None and holder is not person and holder.present:
             self.interactions.act_together(action, motion, person, holder, prop, later)
@@ -328,7 +339,7 @@ class Actions:
             self.hands.handle_prop(action, motion, person, prop, later)
 
     def _act_at_thing(self, action: CharacterAction, motion: Motion, person: StagedPerson) -> None:
-        """Go to a door, a window, a table and work there."""
+        """Walk to a thing such as a door, a window or a table, and act there."""
         start = self.sheet.earliest_start(person)
         now, thing = start, self.stage.floor.thing(action.target_id, person.place)
         if thing is not None and person.upright:
@@ -348,7 +359,7 @@ class Actions:
         self.sheet.finish_action(person, start, end)
 
     def _is_worked_on_in_place(self, action: CharacterAction, motion: Motion, person: StagedPerson, prop: str) -> bool:
-        """Tell whether a thing is worked on where it lies, and is no tool: cut bread, a stirred pot."""
+        """Tell whether a prop is worked on where it lies, and is not a tool: cut bread, a stirred pot."""
         size = self.stage.size_of(prop)
         desk_set = motion.key == "phone" and size is not None and size[1] > HANDSET_SIZE
         patient = action.prop_id in (None, action.target_id) and motion.reach == "thing" and motion.key in ACTS
@@ -357,7 +368,7 @@ class Actions:
     def _act_on_the_spot(
         self, action: CharacterAction, motion: Motion, person: StagedPerson, partner: StagedPerson | None
     ) -> None:
-        """Looks, gestures and everything one does on the spot."""
+        """Write looks, gestures and other actions on the spot."""
         now = start = self.sheet.earliest_start(person)
         thing = self.stage.floor.thing(action.target_id, person.place)
         if motion.key in DIRECTIONAL_LOOKS:

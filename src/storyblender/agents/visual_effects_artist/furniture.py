@@ -1,4 +1,4 @@
-"""Furniture on its way to a dressed set: what a furnishing becomes, how large it is, and what gives way to what."""
+"""Furnishings on their way into a dressed set: their assets, sizes and places, and what is left out."""
 
 from __future__ import annotations
 
@@ -15,15 +15,20 @@ from storyblender.memory.base import Vec2, Vec3, content_hash
 from storyblender.memory.scene_context import LayoutObject
 
 _MAX_OVERLAP = 0.03
-"""Metres that two props may share before one of them has to go."""
+"""Metres that two props may overlap before one of them is left out."""
 TUCKED_OVERLAP = 0.3
 """The same for a seat, which goes under its table."""
 _FREE_WIDTH_PER_PERSON = 0.15
-"""Metres by which each further person widens the square in the middle that dressing leaves to people."""
+"""Metres by which each further person widens the square in the middle that is free of dressing."""
 
 
 def dressing_asset(prop: str, params: dict[str, float | str | bool]) -> Asset:
-    """Return the asset of a prop that the kit brings: one per prop and parameters, shared by all scenes."""
+    """Return the asset of a prop of the kit; the same prop and parameters are the same asset in all scenes.
+
+    Args:
+        prop: Catalog key.
+        params: Parameters of the prop; empty for its usual ones.
+    """
     suffix = f"_{content_hash(dict(params))[:4]}" if params else ""
     asset_id = f"set_{prop}{suffix}"
     entry = PROPS.get(prop)
@@ -48,7 +53,7 @@ def dressing_asset(prop: str, params: dict[str, float | str | bool]) -> Asset:
 
 
 def prop_size(prop: str, params: dict[str, float | str | bool]) -> Vec3:
-    """Return width, depth and height of a prop as the kit wants it."""
+    """Return the width, depth and height of a prop in metres, with ``params`` before its usual size."""
     entry = PROPS.get(prop)
     usual = entry.size if entry is not None else (0.6, 0.6, 0.8)
     width, depth, height = (
@@ -58,7 +63,7 @@ def prop_size(prop: str, params: dict[str, float | str | bool]) -> Vec3:
 
 
 def prop_of(asset: Asset) -> str | None:
-    """Return the key of the prop that an object is: what it became, else what it is called."""
+    """Return the catalog key of an object's prop: the one it was built from, else the one with its name; else None."""
     if asset.canonical is not None and asset.canonical.source == "catalog":
         return asset.canonical.key
     name = _words(asset.name or asset.asset_id)
@@ -77,13 +82,13 @@ def _words(text: str) -> list[str]:
 
 @dataclass
 class PlacedFurnishing:
-    """A furnishing of the plan and what stands in its place.
+    """A furnishing of the plan and the asset in its place.
 
     Attributes:
-        item: Of the plan.
-        asset: What it became: the kit's prop, or a thing of the script.
-        size: Width, depth, height in metres.
-        location: Bottom centre.
+        item: The furnishing.
+        asset: The kit's prop, or a thing of the script that replaces it.
+        size: Width, depth and height in metres.
+        location: Bottom centre, world metres.
     """
 
     item: Furnishing
@@ -93,7 +98,7 @@ class PlacedFurnishing:
 
     @classmethod
     def of(cls, item: Furnishing, taken_by: Asset | None) -> PlacedFurnishing:
-        """Return a furnishing as planned, or the script's own thing in its place."""
+        """Return a furnishing as planned, or the script's thing ``taken_by`` in its place."""
         if taken_by is None:
             asset = dressing_asset(item.prop, item.params)
             return cls(item, asset, prop_size(item.prop, item.params), item.location)
@@ -102,30 +107,30 @@ class PlacedFurnishing:
         hung = PROPS[item.prop].placement == "ceiling" if item.prop in PROPS else False
         rise = planned[2] - size[2] if hung else 0.0
         x, y, z = item.location
-        # a deeper thing steps out of the wall behind it, a shallower one back to it
+        # moved along its depth, so that its back stays at the wall
         return cls(item, taken_by, size, (x + deeper * math.sin(turn), y - deeper * math.cos(turn), z + rise))
 
     @property
     def scripted(self) -> bool:
-        """Whether the script brought it."""
+        """Whether it is a thing of the script."""
         return self.asset.origin != "dressing"
 
     @property
     def box(self) -> Box:
-        """Where it is."""
+        """Its box in the set."""
         return box_at(self.location, self.item.yaw, self.size)
 
     @property
     def tolerance(self) -> float:
-        """Metres it may reach into another footprint: a chair goes under its table."""
+        """Metres it may overlap another footprint; more for a seat, which goes under its table."""
         return TUCKED_OVERLAP if _is_seat(self.item.prop) else _MAX_OVERLAP
 
     @property
-    def in_the_way(self) -> bool:
-        """Whether it takes room on the floor: not a rug, not what hangs."""
+    def takes_floor(self) -> bool:
+        """Whether it takes room on the floor: not a rug, not a thing that hangs."""
         return self.location[2] < 1.6 and self.size[2] > 0.05
 
-    def placed(self) -> LayoutObject:
+    def layout_object(self) -> LayoutObject:
         """Return it as the graph stores it."""
         x, y, z = (round(value, 3) for value in self.location)
         return LayoutObject(
@@ -143,7 +148,7 @@ def box_at(location: Vec3, yaw: float, size: Vec3) -> Box:
 
 
 def size_of_asset(asset: Asset) -> Vec3:
-    """Return width, depth and height of what an asset became, or will become."""
+    """Return the width, depth and height of an asset in metres, or what it probably will have."""
     if asset.canonical is not None:
         return asset.canonical.dimensions
     prop = prop_of(asset)
@@ -151,7 +156,7 @@ def size_of_asset(asset: Asset) -> Vec3:
 
 
 def raise_to_new_tops(standing: list[PlacedFurnishing]) -> None:
-    """Move what stands on a table or a counter to the height of the thing that took its place."""
+    """Move things on a table or a counter to the height of the thing that replaced it."""
     for base in standing:
         if not base.scripted:
             continue
@@ -164,7 +169,7 @@ def raise_to_new_tops(standing: list[PlacedFurnishing]) -> None:
 
 
 def draw_up_seats(standing: list[PlacedFurnishing]) -> None:
-    """Keep the seats around a table at its edge when a larger or smaller one took its place."""
+    """Keep the seats around a table at its edge if a larger or smaller one replaced it."""
     for base in standing:
         if not base.scripted:
             continue
@@ -180,10 +185,12 @@ def draw_up_seats(standing: list[PlacedFurnishing]) -> None:
 
 
 def _is_seat(prop: str) -> bool:
+    """Return whether a prop (catalog key) has seats."""
     return prop in PROPS and PROPS[prop].seats > 0
 
 
 def _is_above(base: PlacedFurnishing, point: Vec2, size: Vec3) -> bool:
+    """Return whether a floor point is above the planned footprint of a furnishing."""
     box = box_at(base.item.location, base.item.yaw, size)
     across, along = box.to_local(*point)
     return abs(across) < size[0] / 2 and abs(along) < size[1] / 2
@@ -192,15 +199,24 @@ def _is_above(base: PlacedFurnishing, point: Vec2, size: Vec3) -> bool:
 def drop_clutter(
     standing: list[PlacedFurnishing], plan: SetPlan, people: int
 ) -> tuple[list[PlacedFurnishing], list[str]]:
-    """Keep the script's things and the required furniture; keep dressing only where it stands free of them."""
+    """Return the furnishings without the optional ones that stand in the script's things or in people's way.
+
+    Args:
+        standing: All furnishings of the set.
+        plan: The set.
+        people: Number of people on stage at once.
+
+    Returns:
+        The furnishings that stay, and the node_ids of those left out.
+    """
     ranked = sorted(standing, key=lambda item: (not item.scripted, not item.item.required))
     stage = stage_box(plan, _FREE_WIDTH_PER_PERSON * max(0, people - 4))
     kept: list[PlacedFurnishing] = []
     gone: set[str] = set()
     for item in ranked:
         optional = not item.scripted and not item.item.required
-        if optional and item.in_the_way:
-            others = [other.box for other in kept if other.in_the_way and other.scripted]
+        if optional and item.takes_floor:
+            others = [other.box for other in kept if other.takes_floor and other.scripted]
             crowds = any(penetration(item.box, other, 0.02)[0] > item.tolerance for other in others)
             if crowds or (item.location[2] < 0.05 and penetration(item.box, stage)[0] > _MAX_OVERLAP):
                 gone.add(item.item.node_id)

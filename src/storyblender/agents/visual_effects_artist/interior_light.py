@@ -8,13 +8,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from storyblender.agents.visual_effects_artist.light_level import metered, scaled
+from storyblender.agents.visual_effects_artist.light_level import scale_color, scale_lamps_to_level
 from storyblender.agents.visual_effects_artist.lighting_arranger_view import (
     MOST_LIGHTS,
     LightingArrangerView,
     burning_lamps,
     mean_color,
-    strongest,
+    strongest_lights,
 )
 from storyblender.catalog.light_recipes import GROUNDS, HOURS, WEATHERS, Hour, area_watts, mix, sky_of
 from storyblender.catalog.set_plan import SetPlan, Wall
@@ -38,7 +38,7 @@ class WindowWall(NamedTuple):
     size: float
 
 
-def interior(view: LightingArrangerView) -> Lighting:
+def light_interior(view: LightingArrangerView) -> Lighting:
     """Return the light plan of a room."""
     hour, air = HOURS[view.setup.time_of_day], WEATHERS[view.setup.weather]
     openings = list(_find_window_walls(view.plan))
@@ -60,10 +60,10 @@ def interior(view: LightingArrangerView) -> Lighting:
     lit_room = not openings and day
     outside = sky_of(hour, view.setup.weather, GROUNDS["stone"])
     plan = Lighting(
-        lights=strongest((*lights, *lamps), MOST_LIGHTS),
+        lights=strongest_lights((*lights, *lamps), MOST_LIGHTS),
         sky=outside,
         ambient=mix((0.05, 0.042, 0.034), (0.15, 0.155, 0.16), 1.0 if day and openings else 0.15),
-        fog=Fog(color=scaled(warm, 0.012 if not day else 0.03), density=0.008 if not day else 0.004, start=3.0),
+        fog=Fog(color=scale_color(warm, 0.012 if not day else 0.03), density=0.008 if not day else 0.004, start=3.0),
         face_luminance=hour.face if not lit_room else 0.21,
         set_luminance=round((hour.inside if not lit_room else 0.075) * (1.0 if not day else 0.5 + 0.5 * air.level), 4),
         key_color=mix(warm, (1.0, 0.95, 0.88), 0.55) if lamps else mix(hour.sun_color, (1.0, 0.97, 0.93), 0.6),
@@ -71,7 +71,7 @@ def interior(view: LightingArrangerView) -> Lighting:
         rim_color=hour.sun_color if day else (0.72, 0.83, 1.0) if openings else warm,
         key_fill_ratio=2.8 if day and openings else 3.6,
     )
-    return metered(plan, view.plan, all_lights=True)
+    return scale_lamps_to_level(plan, view.plan, all_lights=True)
 
 
 def _find_window_walls(plan: SetPlan) -> Iterator[WindowWall]:
@@ -108,7 +108,7 @@ def _make_window_light(opening: WindowWall, *, luminance: float, hour: Hour, gra
     color = (
         (0.40, 0.56, 1.0)
         if night
-        else mix(scaled(hour.horizon, 1 / max(hour.horizon)), (0.8, 0.88, 1.0), 0.4 + 0.3 * grayness)
+        else mix(scale_color(hour.horizon, 1 / max(hour.horizon)), (0.8, 0.88, 1.0), 0.4 + 0.3 * grayness)
     )
     return Light(
         name=f"{opening.wall.node_id}_daylight",

@@ -1,4 +1,4 @@
-"""The arranger's own exposure: lamps scaled so that the stage comes out near the level the recipe asks for."""
+"""Scales the lamps of a light plan so that the stage has about the light level that its recipe asks for."""
 
 from __future__ import annotations
 
@@ -14,25 +14,27 @@ from storyblender.memory.scene_context import Light, Lighting
 
 _GREY = 0.18
 _MEAN_OVER_GEOMETRIC = 1.6
-"""How much pools of light raise the mean over the geometric mean that the renderer's meter takes."""
+"""Ratio of the mean to the geometric mean of light in pools; the renderer's meter takes the geometric mean."""
 _LEAST_SHARE = 0.3
-"""Of the wanted level that burning lamps give at least, so that they are seen to burn."""
+"""Least share of the wanted level that burning lamps give, so that they are seen to burn."""
 _AMONG_PEOPLE, _BESIDE = 1.6, 1.2
-"""Metres: lamps lower than this burn among people, and that far from them."""
+"""Metres of height below which a lamp burns among people, and metres between them and it."""
 _HOTTEST = 8.0
-"""Times the wanted level that such a lamp gives to who is beside it."""
+"""Largest multiple of the wanted level that such a lamp gives to a person beside it."""
 
 
-def metered(lighting: Lighting, plan: SetPlan, *, all_lights: bool, share: float | None = None) -> Lighting:
+def scale_lamps_to_level(
+    lighting: Lighting, plan: SetPlan, *, all_lights: bool, share: float | None = None
+) -> Lighting:
     """Return the plan with its lamps scaled so that grey shows near ``set_luminance`` where people act.
 
-    The renderer's meter then finds little to correct, and sky and air keep the brightness they were given.
+    The renderer's meter then has little to correct, and sky and air keep their brightness.
 
     Args:
-        lighting: As drawn from the recipe.
-        plan: For its playing area.
-        all_lights: Scale window light and ambient too; else only the practical lamps.
-        share: Of the wanted level that the lamps give; None is what the rest leaves, and enough to be seen to burn.
+        lighting: The plan of the recipe.
+        plan: The set, for its playing area.
+        all_lights: Whether window light and ambient light are scaled too; else only practical lamps.
+        share: Share of the wanted level that the lamps give; None for what other light leaves.
     """
     size = plan.size
     xs, ys = np.linspace(size.x_negative, size.x, 5), np.linspace(size.y_negative, size.y, 5)
@@ -55,21 +57,21 @@ def metered(lighting: Lighting, plan: SetPlan, *, all_lights: bool, share: float
     wanted = lighting.set_luminance / _GREY * _MEAN_OVER_GEOMETRIC
     own = max(wanted - rest, _LEAST_SHARE * wanted) if share is None else share * wanted
     gain = min(own / given, 30.0)
-    # Out of doors a lamp is raised for the whole place: were its halo raised as much, there would be nothing but halo.
+    # Outdoors a lamp is raised for the whole place; a halo raised as much would cover everything.
     air = 1.0 if all_lights else max(gain, 1.0) ** -0.5
 
     def raised(light: Light) -> Light:
         power = light.power * gain
-        if not all_lights and light.location[2] < _AMONG_PEOPLE:  # a fire: who sits at it is near it
+        if not all_lights and light.location[2] < _AMONG_PEOPLE:  # a fire: people sit near it
             power = min(power, _HOTTEST * wanted * 4 * math.pi**2 * _BESIDE**2)
         return light.model_copy(update={"power": round(power, 3), "glow": round(light.glow * air, 4)})
 
     lights = tuple(raised(light) if light in scaling else light for light in lighting.lights)
     return lighting.model_copy(
-        update={"lights": lights, "ambient": scaled(lighting.ambient, gain) if all_lights else lighting.ambient}
+        update={"lights": lights, "ambient": scale_color(lighting.ambient, gain) if all_lights else lighting.ambient}
     )
 
 
-def scaled(color: Color, gain: float) -> Color:
+def scale_color(color: Color, gain: float) -> Color:
     """Return a colour ``gain`` times as bright."""
     return (color[0] * gain, color[1] * gain, color[2] * gain)

@@ -1,6 +1,6 @@
-"""The Lighting Arranger: hour, weather and lamps of a place become the scene's light plan; changes become new plans.
+"""The Lighting Arranger without a model: hour, weather and lamps become a scene's light plan; changes become new plans.
 
-Faces are not lit here: key, fill and rim of a shot are solved by the renderer for its camera (``look.face_light``).
+Faces are not lit here: the renderer solves key, fill and rim of a shot for its camera (``look.face_light``).
 """
 
 from __future__ import annotations
@@ -8,14 +8,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from storyblender.agents.visual_effects_artist.exterior_light import exterior
-from storyblender.agents.visual_effects_artist.interior_light import interior
+from storyblender.agents.visual_effects_artist.exterior_light import light_exterior
+from storyblender.agents.visual_effects_artist.interior_light import light_interior
 from storyblender.agents.visual_effects_artist.lighting_arranger_view import (
     MOST_LIGHTS,
     LightingArrangerView,
     burning_lamps,
     lighting_arranger_view,
-    strongest,
+    strongest_lights,
 )
 from storyblender.catalog.light_recipes import DARKENED, MOON, mix
 from storyblender.catalog.set_plan import SetPlan
@@ -48,18 +48,24 @@ _QUALITIES: dict[LightQuality, dict[str, object]] = {
 
 
 class RulesLightingArranger:
-    """Lights by recipe (notes: sets and light, 1.4; director, 4.5)."""
+    """Lights by recipe."""
 
     def propose(self, view: LightingArrangerView) -> Lighting:
         """Return the light plan of a scene, or the light after a change of it."""
-        return _of_scene(view) if view.current is None else _changed(view.current, view)
+        return _light_scene(view) if view.current is None else _change_light(view.current, view)
 
     def refine(self, draft: Lighting, critique: Critique, view: LightingArrangerView) -> Lighting:
-        """Keep the strongest lamps; raise the level where it would be too dark to read."""
+        """Keep the strongest lamps; raise levels that are too dark to read.
+
+        Args:
+            draft: The light plan.
+            critique: Its faults.
+            view: The scene.
+        """
         kinds = {fault.kind for fault in critique.faults}
         update: dict[str, object] = {}
         if "too_many_lights" in kinds:
-            update["lights"] = strongest(draft.lights, MOST_LIGHTS)
+            update["lights"] = strongest_lights(draft.lights, MOST_LIGHTS)
         if "too_dark" in kinds:
             update["set_luminance"] = max(draft.set_luminance, 0.02)
         if "flat_faces" in kinds:
@@ -67,21 +73,22 @@ class RulesLightingArranger:
         return draft.model_copy(update=update)
 
 
-def _of_scene(view: LightingArrangerView) -> Lighting:
-    lighting = exterior(view) if view.plan.under_the_sky else interior(view)
+def _light_scene(view: LightingArrangerView) -> Lighting:
+    """Return the light plan of a scene by its hour, weather, lamps and light qualities."""
+    lighting = light_exterior(view) if view.plan.under_the_sky else light_interior(view)
     return _with_qualities(lighting, view.setup.light)
 
 
-def _changed(current: Lighting, view: LightingArrangerView) -> Lighting:
-    """Return the light after a change."""
+def _change_light(current: Lighting, view: LightingArrangerView) -> Lighting:
+    """Return the light after the change of the view: another hour, lamps on or off, or other qualities."""
     change, setup = view.change or LightChange(), view.setup
     if change.hour is not None and change.hour != setup.time_of_day:
-        return _of_scene(replace(view, setup=setup.model_copy(update={"time_of_day": change.hour})))
+        return _light_scene(replace(view, setup=setup.model_copy(update={"time_of_day": change.hour})))
     if change.lamps == "off":
         return lights_out(current, indoor=view.plan.indoor)
     if change.lamps == "on":
-        plan = _of_scene(replace(view, setup=setup.model_copy(update={"light": ()})))
-        return plan if _practicals(plan) else _lamps_burn(plan, view)
+        plan = _light_scene(replace(view, setup=setup.model_copy(update={"light": ()})))
+        return plan if _has_practicals(plan) else _add_burning_lamps(plan, view)
     return _with_qualities(current, change.qualities)
 
 
@@ -89,7 +96,12 @@ class LightingArrangerCritic:
     """Checks that a plan can be rendered and read."""
 
     def judge(self, draft: Lighting, view: LightingArrangerView) -> Critique:
-        """Score ten less: too many lamps, no light at all, faces under their surroundings."""
+        """Return the critique of a plan: too many lamps, no light at all, faces darker than the set.
+
+        Args:
+            draft: The light plan.
+            view: The scene.
+        """
         faults: list[Fault] = []
         if len(draft.lights) > MOST_LIGHTS:
             faults.append(
@@ -105,12 +117,23 @@ class LightingArrangerCritic:
 
 
 def light_place(setup: SceneSetup, plan: SetPlan, environment: Environment) -> Lighting:
-    """Return the light plan of a place without props of the script: what ``propose`` gives before the layout."""
+    """Return the light plan of a place without its props, as it is before the layout.
+
+    Args:
+        setup: Hour, weather and light of the place.
+        plan: The set.
+        environment: Its environment.
+    """
     return RulesLightingArranger().propose(LightingArrangerView(setup, plan, environment))
 
 
 def lights_out(lighting: Lighting, *, indoor: bool) -> Lighting:
-    """Return a plan with its lamps out: what comes through the windows stays, and a little blue air."""
+    """Return a plan with its lamps out: light from windows stays dimmed, with a little blue ambient light.
+
+    Args:
+        lighting: The plan.
+        indoor: Whether the place is a room.
+    """
     dark = tuple(
         light.model_copy(update={"power": light.power * 0.5, "color": mix(light.color, MOON, 0.6)})
         for light in lighting.lights
@@ -131,12 +154,14 @@ def lights_out(lighting: Lighting, *, indoor: bool) -> Lighting:
     )
 
 
-def _practicals(lighting: Lighting) -> bool:
+def _has_practicals(lighting: Lighting) -> bool:
+    """Return whether a plan has practical lamps."""
     return any(light.role == "practical" for light in lighting.lights)
 
 
-def _lamps_burn(plan: Lighting, view: LightingArrangerView) -> Lighting:
-    return plan.model_copy(update={"lights": strongest((*plan.lights, *burning_lamps(view, 1.0)), MOST_LIGHTS)})
+def _add_burning_lamps(plan: Lighting, view: LightingArrangerView) -> Lighting:
+    """Return a plan with all lamps of the set and its props burning."""
+    return plan.model_copy(update={"lights": strongest_lights((*plan.lights, *burning_lamps(view, 1.0)), MOST_LIGHTS)})
 
 
 def _with_qualities(lighting: Lighting, qualities: Sequence[LightQuality]) -> Lighting:

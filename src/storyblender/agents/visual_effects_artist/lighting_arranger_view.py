@@ -1,4 +1,4 @@
-"""What the Lighting Arranger's rules look at, and the lamps they find there."""
+"""The Lighting Arranger's view of a scene, and the lamps in it."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from storyblender.memory.scene_context import Environment, Layout, Light, Lighti
 from storyblender.memory.shot_context import LightChange
 
 MOST_LIGHTS = 20
-"""Lamps a plan may have; every one costs time in every frame."""
+"""Most lights of a plan; every one costs time in every frame."""
 _REACH = 26.0
 """Metres from the stage beyond which a lamp is scenery, not light."""
 
 
-class Carried(NamedTuple):
-    """A lamp away from its layout position: where it is now, and where the beam points if a person holds it."""
+class CarriedLamp(NamedTuple):
+    """A lamp away from its layout position: its place, and where a person aims its beam (world metres)."""
 
     place: Vec3
     aim: Vec3 | None
@@ -33,18 +33,18 @@ class Carried(NamedTuple):
 
 @dataclass(frozen=True)
 class LightingArrangerView:
-    """What the Lighting Arranger sees.
+    """What the Lighting Arranger sees of a scene.
 
     Attributes:
-        setup: Time, weather and the words on light.
+        setup: Hour, weather and light of the place.
         plan: The set with its windows and its own lamps.
-        environment: Its seed decides which side the sun comes from.
-        layout: Where lamp props stand; without it the plan's furnishings count.
-        assets: To know which of the layout's objects are lamps.
-        current: The light until now, where the script changes it.
-        change: What changes about it.
-        told: Whether a lamp burns, by asset id, for those of which the story tells it.
-        carried: Where lamps are that have left their places, by asset id.
+        environment: Its seed decides from which side the sun comes.
+        layout: Positions of lamp props; None for those of the plan's furnishings.
+        assets: Assets of the scene, to know which objects are lamps.
+        current: The light so far, if the script changes it.
+        change: The change.
+        burning: Whether a lamp burns, by asset id, if the story says so.
+        carried: Lamps that have left their places, by asset id.
     """
 
     setup: SceneSetup
@@ -54,8 +54,8 @@ class LightingArrangerView:
     assets: tuple[Asset, ...] = ()
     current: Lighting | None = None
     change: LightChange | None = None
-    told: Mapping[str, bool] = field(default_factory=dict[str, bool])
-    carried: Mapping[str, Carried] = field(default_factory=dict[str, Carried])
+    burning: Mapping[str, bool] = field(default_factory=dict[str, bool])
+    carried: Mapping[str, CarriedLamp] = field(default_factory=dict[str, CarriedLamp])
 
 
 def lighting_arranger_view(
@@ -64,10 +64,10 @@ def lighting_arranger_view(
     """Return the Lighting Arranger's projection of the graph.
 
     Args:
-        graph: With the scene's set and layout.
-        scene_id: Of the scene.
-        current: The light until now, where the script changes it.
-        change: What changes about it.
+        graph: The graph, with the scene's set and layout.
+        scene_id: Number of the scene.
+        current: The light so far, if the script changes it.
+        change: The change.
     """
     scene = graph.scene(scene_id)
     assert scene.environment is not None, "the set comes before its light"
@@ -76,9 +76,14 @@ def lighting_arranger_view(
 
 
 def burning_lamps(view: LightingArrangerView, share: float) -> tuple[Light, ...]:
-    """Return the burning lamps: those of the architecture and one inside every lamp prop."""
+    """Return the lights that burn: those of the set and one in every lamp prop that is not off.
+
+    Args:
+        view: The scene.
+        share: Share of their power, 0 to 1, for lamps that the story does not mention.
+    """
     lights = [(light, share) for light in view.plan.lamps]
-    lights += [(light, 1.0 if told else share) for light, told in _lamp_props(view)]
+    lights += [(light, 1.0 if told else share) for light, told in _list_lamp_props(view)]
     return tuple(
         light.model_copy(update={"power": round(light.power * part, 3)})
         for light, part in lights
@@ -86,15 +91,15 @@ def burning_lamps(view: LightingArrangerView, share: float) -> tuple[Light, ...]
     )
 
 
-def _lamp_props(view: LightingArrangerView) -> Iterator[tuple[Light, bool]]:
-    """Yield the light of every lamp prop that is not off, and whether the story tells that it burns."""
-    for prop in _standing_props(view):
-        kind, told = LAMPS.get(prop.key), view.told.get(prop.asset_id)
+def _list_lamp_props(view: LightingArrangerView) -> Iterator[tuple[Light, bool]]:
+    """Yield the light of every lamp prop that is not off, and whether the story says that it burns."""
+    for prop in _list_placed_props(view):
+        kind, told = LAMPS.get(prop.key), view.burning.get(prop.asset_id)
         if kind is None or told is False or (told is None and (prop.unlit or kind.off_by_default)):
             continue
         carried = view.carried.get(prop.asset_id)
         place = prop.place if carried is None else carried.place
-        spot, ahead = _shining(prop, kind, place)
+        spot, ahead = _lamp_beam(prop, kind, place)
         if carried is not None and carried.aim is not None:
             spot, ahead = (place[0], place[1], round(place[2] + kind.offset[2], 3)), carried.aim
         light = Light(
@@ -113,8 +118,8 @@ def _lamp_props(view: LightingArrangerView) -> Iterator[tuple[Light, bool]]:
         yield light, bool(told)
 
 
-def _shining(prop: _Standing, kind: LampKind, place: Vec3) -> tuple[Vec3, Vec3]:
-    """Return where the light of a standing lamp is, and what it points at: the floor, or what is before it."""
+def _lamp_beam(prop: _PlacedProp, kind: LampKind, place: Vec3) -> tuple[Vec3, Vec3]:
+    """Return the position of a lamp's light, and the point it shines at: the floor, or 2 m ahead for a beam."""
     entry = PROPS.get(prop.key)
     at = (0.0, 0.0, 0.5) if entry is None or entry.lamp is None else entry.lamp
     usual = entry.size[2] if entry is not None else 1.0
@@ -128,8 +133,8 @@ def _shining(prop: _Standing, kind: LampKind, place: Vec3) -> tuple[Vec3, Vec3]:
     return spot, (x + 2 * math.sin(turn), y - 2 * math.cos(turn), spot[2]) if beam else (x, y, 0.0)
 
 
-class _Standing(NamedTuple):
-    """A prop of the scene: what it is, where it stands, how high it is, whether it was built dark."""
+class _PlacedProp(NamedTuple):
+    """A prop of the scene: place in metres, yaw in degrees, height in metres, and whether it was built dark."""
 
     node_id: str
     asset_id: str
@@ -140,21 +145,21 @@ class _Standing(NamedTuple):
     unlit: bool
 
 
-def _standing_props(view: LightingArrangerView) -> Iterator[_Standing]:
+def _list_placed_props(view: LightingArrangerView) -> Iterator[_PlacedProp]:
     """Yield every prop of the scene, and every lamp that a person brought."""
     if view.layout is None:
         for item in view.plan.furnishings:
             height = float(item.params.get("height", 0.0))
-            yield _Standing(
-                item.node_id, item.node_id, item.prop, item.location, item.yaw, height, is_dark(item.params)
+            yield _PlacedProp(
+                item.node_id, item.node_id, item.prop, item.location, item.yaw, height, is_built_dark(item.params)
             )
         return
     assets = {asset.asset_id: asset for asset in view.assets}
     for placed in view.layout.objects:
         asset = assets.get(placed.asset_id)
         if asset is not None and asset.canonical is not None and (key := prop_key(asset)):
-            made, dark = asset.canonical, is_dark(asset.canonical.params)
-            yield _Standing(
+            made, dark = asset.canonical, is_built_dark(asset.canonical.params)
+            yield _PlacedProp(
                 placed.node_id, asset.asset_id, key, placed.location, placed.rotation[2], made.dimensions[2], dark
             )
     homes = {placed.asset_id for placed in view.layout.objects}
@@ -162,26 +167,26 @@ def _standing_props(view: LightingArrangerView) -> Iterator[_Standing]:
         asset = assets.get(asset_id)
         if asset_id not in homes and asset is not None and asset.canonical is not None:
             made = asset.canonical
-            yield _Standing(
-                asset_id, asset_id, prop_key(asset), carried.place, 0.0, made.dimensions[2], is_dark(made.params)
+            yield _PlacedProp(
+                asset_id, asset_id, prop_key(asset), carried.place, 0.0, made.dimensions[2], is_built_dark(made.params)
             )
 
 
 def prop_key(asset: Asset) -> str:
-    """Return the key of the prop that an asset is, of a user's model what it is called; empty if it is neither."""
+    """Return the catalog key of an asset's prop; for a user's model, of the prop with its name; else empty."""
     if asset.canonical is None or asset.canonical.source not in ("catalog", "file"):
         return ""
     named = prop_named(asset.name) if asset.canonical.source == "file" else None
     return named.key if named is not None else asset.canonical.key if asset.canonical.source == "catalog" else ""
 
 
-def is_dark(params: Mapping[str, ParamValue]) -> bool:
-    """Return whether a prop that shines was built dark."""
+def is_built_dark(params: Mapping[str, ParamValue]) -> bool:
+    """Return whether a prop with these parameters was built without its light."""
     return bool(params.get("unlit")) or params.get("lit") is False or params.get("on") is False
 
 
-def strongest(lights: tuple[Light, ...], count: int) -> tuple[Light, ...]:
-    """Return the ``count`` lamps that give the stage most, in their order; the sun always stays."""
+def strongest_lights(lights: tuple[Light, ...], count: int) -> tuple[Light, ...]:
+    """Return the ``count`` lights that give the stage most, in their order; the sun always stays."""
 
     def weight(light: Light) -> float:
         if light.kind == "SUN":
@@ -193,7 +198,7 @@ def strongest(lights: tuple[Light, ...], count: int) -> tuple[Light, ...]:
 
 
 def mean_color(lights: tuple[Light, ...]) -> Color:
-    """Return the colour of the lamps together, by their watts."""
+    """Return the mean colour of lights, weighted by their power."""
     watts = sum(light.power for light in lights) or 1.0
     red, green, blue = (sum(light.power * light.color[band] for light in lights) / watts for band in range(3))
     return (red, green, blue)

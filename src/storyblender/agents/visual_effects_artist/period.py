@@ -1,11 +1,11 @@
-"""When a set is furnished: the period of the age of a story, and what places were before their time."""
+"""The period in which a set is furnished, from the age of the story, and the older kits of places."""
 
 from __future__ import annotations
 
 from storyblender.catalog.sets.drawing import Period
 from storyblender.memory.vocabulary import Age
 
-BEFORE: dict[Period, dict[str, str]] = {
+OLDER_KITS: dict[Period, dict[str, str]] = {
     "past": {
         "trench": "open_ground", "apartment": "living_room", "motel_room": "bedroom", "hospital_room": "bedroom",
         "open_office": "office", "meeting_room": "dining_room", "coffee_shop": "cafe", "diner": "bar",
@@ -20,8 +20,8 @@ BEFORE: dict[Period, dict[str, str]] = {
         "server_room": "archive",
     },
 }  # fmt: skip
-"""What a place is before its time: knights meet on a field, and a flat of the forties has no kitchen along a wall."""
+"""Kit of a place before its time, by period: knights meet on open ground, a flat of the forties is a living room."""
 PERIOD_OF_AGE: dict[Age, Period] = {
     "medieval": "past", "west": "past", "victorian": "past", "classic": "classic", "space": "modern", "today": "modern",
 }  # fmt: skip
-"""Period of an age; where a story tells none, each place is furnished as it usually is."""
+"""Period of each age; a story without one has each place furnished as usual."""

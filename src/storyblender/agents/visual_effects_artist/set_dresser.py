@@ -1,10 +1,10 @@
-"""The Set Dresser: the furnishings of a set become assets and placed objects, giving way to what the script names.
+"""The Set Dresser: furnishings of a set become assets and placed objects, and give way to things of the script.
 
 Hand-over to the Spatial Planner
-    ``SetDresserDraft.objects`` stand already: the kit's furniture (``fixed``, one asset per prop and shared by all
-    scenes) and those things of the script that took over a furnishing's place, such as the script's own piano in a
+    ``SetDresserDraft.objects`` have their places: the kit's furniture (``fixed``, one asset per prop and shared by all
+    scenes) and those things of the script that took a furnishing's place, such as the script's own piano in a
     cafe (also ``fixed``; their ``node_id`` is their asset id). ``SetDresserDraft.pending`` are the script's objects
-    that still need a place; the planner puts them around, on or in what stands. ``SetDresserDraft.assets`` join the
+    that still need a place; the planner puts them around, on or in the others. ``SetDresserDraft.assets`` join the
     asset sheet.
 """
 
@@ -35,27 +35,27 @@ from storyblender.memory.scene_context import LayoutObject, SceneSetup
 from storyblender.reflection import Critique, Fault
 
 _STAGE: Vec2 = (0.0, 0.8)
-"""Where the script's things want to be: the middle, a little away from the audience."""
+"""Floor point where things of the script are wanted: the middle, a little away from the audience."""
 
 _TOGETHER = 1.8
-"""Metres from a thing of the script to the furnishing that is replaced by another thing beside it."""
+"""Most metres from a thing of the script to a furnishing that is replaced by the thing beside it."""
 _LARGEST_SHARE_OF_FLOOR = 0.25
 """Share of a room's floor above which an object is too large for the room."""
 _VEHICLES = family_of("car")
 """Vehicles: those in the script replace all vehicles of the kit."""
 _COUNTERS = frozenset({"bar_counter", "counter"})
-"""Of these a place has one, whatever the script calls it: she walks to the bar and puts her glass on the counter."""
+"""A place has only one of these: in a bar, "the bar" and "the counter" are the same thing."""
 
 
 @dataclass(frozen=True)
 class SetDresserView:
-    """What the Set Dresser sees.
+    """What the Set Dresser sees of a scene.
 
     Attributes:
-        setup: With the script's relations.
-        plan: Of the scene's environment.
-        objects: The script's own objects in this scene, with what they became (``canonical``) where known.
-        people: How many are on stage at once.
+        setup: The setup with the script's relations.
+        plan: The set.
+        objects: The script's own objects in this scene, with their geometry (``canonical``) if known.
+        people: Number of people on stage at once.
     """
 
     setup: SceneSetup
@@ -70,7 +70,7 @@ class SetDresserDraft(Frozen):
     assets: tuple[Asset, ...] = ()
     """Dressing of this scene (``origin = "dressing"``): the same prop is the same asset in every scene."""
     objects: tuple[LayoutObject, ...] = ()
-    """What stands already, in world coordinates."""
+    """Placed objects, in world coordinates."""
     pending: tuple[Identifier, ...] = ()
     """Asset ids of the script's objects that the Spatial Planner has to place."""
     dropped: tuple[str, ...] = ()
@@ -81,8 +81,8 @@ def set_dresser_view(graph: ContinuityMemoryGraph, scene_id: int) -> SetDresserV
     """Return the Set Dresser's projection of the graph.
 
     Args:
-        graph: With the scene's environment.
-        scene_id: Of the scene.
+        graph: The graph, with the scene's environment.
+        scene_id: Number of the scene.
     """
     scene = graph.scene(scene_id)
     assert scene.environment is not None, "the set comes before its dressing"
@@ -96,7 +96,7 @@ def set_dresser_view(graph: ContinuityMemoryGraph, scene_id: int) -> SetDresserV
 
 
 class RulesSetDresser:
-    """Places what the kit planned; the script's things come first, optional dressing gives way."""
+    """Dresses the set as its kit plans; things of the script come first, optional dressing gives way."""
 
     def propose(self, view: SetDresserView) -> SetDresserDraft:
         """Return the dressed set."""
@@ -113,7 +113,7 @@ class RulesSetDresser:
         served = _has_counter(taken)
         return SetDresserDraft(
             assets=tuple(assets.values()),
-            objects=tuple(item.placed() for item in kept),
+            objects=tuple(item.layout_object() for item in kept),
             pending=tuple(
                 asset.asset_id
                 for asset in view.objects
@@ -126,7 +126,13 @@ class RulesSetDresser:
         )
 
     def refine(self, draft: SetDresserDraft, critique: Critique, view: SetDresserView) -> SetDresserDraft:
-        """Leave out what the critic names."""
+        """Leave out the objects that the critic's faults name.
+
+        Args:
+            draft: The dressed set.
+            critique: Its faults.
+            view: The scene.
+        """
         gone = {fault.subject for fault in critique.faults}
         kept = tuple(item for item in draft.objects if item.node_id not in gone)
         used = {item.asset_id for item in kept}
@@ -139,10 +145,15 @@ class RulesSetDresser:
 
 
 class SetDresserCritic:
-    """Looks for dressing that stands in other dressing or outside the set."""
+    """Finds dressing that stands in other dressing or outside the set."""
 
     def judge(self, draft: SetDresserDraft, view: SetDresserView) -> Critique:
-        """Score ten less one for each; a fault's subject is the object to leave out."""
+        """Return the critique of a dressed set; a fault's subject is the object to leave out.
+
+        Args:
+            draft: The dressed set.
+            view: The scene.
+        """
         required = {item.node_id for item in view.plan.furnishings if item.required}
         sizes = {asset.asset_id: size_of_asset(asset) for asset in (*draft.assets, *view.objects)}
         boxes = [(item, box_at(item.location, item.rotation[2], sizes[item.asset_id])) for item in draft.objects]
@@ -176,7 +187,7 @@ def _assign_furnishing_places(view: SetDresserView) -> dict[str, Asset]:
     }
     ids = {asset.asset_id for asset in view.objects} - places
     waiting = [asset for asset in view.objects if asset.asset_id in ids - floating]
-    waiting.sort(key=lambda asset: anchors.get(asset.asset_id) in ids)  # stable: what others stand next to goes first
+    waiting.sort(key=lambda asset: anchors.get(asset.asset_id) in ids)  # stable: anchors of others go first
     for asset in waiting:
         anchor = anchors.get(asset.asset_id)
         if (anchor in ids and anchor not in where) or (prop_of(asset) in _COUNTERS and _has_counter(taken)):
@@ -204,7 +215,7 @@ def _is_the_place(asset: Asset, view: SetDresserView) -> bool:
     if any(name == word or name.endswith(f" {word}") for word in kit.has):
         return True
     prop, place = prop_of(asset), view.setup.place.lower().split()
-    if kit.indoor and place and name.split()[-1:] == place[-1:]:  # we are in the house; a bar has a bar
+    if kit.indoor and place and name.split()[-1:] == place[-1:]:  # in a house "the house" is the set
         return all(item.prop != prop for item in view.plan.furnishings)
     if prop is not None:
         return False

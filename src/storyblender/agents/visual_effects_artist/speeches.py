@@ -1,4 +1,4 @@
-"""Speeches and listening: how long words take, whom they are said to, who looks where meanwhile. Pure."""
+"""Speeches: how long words take, whom they are addressed to, and who looks where meanwhile."""
 
 from __future__ import annotations
 
@@ -21,15 +21,20 @@ class Speeches:
 
     Args:
         stage: People and props.
-        sheet: Where the cues go.
-        calling: People on the phone; their speech is for nobody nearby unless the script says so.
+        sheet: The cue sheet that takes the cues.
+        calling: Asset ids of people on the phone; they address nobody nearby unless the script says so.
     """
 
     def __init__(self, stage: StageState, sheet: CueSheet, calling: Collection[str] = ()) -> None:
         self.stage, self.sheet, self.calling = stage, sheet, calling
 
     def speech_seconds(self, shot: ShotContext, lines: Sequence[ScriptLine]) -> dict[int, float]:
-        """Return the length of every spoken action: its words, fitted into the shot."""
+        """Return the length of each speech in seconds, by number of its action; shortened to fit into the shot.
+
+        Args:
+            shot: The shot.
+            lines: Lines of the script that it covers.
+        """
         spoken: dict[int, float] = {}
         for number, action in enumerate(shot.character_actions):
             if clip_of(action.motion).key in SPOKEN:
@@ -47,7 +52,14 @@ class Speeches:
         seconds: float,
         cast: Sequence[StagedPerson],
     ) -> None:
-        """Write a speech, and what everybody else does meanwhile."""
+        """Write the cues of a speech, and of everybody else meanwhile.
+
+        Args:
+            action: The speech.
+            person: The speaker.
+            seconds: Its length.
+            cast: Everybody on stage.
+        """
         partner = self.stage.people.get(action.target_id or "")
         others = [p for p in cast if p is not person and p.posture != "asleep"]
         if partner is None or not partner.present or partner is person:
@@ -58,7 +70,7 @@ class Speeches:
         turned = walking
         if partner is not None and start >= walking:
             start = self.sheet.turn_to_person(person, partner, start)
-        elif partner is not None and person.upright:  # words begin on the way: who has come turns to whom they address
+        elif partner is not None and person.upright:  # the speech begins on the way: the speaker turns on arrival
             turned = self.sheet.turn_to_person(person, partner, walking)
         target = partner.asset_id if partner else None
         end = self.sheet.add_cue(person, clip_of(action.motion).key, start, seconds, target_id=target, mood=action.mood)
@@ -74,7 +86,12 @@ class Speeches:
         self.sheet.clock = end
 
     def add_idle_looks(self, shot: ShotContext, cast: Sequence[StagedPerson]) -> None:
-        """Who has nothing to do at first looks where the script says, or at whoever acts."""
+        """Let everybody without a first cue look where the script says, else at the person who acts first.
+
+        Args:
+            shot: The shot with the states of people.
+            cast: Everybody on stage.
+        """
         looks: Mapping[str, str | None] = {state.asset_id: state.looking_at for state in shot.states}
         elsewhere = {state.asset_id for state in shot.states if state.gaze is not None}
         first = min(self.sheet.cues, key=lambda cue: cue.start, default=None)
@@ -99,5 +116,6 @@ class Speeches:
 
 
 def _line_of_action(action: CharacterAction, lines: Sequence[ScriptLine]) -> ScriptLine | None:
+    """Return the line of the script that an action speaks; None if it has none."""
     index = action.line_index
     return lines[index] if index is not None and 0 <= index < len(lines) else None

@@ -1,4 +1,4 @@
-"""Doors of vehicles: a passenger gets in or out at the door of their seat, which is open during that. Pure."""
+"""Doors of vehicles: a passenger gets in or out at the door of their seat, which is open meanwhile."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ _AT_DOOR = 0.75
 
 
 def boarding_station(stage: StageState, person: StagedPerson, state: BodyState) -> Station | None:
-    """Return the standing place of a passenger before getting in: at the door of their seat.
+    """Return where a passenger stands before getting in: at the door of their seat; None without a door or seat.
 
     Args:
-        stage: Of the scene.
-        person: Who gets in.
-        state: Theirs at the end of the shot, with the vehicle as support.
+        stage: The state of the scene.
+        person: The passenger.
+        state: Their state at the end of the shot, with the vehicle as support.
     """
     spot = state.spot
     thing = stage.floor.thing(state.support_id) or stage.floor.thing(spot.anchor_id if spot else None)
@@ -45,12 +45,12 @@ def boarding_station(stage: StageState, person: StagedPerson, state: BodyState) 
 def leaving_station(
     stage: StageState, person: StagedPerson, action: CharacterAction
 ) -> tuple[PlacedObject, Station] | None:
-    """Return the vehicle a passenger gets out of and the place to stand then; None if it has no doors.
+    """Return the vehicle that a passenger gets out of, and where they then stand; None if it has no doors.
 
     Args:
-        stage: Of the scene.
-        person: Who sits in it, or is seen for the first time as they get out.
-        action: What they do.
+        stage: The state of the scene.
+        person: The passenger; they sit in it, or are first seen as they get out.
+        action: Their action.
     """
     anchor, thing = person.anchor, stage.floor.things.get(person.support or "")
     if thing is None and action.gets_out and (thing := stage.floor.thing(action.target_id)) is not None:
@@ -61,6 +61,7 @@ def leaving_station(
 
 
 def _station_at_door(thing: PlacedObject, name: str) -> Station | None:
+    """Return the standing place at a vehicle's door with a name, else at its first door; None if it has none."""
     doors = thing.anchors_of("door")
     door = next((door for door in doors if door.name == name), doors[0] if doors else None)
     if door is None:
@@ -77,9 +78,9 @@ def add_open_doors(
     """Return the shots with vehicle doors open while a passenger gets in or out, and closed after.
 
     Args:
-        shots: Of one scene, staged, in order.
+        shots: All shots of one scene, staged, in order.
         objects: The layout.
-        assets: Of the scene, built.
+        assets: Assets of the scene, built.
     """
     made = {asset.asset_id: asset.canonical for asset in assets if asset.canonical is not None}
     vehicles = [item for item in objects if item.asset_id in made and _door_names(made[item.asset_id].anchors)]
@@ -109,6 +110,7 @@ def add_open_doors(
 
 
 def _door_names(anchors: Sequence[Anchor]) -> bool:
+    """Return whether any of the anchors is a door with a name."""
     return any(anchor.kind == "door" and anchor.name for anchor in anchors)
 
 
@@ -146,5 +148,6 @@ def _doors_in_use(
 
 
 def _distance_to_door(mark: Mark, world: NDArray[np.float64], anchor: Anchor) -> float:
+    """Return the metres on the floor between a mark and a door's anchor."""
     x, y, _ = world[:3, :3] @ np.asarray(anchor.location) + world[:3, 3]
     return math.dist(mark.location[:2], (float(x), float(y)))

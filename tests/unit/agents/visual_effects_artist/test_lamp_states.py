@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from storyblender.agents.director.lighting import light_change
-from storyblender.agents.visual_effects_artist.lamp_states import lit_shots
+from storyblender.agents.visual_effects_artist.lamp_states import light_shots
 from storyblender.agents.visual_effects_artist.lighting_arranger import LightingArrangerView, RulesLightingArranger
 from storyblender.agents.visual_effects_artist.lighting_arranger_view import prop_key
 from storyblender.catalog.light_recipes import LAMPS
@@ -64,7 +64,7 @@ def _plans(
     view: LightingArrangerView, *shots: ShotContext, **found: tuple[str, ...]
 ) -> tuple[list[Lighting], list[ShotContext]]:
     usual = RulesLightingArranger().propose(view)
-    current, lit, _ = lit_shots(usual, view, shots, found, _changed)
+    current, lit, _ = light_shots(usual, view, shots, found, _changed)
     plans: list[Lighting] = []
     for shot in lit:
         current = shot.lighting or current
