@@ -131,7 +131,7 @@ def placed_take(view: CameraOperatorView, placed: FreeCamera) -> CameraOperatorD
     hidden = ()
     if view.plan is not None:
         cameras = dict.fromkeys((first, middle, last))
-        hidden = taken_away(view.plan, view.removable_props, cameras, _sight_targets(view))
+        hidden = find_hidden_nodes(view.plan, view.removable_props, cameras, _sight_targets(view))
     return CameraOperatorDraft(middle, first, last, tuple(hidden))
 
 
