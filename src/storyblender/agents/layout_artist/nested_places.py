@@ -21,7 +21,7 @@ _SILL = 0.12
 """Metres of a thing's depth that stand on a sill."""
 
 
-def place_inside(stage: LayoutStage, asset_id: str, anchor: Thing) -> bool:
+def place_in_hollow(stage: LayoutStage, asset_id: str, anchor: Thing) -> bool:
     """Place a thing in a hollow one, or on a seat of a vehicle with doors; return whether there was room.
 
     Args:

@@ -88,7 +88,10 @@ class LampStates:
         held = {state.asset_id for state in shot.prop_states if state.held_by is not None and state.visible}
         gone = {state.asset_id for state in shot.prop_states if not state.visible} | {*shot.absent}
         lamps = {asset.asset_id: LAMPS[key] for asset in self.view.assets if (key := prop_key(asset)) in LAMPS}
-        told = {**dict.fromkeys((lamp for lamp in held & lamps.keys() if lamps[lamp].off_by_default), True), **self.burning}
+        told = {
+            **dict.fromkeys((lamp for lamp in held & lamps.keys() if lamps[lamp].off_by_default), True),
+            **self.burning,
+        }
         told |= dict.fromkeys(gone, False)
         return shot, replace(self.view, burning=told, carried=dict(_find_carried_lamps(shot, lamps.keys(), self.view)))
 
