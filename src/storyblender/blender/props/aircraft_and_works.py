@@ -1,4 +1,4 @@
-"""Helicopter, aeroplane, jet, rocket, saucer, tractor, fire engine, locomotive and tank. Their front is -Y."""
+"""Prop builders: aircraft, rocket, saucer, tractor, fire engine, locomotive and tank. Their front is -Y."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Animals as standing shapes with clear outlines. They look to -Y."""
+"""Prop builders: animals as standing shapes with clear outlines. They look to -Y."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Household appliances, food, a glass case and a house. Their front is -Y."""
+"""Prop builders: household appliances, food, a glass case and a house. Their front is -Y."""
 
 from __future__ import annotations
 

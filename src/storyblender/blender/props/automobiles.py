@@ -1,4 +1,4 @@
-"""Cars with an interior: a hollow body with doors that can open, seats, dashboard and wheel. Their front is -Y.
+"""Prop builders: cars with an interior: a hollow body with doors that can open, seats. Their front is -Y.
 
 Window panes are left out so that the people inside are visible. The driver's side is +X, the car's own left.
 """

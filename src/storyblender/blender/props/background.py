@@ -1,4 +1,4 @@
-"""People of the background as plain things: one dressed and posed figure is built once and stands in many places."""
+"""Prop builders: background people, dressed and posed once as plain meshes that stand in many places."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Beasts on four legs from one plan: trunk, neck, head, legs and tail by a few measures. They look to -Y."""
+"""Prop builders: four-legged animals built from one table of measures, a ``Plan``. They look to -Y."""
 
 from __future__ import annotations
 

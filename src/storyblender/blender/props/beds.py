@@ -1,4 +1,4 @@
-"""Beds, bath and toilet, screens. A bed's head is at +Y."""
+"""Prop builders: beds, bath and toilet, screens. A bed's head is at +Y."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Trucks and buses: lofted sections along their length. Their front is -Y."""
+"""Prop builders: trucks and buses: lofted sections along their length. Their front is -Y."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Ordinary things for indoors: a door and a window by themselves, a barbecue, tubs, stacks, badges, bulbs, shoes."""
+"""Prop builders: ordinary things for indoors: a door and a window by themselves, a barbecue, tubs, stacks, badges."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Creatures that are not of the common plan: rabbit, snake, dragon. They look to -Y."""
+"""Prop builders: creatures that the ``Plan`` of ``beasts`` does not fit: rabbit, snake, dragon. They look to -Y."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rugs, stands, globes, plants, statues, games."""
+"""Prop builders: rugs, stands, globes, plants, statues, games."""
 
 from __future__ import annotations
 

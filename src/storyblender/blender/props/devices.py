@@ -1,4 +1,4 @@
-"""Things with a button, a lens or a screen that are held, and small everyday objects."""
+"""Prop builders: things with a button, a lens or a screen that are held, and small everyday objects."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What scripts name in passing: gate, bollard, hook, buttons, security camera, loudspeaker, small gear."""
+"""Prop builders: what scripts name in passing: gate, bollard, hook, buttons, security camera, loudspeaker."""
 
 from __future__ import annotations
 

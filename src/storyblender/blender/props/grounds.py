@@ -1,4 +1,4 @@
-"""What stands on squares, in yards, in camps and on bridges."""
+"""Prop builders: what stands on squares, in yards, in camps and on bridges."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pig, goat, sheep and deer, of the common plan of beasts. They look to -Y."""
+"""Prop builders: pig, goat, sheep and deer, built from a ``Plan`` of ``beasts``. They look to -Y."""
 
 from __future__ import annotations
 

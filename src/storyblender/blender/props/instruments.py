@@ -1,4 +1,4 @@
-"""Musical instruments. What is strung stands with its strings to -Y."""
+"""Prop builders: musical instruments. Stringed ones stand with their strings to -Y."""
 
 from __future__ import annotations
 

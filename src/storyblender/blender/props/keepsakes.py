@@ -1,4 +1,4 @@
-"""Boxes, presents, flowers and toys."""
+"""Prop builders: boxes, presents, flowers and toys."""
 
 from __future__ import annotations
 

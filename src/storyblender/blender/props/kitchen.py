@@ -1,4 +1,4 @@
-"""Stoves, hearths, fridge, sink, radiator, ceiling fan."""
+"""Prop builders: stoves, hearths, fridge, sink, radiator, ceiling fan."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What scholars, judges and machines have on their tables: microscope, flasks, scales, robot, gavel."""
+"""Prop builders: what scholars, judges and machines have on their tables: microscope, flasks, scales, robot, gavel."""
 
 from __future__ import annotations
 

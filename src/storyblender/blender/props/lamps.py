@@ -1,4 +1,4 @@
-"""Lamps, candles and torches. The entry's ``lamp`` says where the light sits."""
+"""Prop builders: lamps, candles and torches. The entry's ``lamp`` says where the light sits."""
 
 from __future__ import annotations
 

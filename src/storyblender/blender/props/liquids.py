@@ -1,4 +1,4 @@
-"""Liquids in motion and at rest: water that runs from a tap, a jet of a hose, what fills a vessel."""
+"""Prop builders: liquids in motion and at rest: water that runs from a tap, a jet of a hose, what fills a vessel."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bags, baskets and what is carried by a handle."""
+"""Prop builders: bags, baskets and what is carried by a handle."""
 
 from __future__ import annotations
 

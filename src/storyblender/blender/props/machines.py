@@ -1,4 +1,4 @@
-"""Radios, telephones, screens, typewriters: machines that stand on tables."""
+"""Prop builders: radios, telephones, screens, typewriters: machines that stand on tables."""
 
 from __future__ import annotations
 

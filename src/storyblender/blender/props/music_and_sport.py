@@ -1,4 +1,4 @@
-"""Drums, harps and pipes; rackets, bats and prizes."""
+"""Prop builders: drums, harps and pipes; rackets, bats and prizes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Trees, bushes, rocks, logs, fire. One mesh a seed; yaw and scale make a wood of a few."""
+"""Prop builders: trees, bushes, rocks, logs, fire. One mesh a seed; yaw and scale make a wood of a few."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Ordinary things of workshops and outdoors: gas bottles, drawers, washing, bunting, smoke, clouds, stages, holes."""
+"""Prop builders: ordinary things of workshops and outdoors: gas bottles, drawers, washing, bunting, smoke, clouds."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cameras, telescopes and microphones on stands."""
+"""Prop builders: cameras, telescopes and microphones on stands."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What people smoke and wash with: cigarettes, matches, razor, soap, tissues, toilet roll, plunger."""
+"""Prop builders: what people smoke and wash with: cigarettes, matches, razor, soap, tissues, toilet roll, plunger."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What lies on desks and in pockets: stacks of paper, stamp, tickets, cards, badges, medal, remote control."""
+"""Prop builders: what lies on desks and in pockets: stacks of paper, stamp, tickets, cards, badges, medal."""
 
 from __future__ import annotations
 

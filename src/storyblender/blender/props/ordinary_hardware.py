@@ -1,4 +1,4 @@
-"""Hardware: bulb, battery, screws, tape, cutters, lock picks, padlock, keys, thread, hose, tire, gas cylinder."""
+"""Prop builders: hardware: bulb, battery, screws, tape, cutters, lock picks, padlock, keys, thread, hose, tire."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Small things of kitchens, baths and pockets: scoop, thermos, lunch box, sponge, wallet, lipstick, fireworks."""
+"""Prop builders: small things of kitchens, baths and pockets: scoop, thermos, lunch box, sponge, wallet, lipstick."""
 
 from __future__ import annotations
 

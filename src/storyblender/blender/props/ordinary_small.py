@@ -1,4 +1,4 @@
-"""Small things that are worn or carried: ties, belt, curlers, whistle, crutch, drumsticks, feather, lead, megaphone."""
+"""Prop builders: small things that are worn or carried: ties, belt, curlers, whistle, crutch, drumsticks, feather."""
 
 from __future__ import annotations
 

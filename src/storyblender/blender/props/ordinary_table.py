@@ -1,4 +1,4 @@
-"""What is on tables: mug, paper cup, water bottle, spoon, chopsticks, cookie, carrot, lollipop, dice."""
+"""Prop builders: what is on tables: mug, paper cup, water bottle, spoon, chopsticks, cookie, carrot, lollipop, dice."""
 
 from __future__ import annotations
 

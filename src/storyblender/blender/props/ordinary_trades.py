@@ -1,4 +1,4 @@
-"""Things of trades and hobbies: bullet, arrow, paper plane, lawn mower, printer, chainsaw."""
+"""Prop builders: things of trades and hobbies: bullet, arrow, paper plane, lawn mower, printer, chainsaw."""
 
 from __future__ import annotations
 

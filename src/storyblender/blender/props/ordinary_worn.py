@@ -1,4 +1,4 @@
-"""Shoes and what is worn or hung: shoe, pump, sandal, sock, garment on a hanger, dress form, ties, belt, curlers."""
+"""Prop builders: shoes and what is worn or hung: shoe, pump, sandal, sock, garment on a hanger, dress form, ties."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Larger ordinary things: excavator, standing fan, mattress, ironing board, clubs and skis, car battery."""
+"""Prop builders: larger ordinary things: excavator, standing fan, mattress, ironing board, clubs and skis."""
 
 from __future__ import annotations
 

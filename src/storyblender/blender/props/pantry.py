@@ -1,4 +1,4 @@
-"""Jars, tins, pots and jugs, and what one cooks with."""
+"""Prop builders: jars, tins, pots and jugs, and what one cooks with."""
 
 from __future__ import annotations
 

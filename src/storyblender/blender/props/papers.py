@@ -1,4 +1,4 @@
-"""Books, letters and what is carried flat in the hand. They lie on their backs; the reader is at +Y."""
+"""Prop builders: books, letters and other flat things. They lie on their backs; the reader is at +Y."""
 
 from __future__ import annotations
 

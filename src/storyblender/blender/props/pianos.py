@@ -1,4 +1,4 @@
-"""The upright and the grand piano."""
+"""Prop builders: the upright and the grand piano."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What belongs to one sort of place: shelves of goods, the shopping cart, the boiler, beach towel and sunshade."""
+"""Prop builders: what belongs to one sort of place: shelves of goods, the shopping cart, the boiler."""
 
 from __future__ import annotations
 

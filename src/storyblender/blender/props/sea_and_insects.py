@@ -1,4 +1,4 @@
-"""Insects, sea creatures and a dinosaur. They face -Y."""
+"""Prop builders: insects, sea creatures and a dinosaur. They face -Y."""
 
 from __future__ import annotations
 

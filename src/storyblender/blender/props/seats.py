@@ -1,4 +1,4 @@
-"""Things to sit on. Fronts face -Y; every seat's anchor is the middle of its front edge."""
+"""Prop builders: things to sit on. Fronts face -Y; every seat's anchor is the middle of its front edge."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Signs: placard, banner, poster, boards and plates. Their front is -Y."""
+"""Prop builders: signs: placard, banner, poster, boards and plates. Their front is -Y."""
 
 from __future__ import annotations
 

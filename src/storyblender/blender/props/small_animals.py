@@ -1,4 +1,4 @@
-"""Small and exotic land animals: squirrel, frog, tortoise, monkey, crocodile, lizard, bat. They face -Y."""
+"""Prop builders: small and exotic animals: squirrel, frog, tortoise, monkey, crocodile, bat. They face -Y."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cupboards, shelves, boxes and barrels."""
+"""Prop builders: cupboards, shelves, boxes and barrels."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The furniture of streets."""
+"""Prop builders: the furniture of streets."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tables and desks."""
+"""Prop builders: tables and desks."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What one eats and drinks from. A right hand comes from -X: its palm looks to +X, its fingers to -Y."""
+"""Prop builders: tableware, and a few things to eat and drink."""
 
 from __future__ import annotations
 

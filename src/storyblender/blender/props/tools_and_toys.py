@@ -1,4 +1,4 @@
-"""Tools, toys, sports equipment and musical instruments. Hand props point along -Y."""
+"""Prop builders: tools, toys, sports equipment and musical instruments. Hand props point along -Y."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The airliner, the rowing boat, bicycles, carts and the pram. Their front is -Y."""
+"""Prop builders: the airliner, the rowing boat, bicycles, carts and the pram. Their front is -Y."""
 
 from __future__ import annotations
 

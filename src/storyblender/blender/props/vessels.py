@@ -1,4 +1,4 @@
-"""Ships and what drives them: a small ship, a mast, a reactor; and the sledge."""
+"""Prop builders: a small ship, a mast, a ship's reactor, and a sledge."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What hangs on or stands against walls: pictures, mirrors, clocks, boards, curtains."""
+"""Prop builders: what hangs on or stands against walls: pictures, mirrors, clocks, boards, curtains."""
 
 from __future__ import annotations
 

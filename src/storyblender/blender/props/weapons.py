@@ -1,4 +1,4 @@
-"""Weapons and long-handled tools. What is pointed points to -Y; what stands has its head up."""
+"""Prop builders: weapons and long-handled tools. Firearms point to -Y; long things stand with their head up."""
 
 from __future__ import annotations
 

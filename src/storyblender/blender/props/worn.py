@@ -1,4 +1,4 @@
-"""What is worn: hats, crowns, helmets, masks, jewels."""
+"""Prop builders: what is worn: hats, crowns, helmets, masks, jewels."""
 
 from __future__ import annotations
 

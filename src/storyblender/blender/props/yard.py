@@ -1,4 +1,4 @@
-"""Of smithies, stables, nurseries and feasts: anvil, barrow, wheel, cage, lantern of paper."""
+"""Prop builders of smithies, stables, nurseries and feasts: anvil, barrow, wheel, cage, lantern of paper."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Wild animals, farm animals and a dragon."""
+"""Catalog entries of props: wild animals, farm animals and a dragon."""
 
 from __future__ import annotations
 

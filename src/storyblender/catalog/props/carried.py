@@ -1,4 +1,4 @@
-"""Devices, luggage, jewels, instruments, toys."""
+"""Catalog entries of props: devices, luggage, jewels, instruments, toys."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Ordinary things that many pages name and that no other entry looks like: doors by themselves, tubs, stacks, smoke."""
+"""Catalog entries of props: common things unlike any other entry: doors by themselves, tubs, stacks, smoke."""
 
 from __future__ import annotations
 

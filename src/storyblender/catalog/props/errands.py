@@ -1,4 +1,4 @@
-"""Tools, toys, appliances and food of everyday scripts, and remains: puddles, shards, flames."""
+"""Catalog entries of props: tools, toys, appliances and food of everyday scripts, and remains: puddles, shards."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What scripts name in passing: gates, hooks, buttons, small gear, and the large things of ships and engine rooms."""
+"""Catalog entries of props: what scripts name in passing: gates, hooks, buttons, small gear."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Lamps, and what hangs on walls."""
+"""Catalog entries of props: lamps, and what hangs on walls."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tables, beds, storage, the bar and the piano."""
+"""Catalog entries of props: tables, beds, storage, the bar and the piano."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Linen, clothes and small things of the house."""
+"""Catalog entries of props: linen, clothes and small things of the house."""
 
 from __future__ import annotations
 

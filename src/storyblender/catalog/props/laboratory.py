@@ -1,4 +1,4 @@
-"""Of laboratories, courts and offices."""
+"""Catalog entries of props of laboratories, courts and offices."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Machines, kitchens, decoration."""
+"""Catalog entries of props: machines, kitchens, decoration."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Instruments, sport and prizes."""
+"""Catalog entries of props: instruments, sport and prizes."""
 
 from __future__ import annotations
 

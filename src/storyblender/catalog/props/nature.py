@@ -1,4 +1,4 @@
-"""Trees, rocks, fire, animals."""
+"""Catalog entries of props: trees, rocks, fire, animals."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Ordinary things that scripts name in passing: hardware, paper, shoes, small household things."""
+"""Catalog entries of props: ordinary things that scripts name in passing: hardware, paper, shoes."""
 
 from __future__ import annotations
 

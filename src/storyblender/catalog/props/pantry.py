@@ -1,4 +1,4 @@
-"""Jars, pots and food."""
+"""Catalog entries of props: jars, pots and food."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The words of a phrase of the script that name a thing: ``small brass key`` is a key, ``pile of money`` is money."""
+"""Finds the words of a script's phrase that name a thing: ``small brass key`` is a key, ``pile of money`` is money."""
 
 from __future__ import annotations
 

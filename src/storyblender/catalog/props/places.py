@@ -1,4 +1,4 @@
-"""What belongs to one sort of place: a shop's shelves and carts, a cellar's boiler, a beach's towel and sunshade."""
+"""Catalog entries of props: what belongs to one sort of place: a shop's shelves and carts, a cellar's boiler."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Interchangeable props: the script's table may be any table of the set."""
+"""Families of props that can replace each other: the script's table may be any table of the set."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What kind of thing a name means, as far as the catalog knows it."""
+"""Finds the catalog prop that a name from the script ends with."""
 
 from __future__ import annotations
 

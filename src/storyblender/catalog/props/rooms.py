@@ -1,4 +1,4 @@
-"""Things by which a nursery, a sickroom, a room of mats and an office of files are known."""
+"""Catalog entries of props: furnishings of nurseries, sickrooms, Japanese rooms and offices."""
 
 from __future__ import annotations
 

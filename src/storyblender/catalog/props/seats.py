@@ -1,4 +1,4 @@
-"""Things to sit on."""
+"""Catalog entries of props: things to sit on."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Signs, posters and other lettered props; ``catalog.writing`` says where their text goes."""
+"""Catalog entries of props: signs, posters and other lettered props; ``catalog.writing`` says where their text goes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What stands in streets, squares, yards and camps."""
+"""Catalog entries of props: what stands in streets, squares, yards and camps."""
 
 from __future__ import annotations
 

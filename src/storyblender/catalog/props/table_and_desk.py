@@ -1,4 +1,4 @@
-"""Tableware, papers, weapons and tools."""
+"""Catalog entries of props: tableware, papers, weapons and tools."""
 
 from __future__ import annotations
 

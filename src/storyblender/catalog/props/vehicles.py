@@ -1,4 +1,4 @@
-"""Cars, boats, aeroplanes, carts."""
+"""Catalog entries of props: cars, boats, aeroplanes, carts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Birds, small animals and exotic animals."""
+"""Catalog entries of props: birds, small animals and exotic animals."""
 
 from __future__ import annotations
 

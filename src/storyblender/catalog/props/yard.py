@@ -1,4 +1,4 @@
-"""Of smithies, stables, nurseries and feasts."""
+"""Catalog entries of props of smithies, stables, nurseries and feasts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""An airfield: concrete to the horizon, an airliner, a hangar, the tower, runway lights, floodlights."""
+"""Set kit: an airfield: concrete to the horizon, an airliner, a hangar, the tower, runway lights, floodlights."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""An alley between two brick walls: fire escape, dumpster, crates, a lit street at the far end."""
+"""Set kit: an alley between two brick walls: fire escape, dumpster, crates, a lit street at the far end."""
 
 from __future__ import annotations
 

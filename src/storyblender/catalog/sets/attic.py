@@ -1,4 +1,4 @@
-"""An attic: the roof comes down at both sides, beams across, a skylight, a hatch, what a house forgets."""
+"""Set kit: an attic: the roof comes down at both sides, beams across, a skylight, a hatch, what a house forgets."""
 
 from __future__ import annotations
 

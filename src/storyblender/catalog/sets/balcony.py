@@ -1,4 +1,4 @@
-"""A balcony high over a town: tiles, an iron railing, a house wall with a lit glass door."""
+"""Set kit: a balcony high over a town: tiles, an iron railing, a house wall with a lit glass door."""
 
 from __future__ import annotations
 

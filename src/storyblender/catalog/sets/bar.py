@@ -1,4 +1,4 @@
-"""A bar: long counter along the back wall under bottles, booths on the left, small tables, low warm light."""
+"""Set kit: a bar: long counter along the back wall under bottles, booths on the left, small tables, low warm light."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A barn or stable: board walls, posts with stalls between them, hay, a lantern, a wide door to the yard."""
+"""Set kit: a barn or stable: board walls, posts with stalls between them, hay, a lantern, a wide door to the yard."""
 
 from __future__ import annotations
 

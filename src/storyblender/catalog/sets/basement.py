@@ -1,4 +1,4 @@
-"""A basement: rough walls under the joists, the boiler and its pipes, stairs, and what people no longer need."""
+"""Set kit: a basement: rough walls under the joists, the boiler and its pipes, stairs."""
 
 from __future__ import annotations
 

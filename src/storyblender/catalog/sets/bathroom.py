@@ -1,4 +1,4 @@
-"""A bathroom: white tiles, basin under a mirror, tub along the back wall, frosted window."""
+"""Set kit: a bathroom: white tiles, basin under a mirror, tub along the back wall, frosted window."""
 
 from __future__ import annotations
 

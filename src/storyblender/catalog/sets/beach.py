@@ -1,4 +1,4 @@
-"""A beach: sand down to the water, the sea to the horizon, dunes with grass behind the audience."""
+"""Set kit: a beach: sand down to the water, the sea to the horizon, dunes with grass behind the audience."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A bedroom: bed with its head to the back wall, nightstands, wardrobe, dressing table, window."""
+"""Set kit: a bedroom: bed with its head to the back wall, nightstands, wardrobe, dressing table, window."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A bridge: a roadway across, railings and lampposts, water below, the city or the hills beyond."""
+"""Set kit: a bridge: a roadway across, railings and lampposts, water below, the city or the hills beyond."""
 
 from __future__ import annotations
 

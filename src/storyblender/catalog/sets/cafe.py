@@ -1,4 +1,4 @@
-"""A cafe: bar on the left, tables around a free floor, an arcade before the back of the room, piano, pendants."""
+"""Set kit: a cafe: bar on the left, tables around a free floor, an arcade before the back of the room, piano."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The inside of a car: two seats before a bench, dashboard and wheel towards the audience, a street on all sides."""
+"""Set kit: the inside of a car: two seats before a bench, dashboard and wheel towards the audience."""
 
 from __future__ import annotations
 

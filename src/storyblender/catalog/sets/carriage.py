@@ -1,4 +1,4 @@
-"""The inside of a vehicle: a long low cabin with benches either side of the aisle and a row of windows."""
+"""Set kit: the inside of a vehicle: a long low cabin with benches either side of the aisle and a row of windows."""
 
 from __future__ import annotations
 

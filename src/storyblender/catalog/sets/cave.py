@@ -1,4 +1,4 @@
-"""A cave: rock that leans over on all sides, stalactites, a mouth to the light, a fire."""
+"""Set kit: a cave: rock that leans over on all sides, stalactites, a mouth to the light, a fire."""
 
 from __future__ import annotations
 

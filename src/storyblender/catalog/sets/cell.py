@@ -1,4 +1,4 @@
-"""A prison cell: stone or concrete, a cot, a bucket, a barred window high up, a barred front towards the audience."""
+"""Set kit: a prison cell: stone or concrete, a cot, a bucket, a barred window high up."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A graveyard: rows of stones in rough grass, a path, an iron fence with its gate, bare and dark trees."""
+"""Set kit: a graveyard: rows of stones in rough grass, a path, an iron fence with its gate, bare and dark trees."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A church: pews either side of the aisle, columns, an altar on steps under tall windows."""
+"""Set kit: a church: pews either side of the aisle, columns, an altar on steps under tall windows."""
 
 from __future__ import annotations
 

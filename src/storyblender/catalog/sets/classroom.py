@@ -1,4 +1,4 @@
-"""A classroom: board and teacher's desk at the back, rows of desks at the sides, high windows on the left."""
+"""Set kit: a classroom: board and teacher's desk at the back, rows of desks at the sides, high windows on the left."""
 
 from __future__ import annotations
 

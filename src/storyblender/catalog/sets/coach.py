@@ -1,4 +1,4 @@
-"""The cabin of a bus or an aeroplane: rows of seats on both sides of an aisle, people in them face the audience."""
+"""Set kit: the cabin of a bus or an aeroplane: rows of seats on both sides of an aisle."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A control room: consoles in a half ring, the command chair, a wall of screens or the stars outside."""
+"""Set kit: a control room: consoles in a half ring, the command chair, a wall of screens or the stars outside."""
 
 from __future__ import annotations
 

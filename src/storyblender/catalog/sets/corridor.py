@@ -1,4 +1,4 @@
-"""A corridor running away from the audience: doors on both sides, ceiling lights, a window at its end."""
+"""Set kit: a corridor running away from the audience: doors on both sides, ceiling lights, a window at its end."""
 
 from __future__ import annotations
 

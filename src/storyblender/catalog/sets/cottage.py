@@ -1,4 +1,4 @@
-"""A cottage: one timbered room with a hearth, a table, a bed in the corner, small windows to the trees."""
+"""Set kit: a cottage: one timbered room with a hearth, a table, a bed in the corner, small windows to the trees."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A courtroom: the judge's bench under the seal, witness stand, jury, dock, counsel's tables, public benches."""
+"""Set kit: a courtroom: the judge's bench under the seal, witness stand, jury, dock, counsel's tables."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A desert: dunes, rocks, dry brush, mesas on the horizon."""
+"""Set kit: a desert: dunes, rocks, dry brush, mesas on the horizon."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A dining room: a long table under a lamp, chairs around it, a dresser, a fireplace, tall windows."""
+"""Set kit: a dining room: a long table under a lamp, chairs around it, a dresser, a fireplace, tall windows."""
 
 from __future__ import annotations
 

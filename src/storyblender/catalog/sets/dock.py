@@ -1,4 +1,4 @@
-"""A dock: planks on posts, bollards and crates, a shed, boats on black water and the far shore."""
+"""Set kit: a dock: planks on posts, bollards and crates, a shed, boats on black water and the far shore."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A lift: steel panels, the doors at the back, a rail, a panel of buttons, light from above."""
+"""Set kit: a lift: steel panels, the doors at the back, a rail, a panel of buttons, light from above."""
 
 from __future__ import annotations
 

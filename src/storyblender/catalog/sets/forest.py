@@ -1,4 +1,4 @@
-"""A forest clearing: rolling ground, broad trees and pines all around, a fallen log, stones, undergrowth."""
+"""Set kit: a forest clearing: rolling ground, broad trees and pines all around, a fallen log, stones, undergrowth."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A museum: white rooms with paintings under spots, statues, a glass case, benches to look from."""
+"""Set kit: a museum: white rooms with paintings under spots, statues, a glass case, benches to look from."""
 
 from __future__ import annotations
 

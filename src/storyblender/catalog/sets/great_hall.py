@@ -1,4 +1,4 @@
-"""A castle hall: stone, columns, a throne on steps under banners, tall windows, torches and a chandelier."""
+"""Set kit: a castle hall: stone, columns, a throne on steps under banners, tall windows, torches and a chandelier."""
 
 from __future__ import annotations
 

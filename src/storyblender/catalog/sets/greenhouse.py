@@ -1,4 +1,4 @@
-"""A greenhouse: glass on all sides and above, benches of plants, a path between them."""
+"""Set kit: a greenhouse: glass on all sides and above, benches of plants, a path between them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A sports hall: a court with its lines, hoops at both ends, wall bars and benches at the back, high windows."""
+"""Set kit: a sports hall: a court with its lines, hoops at both ends, wall bars and benches at the back."""
 
 from __future__ import annotations
 

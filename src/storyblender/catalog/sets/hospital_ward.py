@@ -1,4 +1,4 @@
-"""A hospital ward: two beds with their heads to the back wall, a screen between, window, cool even light."""
+"""Set kit: a hospital ward: two beds with their heads to the back wall, a screen between, window, cool even light."""
 
 from __future__ import annotations
 

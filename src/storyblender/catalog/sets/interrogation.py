@@ -1,4 +1,4 @@
-"""An interrogation room: one table, one hard lamp above it, a dark mirror in the wall."""
+"""Set kit: an interrogation room: one table, one hard lamp above it, a dark mirror in the wall."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A kitchen: a run of counters with sink and stove along the back wall, fridge, a table to eat at."""
+"""Set kit: a kitchen: a run of counters with sink and stove along the back wall, fridge, a table to eat at."""
 
 from __future__ import annotations
 

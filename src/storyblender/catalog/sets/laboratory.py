@@ -1,4 +1,4 @@
-"""A laboratory: benches with glassware along the walls, a fume hood, stools, white light."""
+"""Set kit: a laboratory: benches with glassware along the walls, a fume hood, stools, white light."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A library: shelves to the ceiling on every wall, a reading table with lamps, a tall window."""
+"""Set kit: a library: shelves to the ceiling on every wall, a reading table with lamps, a tall window."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The lamp room of a lighthouse: the great lens on its iron drum, windows to the sea, stairs up through a hatch."""
+"""Set kit: the lamp room of a lighthouse: the great lens on its iron drum, windows to the sea."""
 
 from __future__ import annotations
 

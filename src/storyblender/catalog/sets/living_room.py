@@ -1,4 +1,4 @@
-"""A living room: sofa and armchairs around a low table, fireplace or television, window, floor lamp."""
+"""Set kit: a living room: sofa and armchairs around a low table, fireplace or television, window, floor lamp."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A lobby: reception desk at the back, columns, benches and sofas, glass doors. Hotel, bank, station, terminal."""
+"""Set kit: a lobby: reception desk at the back, columns, benches and sofas. Hotel, bank, station, terminal."""
 
 from __future__ import annotations
 

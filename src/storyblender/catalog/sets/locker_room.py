@@ -1,4 +1,4 @@
-"""A changing room: lockers and benches around the walls, a board for the trainer, tiles, the way to the showers."""
+"""Set kit: a changing room: lockers and benches around the walls, a board for the trainer, tiles."""
 
 from __future__ import annotations
 

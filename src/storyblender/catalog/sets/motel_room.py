@@ -1,4 +1,4 @@
-"""A motel room: two beds, a television on a low chest, the door and its one window to the car park, a bathroom door."""
+"""Set kit: a motel room: two beds, a television on a low chest, the door and its one window to the car park."""
 
 from __future__ import annotations
 

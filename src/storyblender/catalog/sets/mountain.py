@@ -1,4 +1,4 @@
-"""A mountain ledge: rock and thin grass, pines, cliffs at the sides, peaks beyond."""
+"""Set kit: a mountain ledge: rock and thin grass, pines, cliffs at the sides, peaks beyond."""
 
 from __future__ import annotations
 

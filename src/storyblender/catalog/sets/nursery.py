@@ -1,4 +1,4 @@
-"""A nursery: a child's bed and a crib under pale paper, toys on a rug, a rocking chair to read in."""
+"""Set kit: a nursery: a child's bed and a crib under pale paper, toys on a rug, a rocking chair to read in."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""An office: desk before the windows with blinds, visitors' chairs, filing cabinets, books, hat stand."""
+"""Set kit: an office: desk before the windows with blinds, visitors' chairs, filing cabinets, books, hat stand."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Open ground: a field with grass, a fence, a few trees and hills far off. The outdoor fallback."""
+"""Set kit: open ground: a field with grass, a fence, a few trees and hills far off. The outdoor fallback."""
 
 from __future__ import annotations
 

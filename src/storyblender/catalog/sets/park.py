@@ -1,4 +1,4 @@
-"""A park: lawn, a gravel path, benches, lampposts, hedges and old trees, houses beyond."""
+"""Set kit: a park: lawn, a gravel path, benches, lampposts, hedges and old trees, houses beyond."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A room of no particular kind: the indoor fallback. Door, window, a few plain things against the walls."""
+"""Set kit: a room of no particular kind: the indoor fallback. Door, window, a few plain things against the walls."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A railway platform under the sky: its roof on posts, benches, lamps, rails and a train behind, houses before."""
+"""Set kit: a railway platform under the sky: its roof on posts, benches, lamps, rails and a train behind."""
 
 from __future__ import annotations
 

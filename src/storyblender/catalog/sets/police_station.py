@@ -1,4 +1,4 @@
-"""A police station: desks in rows, files along the walls, a board of cases, a barred cell at the side."""
+"""Set kit: a police station: desks in rows, files along the walls, a board of cases, a barred cell at the side."""
 
 from __future__ import annotations
 

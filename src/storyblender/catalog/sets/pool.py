@@ -1,4 +1,4 @@
-"""A swimming pool: blue water with its lanes, light tiles around, loungers and sunshades, a diving board."""
+"""Set kit: a swimming pool: blue water with its lanes, light tiles around, loungers and sunshades, a diving board."""
 
 from __future__ import annotations
 

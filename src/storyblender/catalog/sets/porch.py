@@ -1,4 +1,4 @@
-"""A porch: the front of a wooden house, door and windows, posts and rail, steps down to the lawn."""
+"""Set kit: a porch: the front of a wooden house, door and windows, posts and rail, steps down to the lawn."""
 
 from __future__ import annotations
 

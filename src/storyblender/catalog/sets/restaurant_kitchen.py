@@ -1,4 +1,4 @@
-"""The kitchen of a restaurant: ranges under an extractor, steel counters, the pass under its lamps, tiles."""
+"""Set kit: the kitchen of a restaurant: ranges under an extractor, steel counters, the pass under its lamps, tiles."""
 
 from __future__ import annotations
 

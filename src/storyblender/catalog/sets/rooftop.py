@@ -1,4 +1,4 @@
-"""A rooftop: parapet, chimneys, water tank, the city all around."""
+"""Set kit: a rooftop: parapet, chimneys, water tank, the city all around."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The deck of a ship: planks, bulwarks, mast and rigging, hatch, wheel, the sea all around."""
+"""Set kit: the deck of a ship: planks, bulwarks, mast and rigging, hatch, wheel, the sea all around."""
 
 from __future__ import annotations
 

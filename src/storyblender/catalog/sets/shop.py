@@ -1,4 +1,4 @@
-"""A shop: counter with till on the left, shelves along the walls, show windows to the street."""
+"""Set kit: a shop: counter with till on the left, shelves along the walls, show windows to the street."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Outside a ship in space: plates under the feet, handrails, antennas, wings of solar cells, the Earth, the stars."""
+"""Set kit: outside a ship in space: plates under the feet, handrails, antennas, wings of solar cells, the Earth."""
 
 from __future__ import annotations
 

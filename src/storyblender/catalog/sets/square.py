@@ -1,4 +1,4 @@
-"""A town square: cobbles, houses on three sides, a fountain, market stalls, a cart."""
+"""Set kit: a town square: cobbles, houses on three sides, a fountain, market stalls, a cart."""
 
 from __future__ import annotations
 

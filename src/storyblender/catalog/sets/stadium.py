@@ -1,4 +1,4 @@
-"""A stadium: the pitch with its lines and goal, stands full of people on three sides, floodlights."""
+"""Set kit: a stadium: the pitch with its lines and goal, stands full of people on three sides, floodlights."""
 
 from __future__ import annotations
 

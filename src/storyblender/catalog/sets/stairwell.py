@@ -1,4 +1,4 @@
-"""A stairwell: a flight up along the back, a landing under a tall window, the next flight, doors of flats."""
+"""Set kit: a stairwell: a flight up along the back, a landing under a tall window, the next flight, doors of flats."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A street seen across: pavement with people, facades behind, road with cars before, lampposts both sides."""
+"""Set kit: a street seen across: pavement with people, facades behind, road with cars before, lampposts both sides."""
 
 from __future__ import annotations
 

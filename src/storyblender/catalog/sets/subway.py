@@ -1,4 +1,4 @@
-"""An underground platform: tiled walls, columns along the edge, the track in its pit, tunnels at both ends."""
+"""Set kit: an underground platform: tiled walls, columns along the edge, the track in its pit, tunnels at both ends."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A supermarket: shelves of goods along the walls and in islands, the checkout in front, flat bright light."""
+"""Set kit: a supermarket: shelves of goods along the walls and in islands, the checkout in front, flat bright light."""
 
 from __future__ import annotations
 

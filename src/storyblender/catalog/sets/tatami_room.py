@@ -1,4 +1,4 @@
-"""A room of mats and paper screens: a low table, cushions, an alcove with a scroll and one branch in a vase."""
+"""Set kit: a Japanese room: mats, paper screens, a low table with cushions, an alcove with a scroll and a vase."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The inside of a tent: low canvas at both sides, poles, the flap open at the back, a camp bed."""
+"""Set kit: the inside of a tent: low canvas at both sides, poles, the flap open at the back, a camp bed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A theatre: the stage with curtains and footlights at the back, rows of seats towards the audience."""
+"""Set kit: a theatre: the stage with curtains and footlights at the back, rows of seats towards the audience."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A trench: mud and duckboards between earth walls held by planks, sandbags on top, wire and torn land beyond."""
+"""Set kit: a trench: mud and duckboards between earth walls held by planks, sandbags on top."""
 
 from __future__ import annotations
 

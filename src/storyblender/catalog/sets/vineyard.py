@@ -1,4 +1,4 @@
-"""A vineyard: rows of vines on wires along both sides of a grassy lane, hills behind."""
+"""Set kit: a vineyard: rows of vines on wires along both sides of a grassy lane, hills behind."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A waiting room: benches in rows around a free floor, a hatch, notices; at a station tickets, trains, a platform."""
+"""Set kit: a waiting room: benches in rows around a free floor, a hatch, notices; at a station tickets, trains."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A warehouse: brick and steel, high windows, stacks of crates and barrels, lamps on long cords."""
+"""Set kit: a warehouse: brick and steel, high windows, stacks of crates and barrels, lamps on long cords."""
 
 from __future__ import annotations
 

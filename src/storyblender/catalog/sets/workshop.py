@@ -1,4 +1,4 @@
-"""A workshop: benches under the windows, shelves of boxes, a stove, tools and timber along the walls."""
+"""Set kit: a workshop: benches under the windows, shelves of boxes, a stove, tools and timber along the walls."""
 
 from __future__ import annotations
 

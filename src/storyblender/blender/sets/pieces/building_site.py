@@ -1,4 +1,4 @@
-"""Building sites and fairs: concrete frames, scaffolds, diggers, cranes, Ferris wheels, carousels, string lights."""
+"""Set piece builders: building sites and fairs: concrete frames, scaffolds, diggers, cranes, Ferris wheels."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Clinic and office pieces: exam couches, wall charts, bed curtains, medicine cabinets, copiers."""
+"""Set piece builders: clinic and office pieces: exam couches, wall charts, bed curtains, medicine cabinets, copiers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Interiors of aircraft and submarines, and airport gates: instrument panels, periscopes, valves, seats, a jet."""
+"""Set piece builders: interiors of aircraft and submarines, and airport gates: instrument panels, periscopes."""
 
 from __future__ import annotations
 

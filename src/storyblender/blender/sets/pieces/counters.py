@@ -1,4 +1,4 @@
-"""Shop and cafe pieces: menu boards, glass counters, espresso machines, serving walls, jukeboxes."""
+"""Set piece builders: shop and cafe: menu boards, glass counters, espresso machines, serving walls, jukeboxes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Parts of a courtroom: the judge's bench, panelled boxes for jury, witness and dock, the rail before the public."""
+"""Set piece builders: parts of a courtroom: the judge's bench, panelled boxes for jury, witness and dock."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Trenches, and what grows under glass: earth walls with sandbags, wire, benches of plants, a glass roof."""
+"""Set piece builders: trenches, and what grows under glass: earth walls with sandbags, wire, benches of plants."""
 
 from __future__ import annotations
 

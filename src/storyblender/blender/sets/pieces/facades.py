@@ -1,4 +1,4 @@
-"""Houses seen from the street: facades with windows, doors, shops and cornices; fire escapes on their backs."""
+"""Set piece builders: houses seen from the street: facades with windows, doors, shops and cornices."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is built into halls and technical rooms: stairs, screens, hoops, wall bars."""
+"""Set piece builders: what is built into halls and technical rooms: stairs, screens, hoops, wall bars."""
 
 from __future__ import annotations
 

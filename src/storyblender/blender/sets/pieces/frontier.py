@@ -1,4 +1,4 @@
-"""The wooden fronts of a frontier town, taller than the houses behind them, and the rail one ties horses to."""
+"""Set piece builders: the wooden fronts of a frontier town, taller than the houses behind them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Parts of docks, ships and airfields: quays, bollards, hulls, masts, hangars, towers, runway lights."""
+"""Set piece builders: parts of docks, ships and airfields: quays, bollards, hulls, masts, hangars, towers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Apartment and garage pieces: kitchen units, tool walls, sectional doors."""
+"""Set piece builders: apartment and garage pieces: kitchen units, tool walls, sectional doors."""
 
 from __future__ import annotations
 

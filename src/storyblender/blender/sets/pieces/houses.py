@@ -1,4 +1,4 @@
-"""The front of a wooden house with its porch: clapboards, door, windows, gable, posts, rail and steps."""
+"""Set piece builders: the front of a wooden house with its porch: clapboards, door, windows, gable, posts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Fixed parts of rooms: ceiling lights, boards, drapes, banners, torches, altars, the seats of vehicles."""
+"""Set piece builders: fixed parts of rooms: ceiling lights, boards, drapes, banners, torches, altars."""
 
 from __future__ import annotations
 

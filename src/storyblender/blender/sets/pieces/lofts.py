@@ -1,4 +1,4 @@
-"""Sloping roofs from below: rafters and boards, a skylight, the canvas of a tent, a hatch in the floor."""
+"""Set piece builders: sloping roofs from below: rafters and boards, a skylight, the canvas of a tent."""
 
 from __future__ import annotations
 

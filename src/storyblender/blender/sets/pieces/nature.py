@@ -1,4 +1,4 @@
-"""Outdoors by the dozen: the trees, bushes, grass and rocks that a kit scatters, cliffs, surf, and the land itself."""
+"""Set piece builders: outdoors by the dozen: the trees, bushes, grass and rocks that a kit scatters, cliffs, surf."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Nightclub and stage pieces: mirror balls, lit dance floors, DJ booths, lighting trusses, amplifiers."""
+"""Set piece builders: nightclub and stage: mirror balls, lit dance floors, DJ booths, lighting trusses, amplifiers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Castles, ruins, villages and farms: walls with battlements, towers, broken arches, barns, silos, stone crosses."""
+"""Set piece builders: castles, ruins, villages and farms: walls with battlements, towers, broken arches, barns."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is seen outside a ship in space: modules, handrails, wings of cells, dishes, a planet."""
+"""Set piece builders: what is seen outside a ship in space: modules, handrails, wings of cells, dishes, a planet."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Parts of lifts, cabins, museums, pools and stadiums."""
+"""Set piece builders: parts of lifts, cabins, museums, pools and stadiums."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Parts of stations: ticket windows, timetables, signs, posters, rails, trains, tunnels, canopies."""
+"""Set piece builders: parts of stations: ticket windows, timetables, signs, posters, rails, trains, tunnels."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Roadside pieces: parking bays, stores, petrol pumps, canopies, road signs, telegraph poles."""
+"""Set piece builders: roadside pieces: parking bays, stores, petrol pumps, canopies, road signs, telegraph poles."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Boxing rings, circus pieces, grand stairs, horse stalls, round doors, roots."""
+"""Set piece builders: boxing rings, circus pieces, grand stairs, horse stalls, round doors, roots."""
 
 from __future__ import annotations
 

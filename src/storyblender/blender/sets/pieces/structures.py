@@ -1,4 +1,4 @@
-"""Parts of streets, bridges and roofs: columns, arcades, parapets, railings, fences, hedges, kerbs, tanks, sheds."""
+"""Set piece builders: parts of streets, bridges and roofs: columns, arcades, parapets, railings, fences, hedges."""
 
 from __future__ import annotations
 

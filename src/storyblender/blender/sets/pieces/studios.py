@@ -1,4 +1,4 @@
-"""Studio and workshop pieces: mixing desks, acoustic foam, servers, canvases, paint, printing presses."""
+"""Set piece builders: studio and workshop: mixing desks, acoustic foam, servers, canvases, paint, printing presses."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Detached houses, fences, playground equipment, bus shelters and washing lines."""
+"""Set piece builders: detached houses, fences, playground equipment, bus shelters and washing lines."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Shop and trade pieces: stocked shelves, barber stations, washing machines, post boxes, vault doors, ovens."""
+"""Set piece builders: shop and trade: stocked shelves, barber stations, washing machines, post boxes, vault doors."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The insides of vehicles: a car's body with its doors, dashboard, wheel and mirrors, open where its glass would be."""
+"""Set piece builders: the insides of vehicles: a car's body with its doors, dashboard, wheel and mirrors."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Nature pieces: jungle plants, lily pads, grain, ice, snow, craters, coral, seaweed, wrecks, cliffs."""
+"""Set piece builders: nature: jungle plants, lily pads, grain, ice, snow, craters, coral, seaweed, wrecks, cliffs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Benches of laboratories and restaurant kitchens: glassware, fume hood, steel counters, extractor, hanging pans."""
+"""Set piece builders: benches of laboratories and restaurant kitchens: glassware, fume hood, steel counters."""
 
 from __future__ import annotations
 
