@@ -166,7 +166,7 @@ class CameraDecision(Frozen):
         if self.kind is not None or self.focus_on_ids is not None:
             shown = {*(self.focus_on_ids or instruction.focus_on_ids), self.over_id or ""}
             axis = instruction.axis if shown.intersection(instruction.axis or ()) else None
-            changes = {"over_id": None, "pov_id": None, "detail": None, "through": "", "axis": axis, **changes}
+            changes = {"over_id": None, "pov_id": None, "detail": None, "through": None, "axis": axis, **changes}
         if self.placed is not None:
             changes |= {"movement": "static" if self.placed.end is None else "track", "direction": None}
         return CameraInstruction.model_validate({**instruction.model_dump(), **changes})
