@@ -119,6 +119,10 @@ def _laid_over(result: Image, light: Image, share: Image, behind: Image, disc: f
     """
     here = _reached(share > 0, disc).cut
     own = share[here][..., None]
+    if disc <= 0:
+        cover = own / np.maximum(behind[here][..., None], _NOTHING)
+        result[here] += (light[here] - result[here]) * cover
+        return result
     weight = own * own  # a pixel on an edge has the colours of both sides: it tells little of either
     out = disc_blur(np.concatenate([light[here] * weight, weight, own, behind[here][..., None]], axis=2), disc)
     color, weight, own, seen = out[..., :-3], out[..., -3:-2], out[..., -2:-1], out[..., -1:]
