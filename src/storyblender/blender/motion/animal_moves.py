@@ -7,7 +7,8 @@ import math
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import clamp, smooth
-from storyblender.blender.motion.staged_props import StagedProp, facing_yaw, upright_matrix
+from storyblender.blender.motion.skeleton import facing_yaw
+from storyblender.blender.motion.staged_props import StagedProp, upright_matrix
 from storyblender.memory.shot_context import Mark
 
 TURNING = 0.22

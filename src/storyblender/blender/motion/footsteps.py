@@ -12,7 +12,7 @@ from mathutils import Vector
 from storyblender.blender.motion.channel import Floats, clamp, smooth, smoothstep
 from storyblender.blender.motion.gait import Gait
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.skeleton import SIDES, other
+from storyblender.blender.motion.skeleton import SIDES, facing_yaw, other
 from storyblender.catalog.motions import TURN_IN_STRIDE
 from storyblender.geometry.boxes import shortest_turn
 from storyblender.geometry.paths import Vec2
@@ -93,7 +93,7 @@ class WalkPath:
     def _heading(self, distance: float) -> float:
         """Return the yaw of travel at ``distance`` metres, over 0.36 m of the path."""
         ahead = self.place(min(self.length, distance + 0.18)) - self.place(max(0.0, distance - 0.18))
-        return math.atan2(ahead.x, -ahead.y)
+        return facing_yaw(ahead)
 
 
 @dataclass(frozen=True)

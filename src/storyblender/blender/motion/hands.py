@@ -14,7 +14,7 @@ from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Floats, TargetOf
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.skeleton import frame, sign
+from storyblender.blender.motion.skeleton import facing_yaw, frame, sign
 
 Triple = tuple[float, float, float]
 """Three numbers of a hand: (outwards, forwards, up), or degrees of index finger, other fingers and thumb."""
@@ -85,7 +85,7 @@ def hanging(who: Performer, side: str) -> TargetOf:
 def chest_yaw(who: Performer) -> float:
     """Return the yaw of a posed person's chest relative to their root, radians."""
     forward = who.bones.orient["upper_chest"] @ Vector((0, -1, 0))
-    return math.atan2(forward.x, -forward.y)
+    return facing_yaw(forward)
 
 
 def shoulder_rest(who: Performer, side: str) -> Vector:

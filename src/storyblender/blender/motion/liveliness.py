@@ -9,6 +9,7 @@ from mathutils import Vector
 from numpy.typing import NDArray
 
 from storyblender.blender.motion.channel import clamp
+from storyblender.blender.motion.skeleton import facing_yaw
 
 HORIZON = 180.0
 """Seconds of blinks and glances generated in advance; no shot is longer."""
@@ -21,7 +22,7 @@ def angles_of(vector: Vector) -> tuple[float, float]:
     """
     level = math.hypot(vector.x, vector.y)
     steady = clamp(2.5 * level / max(1e-6, vector.length))
-    return steady * math.degrees(math.atan2(vector.x, -vector.y)), math.degrees(math.atan2(vector.z, level))
+    return steady * math.degrees(facing_yaw(vector)), math.degrees(math.atan2(vector.z, level))
 
 
 def moments_of(rng: np.random.Generator, first: float, shortest: float, longest: float) -> list[float]:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 from mathutils import Vector
 from numpy.typing import NDArray
 
-from storyblender.blender.motion.skeleton import SIDES, Skeleton, about, sign
+from storyblender.blender.motion.skeleton import SIDES, Skeleton, about, facing_yaw, sign
 from storyblender.blender.people.body import RiggedBody
 from storyblender.geometry.solids import Floats
 
@@ -146,7 +145,7 @@ def skin_of(body: RiggedBody, bones: Skeleton, rows: NDArray[np.intp] | slice = 
 def _toe_out(bones: Skeleton, side: str) -> float:
     """Return the yaw of a resting foot, radians."""
     along = bones.head[f"toe.{side}"] - bones.head[f"foot.{side}"]
-    return math.atan2(along.x, -along.y)
+    return facing_yaw(along)
 
 
 def _sit_down(body: RiggedBody, bones: Skeleton) -> tuple[float, float, float]:

@@ -14,8 +14,8 @@ from storyblender.blender.motion.hands import blend_hands
 from storyblender.blender.motion.idle_hands import idle_hand
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import Floats, Problem, StageFurniture, StagePlan
-from storyblender.blender.motion.skeleton import SIDES
-from storyblender.blender.motion.staged_props import StagedProp, facing_yaw
+from storyblender.blender.motion.skeleton import SIDES, facing_yaw
+from storyblender.blender.motion.staged_props import StagedProp
 from storyblender.geometry.paths import SQUEEZE_RADIUS, Footprint, Track, Vec2, clearance, find_path, find_seat_access
 from storyblender.geometry.seating import list_seats
 from storyblender.memory.asset_sheet import Anchor

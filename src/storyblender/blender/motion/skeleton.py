@@ -47,6 +47,11 @@ def rigid_matrix(turn: Matrix, place: Vector) -> Matrix:
     return matrix
 
 
+def facing_yaw(direction: Vector) -> float:
+    """Return the yaw that faces a direction, radians."""
+    return math.atan2(direction.x, -direction.y)
+
+
 def sign(side: str) -> int:
     """Return +1 for the left side, -1 for the right: X grows to the person's left."""
     return 1 if side == "L" else -1

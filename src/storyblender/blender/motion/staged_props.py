@@ -250,11 +250,6 @@ def upright_matrix(place: Vector, yaw: float) -> Matrix:
     return Matrix.Translation(place) @ Matrix.Rotation(yaw, 4, "Z")
 
 
-def facing_yaw(direction: Vector) -> float:
-    """Return the yaw that faces a direction, radians."""
-    return math.atan2(direction.x, -direction.y)
-
-
 def _still(matrix: Matrix) -> MatrixOf:
     """Return a function of seconds that always gives ``matrix``."""
     return lambda t: matrix

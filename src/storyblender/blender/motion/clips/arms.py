@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Floats
@@ -14,7 +12,7 @@ from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.hands import hand
 from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.skeleton import UP, other, sign
+from storyblender.blender.motion.skeleton import UP, facing_yaw, other, sign
 
 LONG_GUN = 0.6
 """Metres; longer guns are shouldered."""
@@ -30,7 +28,7 @@ def aim(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
         take_in_hand(stage, who, side, prop, t)
     if cue.target is not None and who.posture == "stand":
         toward = stage.floor_position(cue.target) - who.position
-        t = turn_to(who, t, math.atan2(toward.x, -toward.y) - sign(side) * 0.12)
+        t = turn_to(who, t, facing_yaw(toward) - sign(side) * 0.12)
     look_at_subject(stage, who, t, cue)
     goal = stage.look_point(cue.target) if cue.target is not None else who.ahead
 

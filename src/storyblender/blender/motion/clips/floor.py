@@ -15,7 +15,7 @@ from storyblender.blender.motion.clips.seat import go_to_seat, lower_onto_seat, 
 from storyblender.blender.motion.hands import beside_body, by_chest, hand, on_knee
 from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.skeleton import SIDES, other, sign
+from storyblender.blender.motion.skeleton import SIDES, facing_yaw, other, sign
 from storyblender.blender.motion.staged_props import upright_matrix
 from storyblender.geometry.boxes import shortest_turn
 
@@ -142,7 +142,7 @@ def recline(
     """
     m, k = who.measures, who.scale
     whole = 2.2
-    yaw = math.atan2(feet.x, -feet.y)
+    yaw = facing_yaw(feet)
     turn = shortest_turn(who.yaw, yaw)
     hips = head + feet * (m.eye_height - m.hip_height + 0.22 * k)
     lying = height + max(0.86 * m.buttocks_back, 0.085 * k)

@@ -15,7 +15,7 @@ from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.motion_stage import PADDING, MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import StageFurniture
-from storyblender.blender.motion.skeleton import SIDES, other, sign
+from storyblender.blender.motion.skeleton import SIDES, facing_yaw, other, sign
 from storyblender.blender.motion.staged_props import (
     SETTLE,
     Grip,
@@ -58,9 +58,9 @@ def approach(stage: MotionStage, who: Performer, cue: StagedCue, place: Vector, 
             return cue.start
         yaw = math.atan2(place.x - spot.x, -(place.y - spot.y))
         return travel(stage, who, cue, (spot.x, spot.y), yaw)
-    aside = abs((math.atan2(toward.x, -toward.y) - who.yaw + math.pi) % (2 * math.pi) - math.pi)
+    aside = abs((facing_yaw(toward) - who.yaw + math.pi) % (2 * math.pi) - math.pi)
     if toward.length > 0.2 and aside > math.radians(60):
-        return turn_to(who, cue.start, math.atan2(toward.x, -toward.y))
+        return turn_to(who, cue.start, facing_yaw(toward))
     return cue.start
 
 

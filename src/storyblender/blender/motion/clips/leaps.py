@@ -16,7 +16,7 @@ from storyblender.blender.motion.hands import by_chest, fixed_hand
 from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import StageFurniture
-from storyblender.blender.motion.skeleton import SIDES, other, sign
+from storyblender.blender.motion.skeleton import SIDES, facing_yaw, other, sign
 
 HANDS_FREE = 0.55
 """Metres, times the scale; lower obstacles are leapt without a hand on them."""
@@ -63,7 +63,7 @@ def _get_over(stage: MotionStage, who: Performer, cue: StagedCue, thing: StageFu
     if way.length > STRAIGHT:
         near = goal - way.normalized() * (0.8 * STRAIGHT)
         t, way = travel(stage, who, cue, tuple(near)), goal - near
-    t = turn_to(who, t, math.atan2(way.x, -way.y))
+    t = turn_to(who, t, facing_yaw(way))
     top = float(thing.world[2, 3]) + thing.dimensions[2]
     air = air * math.sqrt(k) + 0.12 * way.length
     if top > HANDS_FREE * k:

@@ -21,7 +21,7 @@ from storyblender.blender.motion.footsteps import (
 )
 from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.skeleton import other
+from storyblender.blender.motion.skeleton import facing_yaw, other
 from storyblender.catalog.motions import TURN_STEP, TURN_STEP_SECONDS
 from storyblender.geometry.boxes import shortest_turn
 from storyblender.geometry.paths import Vec2, find_waiting_time
@@ -146,7 +146,7 @@ def find_goal(stage: MotionStage, who: Performer, cue: StagedCue) -> tuple[Vec2,
         toward = place - who.position
         keep = 1.1 if isinstance(cue.target, Performer) else 0.75
         stop = place - toward.normalized() * min(keep, toward.length)
-        return (stop.x, stop.y), math.atan2(toward.x, -toward.y)
+        return (stop.x, stop.y), facing_yaw(toward)
     ahead = who.position + who.forward * 2.0
     return (ahead.x, ahead.y), None
 
@@ -193,7 +193,7 @@ def turn(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
         yaw = math.radians(cue.mark.yaw)
     elif cue.target is not None:
         toward = stage.floor_position(cue.target) - who.position
-        yaw = math.atan2(toward.x, -toward.y)
+        yaw = facing_yaw(toward)
     else:
         yaw = who.yaw + math.pi
     return turn_to(who, cue.start, yaw)

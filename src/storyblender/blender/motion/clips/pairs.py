@@ -17,7 +17,7 @@ from storyblender.blender.motion.clips.work import press
 from storyblender.blender.motion.hands import by_chest, hand
 from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.skeleton import sign
+from storyblender.blender.motion.skeleton import facing_yaw, sign
 from storyblender.blender.motion.staged_props import Grip, StagedProp, carrying_hand, gripping_hand, upright_matrix
 from storyblender.catalog.carrying import hand_towards
 
@@ -63,7 +63,7 @@ def meet(
     for one, two in ((who, partner), (partner, who)):
         toward = two.position - two.forward * (BEHIND_FEET * two.scale * (two.posture == "sit")) - one.position
         if one.posture not in SEATED and toward.length > 0.05:
-            ends.append(turn_to(one, max(one.free["body"], t - 0.6), math.atan2(toward.x, -toward.y)))
+            ends.append(turn_to(one, max(one.free["body"], t - 0.6), facing_yaw(toward)))
     return max(ends)
 
 
@@ -172,7 +172,7 @@ def _offered(giver: Performer, taker: Performer, side: str, grip: Grip) -> Targe
         low = min(giver.breast_point().z, taker.breast_point().z)
         middle.z = 0.86 * low + 0.04 * max(0.0, giver.measures.shoulder_height - taker.measures.shoulder_height)
         toward = b - a
-        matrix = upright_matrix(middle, math.atan2(toward.x, -toward.y)) @ Matrix.Translation(-grip.palm)
+        matrix = upright_matrix(middle, facing_yaw(toward)) @ Matrix.Translation(-grip.palm)
         return grip.hand_target(matrix, giver.facing @ Vector((sign(side) * 0.5, 0.4, -0.85)))
 
     return target

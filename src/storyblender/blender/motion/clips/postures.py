@@ -16,7 +16,7 @@ from storyblender.blender.motion.hands import by_chest, fixed_hand
 from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import StageFurniture
-from storyblender.blender.motion.skeleton import SIDES, sign
+from storyblender.blender.motion.skeleton import SIDES, facing_yaw, sign
 from storyblender.blender.motion.staged_props import StagedProp
 
 CLEAR = 0.35
@@ -150,7 +150,7 @@ def _saddle(who: Performer, mount: object) -> tuple[float, Vector, float]:
     local = Vector(seat.location) if seat is not None else Vector((0, behind * size[1], up * size[2]))
     there = world @ local
     forward = world.to_3x3() @ Vector((0, -1, 0))
-    return there.z, there.xy, math.atan2(forward.x, -forward.y)
+    return there.z, there.xy, facing_yaw(forward)
 
 
 def _handlebars(mount: object) -> dict[str, Vector]:

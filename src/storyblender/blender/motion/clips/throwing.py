@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Floats
@@ -14,7 +12,7 @@ from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.hands import by_chest
 from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.skeleton import sign
+from storyblender.blender.motion.skeleton import facing_yaw, sign
 from storyblender.blender.motion.staged_props import carrying_hand
 
 SPEED = 6.0
@@ -32,7 +30,7 @@ def throw(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
         return cue.start
     aim = stage.floor_position(cue.target) if cue.target else who.position + who.forward * 3
     toward = aim - who.position
-    t = turn_to(who, cue.start, math.atan2(toward.x, -toward.y))
+    t = turn_to(who, cue.start, facing_yaw(toward))
     look_at_subject(stage, who, t, cue)
     back = by_chest(who, side, (0.35, -0.25, 0.35), (0.2, -0.3, 0.9), (0, 1, 0.2), pole=(0.9, -0.3, -0.2))
     forth = by_chest(who, side, (-0.05, 0.95, 0.15), (-0.1, 0.9, 0.1), (0, 0.2, -1), curl=(5, 8, 0))
