@@ -168,13 +168,14 @@ class Session:
         """Turn a script into everything, as ``Studio.make``; of a changed script only what changed is made anew."""
         from storyblender.pipeline.grounding import ground
         from storyblender.pipeline.materializing import materialize
-        from storyblender.pipeline.staging import stage
+        from storyblender.pipeline.staging import animate_again, stage
 
         with self._call() as run:
             ground(run, script, reading)
             run.project.files.write(REMEMBERED, self._settings.remembered(self.folder))
             materialize(run)
             stage(run)
+            animate_again(run)
             pack_scenes(run)
             film(run)
             return self._draw(run, run.graph.shots)
@@ -248,9 +249,9 @@ class Session:
         """
         with self._call() as run:
             self._refuse_unmade()
-            if any(shot.camera is None for shot in run.graph.shots):
+            if any(shot.camera is None or shot.stale for shot in run.graph.shots):
                 mend = "run `storyblender render` first: it goes on where it was stopped"
-                raise InputError("has shots without a camera yet", mend=mend, path=self.folder)
+                raise InputError("has shots that are not up to date", mend=mend, path=self.folder)
             self._bring_up_to_date(run)
             reviews = review_frames(run, drawn_shots(run))
             report = inspect(

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from tests.stage import SETTINGS, Stage
 
+from storyblender.errors import InputError
 from storyblender.geometry.camera_path import camera_at
 from storyblender.geometry.framing import Film
 from storyblender.memory.camera_decision import CameraPosition, FreeCamera
@@ -59,6 +60,8 @@ def test_a_length_reaches_the_animator_the_lists_and_only_its_scene(stage: Stage
 def test_an_edit_killed_before_it_was_drawn_is_gone_on_with(stage: Stage) -> None:
     Studio(STILL).edit(stage.folder, [LONGER, CameraEdit(shot=SHOT, decision=CameraDecision(size="ECU"))], draw=False)
     assert read_project_graph(stage.folder).shots[0].stale == ("motion",)
+    with pytest.raises(InputError, match="not up to date; run `storyblender render` first"):
+        Studio(STILL).check(stage.folder)
     graph = Studio(STILL).render(stage.folder, [], {}).graph
     assert graph.shots[0].stale == () and graph.shots[0].camera is not None and graph.shots[0].duration == LENGTH
 
