@@ -64,7 +64,7 @@ def _revised(run: Run, plan: ContinuityMemoryGraph) -> ContinuityMemoryGraph:
         return plan
     revision = revise(run.graph, plan, _log(run), lambda graph, scene_id: design(run, graph, scene_id))
     for name, decided in revision.lost:
-        message = f"{decided} is not kept: no shot of the changed script has just its words; `undo` brings all back"
+        message = f"{decided} is not kept: the words under it changed; `undo` brings all back"
         run.tell(Event(kind="warning", role="director", subject=name, message=message))
     kept = f"{len(revision.kept_scenes)} of {len(plan.scenes)} scenes stay as they were staged"
     run.tell(Event(kind="propose", role="director", subject="changed script", message=kept))

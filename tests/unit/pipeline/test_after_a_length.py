@@ -85,6 +85,17 @@ def test_a_length_and_locks_stay_with_their_words_in_a_changed_script(stage: Sta
     assert moved.camera is not None and camera is not None and moved.camera.poses == camera.poses
 
 
+def test_a_lock_that_a_changed_script_does_not_keep_is_told(stage: Stage) -> None:
+    Studio(STILL).edit(stage.folder, [LockEdit(target="SC010", parts=("layout",)), LockEdit(target=SHOT)])
+    script = stage.folder.parent / f"{stage.folder.name}.fountain"
+    script.write_text(script.read_text().replace("sits at the table", "lies on the floor"))
+    told: list[str] = []
+    studio = Studio(STILL, lambda event: told.append(f"{event.subject}: {event.message}"))
+    studio.plan(script, stage.folder)
+    assert any(text.startswith("SC010: the lock of its layout is not kept") for text in told)
+    assert any(text.startswith(f"{SHOT}: the lock of its camera, the lock of its blocking") for text in told)
+
+
 def test_a_placed_camera_stands_where_it_was_placed_until_another_picture_is_asked_for(stage: Stage) -> None:
     first, last = ((1.0, -3.0, 1.6), (0.5, -2.0, 1.5))
     target = (0.0, 0.0, 1.4)
