@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -59,8 +58,3 @@ def stopped_down(lens: Lens, depths: Sequence[float]) -> Lens | None:
         if not len(depths) or float(np.abs(stopped.blur_circle(np.array(depths))).max()) <= limit:
             return stopped
     return None
-
-
-def between(near: float, far: float) -> float:
-    """Return the focus at which two depths are equally sharp: their harmonic mean, metres."""
-    return 2 / (1 / near + (0 if math.isinf(far) else 1 / far))
