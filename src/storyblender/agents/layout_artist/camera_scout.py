@@ -10,7 +10,6 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from storyblender.agents.layout_artist.camera_composition import AT_SIDE
 from storyblender.agents.layout_artist.camera_cuts import find_cut_faults
@@ -37,10 +36,18 @@ from storyblender.agents.layout_artist.camera_start import (
     max_face_angle,
     requires_shoulder,
 )
+from storyblender.agents.layout_artist.camera_visibility import (
+    MARGIN,
+    OWN_SPACE,
+    hidden_share,
+    is_face_framed,
+    is_in_picture,
+    share_of_points_hidden,
+)
 from storyblender.geometry.boxes import Box, distance_to_point
 from storyblender.geometry.framing import Figure, head_share, project
 from storyblender.geometry.gaps import MAX_FACE_GAP, widest_face_gap
-from storyblender.geometry.orbit import Floats, Orbit
+from storyblender.geometry.orbit import Orbit
 from storyblender.geometry.sight import find_hidden
 from storyblender.memory.shot_sizes import SIZES, TIGHT, WHOLE
 
@@ -69,14 +76,6 @@ _UNSEEN = 0.5
 """Points if a body hides a held thing in a picture of people: a face matters more."""
 _SIDE = 55.0
 """Degrees off its front at which a thing counts as seen from the side."""
-_MARGIN = 0.03
-"""Margin of the picture, as a share of its width and height."""
-_SHOULDER = 0.17
-"""Metres from the middle of a body to its side."""
-_KNEE = 0.35
-"""Share of a person's height below which furniture may hide them."""
-_OWN = 0.3
-"""Metres before a body in which nothing counts as hiding it: its chair, the pillar it leans at."""
 _AT_HAND = 0.12
 """Metres before a thing in which nothing counts as hiding it: the hand that holds it, the cloth it lies on."""
 _MOST = 0.3
@@ -149,7 +148,7 @@ def _without_strangers(view: CameraOperatorView, take: CameraOperatorDraft) -> C
         camera = take.at(time_share(view, moment.frame))
         for node in view.strangers:
             figure = moment.figure(node)
-            if figure is not None and (_is_in_picture(camera, figure) or _is_beside_insert(view, figure)):
+            if figure is not None and (is_in_picture(camera, figure) or _is_beside_insert(view, figure)):
                 gone.append(node)
     return with_hidden(take, with_carried_things(view, gone))
 
@@ -191,14 +190,16 @@ def _foreground_cost(view: CameraOperatorView, take: CameraOperatorDraft) -> flo
     if (not shown and kind != "establishing") or view.over is not None or kind in ("pov", "insert"):
         return 0.0
     camera, (columns, rows) = take.camera, GRID
-    deep = max(float(project(camera, shown or [camera.pivot])[1].mean()), 0.5) - _OWN
+    deep = max(float(project(camera, shown or [camera.pivot])[1].mean()), 0.5) - OWN_SPACE
     spots = camera.position + rays(camera, columns, rows) * deep
     own = () if view.people else view.focus
     boxes = solid_boxes(dict(view.props) if shown else {}, view.plan, (*take.hidden, *view.vessels, *own))
     taken = find_hidden(boxes, camera.position, spots).reshape(rows, columns).mean(0)
     third = columns // 3
     share = (taken.sum() + taken[third : columns - third].sum()) / (2 * columns - 2 * third)
-    return 8.0 * (max(0.0, float(share) - _FRONT) + max(0.0, share_of_backs(view, take, deep + 2 * _OWN) - _BACKSIDE))
+    return 8.0 * (
+        max(0.0, float(share) - _FRONT) + max(0.0, share_of_backs(view, take, deep + 2 * OWN_SPACE) - _BACKSIDE)
+    )
 
 
 def _leaving_cost(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
@@ -207,14 +208,8 @@ def _leaving_cost(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
     for moment in view.moments if view.focus and view.instruction.kind != "establishing" else ():
         figure = moment.figure(view.focus[0])
         if figure is not None:
-            points += price * (not _is_face_framed(take.at(time_share(view, moment.frame)), figure))
+            points += price * (not is_face_framed(take.at(time_share(view, moment.frame)), figure))
     return points
-
-
-def _is_face_framed(camera: Orbit, figure: Figure) -> bool:
-    """Return whether a person's face is in the picture, inside its margin."""
-    screen, depth = project(camera, [figure.face])
-    return bool(depth[0] > 0.1 and ((screen > _MARGIN) & (screen < 1 - _MARGIN)).all())
 
 
 def _things_cost(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
@@ -223,7 +218,7 @@ def _things_cost(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
         return 0.0
     middles = [(box.x, box.y, box.z + box.height / 2) for box in view.things]
     screen, depth = project(take.camera, middles)
-    framed, points = (depth > 0.1) & ((screen > _MARGIN) & (screen < 1 - _MARGIN)).all(1), 0.0
+    framed, points = (depth > 0.1) & ((screen > MARGIN) & (screen < 1 - MARGIN)).all(1), 0.0
     if view.instruction.kind == "insert":
         spots = [(box.x, box.y, box.top) for box in view.things]
         figures, boxes = view.story_moment.figures, _solid_boxes(view, take.hidden)
@@ -300,18 +295,16 @@ def _people_cost(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
             aside = abs(float(near[0]) - 0.5) > min(AT_EDGE, _SHOULDER_IN + 0.5 * head)
             points += 1.5 * (aside or (requires_shoulder(view) and head < LEAST_OVER))
         elif figure.node_id in view.in_frame and instruction.size not in TIGHT:
-            whole = _is_face_framed(camera, figure) and project(camera, figure.crown)[0][0, 1] > 0
+            whole = is_face_framed(camera, figure) and project(camera, figure.crown)[0][0, 1] > 0
             points += 0.8 * (not whole or hidden_share(camera, figure, [*others, *solid]) > _MOST)
             if instruction.kind == "establishing":
                 points += _cropped_body_cost(camera, figure)
                 points += 0.0 if view.in_stride else _TURNED * _share_from_behind(camera, figure) / len(view.in_frame)
             points += (
-                _LOOMING
-                * max(0.0, math.log(head_share(camera, figure) / wanted) - 0.5)
-                * _is_in_picture(camera, figure)
+                _LOOMING * max(0.0, math.log(head_share(camera, figure) / wanted) - 0.5) * is_in_picture(camera, figure)
             )
         elif figure.node_id in view.strangers and view.focus and instruction.size not in WHOLE:
-            points += 0.9 * (_is_in_picture(camera, figure) and hidden_share(camera, figure, solid) < 1)
+            points += 0.9 * (is_in_picture(camera, figure) and hidden_share(camera, figure, solid) < 1)
         elif figure.node_id in view.strangers and instruction.kind not in ("establishing", "insert"):
             points += _companion_back_cost(view, camera, figure) + _cut_head_cost(camera, figure)
     return points
@@ -331,7 +324,7 @@ def _gap_cost(view: CameraOperatorView, camera: Orbit) -> float:
 def _cut_head_cost(camera: Orbit, figure: Figure) -> float:
     """Weigh a stranger whose head the frame cuts."""
     (crown, face), depth = project(camera, [figure.crown, figure.face])
-    if depth.min() < 0.1 or head_share(camera, figure) < _SEEN or not _is_in_picture(camera, figure):
+    if depth.min() < 0.1 or head_share(camera, figure) < _SEEN or not is_in_picture(camera, figure):
         return 0.0
     return _HEADLESS * bool(crown[1] < 0 or face[1] > 1)
 
@@ -339,7 +332,7 @@ def _cut_head_cost(camera: Orbit, figure: Figure) -> float:
 def _companion_back_cost(view: CameraOperatorView, camera: Orbit, figure: Figure) -> float:
     """Weigh the back of a stranger who is close to the first person: the audience takes them for part of the shot."""
     near = view.people and math.dist(figure.base[:2], view.people[0].base[:2]) < _COMPANY
-    if not near or not _is_in_picture(camera, figure):
+    if not near or not is_in_picture(camera, figure):
         return 0.0
     return _BACK * _share_from_behind(camera, figure)
 
@@ -362,13 +355,13 @@ def _subject_cost(view: CameraOperatorView, camera: Orbit, figure: Figure, boxes
         points += weight * _FACED * (1 - _share_from_behind(camera, figure))
     else:
         points += weight * _bent_back_cost(camera, figure)
-    if not _is_face_framed(camera, figure):
+    if not is_face_framed(camera, figure):
         return points + 3.0
     x = float(project(camera, [figure.face])[0][0, 0])
     points += len(view.people) > 1 and not AT_SIDE < x < 1 - AT_SIDE
     share = hidden_share(camera, figure, boxes)
     points += weight * (
-        2.5 * _share_of_points_hidden(camera, [figure.face], boxes) + (1 + 4 * (share - _MOST)) * (share > _MOST)
+        2.5 * share_of_points_hidden(camera, [figure.face], boxes) + (1 + 4 * (share - _MOST)) * (share > _MOST)
     )
     points += _cropped_body_cost(camera, figure) * (view.instruction.size in WHOLE)
     off = math.log(head_share(camera, figure) / SIZES[view.instruction.size].head)
@@ -390,34 +383,7 @@ def _cropped_body_cost(camera: Orbit, figure: Figure) -> float:
     return (0.5 + 2 * cut) * (cut > _CUT)
 
 
-def hidden_share(camera: Orbit, figure: Figure, boxes: Sequence[Box]) -> float:
-    """Return the share of a person's points in the picture that boxes hide; 1 if none of them is in the picture."""
-    spots = _body_points(camera, figure)
-    screen, depth = project(camera, spots)
-    framed = ((screen > 0) & (screen < 1)).all(1) & (depth > 0.1)
-    return _share_of_points_hidden(camera, spots[framed], boxes) if framed.any() else 1.0
-
-
-def _share_of_points_hidden(camera: Orbit, spots: ArrayLike, boxes: Sequence[Box]) -> float:
-    """Return the share of (n, 3) world points that boxes hide from the camera."""
-    return float(find_hidden(boxes, camera.position, spots, _OWN).mean())
-
-
-def _body_points(camera: Orbit, figure: Figure) -> Floats:
-    """Return (21, 3) world points down the middle and both sides of a body to its knees, as the camera sees it."""
-    height = figure.crown[2] - figure.base[2]
-    column = np.linspace(figure.crown, (*figure.face[:2], figure.base[2] + _KNEE * height), 7)
-    aside = camera.axes[:, 0] * _SHOULDER
-    return np.concatenate([column - aside, column, column + aside])
-
-
 def _is_beside_insert(view: CameraOperatorView, figure: Figure) -> bool:
     """Return whether a person is so near the thing of an insert that a lap or a sleeve may be in the picture."""
     near = (math.dist((box.x, box.y), figure.base[:2]) < _LAP for box in view.things)
     return view.instruction.kind == "insert" and any(near)
-
-
-def _is_in_picture(camera: Orbit, figure: Figure) -> bool:
-    """Return whether any point of a person is in the picture, margin included."""
-    screen, depth = project(camera, _body_points(camera, figure))
-    return bool((((screen > -_MARGIN) & (screen < 1 + _MARGIN)).all(1) & (depth > 0.1)).any())

@@ -275,7 +275,7 @@ class Actions:
         told = self.ends.get(person.asset_id)
         seat = self.stage.spot_finder.seat_of_spot(person, told) if told is not None else None
         name = name or action.target_id or (told.support_id if told is not None and told.posture == "sit" else None)
-        seat = seat or self.stage.seat_for(person, name, self.stage.people.get(action.target_id or ""))
+        seat = seat or self.stage.seats.choose(person, name, self.stage.people.get(action.target_id or ""))
         person.spot = told.spot if told is not None else None
         if person.posture == "sit" and (seat is None or seat.node_id == person.support):
             return

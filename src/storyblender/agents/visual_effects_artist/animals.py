@@ -93,7 +93,7 @@ class Animals:
 
     def _start_at_entrance(self, animal: _Animal) -> None:
         """Start an animal some steps from its place, on the side where people enter, and end at its place."""
-        doors = self.stage.enter_marks()
+        doors = self.stage.floor.enter_marks()
         home = (animal.place[0], animal.place[1])
         door = min(doors, key=lambda spot: math.dist(spot, home)) if doors else (home[0] - DEFAULT_STEP, home[1])
         start = point_on_line(home, door, min(DEFAULT_STEP, math.dist(home, door)))

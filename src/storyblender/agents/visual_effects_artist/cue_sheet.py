@@ -359,7 +359,7 @@ class CueSheet:
         others = self.stage.others(person)
         if partner is not None:
             return self.find_spot_beside(person, partner, TALK_DISTANCE)
-        leaves = person.asset_id in self.leaving and bool(self.stage.exit_marks())
+        leaves = person.asset_id in self.leaving and bool(self.stage.floor.exit_marks())
         thing = self.stage.floor.thing(action.target_id)
         point = thing.nearest_edge(person.place) if thing is not None else person.place
         if leaves and not self.stage.floor.inside(point):  # to a plane on the field: out, on its side
@@ -373,15 +373,15 @@ class CueSheet:
         if named is not None:
             return self.stage.floor.free_spot(named, person.scale, others), None
         if leaves:
-            return min(self.stage.exit_marks(), key=lambda spot: math.dist(spot, person.place)), None
+            return min(self.stage.floor.exit_marks(), key=lambda spot: math.dist(spot, person.place)), None
         if action.distance:
             x, y = person.place
             wish = (x + action.distance * math.sin(person.yaw), y - action.distance * math.cos(person.yaw))
             return self.stage.floor.free_spot(wish, person.scale, others), None
-        home, yaw = self.stage.home.get(person.asset_id, (self.stage.middle(), 0.0))
+        home, yaw = self.stage.home.get(person.asset_id, (self.stage.floor.middle(), 0.0))
         if math.dist(home, person.place) > 1.0:
             return self.stage.floor.free_spot(home, person.scale, others), yaw
-        across = 2 * (self.stage.middle()[0] - person.place[0])
+        across = 2 * (self.stage.floor.middle()[0] - person.place[0])
         most = max(2.5, ON_THE_MOVE * speed)
         step = max(-most, min(most, across)) or 2.0
         return self.stage.floor.free_spot((person.place[0] + step, person.place[1]), person.scale, others), None
@@ -397,4 +397,4 @@ class CueSheet:
             )
             if step > REACH and free and floor.inside(spot, -floor.walk_on_distance):
                 return spot
-        return min(self.stage.exit_marks(), key=lambda spot: math.dist(spot, point))
+        return min(self.stage.floor.exit_marks(), key=lambda spot: math.dist(spot, point))

@@ -106,7 +106,7 @@ class Floor:
         key = self.kinds.get(name)
         kin = family_of(key) if key is not None else props_named(name)
         large = any(PROPS[prop].placement == "floor" for prop in kin if prop in PROPS)
-        middle = (self.bounds[0] + self.bounds[2]) / 2, (self.bounds[1] + self.bounds[3]) / 2
+        middle = self.middle()
         found = [t for t in self.things.values() if large and self.kinds.get(t.asset_id) in kin]
         return min(found, key=lambda thing: math.dist(thing.location[:2], middle), default=None)
 
@@ -115,6 +115,19 @@ class Floor:
         word = (name or "").rsplit("_", 1)[-1]
         found = (mark for mark in self.marks if word and (mark.name == word or word in mark.tags))
         return next((mark.location[:2] for mark in found), None)
+
+    def enter_marks(self) -> list[Vec2]:
+        """Return the floor points at which people enter the set."""
+        return [mark.location[:2] for mark in self.marks if "enter" in mark.tags]
+
+    def exit_marks(self) -> list[Vec2]:
+        """Return the floor points at which people leave the set."""
+        return [mark.location[:2] for mark in self.marks if "exit" in mark.tags] or self.enter_marks()
+
+    def middle(self) -> Vec2:
+        """Return the middle of the playing area."""
+        x0, y0, x1, y1 = self.bounds
+        return (x0 + x1) / 2, (y0 + y1) / 2
 
     def obstacles(self, skip: Iterable[str] = ()) -> list[Footprint]:
         """Return the outlines of everything solid but the things in ``skip`` (node ids or asset ids)."""

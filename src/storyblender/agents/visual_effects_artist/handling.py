@@ -273,7 +273,7 @@ class Handling:
         self.sheet.finish_action(person, start, end)
         size = self.stage.size_of(prop)
         if motion.key == "dress" and size is not None and size[2] < RING_SIZE:
-            self.stage.put_on(person, prop)
+            self.stage.put_on(prop)
 
     def _is_used_in_place(self, prop: str) -> bool:
         """Tell whether a prop is too wide to be opened or typed on in the hand, such as a case or a laptop."""

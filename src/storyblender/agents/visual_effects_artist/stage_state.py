@@ -104,7 +104,7 @@ class StageState:
             person.posture, person.support, person.anchor = "stand", None, ""
             others = [p.place for p in cast if p.present]
             first = next((a for a in shot.character_actions if a.asset_id == person.asset_id), None)
-            place, yaw = self.home.get(person.asset_id, (self.middle(), 0.0))
+            place, yaw = self.home.get(person.asset_id, (self.floor.middle(), 0.0))
             own = [clip_of(a.motion) for a in shot.character_actions if a.asset_id == person.asset_id]
             leaves = person.asset_id not in stay and all(motion.speed for motion in own)
             enters = (
@@ -114,7 +114,7 @@ class StageState:
             )
             thing = self.floor.thing(first.target_id, place) if first is not None else None
             stairs = self.floor.mark_of("stairs") if first is not None and first.motion == "climb" else None
-            if first is not None and (stairs is not None or (enters and self.enter_marks())):
+            if first is not None and (stairs is not None or (enters and self.floor.enter_marks())):
                 mark = stairs or self._choose_entrance(place, clip_of(first.motion).speed or 0.0)
                 crowded = any(math.dist(mark, other) < PERSONAL for other in others)
                 if crowded or self.floor.room_at(mark) < 0.6 * BODY * person.scale:
@@ -129,7 +129,7 @@ class StageState:
 
     def _choose_entrance(self, place: Vec2, speed: float) -> Vec2:
         """Return the nearest entrance; for a run (``speed`` in m/s), the nearest one that is far enough away."""
-        marks = sorted(self.enter_marks(), key=lambda spot: math.dist(spot, place))
+        marks = sorted(self.floor.enter_marks(), key=lambda spot: math.dist(spot, place))
         return next(
             (mark for mark in marks if math.dist(mark, place) > RUN_UP_SECONDS * speed), marks[-1 if speed > 2 else 0]
         )
@@ -156,19 +156,6 @@ class StageState:
             person.present = person.present and person.asset_id in stay
             if person.asset_id in self.next_places:
                 person.place, person.yaw = self.next_places.pop(person.asset_id)
-
-    def enter_marks(self) -> list[Vec2]:
-        """Return the floor points at which people enter the set."""
-        return [mark.location[:2] for mark in self.floor.marks if "enter" in mark.tags]
-
-    def exit_marks(self) -> list[Vec2]:
-        """Return the floor points at which people leave the set."""
-        return [mark.location[:2] for mark in self.floor.marks if "exit" in mark.tags] or self.enter_marks()
-
-    def middle(self) -> Vec2:
-        """Return the middle of the playing area."""
-        x0, y0, x1, y1 = self.floor.bounds
-        return (x0 + x1) / 2, (y0 + y1) / 2
 
     def apply_states(self, states: Sequence[BodyState], actions: Sequence[CharacterAction] = ()) -> None:
         """Bring people into the postures, spots and grips that the script gives them at the start of a shot.
@@ -217,7 +204,7 @@ class StageState:
             if not person.upright:
                 self.stand_by_cut(person)
         elif state.posture == "sit":
-            if (seat := self.seats.own_seat(person, state) or self.seat_for(person, state.support_id)) is not None:
+            if (seat := self.seats.own_seat(person, state) or self.seats.choose(person, state.support_id)) is not None:
                 self.sit_by_cut(person, seat)
             else:
                 person.posture, person.support, person.anchor = "sit", None, ""
@@ -248,10 +235,6 @@ class StageState:
         """Return the floor points of everybody else on stage."""
         return [p.place for p in self.people.values() if p.present and p is not person]
 
-    def seat_for(self, person: StagedPerson, name: str | None, beside: StagedPerson | None = None) -> SeatPlace | None:
-        """Return a seat: on or at the thing ``name``, next to ``beside``, else the nearest; None if none is free."""
-        return self.seats.choose(person, name, beside)
-
     def _seat_blockers(self) -> list[Vec3]:
         """Return the positions of loose props that make a seat unusable."""
         return [place for prop, place in self.prop_places.items() if self._is_carriable(prop)]
@@ -273,7 +256,7 @@ class StageState:
             person.place, person.yaw = edge.edge, edge.yaw
             person.support, person.anchor, person.posture = edge.node_id, edge.anchor, posture
             return
-        seat = self.seat_for(person, name) if name else None
+        seat = self.seats.choose(person, name) if name else None
         if seat is not None and posture == "asleep":
             self.sit_by_cut(person, seat)
         else:
@@ -371,7 +354,8 @@ class StageState:
         hand = person.free_hand(wish)
         if hand is None:
             return None
-        self._remove_from_everyone(prop)
+        for each in self.people.values():
+            each.let_go(prop)
         self.players = {name: held for name, held in self.players.items() if held != prop or name == person.asset_id}
         person.held[hand] = prop
         self.prop_places.pop(prop, None)
@@ -379,16 +363,10 @@ class StageState:
         self.moved_props[prop] = None
         return hand
 
-    def _remove_from_everyone(self, prop: str) -> None:
-        """Remove a prop from the hands and bodies of all people."""
-        for each in self.people.values():
-            each.let_go(prop)
-
     def carry_as(self, person: StagedPerson, prop: str, grip: Grip | None) -> None:
         """Let a person carry a prop with a grip of the script; without a grip it is in a hand."""
         if grip in ON_BODY:
-            self.lay_down(prop, (0.0, 0.0, 0.0))
-            del self.prop_places[prop]
+            self.put_on(prop)
         elif not self.put_in_hand(person, prop):
             return
         person.set_grip(prop, grip)
@@ -396,12 +374,13 @@ class StageState:
     def lay_down(self, prop: str, place: Vec3) -> None:
         """Lay a prop at a position in metres; nobody holds it any more."""
         self.players = {name: held for name, held in self.players.items() if held != prop}
-        self._remove_from_everyone(prop)
+        for each in self.people.values():
+            each.let_go(prop)
         self.prop_places[prop] = place
         self.moved_props[prop] = None
 
-    def put_on(self, person: StagedPerson, prop: str) -> None:
-        """Let a person put on a small prop, such as a ring: it is in no hand any more, and not drawn."""
+    def put_on(self, prop: str) -> None:
+        """Remove a prop from hands and places: it is worn, and drawn only if a body part shows it."""
         self.lay_down(prop, (0.0, 0.0, 0.0))
         del self.prop_places[prop]
 

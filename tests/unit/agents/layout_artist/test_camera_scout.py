@@ -11,9 +11,10 @@ from storyblender.agents.layout_artist.camera_cuts import find_cut_faults
 from storyblender.agents.layout_artist.camera_operator import operate
 from storyblender.agents.layout_artist.camera_operator_critic import CameraOperatorCritic
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorDraft, EarlierShot, Moment
-from storyblender.agents.layout_artist.camera_scout import CLEARED, hidden_share, scout_takes, take_cost
+from storyblender.agents.layout_artist.camera_scout import CLEARED, scout_takes, take_cost
 from storyblender.agents.layout_artist.camera_solids import contains_person, open_vessels, solid_boxes
 from storyblender.agents.layout_artist.camera_start import compose_take
+from storyblender.agents.layout_artist.camera_visibility import hidden_share
 from storyblender.catalog.footprints import piece_boxes
 from storyblender.catalog.set_plan import Piece, SetPlan, Slab
 from storyblender.geometry.boxes import Box

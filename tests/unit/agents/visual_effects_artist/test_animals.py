@@ -20,9 +20,11 @@ DOG = Asset(
 
 
 def _menagerie() -> Animals:
-    floor = SimpleNamespace(free_spot=lambda wish, *_, **__: wish, thing=lambda name: None)
+    floor = SimpleNamespace(
+        free_spot=lambda wish, *_, **__: wish, thing=lambda name: None, enter_marks=lambda: [(-4.0, 0.0)]
+    )
     nora = SimpleNamespace(place=(3.0, 0.0), present=True)
-    stage = SimpleNamespace(floor=floor, people={"nora": nora}, enter_marks=lambda: [(-4.0, 0.0)])
+    stage = SimpleNamespace(floor=floor, people={"nora": nora})
     home = LayoutObject(node_id="dog", asset_id="dog", location=(0.0, 0.0, 0.0))
     return Animals(stage, [DOG], [home])  # type: ignore[arg-type]
 
