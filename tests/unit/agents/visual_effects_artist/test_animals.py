@@ -19,7 +19,7 @@ DOG = Asset(
 )
 
 
-def _menagerie() -> Animals:
+def _animals() -> Animals:
     floor = SimpleNamespace(
         free_spot=lambda wish, *_, **__: wish, thing=lambda name: None, enter_marks=lambda: [(-4.0, 0.0)]
     )
@@ -35,13 +35,13 @@ def _shot(motion: str, target: str | None = None, *, flies: bool = False):
 
 
 def test_a_dog_comes_in_to_its_place_from_where_people_come_in() -> None:
-    (cue,), (state,) = _menagerie().play(_shot("walk"), 24, 120)  # type: ignore[arg-type]
+    (cue,), (state,) = _animals().play(_shot("walk"), 24, 120)  # type: ignore[arg-type]
     assert state.location is not None and state.location[0] < -1
     assert cue.mark is not None and math.dist(cue.mark.location[:2], (0, 0)) < 0.1
 
 
 def test_it_stops_beside_whom_it_goes_to_facing_them_and_is_there_in_the_next_shot() -> None:
-    animals = _menagerie()
+    animals = _animals()
     (cue,), _ = animals.play(_shot("run", "nora"), 24, 120)  # type: ignore[arg-type]
     assert cue.mark is not None and 0.5 < math.dist(cue.mark.location[:2], (3, 0)) < 1.5
     assert abs(cue.mark.yaw - 90) < 1
@@ -50,7 +50,7 @@ def test_it_stops_beside_whom_it_goes_to_facing_them_and_is_there_in_the_next_sh
 
 
 def test_a_look_is_a_turn_and_a_bird_that_flies_is_off_the_floor() -> None:
-    (turn,), _ = _menagerie().play(_shot("look", "nora"), 24, 120)  # type: ignore[arg-type]
+    (turn,), _ = _animals().play(_shot("look", "nora"), 24, 120)  # type: ignore[arg-type]
     assert turn.clip == "turn" and turn.mark is not None and turn.mark.location == (0.0, 0.0, 0.0)
-    (flight,), _ = _menagerie().play(_shot("walk", "nora", flies=True), 24, 120)  # type: ignore[arg-type]
+    (flight,), _ = _animals().play(_shot("walk", "nora", flies=True), 24, 120)  # type: ignore[arg-type]
     assert flight.mark is not None and flight.mark.location[2] > 1
