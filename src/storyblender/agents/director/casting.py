@@ -118,23 +118,11 @@ _AGES: Final = {
     "grandmother": 70,
     "grandfather": 72, "grandma": 70, "grandpa": 72, "ancient": 84, "wizened": 80,
 }  # fmt: skip
-_TALL: Final = {
-    "giant": 0.28,
-    "enormous": 0.26,
-    "huge": 0.24,
-    "towering": 0.22,
-    "very tall": 0.17,
-    "tall": 0.11,
-    "lanky": 0.08,
-}
-_SMALL: Final = {
-    "tiny": -0.16,
-    "diminutive": -0.14,
-    "very short": -0.13,
-    "petite": -0.1,
-    "short": -0.09,
-    "small": -0.09,
-}
+_SIZE_WORDS: Final = {
+    "giant": 0.28, "enormous": 0.26, "huge": 0.24, "towering": 0.22, "very tall": 0.17, "tall": 0.11, "lanky": 0.08,
+    "tiny": -0.16, "diminutive": -0.14, "very short": -0.13, "petite": -0.1, "short": -0.09, "small": -0.09,
+}  # fmt: skip
+"""Words of size -> metres that they add to an average adult."""
 _DEFAULT_HAIR: Final = {
     "female": ("long", "bob", "bun", "ponytail"),
     "male": ("short", "crop", "messy"),
@@ -348,7 +336,7 @@ def _without_facial_hair(words: str) -> str:
 def _animal_height(person: Person, beast: Species, age: float) -> float:
     """Return the height in metres of an animal on two legs, by species, age and words of size."""
     words = " ".join((*person.build, *person.face)).lower()
-    told = next((offset for word, offset in (_TALL | _SMALL).items() if re.search(rf"\b{word}\b", words)), 0.0)
+    told = next((offset for word, offset in _SIZE_WORDS.items() if re.search(rf"\b{word}\b", words)), 0.0)
     grown = 0.62 if age < 10 else 0.8 if age < 15 else 1.0
     return round(min(2.3, max(0.45, beast.height * grown * (1 + 1.4 * told))), 2)
 
@@ -359,7 +347,7 @@ def _height(person: Person, age: float) -> float | None:
     if age < 16:
         return None
     base = {"female": 1.65, "male": 1.78}.get(person.gender, 1.72)
-    for word, offset in (_TALL | _SMALL).items():
+    for word, offset in _SIZE_WORDS.items():
         if re.search(rf"\b{word}\b(?! hair)", words):
             return round(base + offset, 2)
     return None

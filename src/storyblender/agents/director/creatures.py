@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from typing import Final
 
+from storyblender.agents.director import lexicon
 from storyblender.agents.director.casting import animal_species, garments_in, introduction_words
 from storyblender.agents.director.lexicon import MACHINES
 from storyblender.agents.director.motion_families import HANDS
@@ -83,17 +84,12 @@ def compared_size(words: str) -> str:
     return ""
 
 
-_MOUTH_MOTIONS: Final = frozenset(
-    {"take", "pick_up", "hold", "catch", "drop", "give", "put_down", "touch", "search", "open"}
-)
+_MOUTH_MOTIONS: Final = lexicon.words("mouth_motions")
 """Verbs of handling that a beak or a claw can do as well."""
 _PARROTS: Final = frozenset({"parrot", "macaw", "cockatoo", "parakeet", "budgie", "budgerigar"})
 _PETS: Final = frozenset({"cat", "dog", "bird", "parrot", "owl", "crow", "hen", "rabbit", "mouse", "squirrel"})
 """Animals that lie on beds and perch on chairs as plain animals."""
-_TACK: Final = frozenset({
-    "collar", "lead", "leash", "saddle", "bridle", "harness", "halter", "bell", "blanket", "reins", "muzzle", "tag",
-    "bandage", "chain", "rope",
-})  # fmt: skip
+_TACK: Final = lexicon.words("tack")
 """Things that people put on animals."""
 _HAND_GRIPS: Final = frozenset({"right", "left", "both", "under_arm", "shoulder"})
 _RESTING_POSTURES: Final = frozenset({"sit", "lie", "asleep", "lean"})

@@ -16,9 +16,7 @@ MAX_GROUP = 40
 
 _AGES = ("30s", "50s", "20s", "40s", "60s", "30s", "70s")
 """Ages given in turn to members of a group without a stated age."""
-_MEN = frozenset(
-    {"soldier", "guard", "sailor", "knight", "monk", "miner", "trooper", "warrior", "pirate", "sentry", "marine"}
-)
+_MEN = lexicon.words("men")
 """Groups that are all men unless the script mentions women."""
 _CROWD = 4
 """Number of members from which a group counts as a crowd."""

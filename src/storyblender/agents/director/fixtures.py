@@ -11,18 +11,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reading import Thing
 from storyblender.catalog.props import PROPS
 
-FIXTURES = frozenset((
-    "door", "doors", "doorway", "window", "windows", "windowsill", "sill", "wall", "walls", "floor", "ceiling", "roof",
-    "stairs", "staircase", "steps", "stair", "landing", "hallway", "corridor", "entrance", "exit", "threshold", "lid",
-    "drawer", "handle", "doorknob", "knob", "lock", "keyhole", "corner", "balcony", "pavement", "sidewalk", "kerb",
-    "curb", "runway", "tarmac", "alcove", "archway", "awning", "banister", "bannister", "balustrade", "baseboard",
-    "beam",
-    "blind", "blinds", "branch", "chimney", "crossbeam", "cornice", "dock", "dome", "doorframe", "doorstep", "downpipe",
-    "drain", "drainpipe", "eave", "eaves", "fanlight", "floorboard", "girder", "gutter", "handrail", "hatch", "hinge",
-    "joist", "latch", "ledge", "lintel", "loft", "manhole", "pane", "panelling", "parapet", "peephole", "platform",
-    "porch", "porthole", "rafter", "rafters", "rail", "railing", "railings", "shutter", "shutters", "sidewall",
-    "skylight", "stairwell", "trapdoor", "tunnel", "vent", "wainscot", "windowpane", "windscreen", "windshield",
-))  # fmt: skip
+FIXTURES = lexicon.words("fixtures")
 """Head nouns of what the set kit builds, or what belongs to another thing."""
 _AFTER_HEAD: Final = re.compile(r"\b(?:of|with|in|on|from|for|at)\b")
 """Words that end the part of a name in which the noun is."""

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Final
 
+from storyblender.agents.director import lexicon
 from storyblender.catalog.acts import ACTS
 
-TRAVEL: Final = frozenset(
-    {"walk", "run", "sneak", "stagger", "crawl", "climb", "jump", "swim", "dance", "ride", "drive", "fall"}
-)  # fmt: skip
+TRAVEL: Final = lexicon.words("travel")
 """The whole body must stay in frame."""
 WHOLE_BODY: Final = frozenset({
     "sit", "stand_up", "lie_down", "kneel", "crouch", "bow", "fight", "hit", "kick", "push", "pull", "throw", "hug",

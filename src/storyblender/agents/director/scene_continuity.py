@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Sequence
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Iterator, Sequence
 
+from storyblender.agents.director import lexicon
 from storyblender.agents.director.fixtures import is_fixture
 from storyblender.agents.director.lighting import light_change
 from storyblender.agents.director.reading import Reading, SceneReading, StateChange, Unit
@@ -29,17 +31,11 @@ def inherited_states(reading: Reading) -> dict[int, dict[str, Condition]]:
     A portable thing keeps its state everywhere; a part of a place, and what is gone from it, only there.
     """
     bound = {thing.id for thing in reading.things if thing.kind == "set_piece" or is_fixture(thing)} | {LIGHT}
-    units_of: dict[int, list[Unit]] = {}
-    for unit in reading.units:
-        units_of.setdefault(unit.scene, []).append(unit)
-    roots: dict[int, int] = {}
     now: dict[tuple[int | None, str], Condition] = {}
     last: dict[int, SceneReading] = {}
     before: SceneReading | None = None
     found: dict[int, dict[str, Condition]] = {}
-    for index, scene in enumerate(reading.scenes):
-        root = roots[scene.id] = roots.get(scene.reference or scene.id, scene.id)
-        units = units_of.get(index, [])
+    for _, scene, root, units in _visits(reading):
         here = _things_in_action(units)
         for key in list(now):
             since = before if key[0] is None else last.get(root)
@@ -65,6 +61,17 @@ def _state(change: StateChange) -> str | None:
     return light.lamps if light is not None else None
 
 
+def _visits(reading: Reading) -> Iterator[tuple[int, SceneReading, int, list[Unit]]]:
+    """Yield each scene with its index, the id of the first scene in its place, and its units."""
+    roots: dict[int, int] = {}
+    units_of: defaultdict[int, list[Unit]] = defaultdict(list)
+    for unit in reading.units:
+        units_of[unit.scene].append(unit)
+    for index, scene in enumerate(reading.scenes):
+        roots[scene.id] = roots.get(scene.reference or scene.id, scene.id)
+        yield index, scene, roots[scene.id], units_of[index]
+
+
 def _things_in_action(units: Iterable[Unit]) -> set[str]:
     """Return the things that the action of a scene shows or uses."""
     told = {thing for unit in units for thing in unit.things if unit.kind == "action" and thing not in unit.absent}
@@ -84,24 +91,19 @@ _RESTING_KINDS = ("on", "in", "under")
 def inherited_positions(reading: Reading) -> dict[int, list[Relation]]:
     """Return, by scene id, where things are that an earlier scene in the same place put down."""
     props = {thing.id for thing in reading.things if thing.kind == "prop"}
-    roots: dict[int, int] = {}
     lying: dict[int, dict[str, Relation]] = {}
     found: dict[int, list[Relation]] = {}
     where: dict[str, set[int]] = {}
     stated_in: dict[int, list[Relation]] = {}
     for index, relation in reading.relations:
         stated_in.setdefault(index, []).append(relation)
-    units_of: dict[int, list[Unit]] = {}
-    for unit in reading.units:
-        units_of.setdefault(unit.scene, []).append(unit)
-    for index, scene in enumerate(reading.scenes):
-        root = roots[scene.id] = roots.get(scene.reference or scene.id, scene.id)
+    for index, scene, root, units in _visits(reading):
         here = lying.setdefault(root, {})
         found[scene.id] = list(here.values())
         for relation in stated_in.get(index, ()):
             if relation.asset_id in props and _update_positions(relation, here):
                 where.setdefault(relation.asset_id, set()).add(root)
-        last = {deed.prop: deed.motion for unit in units_of.get(index, ()) for deed in unit.deeds if deed.prop}
+        last = {deed.prop: deed.motion for unit in units for deed in unit.deeds if deed.prop}
         for thing, motion in last.items():
             kept = where.get(thing, set()) & {root} if motion == "put_down" else set[int]()
             for other in where.get(thing, set()) - kept:
@@ -122,9 +124,7 @@ def _update_positions(relation: Relation, here: dict[str, Relation]) -> bool:
     return True
 
 
-_BRINGING_VERBS = frozenset({
-    "bring", "deliver", "fetch", "wheel", "haul", "drag", "carry", "serve", "produce", "lug", "bear", "roll", "push",
-})  # fmt: skip
+_BRINGING_VERBS = lexicon.words("bringing_verbs")
 """Verbs of people who come in with a thing."""
 _DELIVERY_VERBS = frozenset({"bring", "deliver", "fetch", "serve"})
 """Verbs that say by themselves that the thing was elsewhere."""

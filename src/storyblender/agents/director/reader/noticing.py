@@ -39,9 +39,7 @@ _NOUN_PHRASE = 4
 _IDIOMS = frozenset(idiom.replace("_", " ") for idiom in lexicon.words("idioms"))
 _SHOWN = frozenset({"picture", "image"})
 _SCREENS = lexicon.words("screens")
-_TOWARDS = frozenset(
-    {"on", "onto", "upon", "with", "into", "at", "through", "over", "under", "around", "round", "for", "from"}
-)
+_TOWARDS = lexicon.words("noticing_towards")
 """Where somebody does something: ``sips from a cup``, ``both hands around a mug``, ``reaches for the poker``."""
 _ONLY_WORN = frozenset({"touch", "cut", "open", "clean"})
 """Motions that leave a garment on its wearer: ``straightens his tie``."""

@@ -11,9 +11,7 @@ from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 
-_NOT = frozenset(
-    {"not", "n't", "no", "never", "without", "hardly", "nor", "neither", "less", "nothing", "longer", "if"}
-)
+_NEGATIONS = lexicon.words("negations")
 _LOOK_BACK = 4
 """Words before an expression in which a negation is looked for."""
 
@@ -37,7 +35,7 @@ def note_expressions(state: ReaderState, words: Sequence[Word], people: Sequence
 
 def _is_denied(words: Sequence[Word], at: int) -> bool:
     """Whether a negation stands before a word."""
-    return any(word.low in _NOT for word in words[max(0, at - _LOOK_BACK) : at])
+    return any(word.low in _NEGATIONS for word in words[max(0, at - _LOOK_BACK) : at])
 
 
 def _is_of_a_thing(words: Sequence[Word], at: int) -> bool:

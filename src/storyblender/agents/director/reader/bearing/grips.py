@@ -29,9 +29,7 @@ _GRIPS: tuple[tuple[Grip, re.Pattern[str]], ...] = (
 _NOT_IN_HAND = lexicon.words("food") | lexicon.PARTS | lexicon.VEHICLES | lexicon.LIQUIDS
 _REACH = 7
 """Words after a thing within which its place on the body is looked for."""
-_HAVING = frozenset(
-    {"have", "has", "had", "carry", "carries", "carrying", "hold", "holds", "holding", "clutching", "with", "wears"}
-)
+_HAVING = lexicon.words("having")
 
 
 @rule("bearing.grip")

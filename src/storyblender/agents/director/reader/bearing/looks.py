@@ -21,12 +21,8 @@ _BEING = frozenset({"be", "look"})
 _WEARING = frozenset({"wear", "sport", "dress"})
 _HAVING = frozenset({"have"})
 _STOPS = frozenset({".", ";", ":", "!", "?", "(", ")", "--", "—", "–"})
-_HAIRY = frozenset(
-    {"hair", "beard", "moustache", "mustache", "curls", "curl", "braid", "ponytail", "fringe", "stubble", "bun"}
-)
-_FEATURES = frozenset(
-    {"eyes", "eye", "scar", "freckles", "freckle", "tattoo", "tattoos", "skin", "glasses", "spectacles"}
-)
+_HAIRY = lexicon.words("hairy")
+_FEATURES = lexicon.words("features")
 _LOOKS = lexicon.BUILD | lexicon.HAIR | (lexicon.FACE - {"eyes", "tired", "lined"}) | set(lexicon.AGE_WORDS)
 _UNSAID = lexicon.ANIMALS | {"like", "as", "if", "enough", "too"}
 _DETERMINING = lexicon.DETERMINERS | lexicon.POSSESSIVES | {"'s", "own"}

@@ -19,9 +19,7 @@ from storyblender.memory.vocabulary import Posture
 
 _HANGING = frozenset({"hang", "dangle"})
 _FLOATING = frozenset({"float", "hover", "levitate"})
-_MOUNTS = frozenset(
-    {"horse", "horseback", "pony", "mule", "donkey", "camel", "elephant", "bicycle", "bike", "motorcycle", "broomstick"}
-)
+_MOUNTS = lexicon.words("mounts")
 _FROM = frozenset({"from", "off", "on", "onto", "by", "to", "under", "over"})
 _ASTRIDE = frozenset({"on", "astride", "atop", "onto"})
 _PASSING = frozenset({"up", "out", "around", "round", "on"})

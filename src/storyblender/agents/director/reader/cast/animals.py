@@ -15,24 +15,7 @@ from storyblender.catalog.inflection import singular
 
 _CLAUSE = r"(?:,? (?:who|which|that) [^.;,]*,?|, [^.;,]*,| (?:in|on|with|of|at) [^.;,]*?)?"
 _ANY = frozenset({"animal", "creature", "beast"})
-_DOING = frozenset(
-    {
-        "begin",
-        "start",
-        "stop",
-        "bark",
-        "growl",
-        "howl",
-        "purr",
-        "bite",
-        "lick",
-        "sniff",
-        "wag",
-        "sneeze",
-        "yawn",
-        "blink",
-    }
-)
+_DOING = lexicon.words("doing")
 _BEING = frozenset({"sit", "stand", "lie", "come", "run", "go", "live", "trot", "hop", "sleep", "appear", "wait"})
 """Verbs an animal may follow: ``on the step sat a cat``."""
 _TOY_ANIMALS = re.compile(rf"\b(?:{'|'.join(sorted(lexicon.words('toys')))})\s+(?=(\w+))", re.IGNORECASE)

@@ -53,9 +53,7 @@ _OPENING = re.compile(
 )
 """``Without knocking, a tiny woman came in``, ``Beside me, on the bench, an old man``: nobody stands before her."""
 _NOT_ROLES = frozenset({"people", "crowd", "figure", "narrator", "family", "couple", "animal", "creature"})
-_LATER = frozenset(
-    {"man", "woman", "boy", "girl", "child", "lady", "gentleman", "guy", "fellow", "kid", "lad", "person"}
-)
+_LATER = lexicon.words("later")
 """``the man`` is somebody known, to be found by looking who is there."""
 
 

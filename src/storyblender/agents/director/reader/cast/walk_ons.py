@@ -39,22 +39,7 @@ _THE_KNOWN = frozenset({"man", "woman", "boy", "girl", "child", "lady", "guy", "
 """Nouns that with ``the`` refer to a person the page has already shown."""
 _STAFF = lexicon.words("staff")
 """Staff that may take ``the`` without an introduction: the bartender, where there is a bar."""
-_NOBODY = frozenset(
-    {
-        "people",
-        "family",
-        "someone",
-        "reader",
-        "viewer",
-        "audience",
-        "camera",
-        "narrator",
-        "author",
-        "one",
-        "figure",
-        "person",
-    }
-)
+_NOBODY = lexicon.words("nobody")
 _PLURAL = re.compile(
     r"(?:(?<=[.!?]\s)|(?<=[.!?]\s\s)|^)([A-Z][a-z]+s|[A-Z][a-z]+men|People)\s+(?:[a-z]+ly\s+)?([a-z]+)", re.M
 )

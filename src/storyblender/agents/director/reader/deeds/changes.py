@@ -21,9 +21,7 @@ _STATE_OF_VERB = {
 _HARMED = frozenset({"broken", "tipped", "spilled"})
 _STATE_OF_PARTICLE = {"open": "open", "shut": "closed", "on": "on", "off": "off", "out": "off"}
 _HALF_OUT = {"flicker": "flickering", "dim": "dim"}
-_TAPS = frozenset(
-    {"tap", "taps", "faucet", "shower", "hose", "hydrant", "sprinkler", "sink", "bath", "bathtub", "pump"}
-)
+_TAPS = lexicon.words("taps")
 _POURING = frozenset({"run", "pour", "gush", "flow", "spurt", "spray", "stream", "splash", "drip"})
 _SPILT = frozenset({"spill", "pour", "splash", "slop", "drip", "leak"})
 _COMING = frozenset({"arrive", "appear", "materialize", "materialise", "emerge"})

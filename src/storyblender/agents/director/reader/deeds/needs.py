@@ -10,19 +10,9 @@ from storyblender.agents.director.reader.language.phrases import NounPhrase
 from storyblender.agents.director.reader.people.roles import Roles
 from storyblender.agents.director.reader.state import ReaderState
 
-_TO_SOMETHING = frozenset(
-    {
-        "take", "pick_up", "put_down", "give", "throw", "catch", "open",
-        "wear", "take_off", "hit", "touch", "kiss", "hug", "fold",
-    }
-)  # fmt: skip
+_TO_SOMETHING = lexicon.words("to_something")
 """Motions that need an object, a thing or a person."""
-_SOLID = frozenset(
-    {
-        "take", "pick_up", "put_down", "give", "throw", "catch", "carry", "push", "pull", "open", "cut",
-        "wear", "take_off", "drop", "pour", "light", "kick", "hold",
-    }
-)  # fmt: skip
+_SOLID = lexicon.words("solid")
 """Motions whose object must be tangible: taking a question or dropping a hint does not count."""
 _TOGETHER = frozenset({"kiss", "hug", "hit"})
 _AGAINST = frozenset(

@@ -20,9 +20,7 @@ _POSTURE_OF_MOTION: dict[str, Posture] = {
     "sit": "sit", "lie_down": "lie", "kneel": "kneel", "crouch": "crouch", "sleep": "asleep", "crawl": "crawl",
     "fall": "lie", "wake": "lie", "lean": "lean",
 }  # fmt: skip
-_UPRIGHT = frozenset(
-    {"stand_up", "stand", "walk", "run", "jump", "climb", "dance", "stagger", "sneak", "fight", "swim"}
-)
+_UPRIGHT = lexicon.words("upright")
 _TAKING = frozenset({"pick_up", "take", "hold", "carry", "catch"})
 _TRAVEL = frozenset({"walk", "run", "climb", "sneak", "stagger", "crawl", "ride"})
 _POSES = frozenset({"stand", "sit", "lean", "kneel", "crouch", "lie_down"})
@@ -31,10 +29,7 @@ _NOT_HELD = frozenset({"abstract", "body", "set_piece", "scenery"})
 _NEAR = frozenset({"beside", "by", "near", "next to", "before", "in front of", "behind"})
 """``sits beside the bed``: not on it."""
 _SUPPORTED = frozenset({"sit", "lie_down", "sleep", "lean", "kneel"})
-_FILLED = frozenset({
-    "begin", "cover", "crowd", "deal", "decorate", "end", "fill", "fuss", "help", "lay", "let", "line", "load", "pack",
-    "play", "set", "stack", "start", "struggle", "wrestle",
-})  # fmt: skip
+_FILLED = lexicon.words("filled")
 """What these are done with is not in the doer's hand."""
 _NOT_WITH = frozenset({"look", "think", "read", "listen"})
 _WHERE = frozenset(

@@ -9,9 +9,7 @@ from storyblender.agents.director.reader.language.phrases import NounPhrase, Phr
 from storyblender.agents.director.reader.language.tagging import PERCEIVING
 
 _RESTING = lexicon.words("stative") - {"be"}
-_ARRIVED = frozenset(
-    {"fall", "come", "go", "sit", "rise", "kneel", "enter", "arrive", "return", "climb", "step", "stop"}
-)
+_ARRIVED = lexicon.words("arrived")
 """``has fallen asleep``, ``had come in``: what somebody has done shows still."""
 _ENDINGS = frozenset({"stop", "quit", "avoid", "consider", "finish", "suggest", "imagine"})
 _GAZING = frozenset({"look", "stare", "gaze", "glance", "peer"})

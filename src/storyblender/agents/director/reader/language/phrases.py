@@ -21,9 +21,7 @@ _SMALL = (
     | lexicon.DETERMINERS
     | lexicon.POSSESSIVES
 )
-_MODALS = frozenset(
-    {"can", "could", "cannot", "ca", "dare", "would", "will", "should", "might", "may", "must", "wo", "'ll", "'d"}
-)
+_MODALS = lexicon.words("modals")
 _HYPOTHETICAL = frozenset({"should", "could", "would", "cannot", "shall"})
 _NEGATIONS = frozenset({"not", "n't", "never", "nobody", "neither"})
 _LINKS = lexicon.CONJUNCTIONS | {"until", "if", "unless", "though", "although", "because", "since"}
@@ -49,9 +47,7 @@ _FITTING = frozenset({"open", "shut", "opposite", "near", "inside", "outside"})
 """``an open coffin``, ``the opposite wall``: no prepositions after an article."""
 _FACES_OF_THINGS = frozenset({"face", "crown", "belly", "bottom", "nose", "wheels", "spine", "rim", "mouth"})
 """``lays the book face down``: how it lies, no face."""
-_UNITS = frozenset(
-    {"step", "steps", "pace", "paces", "metre", "metres", "meter", "meters", "yard", "yards", "feet", "inches"}
-)
+_UNITS = lexicon.words("units")
 _NOBODY = frozenset({"we", "i", "you"})
 """``We see``: the audience."""
 _INDEFINITE = frozenset(

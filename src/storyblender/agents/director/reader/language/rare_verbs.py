@@ -12,12 +12,7 @@ from storyblender.catalog.inflection import singular
 OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
 OBJECTS = OPENERS | {"him", "her", "it", "them", "himself", "herself", "itself", "themselves", "each"}
 """Words that start the object of a verb, and hardly ever follow a plural noun."""
-DIRECTIONS = frozenset(
-    {
-        "up", "to", "twice", "once", "again", "at", "back", "away", "forward", "aside", "into", "toward", "towards",
-        "out", "through", "past", "from", "onto", "across", "off", "around", "along",
-    }
-)  # fmt: skip
+DIRECTIONS = lexicon.words("directions")
 BEFORE_NOUN = OPENERS | lexicon.PREPOSITIONS | {"'s"}
 AFTER_VERB = OPENERS | lexicon.PREPOSITIONS | {".", ",", ";", ":", "open", "shut", "and", "slowly", "away", "back"}
 SELDOM_VERBS = frozenset(

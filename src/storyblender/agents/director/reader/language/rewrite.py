@@ -38,9 +38,7 @@ _BORNE = lexicon.BODY | lexicon.WORN | lexicon.PROPS
 """``skirts bunched in one fist``, ``boots on``: what somebody has about them, no verb."""
 _OUTCOMES = {"shut": "shut", "closed": "shut", "open": "open"}
 """What a door is after it was kicked or pulled."""
-_POSTURES = frozenset(
-    {"seated", "perched", "slumped", "hunched", "propped", "sprawled", "crouched", "curled", "huddled"}
-)
+_POSTURES = lexicon.words("postures")
 """``Olsen, seated by the fire, whittles``: a deed of its own."""
 _BESIDE = frozenset({"at", "by", "beside", "behind", "near", "under", "beneath", "next", "opposite", "atop", "across"})
 """``Magda, by the loft, lights a match``: where she is, not who."""

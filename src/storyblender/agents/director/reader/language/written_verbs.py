@@ -18,16 +18,10 @@ _ATTIRING = frozenset({"dress", "wrap", "swathe", "veil", "bundle", "cloak", "ro
 """``a lady dressed in black``: she does nothing."""
 _SHAPING = frozenset({"build", "shape", "make", "dress", "cut", "carve", "draw", "paint"})
 """``built like a barn``: verbs that describe a build here, not an action."""
-_NOUNS_OF = frozenset(
-    {"bit", "cut", "set", "shot", "hit", "left", "felt", "found", "ground", "spoke", "rose", "lead", "bound"}
-)
-_RANKING = frozenset(
-    {"first", "second", "third", "fourth", "fifth", "last", "next", "upper", "lower", "narrow", "small"}
-)
+_NOUNS_OF = lexicon.words("nouns_of")
+_RANKING = lexicon.words("ranking")
 """``the second landing``."""
-_BEFORE_INFINITIVE = frozenset(
-    {"to", "n't", "not", "never", "would", "will", "should", "might", "may", "must", "can", "could", "cannot", "let"}
-)
+_BEFORE_INFINITIVE = lexicon.words("before_infinitive")
 _FORCING = lexicon.words("forcing")
 _SOLID = lexicon.SET_PIECES | lexicon.PROPS | lexicon.WORN
 _THINGS = _SOLID | lexicon.BODY

@@ -20,9 +20,7 @@ from storyblender.agents.director.reader.people.thing_reference import raise_cla
 from storyblender.agents.director.reader.state import ReaderState
 from storyblender.agents.director.reading import Person
 
-_FALLING = frozenset(
-    {"fall", "collapse", "drop", "die", "stagger", "stumble", "crumple", "faint", "slump", "tumble", "crash"}
-)
+_FALLING = lexicon.words("falling")
 _STRIKING = lexicon.words("striking")
 _INVERTED = lexicon.INVERTING | {"live", "be"}
 """Verbs whose subject may follow: ``On the stone sat a fox``, ``There was a man``."""

@@ -141,7 +141,5 @@ HANGING = frozenset({"hang", "dangle", "swing", "droop", "suspend", "sway"})
 """``swings from a hook`` is on it."""
 BENT = frozenset({"bend", "stoop", "hunch", "bow"})
 """``is bent over the desk``, but who bends over it does not stay so."""
-TOUCHING = frozenset(
-    {"bang", "tap", "pound", "rap", "thump", "stamp", "wipe", "rub", "strike", "knock", "drum", "draw"}
-)
+TOUCHING = lexicon.words("touching")
 """``bangs her stick on the floor``, ``draws a cross on it``."""

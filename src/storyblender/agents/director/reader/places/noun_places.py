@@ -37,29 +37,10 @@ _BEARING = frozenset({"lap", "knee", "shoulder", "thigh"})
 _BACKS = frozenset({"back", "shoulder"})
 """``his back against the wall``: he himself."""
 _PICTURES = frozenset({"photograph", "photo", "picture", "portrait", "painting", "drawing", "sketch", "statue"})
-_PASSING = frozenset(
-    {
-        "slide",
-        "push",
-        "pass",
-        "kick",
-        "roll",
-        "shove",
-        "walk",
-        "look",
-        "reach",
-        "throw",
-        "hand",
-        "lean",
-        "lob",
-        "glance",
-    }
-)
+_PASSING = lexicon.words("passing")
 """``slides the box across the table``: it does not stay there."""
 _STATIVE, _PLACING = lexicon.words("stative"), lexicon.words("placing")
-_BOARDS = frozenset(
-    {"table", "desk", "counter", "shelf", "tray", "bench", "mantelpiece", "mantel", "sideboard", "dresser", "bar"}
-)
+_BOARDS = lexicon.words("boards")
 _SITTING = frozenset({"sit", "perch", "squat", "crouch", "kneel", "slump"})
 _OPEN = frozenset({"open", "shut", "up", "down", "out", "back", "over"})
 """``a book open on her lap``."""

@@ -28,9 +28,7 @@ from storyblender.memory.vocabulary import RelationKind
 _PLACING, _ATTACHING, _SEATING = (lexicon.words(rule) for rule in ("placing", "attaching", "seating"))
 _MOVED = frozenset({"put_down", "drop", "throw"})
 _BRINGING = frozenset({"pull", "push", "carry"})
-_DRAWN_UP = frozenset(
-    {"pull", "draw", "drag", "bring", "push", "roll", "wheel", "shove", "carry", "haul", "move", "slide", "kick"}
-)
+_DRAWN_UP = lexicon.words("drawn_up")
 """``pulls a chair up to the table``, ``drags a crate in front of the door``."""
 _RETURNING = frozenset({"return", "restore", "add", "replace"})
 """``returns the book to the shelf``."""

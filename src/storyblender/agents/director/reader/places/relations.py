@@ -33,9 +33,7 @@ from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import RelationKind
 
-_BOARDING = frozenset(
-    {"get", "climb", "step", "hop", "scramble", "slide", "jump", "clamber", "leap", "squeeze", "crawl"}
-)
+_BOARDING = lexicon.words("boarding")
 _RECENT_THINGS = 4
 """Things back to a vehicle."""
 _LEAPING = frozenset({"jump", "climb", "ride", "fall"})

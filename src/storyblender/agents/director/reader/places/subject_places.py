@@ -34,9 +34,7 @@ _COMING_TO_REST, _WHERE = (
 _AT_WORK = frozenset({"cook", "eat", "drink", "read", "write", "type", "work", "cut", "clean", "pour", "play_music"})
 _CONSUMING = frozenset({"eat", "drink", "read", "smoke"})
 """``eats a sandwich on a ladder``: it is the eater who is on it."""
-_BACKING = frozenset(
-    {"back", "press", "flatten", "shrink", "retreat", "stagger", "crash", "slam", "lean", "prop", "brace"}
-)
+_BACKING = lexicon.words("backing")
 """``backs against the wall``."""
 _CREEPING = frozenset({"crawl", "creep", "scramble", "squeeze", "slide", "slip", "roll", "wriggle", "dive"})
 _SEEING = frozenset({"see", "look", "glance", "stare", "spot", "notice", "hear"})
