@@ -12,6 +12,8 @@ import math
 
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image as Picture
+from PIL.Image import Resampling
 
 from storyblender.look.optics import Lens
 from storyblender.look.raster import Image, Mask, Window, shrink, spread
@@ -177,8 +179,9 @@ def disc_blur(planes: Image, radius: float) -> Image:
     height, width = planes.shape[:2]
     padded = np.pad(planes, ((0, -height % step), (0, -width % step), (0, 0)))
     small = _disc_mean(np.ascontiguousarray(np.moveaxis(shrink(padded, step), 2, 0)), radius / step)
-    for _ in range(halvings):
-        small = _doubled(_doubled(small, 1), 2)
+    if step > 1:
+        size = padded.shape[1], padded.shape[0]
+        small = np.stack([np.asarray(Picture.fromarray(plane).resize(size, Resampling.BILINEAR)) for plane in small])
     return np.moveaxis(small[:, :height, :width], 0, 2)
 
 
@@ -209,14 +212,3 @@ def _chord(radius: float, row: int) -> float:
     """Return how wide a disc is in a row of pixels beside its middle, in the mean over the row's height."""
     heights = np.linspace(row - 0.45, row + 0.45, 10)
     return float(2 * np.sqrt(np.maximum(radius**2 - heights**2, 0)).mean())
-
-
-def _doubled(planes: Image, axis: int) -> Image:
-    """Return (c, h, w) planes with twice the pixels along an axis, straight lines between them."""
-    planes = np.moveaxis(planes, axis, 1)
-    before = np.concatenate([planes[:, :1], planes[:, :-1]], axis=1)
-    after = np.concatenate([planes[:, 1:], planes[:, -1:]], axis=1)
-    out = np.empty((planes.shape[0], 2 * planes.shape[1], planes.shape[2]), np.float32)
-    out[:, ::2] = np.float32(0.75) * planes + np.float32(0.25) * before
-    out[:, 1::2] = np.float32(0.75) * planes + np.float32(0.25) * after
-    return np.moveaxis(out, 1, axis)
