@@ -14,7 +14,7 @@ from defusedxml.sax import parseString
 
 from storyblender.errors import InputError
 from storyblender.screenplay.cues import split_cue
-from storyblender.screenplay.fountain import kind_of_words
+from storyblender.screenplay.line_kinds import kind_of_words
 from storyblender.screenplay.model import Element, ElementKind, Screenplay
 
 _KIND: dict[str, ElementKind] = {

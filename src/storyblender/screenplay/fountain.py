@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 from storyblender.screenplay.comments import blank, find_comments
 from storyblender.screenplay.cues import (
-    closes_series,
     item_mark,
     looks_like_cue,
     opens_series,
@@ -23,23 +22,12 @@ from storyblender.screenplay.headings import is_heading, scene_label, split_numb
 from storyblender.screenplay.layout.front import titled
 from storyblender.screenplay.layout.labels import element_of_label
 from storyblender.screenplay.layout.spacing import PageRow, line_spacing
+from storyblender.screenplay.line_kinds import TRANSITION, kind_of_words
 from storyblender.screenplay.model import Element, ElementKind, Screenplay
 
-_SECTION = re.compile(
-    r"(?:END (?:OF )?)?(?:TEASER|COLD OPEN(?:ING)?|TAG|SCENE [A-Z]|ACT (?:ONE|TWO|THREE|FOUR|FIVE|SIX|[IVX]+|\d+))\.?"
-    r"|(?:BEGIN |START |END (?:OF )?)?(?:[A-Z' -]*\bMONTAGE\b|SERIES OF SHOTS\b)(?:[ :.–—-][^a-z]*)?"
-    r"|(?:BEGIN |START |END (?:OF )?)?(?:FLASH[ -]?(?:BACK|FORWARD)|DREAM|FANTASY)(?: SEQUENCE)?[:.]?"
-    r"|(?:BACK|RETURN) TO (?:THE )?PRESENT(?: DAY)?[:.]?"
-)
-"""Lines in capitals that divide a script and tell nothing: acts, montages, and the ends of what was remembered."""
 _LISTS_SHOTS = re.compile(r"\bMONTAGE\b|\bSERIES OF SHOTS\b")
 """Nobody is called so: what stands right below is no speech."""
 _SCENE_NUMBER = re.compile(r"#([\w.\-–()]+)#$")
-_TRANSITION = re.compile(
-    r"[^a-z]*\bTO:|(?:FADE (?:IN|OUT|TO BLACK|TO WHITE)|CUT TO BLACK|SMASH CUT|DISSOLVE)[^a-z]{0,3}|THE END\.?"
-)
-_PAGE_FURNITURE = re.compile(r"\(?CONTINUED\)?:?(?: ?\(\d+\))?|\d{1,3}\.")
-"""What a printed page repeats at its head and foot."""
 _TITLE_KEY = re.compile(r"([^\W\d_][\w ]{0,30}):[ \t]*(.*)")
 _MANNER = re.compile(r"\((?=[^)]*[A-Z])[^a-z()]+\)")
 """A bracket in capitals inside a speech, as in sitcoms: how its next words are said."""
@@ -81,17 +69,6 @@ def parse(text: str, path: str = "") -> Screenplay:
         InputError: A boneyard or a note is opened and never closed.
     """
     return _FountainReader(text, path).read()
-
-
-def kind_of_words(words: str) -> ElementKind | None:
-    """Return the kind of a line between blank lines by its words alone; None for action and speech."""
-    if is_heading(words):
-        return "heading"
-    if _TRANSITION.fullmatch(words):
-        return "transition"
-    if _SECTION.fullmatch(words) or opens_series(words) or closes_series(words):
-        return "section"
-    return "page_break" if _PAGE_FURNITURE.fullmatch(words) else None
 
 
 class _FountainReader:
@@ -207,7 +184,7 @@ class _FountainReader:
 
     def _ends_shot(self, index: int) -> bool:
         """Return whether a line is a cut, so that a heading may follow without a blank line."""
-        return _TRANSITION.fullmatch(self.lines[index].words) is not None
+        return TRANSITION.fullmatch(self.lines[index].words) is not None
 
     def _follow_series(self, kind: ElementKind, words: str) -> None:
         """Note where a series of shots begins and ends, and open a picture for each of its items."""

@@ -7,7 +7,6 @@ from bisect import bisect_left
 from collections.abc import Sequence
 
 from storyblender.screenplay.cues import looks_like_cue, split_cue
-from storyblender.screenplay.fountain import kind_of_words
 from storyblender.screenplay.headings import (
     heading_words,
     is_heading,
@@ -27,6 +26,7 @@ from storyblender.screenplay.layout.speech import (
     standing_name,
     standing_names,
 )
+from storyblender.screenplay.line_kinds import kind_of_words
 from storyblender.screenplay.model import ElementKind, Screenplay
 
 _ACT = re.compile(

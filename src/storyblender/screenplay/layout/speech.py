@@ -7,9 +7,9 @@ from collections import Counter
 from collections.abc import Sequence
 
 from storyblender.screenplay.cues import looks_like_cue, split_cue
-from storyblender.screenplay.fountain import kind_of_words
 from storyblender.screenplay.layout.labels import element_of_label
 from storyblender.screenplay.layout.lines import Line, Page, plain
+from storyblender.screenplay.line_kinds import kind_of_words
 
 _BRACKET = re.compile(r"[_*\\]*(?:\((?P<round>[^()]{1,600}?)\\?\)|\[(?P<square>[^\[\]]{1,600})\])[_*]*", re.DOTALL)
 _OFF = re.compile(
