@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
+
+from storyblender.memory.asset_sheet import NOTE_LENGTH, Credit
 
 MOST_BYTES = 256 << 20
 """A larger model is not read, so of that only the size counts."""
@@ -23,6 +27,13 @@ def credit_files(path: Path, folder: Path) -> list[Path]:
     places = [place for place in path.parents if place == folder or folder in place.parents]
     names = [path.with_name(f"{path.stem}.{CREDITS}"), *(place / CREDITS for place in places)]
     return [name for name in names if name.is_file()]
+
+
+def credit_lines(values: Mapping[str, Any]) -> dict[str, str]:
+    """Return what a credit can hold: lines of text, each cut to its longest."""
+    texts = {name: values.get(name) for name in Credit.model_fields}
+    lines = {name: " ".join(text.split())[:NOTE_LENGTH] for name, text in texts.items() if isinstance(text, str)}
+    return {name: "".join(filter(str.isprintable, line)) for name, line in lines.items() if line}
 
 
 def content_of(path: Path, folder: Path) -> str:

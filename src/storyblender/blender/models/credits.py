@@ -9,8 +9,8 @@ from typing import Any
 
 from storyblender.blender.models.addresses import readable
 from storyblender.errors import InputError
-from storyblender.memory.asset_sheet import NOTE_LENGTH, Credit
-from storyblender.model_content import MOST_CREDIT_BYTES, credit_files
+from storyblender.memory.asset_sheet import Credit
+from storyblender.model_content import MOST_CREDIT_BYTES, credit_files, credit_lines
 
 
 def with_files(credit: Credit, path: Path, folder: Path, notes: list[str]) -> Credit:
@@ -27,7 +27,7 @@ def with_files(credit: Credit, path: Path, folder: Path, notes: list[str]) -> Cr
         try:
             if readable(folder, file).stat().st_size > MOST_CREDIT_BYTES:
                 raise ValueError("too long")
-            told = {**_kept(tomllib.loads(file.read_bytes().decode("utf-8-sig"))), **told}
+            told = {**credit_lines(tomllib.loads(file.read_bytes().decode("utf-8-sig"))), **told}
         except (InputError, OSError, ValueError, RecursionError) as error:
             notes.append(f"{file.name} cannot be read ({type(error).__name__}); it is left out")
     return credit.model_copy(update=told)
@@ -39,16 +39,9 @@ def credit_in_gltf(asset: Any) -> Credit:
     extras = asset.get("extras")
     extras = extras if isinstance(extras, Mapping) else {}
     told = {**extras, "url": extras.get("source") or extras.get("url"), "copyright": asset.get("copyright")}
-    return Credit(**_kept(told))
+    return Credit(**credit_lines(told))
 
 
 def credit_of(author: str, license_name: str, copyright_notice: str) -> Credit:
     """Return a credit of the texts of Blender's asset metadata."""
-    return Credit(**_kept({"author": author, "license": license_name, "copyright": copyright_notice}))
-
-
-def _kept(values: Mapping[str, Any]) -> dict[str, str]:
-    """Return what a credit can hold: lines of text, each cut to its longest."""
-    texts = {name: values.get(name) for name in Credit.model_fields}
-    lines = {name: " ".join(text.split())[:NOTE_LENGTH] for name, text in texts.items() if isinstance(text, str)}
-    return {name: "".join(filter(str.isprintable, line)) for name, line in lines.items() if line}
+    return Credit(**credit_lines({"author": author, "license": license_name, "copyright": copyright_notice}))
