@@ -69,6 +69,10 @@ Models = Annotated[
     ),
 ]
 
+Hdri = Annotated[
+    Path | None, typer.Option(help="A panorama of high dynamic range (.hdr, .exr) that lights exteriors by day.")
+]
+
 
 @app.command(
     epilog=examples(
@@ -87,6 +91,7 @@ def make(
     fps: Fps = None,
     shots_per_scene: Shots = None,
     models: Models = None,
+    hdri: Hdri = None,
     animatic: Annotated[
         bool | None, typer.Option(help="Make the animatic too, a film of the moving board (on by default).")
     ] = None,
@@ -103,7 +108,8 @@ def make(
     """Turn a script into a storyboard: everything. Run it again to go on where it was stopped, or after a revision."""
     settings: dict[str, Any] = dict(
         look=look, crew=crew, aspect=aspect, width=width, fps=fps, jobs=jobs, seed=seed,
-        shots_per_scene=shots_per_scene, models=models or None, animatic=animatic, slate=slate, paper=paper,
+        shots_per_scene=shots_per_scene, models=models or None, hdri=hdri, animatic=animatic,
+        slate=slate, paper=paper,
     )  # fmt: skip
     with shown(quiet, json_lines) as terminal:
         project = out or _folder_of(script)

@@ -32,6 +32,7 @@ from storyblender.pipeline.asset_files import assets_to_build
 from storyblender.pipeline.compiling import Compilation, story_files
 from storyblender.pipeline.filming import cuts_made_wrong, film, with_cuts_judged
 from storyblender.pipeline.packing import pack_scenes
+from storyblender.pipeline.panorama import keep_panorama
 from storyblender.pipeline.retaking import retake_poor_frames
 from storyblender.pipeline.reviewing import FrameReview, review_frames
 from storyblender.pipeline.run import Run
@@ -173,6 +174,7 @@ class Session:
         with self._call() as run:
             ground(run, script, reading)
             run.project.files.write(REMEMBERED, self._settings.remembered(self.folder))
+            keep_panorama(run)
             materialize(run)
             stage(run)
             animate_again(run)
@@ -344,6 +346,7 @@ class Session:
         if staged and not (self.folder / REMEMBERED).exists():
             message = f"{REMEMBERED} is missing; look, width and lenses are the defaults"
             run.tell(Event(kind="warning", role="project", subject=self.folder.name, message=message))
+        keep_panorama(run)
         if assets_to_build(run, run.graph.assets):
             from storyblender.pipeline.materializing import materialize
 

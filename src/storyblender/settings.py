@@ -41,6 +41,11 @@ def _as_list(value: Any) -> Any:
     return [value] if isinstance(value, str | Path) else value
 
 
+def _unless_empty(value: Any) -> Any:
+    """Return a path, None for an empty one: no file."""
+    return None if value == "" else value
+
+
 def _clock(value: str) -> str:
     if not re.fullmatch(r"([01]\d|2[0-3])(:[0-5]\d){2}:\d\d", value, re.ASCII):
         raise ValueError("it should be hours, minutes, seconds and frames, for example 01:00:00:00")
@@ -85,6 +90,9 @@ class Settings(Frozen):
     models: Annotated[tuple[Path, ...], BeforeValidator(_as_list), Field(max_length=20)] = ()
     """Folders of the user's own .glb, .gltf, .obj and .blend files, searched before the built-in library; of equal
     matches that in the earlier folder is taken. In ``storyblender.toml`` they are named from there, one or a list."""
+    hdri: Annotated[Path | None, BeforeValidator(_unless_empty)] = None
+    """A panorama, .hdr or .exr, that lights exteriors by day; ``""`` is none. In ``storyblender.toml`` it is named from
+    there."""
     build: Path | None = None
     """A folder on another disk that takes the place of ``build/`` in the project. In ``storyblender.toml`` it is named
     from there. One folder for each project."""
@@ -115,7 +123,8 @@ class Settings(Frozen):
 
         Args:
             script: ``storyblender.toml`` is looked for in its folder.
-            project: The folder of a project. Where there is a script too, only the folders of models are taken from it.
+            project: The folder of a project. Where there is a script too, only the folders of models and the panorama
+                are taken from it.
             overrides: From the command line; None means not given.
 
         Raises:
@@ -127,12 +136,13 @@ class Settings(Frozen):
         elif project is not None:
             file = SettingsFile.read(project / REMEMBERED)
         values = dict(file.values) if file else {}
-        for name in ("models", "build"):
-            if file and name in values:
+        for name in ("models", "hdri", "build"):
+            if file and values.get(name):
                 values[name] = file.paths(name)
-        if script is not None and project is not None and "models" not in values:
-            made_with = SettingsFile.read(project / REMEMBERED)
-            values["models"] = made_with.paths("models") if made_with and "models" in made_with.values else ()
+        made_with = SettingsFile.read(project / REMEMBERED) if script is not None and project is not None else None
+        for name in ("models", "hdri"):
+            if made_with is not None and name not in values and name in made_with.values:
+                values[name] = made_with.paths(name)
         given = {key: value for key, value in overrides.items() if value is not None}
         try:
             return cls.model_validate(values | given)
@@ -159,13 +169,15 @@ class Settings(Frozen):
         """Return what a project keeps, as JSON: all that differs from the defaults and is not of this machine.
 
         Args:
-            project: Its folder. A folder of models beside it or in it is named from there, so that both can be moved
-                together; another one by its whole path.
+            project: Its folder. A folder of models or a panorama beside it or in it is named from there, so that both
+                can be moved together; another one by its whole path.
         """
         home = project.resolve()
-        folders = [folder.resolve() for folder in self.models]
-        named = [
-            Path(os.path.relpath(folder, home)) if folder.is_relative_to(home.parent) else folder for folder in folders
-        ]
-        kept = self.model_copy(update={"models": tuple(named)})
+
+        def named(path: Path) -> Path:
+            whole = path.resolve()
+            return Path(os.path.relpath(whole, home)) if whole.is_relative_to(home.parent) else whole
+
+        update = {"models": tuple(map(named, self.models)), "hdri": self.hdri and named(self.hdri)}
+        kept = self.model_copy(update=update)
         return kept.model_dump_json(exclude_defaults=True, exclude={"jobs"}, indent=1)

@@ -222,6 +222,10 @@ class Studio:
             from storyblender.screenplay.source import load
 
             load(script)  # a script that cannot be read is refused before there is a folder
+            if settings.hdri is not None:
+                from storyblender.library.panorama_file import read_panorama
+
+                read_panorama(settings.hdri)
         ahead, self._ahead = self._ahead, None
         if build is not None:
             check_build_folder(build, folder.resolve(), take=script is not None)

@@ -164,6 +164,7 @@ class BlenderSession:
             height=job.format.height,
             seed=job.format.seed,
             hidden_node_ids=job.shot.camera.hidden_node_ids,
+            panorama=job.lighting.panorama and self._files.path(job.lighting.panorama.file),
         )
         heads = [_head(figure, job.shot.in_frame) for figure in figures(scene, start + job.frame)]
         with held_still(scene, start + job.frame) as still:

@@ -82,7 +82,7 @@ def _add_scene(
     scene["scene_id"] = pack.scene_id
     scene["heading"] = next((o.heading for o in job.outline if o.scene_id == pack.scene_id), "")
     cameras, lights = _child(scene, "cameras"), _child(scene, "lights")
-    light_scene(scene, lights, context, shots, pack)
+    light_scene(scene, lights, context, shots, pack, files)
     hidden: dict[str, list[int]] = {}
     for shot in shots:
         start = pack.start_of(shot.shot_id)

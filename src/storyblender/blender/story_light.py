@@ -8,14 +8,15 @@ from collections.abc import Sequence
 import bpy
 
 from storyblender.blender.hiding import key_hidden
-from storyblender.blender.render.lamps import make_lamp
+from storyblender.blender.render.lamps import PANORAMA, PanoramaImage, add_panorama, make_lamp
 from storyblender.blender.render.meter import balanced
 from storyblender.blender.sets.world import set_world
 from storyblender.blender.tags import tag
+from storyblender.folder import Folder
 from storyblender.look.illumination import sky_colors
 from storyblender.memory.base import shot_name
 from storyblender.memory.jobs import PackRef
-from storyblender.memory.scene_context import Light, Lighting, SceneContext, Sky
+from storyblender.memory.scene_context import Light, Lighting, SceneContext
 from storyblender.memory.shot_context import ShotContext
 
 _SIDES = {
@@ -35,6 +36,7 @@ def light_scene(
     context: SceneContext,
     shots: Sequence[ShotContext],
     pack: PackRef,
+    files: Folder,
 ) -> None:
     """Add the lamps and the sky of a scene's light plans, metered as for the board, and the lamps of its shots.
 
@@ -44,6 +46,7 @@ def light_scene(
         context: Has the light plan that the scene begins with.
         shots: Of the scene, in order; a shot may bring a plan that applies from there on.
         pack: Has the first frames of the shots.
+        files: The project folder, with the pictures of panoramas.
     """
     starts = [pack.start_of(shot.shot_id) for shot in shots]
     plans = _plans(context, shots)
@@ -60,13 +63,24 @@ def light_scene(
             key_hidden(lamp, [(start, first <= index < last) for index, start in enumerate(starts)])
         if number == 0:
             set_world(scene, plan.sky)
+            later = (each.panorama for each, *_ in plans if each.panorama is not None)
+            panorama = plan.panorama or next(later, None)
+            if panorama is not None:
+                _pack(add_panorama(scene.world, PanoramaImage(panorama, files.path(panorama.file))))
         if len(plans) > 1:
-            _key_sky(scene.world, plan.sky, starts[first])
+            _key_sky(scene.world, plan, starts[first])
     people = bpy.data.collections.get(f"{scene.name}_cast")
     for index, shot in enumerate(shots):
         for lamp in make_lights(shot.lights, collection, shot_name(shot.scene_id, shot.shot_id)):
             lamp.light_linking.blocker_collection = people  # only people cast shadows from them, as on the board
             key_hidden(lamp, [(start, other == index) for other, start in enumerate(starts)])
+
+
+def _pack(picture: bpy.types.Image) -> None:
+    """Put a picture into the file, without the path that it was read from."""
+    if picture.packed_file is None:
+        picture.pack()
+        picture.filepath_raw = picture.packed_files[0].filepath = f"//{picture.name}"
 
 
 def make_lights(lights: Sequence[Light], collection: bpy.types.Collection, prefix: str) -> list[bpy.types.Object]:
@@ -118,9 +132,20 @@ def _plans(context: SceneContext, shots: Sequence[ShotContext]) -> list[tuple[Li
     return [(plan, first, last) for (plan, first), last in zip(begins, ends, strict=True) if plan is not None]
 
 
-def _key_sky(world: bpy.types.World, sky: Sky, frame: int) -> None:
-    """Key the sky's colours on the world's dome from a frame on."""
-    ramp = next(node for node in world.node_tree.nodes if node.type == "VALTORGB").color_ramp
+def _key_sky(world: bpy.types.World, plan: Lighting, frame: int) -> None:
+    """Key the sky's colours on the world's dome from a frame on, and whether a panorama lights in its place."""
+    nodes, sky = world.node_tree.nodes, plan.sky
+    if PANORAMA in nodes:
+        share = nodes[f"{PANORAMA}_share"].inputs["Fac"]
+        share.default_value = 0.0 if plan.panorama is None else 1.0
+        share.keyframe_insert("default_value", frame=frame)
+    if PANORAMA in nodes and plan.panorama is not None:
+        turn, strength = nodes[f"{PANORAMA}_turn"].inputs["Rotation"], nodes[PANORAMA].inputs["Strength"]
+        turn.default_value[2] = -math.radians(plan.panorama.yaw)
+        strength.default_value = plan.panorama.strength
+        turn.keyframe_insert("default_value", index=2, frame=frame)
+        strength.keyframe_insert("default_value", frame=frame)
+    ramp = next(node for node in nodes if node.type == "VALTORGB").color_ramp
     for stop, color in zip(ramp.elements, sky_colors(sky), strict=True):
         stop.color = (*(float(channel) for channel in color), 1.0)
         stop.keyframe_insert("color", frame=frame)

@@ -13,6 +13,7 @@ import numpy as np
 
 from storyblender.catalog.materials import hex_color
 from storyblender.look.illumination import SKY_STOPS, sky_colors
+from storyblender.look.raster import luminance
 from storyblender.memory.base import Color, Vec3
 from storyblender.memory.scene_context import Sky
 from storyblender.memory.vocabulary import TimeOfDay, Weather
@@ -178,6 +179,13 @@ def mix(a: Color, b: Color, share: float) -> Color:
     """
     red, green, blue = (x + (y - x) * share for x, y in zip(a, b, strict=True))
     return (red, green, blue)
+
+
+def mean_sky_luminance(sky: Sky) -> float:
+    """Return the mean luminance of the whole dome, its ground included."""
+    shares = np.diff(SKY_STOPS) / 2  # equal steps of height are equal areas of the sphere
+    bright = luminance(sky_colors(sky))
+    return float(((bright[:-1] + bright[1:]) / 2) @ shares)
 
 
 def open_sky_light(sky: Sky) -> Color:

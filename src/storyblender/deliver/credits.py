@@ -1,4 +1,4 @@
-"""``credits.md``: the models from outside that a storyboard shows, with author, licence and origin."""
+"""``credits.md``: the models and the panorama from outside in a storyboard, with author, licence and origin."""
 
 from __future__ import annotations
 
@@ -15,12 +15,14 @@ _ADDRESS = re.compile(r"https?://[^\s<>|]+")
 _NOT_SAID = "not stated"
 
 
-def credited_models(graph: ContinuityMemoryGraph) -> dict[Provenance, list[str]]:
-    """Return every model from outside with the names of the assets that show it, in the order of the asset sheet."""
+def credited_works(graph: ContinuityMemoryGraph) -> dict[Provenance, list[str]]:
+    """Return every work from outside with the names of what shows it: assets as in the asset sheet, then the sky."""
     shown: dict[Provenance, list[str]] = {}
     for asset in graph.assets:
         if asset.canonical is not None and asset.canonical.provenance is not None:
             shown.setdefault(asset.canonical.provenance, []).append(asset.name or asset.asset_id)
+    if graph.panorama is not None and _panorama_lights(graph):
+        shown.setdefault(graph.panorama.provenance, []).append("light of the sky")
     return shown
 
 
@@ -32,11 +34,17 @@ def write_credits(graph: ContinuityMemoryGraph, part: Path) -> None:
         part: The file to write.
     """
     rows = [_COLUMNS, ("---",) * len(_COLUMNS)]
-    for model, names in credited_models(graph).items():
+    for model, names in credited_works(graph).items():
         told = (", ".join(names), model.file, model.author, model.license, model.copyright, model.url)
         rows.append((*(_cell(text) for text in told), model.digest[:16]))
-    lines = ["# Credits", "", f"Models in “{_cell(graph.title)}” that are not part of StoryBlender.", ""]
+    kind = "Works" if _panorama_lights(graph) else "Models"
+    lines = ["# Credits", "", f"{kind} in “{_cell(graph.title)}” that are not part of StoryBlender.", ""]
     part.write_text("\n".join([*lines, *(f"| {' | '.join(row)} |" for row in rows), ""]), encoding="utf-8")
+
+
+def _panorama_lights(graph: ContinuityMemoryGraph) -> bool:
+    """Return whether the light of a scene or of a shot has the panorama."""
+    return any(each.lighting and each.lighting.panorama for each in (*graph.scenes, *graph.shots))
 
 
 def _cell(text: str) -> str:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.look.gbuffer import GBuffer
+from storyblender.look.irradiance import irradiance_at
 from storyblender.look.raster import LUMA, Image, dot, luminance, stacked
 from storyblender.look.surface import Surface
 from storyblender.memory.scene_context import Light, Lighting, Sky
@@ -73,7 +74,8 @@ def ambient_light(plan: Lighting, roofed: float, normal: Image, openness: Image)
     """Return the (h, w, 3) light from all sides; none in the corners.
 
     Under the sky a level surface gets the plan's ambient light and an upright one half of it, the rest from the
-    ground. Under a roof it comes from everywhere, a little more from above.
+    ground; with a panorama each normal gets what the panorama gives it. Under a roof it comes from everywhere, a little
+    more from above.
 
     Args:
         plan: Ambient light and sky.
@@ -81,10 +83,13 @@ def ambient_light(plan: Lighting, roofed: float, normal: Image, openness: Image)
         normal: (h, w, 3) world, unit.
         openness: (h, w) ambient occlusion.
     """
+    open_share, roof = np.float32(1 - roofed), roof_light(plan, roofed, normal)
+    if plan.panorama is not None:
+        around = irradiance_at(plan.panorama.irradiance, normal) * open_share + roof
+        return stacked([openness * around[..., band] for band in range(3)])
     ambient, ground = np.asarray(plan.ambient, np.float32), np.asarray(plan.sky.ground, np.float32)
-    up, open_share = (1 + normal[..., 2]) / 2, np.float32(1 - roofed)
+    up = (1 + normal[..., 2]) / 2
     outdoors = ((low + (high - low) * up) * open_share for low, high in zip(ground, ambient, strict=True))
-    roof = roof_light(plan, roofed, normal)
     return stacked([openness * (light + roof[..., band]) for band, light in enumerate(outdoors)])
 
 

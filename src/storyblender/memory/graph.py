@@ -7,8 +7,9 @@ from typing import TypeVar
 from pydantic import Field
 
 from storyblender.memory.asset_sheet import Asset
-from storyblender.memory.base import Digest, Frozen
+from storyblender.memory.base import Digest, Frozen, is_none
 from storyblender.memory.outline import SceneOutline
+from storyblender.memory.panorama import Panorama
 from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.shot_context import ShotContext
 from storyblender.memory.vocabulary import Age
@@ -63,6 +64,8 @@ class ContinuityMemoryGraph(Frozen):
     story_summary: str = ""
     age: Age | None = None
     """When the story plays, where its words tell it."""
+    panorama: Panorama | None = Field(default=None, exclude_if=is_none)
+    """The user's, that may light exteriors."""
     outline: tuple[SceneOutline, ...] = ()
     assets: tuple[Asset, ...] = ()
     scenes: tuple[SceneContext, ...] = ()

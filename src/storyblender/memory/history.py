@@ -21,7 +21,9 @@ Layer = Literal["outline", "assets", "scenes", "shots", "head", "order"]
 Item = SceneOutline | Asset | SceneContext | ShotContext
 _ByKey = dict[tuple[int | str, ...], Item]
 
-HEAD_FIELDS = ("title", "script_name", "edition", "plan_digest", "settings_digest", "format", "story_summary", "age")
+HEAD_FIELDS = (
+    "title", "script_name", "edition", "plan_digest", "settings_digest", "format", "story_summary", "age", "panorama",
+)  # fmt: skip
 """The graph's own fields, kept as the single item of the layer ``head``."""
 
 PEOPLE: Final = ("user", "sync")

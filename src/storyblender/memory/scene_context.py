@@ -7,8 +7,9 @@ from typing import Literal
 from pydantic import Field, model_validator
 
 from storyblender.memory.asset_sheet import ParamValue
-from storyblender.memory.base import Color, Coordinate, Frozen, Identifier, SceneId, Vec3, without_fields
+from storyblender.memory.base import Color, Coordinate, Frozen, Identifier, SceneId, Vec3, is_none, without_fields
 from storyblender.memory.locks import SceneLock
+from storyblender.memory.panorama import PanoramaLight
 from storyblender.memory.vocabulary import (
     Facing,
     LightQuality,
@@ -167,6 +168,8 @@ class Lighting(Frozen):
 
     lights: tuple[Light, ...] = ()
     sky: Sky
+    panorama: PanoramaLight | None = Field(default=None, exclude_if=is_none)
+    """The user's panorama that lights the scene where the sky would; the drawn looks still show the sky."""
     ambient: Color = (0.02, 0.02, 0.02)
     fog: Fog | None = None
     rain: float = Field(default=0.0, ge=0, le=1)

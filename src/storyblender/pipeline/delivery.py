@@ -10,7 +10,7 @@ from storyblender.deliver.animatic import film_segments, write_animatic, write_s
 from storyblender.deliver.board import write_board
 from storyblender.deliver.checklist import Check, checklist
 from storyblender.deliver.contact_sheet import sheet_name, sheet_pages, shown_by, write_contact_sheet
-from storyblender.deliver.credits import CREDITS_FILE, credited_models, write_credits
+from storyblender.deliver.credits import CREDITS_FILE, credited_works, write_credits
 from storyblender.deliver.page import write_page
 from storyblender.deliver.panel import frame_of, panels
 from storyblender.deliver.segments import encode_segments
@@ -70,7 +70,7 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
     run.progress("deliver", 2, steps, "shots.csv")
     with run.delivering("shots.csv") as part:
         write_shot_list(graph, part, run.settings.start_timecode)
-    if credited_models(graph):
+    if credited_works(graph):
         with run.delivering(CREDITS_FILE) as part:
             write_credits(graph, part)
     else:

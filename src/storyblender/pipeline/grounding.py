@@ -156,6 +156,7 @@ def _plan(run: Run, script: Path, reading: Reading, digest: str) -> ContinuityMe
         format=_format(run),
         story_summary=board.story_summary,
         age=board.age,
+        panorama=run.panorama and run.panorama[0],
         outline=board.storyboard_outline,
         assets=board.asset_sheet,
         scenes=board.scene_details,
@@ -196,4 +197,6 @@ def _plan_settings(run: Run) -> dict[str, object]:
     )
     offered = {source.name: dict(source.inventory()) for source in run.sources}
     settings["models"] = {name: found for name, found in offered.items() if found} or None
+    if run.panorama is not None:
+        settings["panorama"] = run.panorama[0].model_dump(mode="json")
     return settings

@@ -15,6 +15,7 @@ from storyblender.errors import Cancelled, Rejected
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Item, replace
 from storyblender.memory.jobs import Look, PackRef
+from storyblender.memory.panorama import Panorama
 from storyblender.outputs import Outputs
 from storyblender.ports import AssetSource, Engine
 from storyblender.project import Project
@@ -70,6 +71,15 @@ class Run:
         if not (self.project.folder / REMEMBERED).exists():
             return self.settings.look
         return Settings.load(project=self.project.folder).look
+
+    @cached_property
+    def panorama(self) -> tuple[Panorama, bytes] | None:
+        """The panorama of the settings, and its prepared picture. Raises InputError where it cannot be used."""
+        if self.settings.hdri is None:
+            return None
+        from storyblender.library.panorama_file import read_panorama
+
+        return read_panorama(self.settings.hdri)
 
     @property
     def outputs(self) -> Outputs:

@@ -14,6 +14,7 @@ from storyblender.agents.visual_effects_artist.lighting_arranger_view import (
     mean_color,
     strongest_lights,
 )
+from storyblender.agents.visual_effects_artist.panorama_light import panorama_light
 from storyblender.catalog.light_recipes import (
     GROUNDS,
     HOURS,
@@ -83,6 +84,7 @@ def light_exterior(view: LightingArrangerView) -> Lighting:
     plan = Lighting(
         lights=strongest_lights((sun, *burning_lamps(view, gloom)), MOST_LIGHTS),
         sky=sky,
+        panorama=panorama_light(view, sky, ambient, sun),
         ambient=ambient,
         fog=fog,
         rain=0.0 if view.plan.indoor else air.rain,

@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
+
+from pydantic import Field
 
 from storyblender.catalog.light_recipes import LAMPS, LampKind
 from storyblender.catalog.props import PROPS
@@ -13,8 +15,9 @@ from storyblender.catalog.props.prop_names import prop_named
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import plan_of
 from storyblender.memory.asset_sheet import Asset, ParamValue
-from storyblender.memory.base import Color, Vec3
+from storyblender.memory.base import Color, Vec3, is_none
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.panorama import Panorama
 from storyblender.memory.scene_context import Environment, Layout, Light, Lighting, SceneSetup
 from storyblender.memory.shot_context import LightChange
 
@@ -45,6 +48,7 @@ class LightingArrangerView:
         change: The change.
         burning: Whether a lamp burns, by asset id, if the story says so.
         carried: Lamps that have left their places, by asset id.
+        panorama: The user's high-dynamic-range panorama on offer, for exteriors by day.
     """
 
     setup: SceneSetup
@@ -56,6 +60,7 @@ class LightingArrangerView:
     change: LightChange | None = None
     burning: Mapping[str, bool] = field(default_factory=dict[str, bool])
     carried: Mapping[str, CarriedLamp] = field(default_factory=dict[str, CarriedLamp])
+    panorama: Annotated[Panorama | None, Field(exclude_if=is_none)] = None
 
 
 def lighting_arranger_view(
@@ -72,7 +77,9 @@ def lighting_arranger_view(
     scene = graph.scene(scene_id)
     assert scene.environment is not None, "the set comes before its light"
     plan, assets = plan_of(scene.environment), graph.assets_of(scene_id)
-    return LightingArrangerView(scene.setup, plan, scene.environment, scene.layout, assets, current, change)
+    return LightingArrangerView(
+        scene.setup, plan, scene.environment, scene.layout, assets, current, change, panorama=graph.panorama
+    )
 
 
 def burning_lamps(view: LightingArrangerView, share: float) -> tuple[Light, ...]:

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import bpy
 import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.blender.render.cycles import render_cycles
-from storyblender.blender.render.lamps import lit
+from storyblender.blender.render.lamps import PanoramaImage, lit
 from storyblender.blender.render.meter import SetLight, balanced
 from storyblender.blender.render.passes import Passes, render_passes
 from storyblender.blender.render.session import RenderSession
@@ -51,6 +52,7 @@ class FrameRequest:
         supersample: Size of the passes over the picture; None takes the look's.
         samples: Paths a pixel; None takes the look's.
         shadows: Solve the lamps by the shadows that they cast.
+        panorama: The picture of the light plan's panorama, if it has one.
     """
 
     look: str = "board"
@@ -62,6 +64,7 @@ class FrameRequest:
     supersample: int | None = None
     samples: int | None = None
     shadows: bool = True
+    panorama: Path | None = None
 
 
 @dataclass(frozen=True)
@@ -222,7 +225,10 @@ def _relit(
         share = shrink(gbuffer.sky.astype(np.float32), step)[..., None]
         return mean_albedo(gbuffer, step) * light + gbuffer.emission(step) + sky * share
     cast = [obj for obj in session.visible_objects() if obj.get("kind") == "character"]
-    with lit(session.scene, shot.set_lights + shot.lights, shot.plan.sky, cast):
+    panorama = None
+    if shot.plan.panorama is not None and request.panorama is not None:
+        panorama = PanoramaImage(shot.plan.panorama, request.panorama, seen=look.light == "final")
+    with lit(session.scene, shot.set_lights + shot.lights, shot.plan.sky, cast, panorama):
         traced = render_cycles(
             session,
             request.width // look.light_step,

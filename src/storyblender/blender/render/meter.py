@@ -97,6 +97,7 @@ def scaled(lighting: Lighting, gain: float) -> Lighting:
             "lights": tuple(light.model_copy(update={"power": light.power * gain}) for light in lighting.lights),
             "ambient": times(lighting.ambient),
             "sky": Sky(zenith=times(sky.zenith), horizon=times(sky.horizon), ground=times(sky.ground)),
+            "panorama": lighting.panorama and lighting.panorama.scaled(gain),
             "fog": fog
             and fog.model_copy(update={"color": times(fog.color, veil), "sun_color": times(fog.sun_color, veil)}),
         }
