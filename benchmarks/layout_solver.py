@@ -14,19 +14,19 @@ import time
 import numpy as np
 
 from storyblender.geometry.boxes import Box, wrap_angle, yaw_along
-from storyblender.geometry.relations import BEARING, DIRECTION_TURN, Room, Thing, slide_to_gap, violations
+from storyblender.geometry.relations import BEARING, DIRECTION_TURN, LayoutThing, PlayingArea, slide_to_gap, violations
 from storyblender.geometry.solver import solve
 
 ROOMS = 200
 
 
-def random_room(seed: int) -> tuple[list[Thing], Room]:
+def random_room(seed: int) -> tuple[list[LayoutThing], PlayingArea]:
     """Return a valid layout of 8 to 25 boxes."""
     rng = np.random.default_rng(seed)
     count = int(rng.integers(8, 26))
     half = float(rng.uniform(3.2, 5.5) if count > 14 else rng.uniform(2.5, 4.5))
-    room = Room(-half, half, -half, half)
-    things: list[Thing] = []
+    room = PlayingArea(-half, half, -half, half)
+    things: list[LayoutThing] = []
     for index in range(count):
         for _ in range(300):
             thing = _draw(f"thing_{index}", things, room, rng)
@@ -36,7 +36,7 @@ def random_room(seed: int) -> tuple[list[Thing], Room]:
     return things, room
 
 
-def _draw(name: str, things: list[Thing], room: Room, rng: np.random.Generator) -> Thing:
+def _draw(name: str, things: list[LayoutThing], room: PlayingArea, rng: np.random.Generator) -> LayoutThing:
     low = [t for t in things if 0.4 < t.box.height < 1.1 and t.box.width * t.box.depth > 0.5 and t.box.z == 0]
     if low and rng.random() < 0.25:
         anchor = low[int(rng.integers(len(low)))]
@@ -44,7 +44,7 @@ def _draw(name: str, things: list[Thing], room: Room, rng: np.random.Generator) 
         size = rng.uniform((0.08, 0.08, 0.08), (0.3, 0.25, 0.4))
         yaw = anchor.box.yaw + math.radians(float(rng.choice((0, 0, 15, -30))))
         box = Box(float(x), float(y), anchor.box.height, *map(float, size), yaw)
-        return Thing(name, box, anchor.name, "on_top_of", True, mass=0.3)
+        return LayoutThing(name, box, anchor.name, "on_top_of", True, mass=0.3)
     sort = rng.choice(("person", "person", "furniture", "furniture", "stool"))
     size, mass = {
         "person": ((0.55, 0.4, rng.uniform(1.55, 1.9)), 1.0),
@@ -53,14 +53,14 @@ def _draw(name: str, things: list[Thing], room: Room, rng: np.random.Generator) 
     }[str(sort)]
     yaw = float(rng.uniform(-math.pi, math.pi)) if sort == "person" else math.radians(float(rng.choice((0, 90, 270))))
     x, y = rng.uniform((room.x_min, room.y_min), (room.x_max, room.y_max))
-    thing = Thing(name, Box(float(x), float(y), 0.0, *map(float, size), yaw), mass=mass)
+    thing = LayoutThing(name, Box(float(x), float(y), 0.0, *map(float, size), yaw), mass=mass)
     beside = [other for other in things if other.box.z == 0]
     if beside and rng.random() < 0.7:
         _relate(thing, beside[int(rng.integers(len(beside)))], rng)
     return thing
 
 
-def _relate(thing: Thing, anchor: Thing, rng: np.random.Generator) -> None:
+def _relate(thing: LayoutThing, anchor: LayoutThing, rng: np.random.Generator) -> None:
     box, base = thing.box, anchor.box
     if rng.random() < 0.5:
         angle = math.radians(float(rng.choice((0, 90, 180, 270))) + float(rng.uniform(-15, 15)))
@@ -78,7 +78,7 @@ def _relate(thing: Thing, anchor: Thing, rng: np.random.Generator) -> None:
         box.turn_to(ideal + math.radians(float(rng.uniform(-20, 20))))
 
 
-def thrown_about(things: list[Thing], seed: int) -> list[Thing]:
+def thrown_about(things: list[LayoutThing], seed: int) -> list[LayoutThing]:
     """Return the things displaced: their relations now hold only by luck."""
     rng = np.random.default_rng(seed + 999)
     moved = [thing.copy() for thing in things]

@@ -82,7 +82,7 @@ def story_of(kind: str, key: str) -> ContinuityMemoryGraph | None:
 
 def _set_story(key: str) -> ContinuityMemoryGraph:
     """Return the establishing shot of an empty set."""
-    instruction = CameraInstruction(kind="establishing", size="WS", distance="long shot")
+    instruction = CameraInstruction(kind="establishing", size="WS")
     return _story(key, ShotContext(scene_id=1, shot_id=1, camera_instruction=instruction))
 
 

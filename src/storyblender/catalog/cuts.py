@@ -15,7 +15,7 @@ Fabric = Literal["cloth", "knit", "leather", "satin", "metal", "rubber"]
 
 
 @dataclass(frozen=True)
-class Opening:
+class GarmentOpening:
     """The opening of a neckline in front.
 
     Attributes:
@@ -30,7 +30,7 @@ class Opening:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Piece:
+class GarmentPiece:
     """One piece of a garment.
 
     Attributes:
@@ -43,7 +43,7 @@ class Piece:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Top(Piece):
+class Bodice(GarmentPiece):
     """Cloth for the trunk and arms.
 
     Attributes:
@@ -62,22 +62,22 @@ class Top(Piece):
     neck: float = 0.03
     ease: float = 0.007
     drape: int = 6
-    opening: Opening | None = None
+    opening: GarmentOpening | None = None
     elbow: float = 0.0
     cuff: float = 0.0
 
 
 @dataclass(frozen=True, kw_only=True)
-class Lapel(Piece):
+class Lapel(GarmentPiece):
     """The turned-out edges of a jacket's opening."""
 
-    opening: Opening
+    opening: GarmentOpening
     width: float = 0.036
     ease: float = 0.02
 
 
 @dataclass(frozen=True, kw_only=True)
-class Legs(Piece):
+class Legs(GarmentPiece):
     """Cloth for the hips and both legs.
 
     Attributes:
@@ -98,7 +98,7 @@ class Legs(Piece):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Skirt(Piece):
+class Skirt(GarmentPiece):
     """A tube around both legs.
 
     Attributes:
@@ -121,7 +121,7 @@ class Skirt(Piece):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Footwear(Piece):
+class Footwear(GarmentPiece):
     """A shoe, boot or sock.
 
     Attributes:
@@ -141,7 +141,7 @@ class Footwear(Piece):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Band(Piece):
+class Band(GarmentPiece):
     """A belt or waistband over whatever is worn there."""
 
     low: Level = ("belt", -0.025)
@@ -151,7 +151,7 @@ class Band(Piece):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Collar(Piece):
+class Collar(GarmentPiece):
     """A folded collar: a band of the neck that flares out below.
 
     Attributes:
@@ -170,7 +170,7 @@ class Collar(Piece):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Buttons(Piece):
+class Buttons(GarmentPiece):
     """A row of buttons down the front."""
 
     top: Level
@@ -183,7 +183,7 @@ class Buttons(Piece):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Patches(Piece):
+class Patches(GarmentPiece):
     """A pair of pockets (or one, to the wearer's left)."""
 
     top: Level
@@ -195,7 +195,7 @@ class Patches(Piece):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Necktie(Piece):
+class Necktie(GarmentPiece):
     """A long tie; ``length`` from the knot to the tip."""
 
     length: float = 0.36
@@ -203,21 +203,21 @@ class Necktie(Piece):
 
 
 @dataclass(frozen=True, kw_only=True)
-class BowTie(Piece):
+class BowTie(GarmentPiece):
     """A bow at the collar."""
 
     fabric: Fabric = "satin"
 
 
 @dataclass(frozen=True, kw_only=True)
-class Scarf(Piece):
+class Scarf(GarmentPiece):
     """A wound ring around the neck."""
 
     fabric: Fabric = "knit"
 
 
 @dataclass(frozen=True, kw_only=True)
-class Bib(Piece):
+class Bib(GarmentPiece):
     """The front of an apron: a panel from the chest to the hem with a waist band."""
 
     top: Level = ("chest", -0.04)
@@ -232,7 +232,7 @@ HatShape = Literal[
 
 
 @dataclass(frozen=True, kw_only=True)
-class Hat(Piece):
+class Hat(GarmentPiece):
     """Headwear.
 
     Attributes:
@@ -247,7 +247,7 @@ class Hat(Piece):
 
 
 @dataclass(frozen=True, kw_only=True)
-class HeadCloth(Piece):
+class HeadCloth(GarmentPiece):
     """Cloth cut from the skin of the head.
 
     Attributes:
@@ -261,7 +261,7 @@ class HeadCloth(Piece):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Gear(Piece):
+class Gear(GarmentPiece):
     """A solid accessory worn on the body."""
 
     shape: Literal["backpack", "tank", "necklace", "stethoscope", "wings", "cape", "satchel", "braces", "headphones",
@@ -271,8 +271,8 @@ class Gear(Piece):
 HIDES_HAIR: frozenset[str] = frozenset({"hood", "scarf", "balaclava", "globe"})
 """Regions and shapes that hide the hair completely."""
 
-AnyPiece = (Top | Lapel | Legs | Skirt | Footwear | Band | Collar | Buttons | Patches | Necktie | BowTie | Scarf | Bib
-            | Hat | HeadCloth | Gear)  # fmt: skip
+AnyPiece = (Bodice | Lapel | Legs | Skirt | Footwear | Band | Collar | Buttons | Patches | Necktie | BowTie | Scarf
+            | Bib | Hat | HeadCloth | Gear)  # fmt: skip
 
 
 def hides_hair(piece: AnyPiece) -> bool:

@@ -37,7 +37,7 @@ _NO_LINE_START = "、。，．！？：；）」』】〉》〕…ー"
 
 
 @dataclass(frozen=True)
-class Word:
+class LetteredWord:
     """Letters of one font that are never broken over two lines.
 
     Attributes:
@@ -98,19 +98,19 @@ class Lettering(Flowable):
         self.canv.drawImage(picture, self._indent, 0, width, self.height)
 
 
-def words_of(text: str, color: str) -> Iterator[Word]:
+def words_of(text: str, color: str) -> Iterator[LetteredWord]:
     """Split text at spaces and where the font changes; a line may break after any Chinese or Japanese letter."""
     for word in text.split():
         spaced = True
         for font, run in _runs(word):
             for piece in _breakable(run) if " CJK" in font.name else (run,):
-                yield Word(piece, font, color, spaced)
+                yield LetteredWord(piece, font, color, spaced)
                 spaced = False
 
 
-def lines_of(words: Sequence[Word], width: float) -> list[list[Word]]:
+def lines_of(words: Sequence[LetteredWord], width: float) -> list[list[LetteredWord]]:
     """Break words into lines of at most ``width`` ems."""
-    lines: list[list[Word]] = [[]]
+    lines: list[list[LetteredWord]] = [[]]
     used = 0.0
     for word in words:
         space = _SPACE if word.spaced and lines[-1] else 0.0
@@ -128,7 +128,7 @@ def width_of(text: str, size: float) -> float:
     return size * sum(word.width + _SPACE * (word.spaced and bool(at)) for at, word in enumerate(words))
 
 
-def draw_lines(lines: Sequence[Sequence[Word]], width: float) -> Image.Image:
+def draw_lines(lines: Sequence[Sequence[LetteredWord]], width: float) -> Image.Image:
     """Return lines as a picture on white, ``width`` ems wide; right-to-left lines are aligned right."""
     picture = Image.new("RGB", (max(1, round(width * EM)), max(1, round(len(lines) * LEADING * EM))), "white")
     draw = ImageDraw.Draw(picture)
@@ -166,7 +166,7 @@ def _runs(word: str) -> list[tuple[Path, str]]:
     return runs
 
 
-def _visual(line: Sequence[Word]) -> list[int]:
+def _visual(line: Sequence[LetteredWord]) -> list[int]:
     """Return the indices of a line's words from left to right: right-to-left runs are reversed."""
     runs = [list(run) for _, run in groupby(range(len(line)), key=lambda at: line[at].from_right)]
     turned = [run[::-1] if line[run[0]].from_right else run for run in runs]

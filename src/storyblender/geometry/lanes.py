@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 from storyblender.geometry.boxes import Box, yaw_along
 from storyblender.geometry.paths import Footprint, Vec2, find_path
-from storyblender.geometry.relations import Room, Thing, may_overlap_anchor
+from storyblender.geometry.relations import LayoutThing, PlayingArea, may_overlap_anchor
 
 WALKWAY_WIDTH = 0.7
 """Metres that a walking person needs between things."""
@@ -25,8 +25,8 @@ _OPEN_ENDS = 0.45
 def find_walkway(
     start: Vec2,
     goal: Vec2,
-    things: Sequence[Thing],
-    room: Room,
+    things: Sequence[LayoutThing],
+    room: PlayingArea,
     *,
     width: float = WALKWAY_WIDTH,
     around_fixed_only: bool = False,
@@ -50,7 +50,7 @@ def find_walkway(
     return find_path(start, goal, obstacles, bounds, width / 2)
 
 
-def blocks_walkers(thing: Thing) -> bool:
+def blocks_walkers(thing: LayoutThing) -> bool:
     """Return whether people have to walk around a thing."""
     box = thing.box
     return not thing.walks and not may_overlap_anchor(thing) and box.top > _STEP_HEIGHT and box.z < _HEAD_ROOM

@@ -51,7 +51,7 @@ Kind = Literal[
 ]
 
 
-class Room(NamedTuple):
+class PlayingArea(NamedTuple):
     """The playing area, metres."""
 
     x_min: float
@@ -60,7 +60,7 @@ class Room(NamedTuple):
     y_max: float
 
 
-class Surface(NamedTuple):
+class StandingSurface(NamedTuple):
     """A rectangle on an anchor where things may stand: centre, height and extent in the anchor's own frame, metres."""
 
     x: float
@@ -71,7 +71,7 @@ class Surface(NamedTuple):
 
 
 @dataclass(slots=True)
-class Thing:
+class LayoutThing:
     """One thing of a layout and what is asked of it.
 
     Attributes:
@@ -95,15 +95,15 @@ class Thing:
     relationship: str | None = None
     contact: bool | None = None
     direction: str | None = None
-    surface: Surface | None = None
+    surface: StandingSurface | None = None
     mass: float = 1.0
     fixed: bool = False
     walks: bool = False
     floats: bool = False
 
-    def copy(self) -> Thing:
+    def copy(self) -> LayoutThing:
         """Return an independent thing."""
-        return Thing(
+        return LayoutThing(
             self.name, self.box.copy(), self.anchor, self.relationship, self.contact, self.direction,
             self.surface, self.mass, self.fixed, self.walks, self.floats,
         )  # fmt: skip
@@ -121,28 +121,28 @@ class Violation(NamedTuple):
     """Signed deviation from the ideal, same unit."""
 
 
-def may_overlap_anchor(thing: Thing) -> bool:
+def may_overlap_anchor(thing: LayoutThing) -> bool:
     """Return whether a thing is in, under or seated on its anchor, so that their boxes may overlap."""
     return thing.anchor is not None and thing.relationship is None and thing.direction is None
 
 
-def surface_of(thing: Thing, anchor: Thing) -> Surface:
+def surface_of(thing: LayoutThing, anchor: LayoutThing) -> StandingSurface:
     """Return the surface of the anchor on which the thing stands, in the anchor's frame."""
     if thing.surface is not None:
         return thing.surface
-    return Surface(0.0, 0.0, anchor.box.height, anchor.box.width, anchor.box.depth)
+    return StandingSurface(0.0, 0.0, anchor.box.height, anchor.box.width, anchor.box.depth)
 
 
-def carrier(thing: Thing, by_name: Mapping[str, Thing]) -> Thing | None:
+def carrier(thing: LayoutThing, by_name: Mapping[str, LayoutThing]) -> LayoutThing | None:
     """Return the thing that moves this one along with it: its support or its seat; None without one."""
     if thing.anchor is not None and (thing.relationship == "on_top_of" or may_overlap_anchor(thing)):
         return by_name.get(thing.anchor)
     return None
 
 
-def carriers(thing: Thing, by_name: Mapping[str, Thing]) -> list[Thing]:
+def carriers(thing: LayoutThing, by_name: Mapping[str, LayoutThing]) -> list[LayoutThing]:
     """Return the chain of carriers, nearest first."""
-    chain: list[Thing] = []
+    chain: list[LayoutThing] = []
     current = carrier(thing, by_name)
     while current is not None and current is not thing and current not in chain:
         chain.append(current)
@@ -150,12 +150,12 @@ def carriers(thing: Thing, by_name: Mapping[str, Thing]) -> list[Thing]:
     return chain
 
 
-def cannot_move(thing: Thing, by_name: Mapping[str, Thing]) -> bool:
+def cannot_move(thing: LayoutThing, by_name: Mapping[str, LayoutThing]) -> bool:
     """Return whether a thing is fixed or carried by a fixed thing, such as a person seated in a moored boat."""
     return thing.fixed or any(support.fixed for support in carriers(thing, by_name))
 
 
-def exempt_pairs(things: Iterable[Thing], by_name: Mapping[str, Thing]) -> set[tuple[str, str]]:
+def exempt_pairs(things: Iterable[LayoutThing], by_name: Mapping[str, LayoutThing]) -> set[tuple[str, str]]:
     """Return the ordered name pairs that may overlap: each thing with its direct and indirect carriers."""
     pairs: set[tuple[str, str]] = set()
     for thing in things:
@@ -175,20 +175,20 @@ def wanted_yaw(thing: Box, anchor: Box, direction: str) -> float:
     return yaw_along(anchor.x - thing.x, anchor.y - thing.y) + DIRECTION_TURN[direction]
 
 
-def distance_outside(box: Box, room: Room) -> float:
+def distance_outside(box: Box, room: PlayingArea) -> float:
     """Return the largest distance in metres by which a box sticks out of the room; 0 inside."""
     rx, ry = box.reach((1.0, 0.0)), box.reach((0.0, 1.0))
     return max(room.x_min - box.x + rx, box.x + rx - room.x_max, room.y_min - box.y + ry, box.y + ry - room.y_max, 0.0)
 
 
-def overhang_distance(thing: Thing, anchor: Thing) -> float:
+def overhang_distance(thing: LayoutThing, anchor: LayoutThing) -> float:
     """Return the metres from the surface's edge to the centre of a thing on it; negative if the centre is on it."""
     surface = surface_of(thing, anchor)
     u, v = anchor.box.to_local(thing.box.x, thing.box.y)
     return max(abs(u - surface.x) - surface.width / 2, abs(v - surface.y) - surface.depth / 2)
 
 
-def own_violations(thing: Thing, by_name: Mapping[str, Thing], room: Room) -> list[Violation]:
+def own_violations(thing: LayoutThing, by_name: Mapping[str, LayoutThing], room: PlayingArea) -> list[Violation]:
     """Return what is wrong with one thing by itself and towards its anchor."""
     found: list[Violation] = []
     anchor = by_name.get(thing.anchor) if thing.anchor is not None else None
@@ -202,7 +202,7 @@ def own_violations(thing: Thing, by_name: Mapping[str, Thing], room: Room) -> li
     return found
 
 
-def _anchor_violations(thing: Thing, anchor: Thing) -> list[Violation]:
+def _anchor_violations(thing: LayoutThing, anchor: LayoutThing) -> list[Violation]:
     found: list[Violation] = []
     box, base = thing.box, anchor.box
     apart = math.hypot(box.x - base.x, box.y - base.y)
@@ -229,7 +229,7 @@ def _anchor_violations(thing: Thing, anchor: Thing) -> list[Violation]:
     return found
 
 
-def violations(things: Sequence[Thing], room: Room, keep_free: Sequence[Box] = ()) -> list[Violation]:
+def violations(things: Sequence[LayoutThing], room: PlayingArea, keep_free: Sequence[Box] = ()) -> list[Violation]:
     """Return every broken constraint of a layout; empty means valid (the paper's V = 1).
 
     Args:
@@ -258,7 +258,7 @@ def violations(things: Sequence[Thing], room: Room, keep_free: Sequence[Box] = (
 
 
 def remedy(
-    violation: Violation, things: Sequence[Thing], room: Room, keep_free: Sequence[Box] = ()
+    violation: Violation, things: Sequence[LayoutThing], room: PlayingArea, keep_free: Sequence[Box] = ()
 ) -> dict[str, float]:
     """Return the exact move of the subject that mends a violation: ``move_x/y/z`` in metres, ``turn`` in degrees.
 
@@ -289,7 +289,7 @@ def remedy(
     return _bearing_remedy(thing, anchor, violation)
 
 
-def _bearing_remedy(thing: Thing, anchor: Thing, violation: Violation) -> dict[str, float]:
+def _bearing_remedy(thing: LayoutThing, anchor: LayoutThing, violation: Violation) -> dict[str, float]:
     box, base = thing.box, anchor.box
     if violation.kind == "relationship":
         apart = math.hypot(box.x - base.x, box.y - base.y)
@@ -310,7 +310,7 @@ def _move_out(box: Box, other: Box) -> dict[str, float]:
     return _shift(axis[0] * depth, axis[1] * depth)
 
 
-def clamp_into_room(box: Box, room: Room) -> tuple[float, float]:
+def clamp_into_room(box: Box, room: PlayingArea) -> tuple[float, float]:
     """Return the nearest centre (world x and y) of a box inside the room; the middle where it is too big."""
     rx, ry = box.reach((1.0, 0.0)), box.reach((0.0, 1.0))
     return _clamp(box.x, room.x_min + rx, room.x_max - rx), _clamp(box.y, room.y_min + ry, room.y_max - ry)
@@ -320,7 +320,7 @@ def _clamp(value: float, low: float, high: float) -> float:
     return (low + high) / 2 if low > high else min(max(value, low), high)
 
 
-def shift_onto_surface(thing: Thing, anchor: Thing) -> tuple[float, float]:
+def shift_onto_surface(thing: LayoutThing, anchor: LayoutThing) -> tuple[float, float]:
     """Return the world shift (dx, dy) of a footprint onto its surface, or of its centre where it is too big."""
     surface, box, base = surface_of(thing, anchor), thing.box, anchor.box
     u, v = base.to_local(box.x, box.y)

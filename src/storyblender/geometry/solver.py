@@ -22,8 +22,8 @@ from storyblender.geometry.relations import (
     CONTACT_DISTANCE,
     DIRECTION_TOLERANCE,
     PENETRATION_TOLERANCE,
-    Room,
-    Thing,
+    LayoutThing,
+    PlayingArea,
     Violation,
     bearing_error,
     cannot_move,
@@ -58,7 +58,7 @@ class Solution:
         relocations: Things set down elsewhere.
     """
 
-    things: tuple[Thing, ...]
+    things: tuple[LayoutThing, ...]
     residual: tuple[Violation, ...]
     passes: int
     relocations: int
@@ -70,8 +70,8 @@ class Solution:
 
 
 def solve(
-    things: Sequence[Thing],
-    room: Room,
+    things: Sequence[LayoutThing],
+    room: PlayingArea,
     *,
     keep_free: Sequence[Box] = (),
     seed: int = 0,
@@ -89,7 +89,7 @@ def solve(
         passes: Limit of each start; the first gives up at half of it.
     """
     rng = np.random.default_rng(seed)
-    best: list[Thing] | None = None
+    best: list[LayoutThing] | None = None
     least: list[Violation] = []
     total = moved = 0
     for start in range(restarts):
@@ -108,7 +108,7 @@ def solve(
     return Solution(tuple(best), tuple(least), total, moved)
 
 
-def _draw_to_middle(things: list[Thing], room: Room, rng: np.random.Generator) -> None:
+def _draw_to_middle(things: list[LayoutThing], room: PlayingArea, rng: np.random.Generator) -> None:
     """Bring the things that have no anchor towards the middle of the room, with some scatter."""
     middle_x, middle_y = (room.x_min + room.x_max) / 2, (room.y_min + room.y_max) / 2
     for thing in things:
@@ -125,11 +125,13 @@ _OUTWARD_AXIS: dict[str, Axis] = {name: (math.cos(angle), math.sin(angle)) for n
 class _Relaxation:
     """One start of the solver; changes the things it is given."""
 
-    def __init__(self, things: list[Thing], room: Room, keep_free: Sequence[Box], rng: np.random.Generator) -> None:
+    def __init__(
+        self, things: list[LayoutThing], room: PlayingArea, keep_free: Sequence[Box], rng: np.random.Generator
+    ) -> None:
         self.things, self.room, self.keep_free, self.rng = things, room, keep_free, rng
         self.by_name = {thing.name: thing for thing in things}
         chains = {thing.name: carriers(thing, self.by_name) for thing in things}
-        self.riders: dict[str, list[Thing]] = {thing.name: [] for thing in things}
+        self.riders: dict[str, list[LayoutThing]] = {thing.name: [] for thing in things}
         for thing in things:
             for support in chains[thing.name]:
                 self.riders[support.name].append(thing)
@@ -146,7 +148,7 @@ class _Relaxation:
         )
         self.passes = self.relocations = 0
 
-    def _depth(self, thing: Thing) -> int:
+    def _depth(self, thing: LayoutThing) -> int:
         """Return how many anchors are above a thing; a ring of anchors counts once."""
         seen = {thing.name}
         while thing.anchor in self.by_name and thing.anchor not in seen:
@@ -172,7 +174,7 @@ class _Relaxation:
                 self._relocate(residual)
         return residual
 
-    def _move(self, thing: Thing, dx: float, dy: float) -> None:
+    def _move(self, thing: LayoutThing, dx: float, dy: float) -> None:
         if thing.fixed:
             return
         thing.box.x += dx
@@ -181,7 +183,7 @@ class _Relaxation:
             rider.box.x += dx
             rider.box.y += dy
 
-    def _turn(self, thing: Thing, yaw: float) -> None:
+    def _turn(self, thing: LayoutThing, yaw: float) -> None:
         by = wrap_angle(yaw - thing.box.yaw)
         thing.box.turn_to(yaw)
         c, s = math.cos(by), math.sin(by)
@@ -190,10 +192,10 @@ class _Relaxation:
             rider.box.x, rider.box.y = thing.box.x + c * dx - s * dy, thing.box.y + s * dx + c * dy
             rider.box.turn_to(rider.box.yaw + by)
 
-    def _anchor(self, thing: Thing) -> Thing | None:
+    def _anchor(self, thing: LayoutThing) -> LayoutThing | None:
         return self.by_name.get(thing.anchor) if thing.anchor is not None else None
 
-    def _settle(self, thing: Thing) -> None:
+    def _settle(self, thing: LayoutThing) -> None:
         """Put a thing on the floor or on its support."""
         anchor = self._anchor(thing)
         if anchor is not None and thing.relationship == "on_top_of":
@@ -202,7 +204,7 @@ class _Relaxation:
         elif not (thing.floats or may_overlap_anchor(thing)):
             thing.box.z = 0.0
 
-    def _keep_bearing(self, thing: Thing) -> None:
+    def _keep_bearing(self, thing: LayoutThing) -> None:
         """Turn the bearing to the nearest edge of its sector, then slide along it to touch or to clear."""
         anchor = self._anchor(thing)
         if anchor is None or thing.relationship not in BEARING:
@@ -224,7 +226,7 @@ class _Relaxation:
         x, y = slide_to_gap(box, base, 0.01 if thing.contact else CONTACT_DISTANCE + 0.06, BEARING[thing.relationship])
         self._move(thing, x - box.x, y - box.y)
 
-    def _keep_direction(self, thing: Thing) -> None:
+    def _keep_direction(self, thing: LayoutThing) -> None:
         """Turn to the nearest admissible yaw, not to the ideal one: it disturbs the rest least."""
         anchor = self._anchor(thing)
         if anchor is None or thing.direction is None:
@@ -236,7 +238,7 @@ class _Relaxation:
         if abs(error) > DIRECTION_TOLERANCE - math.radians(5):
             self._turn(thing, ideal + math.copysign(DIRECTION_TOLERANCE - math.radians(10), error))
 
-    def _separate(self, a: Thing, b: Thing) -> None:
+    def _separate(self, a: LayoutThing, b: LayoutThing) -> None:
         """Push two things apart, the lighter one more; related ones along their relation so that it holds."""
         depth, axis = penetration(a.box, b.box, PENETRATION_TOLERANCE)
         if depth <= PENETRATION_TOLERANCE / 2:
@@ -248,7 +250,7 @@ class _Relaxation:
         self._move(a, axis[0] * depth * share_a, axis[1] * depth * share_a)
         self._move(b, -axis[0] * depth * share_b, -axis[1] * depth * share_b)
 
-    def _keep_off_lanes(self, thing: Thing) -> None:
+    def _keep_off_lanes(self, thing: LayoutThing) -> None:
         if thing.walks:
             return
         for lane in self.keep_free:
@@ -256,7 +258,7 @@ class _Relaxation:
             if depth > PENETRATION_TOLERANCE / 2:
                 self._move(thing, axis[0] * (depth + _SLACK), axis[1] * (depth + _SLACK))
 
-    def _keep_inside(self, thing: Thing) -> None:
+    def _keep_inside(self, thing: LayoutThing) -> None:
         """Bring a thing back into the room and drag its anchors off the wall to make room for it."""
         if thing.relationship == "on_top_of" or cannot_move(thing, self.by_name):
             return
@@ -294,7 +296,7 @@ class _Relaxation:
         self._turn(thing, place[2])
         self.relocations += 1
 
-    def _worst(self, residual: list[Violation]) -> Thing | None:
+    def _worst(self, residual: list[Violation]) -> LayoutThing | None:
         blame: Counter[str] = Counter()
         for violation in residual:
             blame[violation.subject] += 1
@@ -309,7 +311,7 @@ class _Relaxation:
         swap = anchor is not None and not anchor.fixed and worst.relationship != "on_top_of"
         return anchor if swap and self.rng.uniform() < 0.35 else worst
 
-    def _sample(self, thing: Thing, u: float, v: float) -> tuple[float, float]:
+    def _sample(self, thing: LayoutThing, u: float, v: float) -> tuple[float, float]:
         """Return a place that suits the thing's relation, from two draws in 0..1."""
         anchor = self._anchor(thing)
         if anchor is not None and thing.relationship == "on_top_of":
@@ -325,7 +327,7 @@ class _Relaxation:
         width, depth = self.room.x_max - self.room.x_min, self.room.y_max - self.room.y_min
         return self.room.x_min + u * width, self.room.y_min + v * depth
 
-    def _cost(self, thing: Thing) -> float:
+    def _cost(self, thing: LayoutThing) -> float:
         """Return how much is wrong with a thing and what it carries or anchors, where they are now."""
         group = [thing, *self.riders[thing.name]]
         inside = {member.name for member in group}
@@ -344,7 +346,7 @@ class _Relaxation:
         return cost
 
 
-def _along_relation(a: Thing, b: Thing, depth: float, axis: Axis) -> tuple[float, Axis]:
+def _along_relation(a: LayoutThing, b: LayoutThing, depth: float, axis: Axis) -> tuple[float, Axis]:
     """Return the push of ``a`` out of ``b``: along their relation if one of them is placed beside the other."""
     for child, anchor, sign in ((a, b, 1.0), (b, a, -1.0)):
         if child.anchor == anchor.name and child.relationship in _OUTWARD_AXIS:

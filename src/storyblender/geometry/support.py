@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from storyblender.geometry.relations import Surface
+from storyblender.geometry.relations import StandingSurface
 
 COVERAGE = 0.85
 """Share of a footprint that must rest on the surface."""
@@ -18,10 +18,10 @@ _GRID_STEP = 0.04
 """Grid of the search for a free place, metres."""
 
 
-class Top(NamedTuple):
+class OpenTop(NamedTuple):
     """A surface and the free height above it in metres; None is open air."""
 
-    surface: Surface
+    surface: StandingSurface
     clearance: float | None = None
 
 
@@ -38,7 +38,7 @@ class Taken(NamedTuple):
 class Perch(NamedTuple):
     """The chosen place: centre in the asset's frame, metres; coverage as a share of the footprint, 0..1."""
 
-    surface: Surface
+    surface: StandingSurface
     x: float
     y: float
     coverage: float
@@ -47,7 +47,7 @@ class Perch(NamedTuple):
 
 
 def choose_perch(
-    tops: Sequence[Top],
+    tops: Sequence[OpenTop],
     size: tuple[float, float, float],
     wish: tuple[float, float] = (0.0, 0.0),
     taken: Sequence[Taken] = (),
@@ -63,7 +63,7 @@ def choose_perch(
         wish: Wanted centre in the asset's frame, metres.
         taken: Things that already stand there.
     """
-    fitting: list[tuple[float, float, Top, bool]] = []
+    fitting: list[tuple[float, float, OpenTop, bool]] = []
     for top in tops:
         if top.clearance is not None and top.clearance < size[2]:
             continue
@@ -79,13 +79,13 @@ def choose_perch(
     return None
 
 
-def _coverage(surface: Surface, size: tuple[float, float, float], turned: bool) -> float:
+def _coverage(surface: StandingSurface, size: tuple[float, float, float], turned: bool) -> float:
     width, depth = (size[1], size[0]) if turned else (size[0], size[1])
     return min(width, surface.width) * min(depth, surface.depth) / max(width * depth, 1e-9)
 
 
 def _free_place(
-    surface: Surface, width: float, depth: float, wish: tuple[float, float], taken: Sequence[Taken]
+    surface: StandingSurface, width: float, depth: float, wish: tuple[float, float], taken: Sequence[Taken]
 ) -> tuple[float, float] | None:
     """Return the free centre nearest to the wish on one surface."""
     here = [other for other in taken if abs(other.z - surface.z) < 0.05]

@@ -7,7 +7,7 @@ from itertools import product
 import pytest
 from tests.every import every
 
-from storyblender.catalog.cuts import Footwear, Legs, Skirt, Top
+from storyblender.catalog.cuts import Bodice, Footwear, Legs, Skirt
 from storyblender.catalog.garments import GARMENTS, OUTER_LAYER, dressed
 from storyblender.catalog.materials import hex_color
 from storyblender.memory.asset_sheet import CharacterLook, Garment
@@ -32,7 +32,7 @@ def test_the_promised_garments_exist() -> None:
 def test_what_a_garment_covers_is_sewn(key: str) -> None:
     spec = GARMENTS[key]
     kinds = {type(piece) for piece in spec.pieces}
-    assert ("upper" not in spec.covers) or Top in kinds
+    assert ("upper" not in spec.covers) or Bodice in kinds
     assert ("lower" not in spec.covers) or kinds & {Legs, Skirt}
     assert ("feet" not in spec.covers) or Footwear in kinds
     for color in spec.colors:

@@ -3,16 +3,18 @@ import math
 import pytest
 
 from storyblender.geometry.boxes import Box
-from storyblender.geometry.relations import Room, Surface, Thing, remedy, violations
+from storyblender.geometry.relations import LayoutThing, PlayingArea, StandingSurface, remedy, violations
 
-ROOM = Room(-5, 5, -5, 5)
-
-
-def thing(name: str, x: float, y: float, z: float = 0.0, yaw: float = 0.0, size=(0.5, 0.5, 1.0), **asked) -> Thing:
-    return Thing(name, Box(x, y, z, *size, math.radians(yaw)), **asked)
+ROOM = PlayingArea(-5, 5, -5, 5)
 
 
-def kinds(things: list[Thing]) -> list[str]:
+def thing(
+    name: str, x: float, y: float, z: float = 0.0, yaw: float = 0.0, size=(0.5, 0.5, 1.0), **asked
+) -> LayoutThing:
+    return LayoutThing(name, Box(x, y, z, *size, math.radians(yaw)), **asked)
+
+
+def kinds(things: list[LayoutThing]) -> list[str]:
     return [violation.kind for violation in violations(things, ROOM)]
 
 
@@ -65,7 +67,7 @@ def test_whoever_rides_may_overlap_only_what_carries_it() -> None:
 
 def test_a_jewel_box_stands_on_the_desk_not_on_the_mirror() -> None:
     dresser = thing("dresser", 0, 2, size=(1.2, 0.5, 1.65))
-    desk = Surface(0, -0.05, 0.76, 1.2, 0.4)
+    desk = StandingSurface(0, -0.05, 0.76, 1.2, 0.4)
     box = thing("box", 0.3, 1.95, 0.76, size=(0.2, 0.14, 0.1), anchor="dresser", relationship="on_top_of", surface=desk)
     assert kinds([dresser, box]) == []
     assert kinds([dresser, thing("box", 0.3, 1.95, 1.65, size=(0.2, 0.14, 0.1), anchor="dresser",

@@ -6,7 +6,7 @@ import pytest
 
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.lanes import WALKWAY_WIDTH, find_walkway, lane_boxes
-from storyblender.geometry.relations import Room, Thing, violations
+from storyblender.geometry.relations import LayoutThing, PlayingArea, violations
 from storyblender.geometry.solver import solve
 
 SPEC = importlib.util.spec_from_file_location(
@@ -16,7 +16,7 @@ assert SPEC is not None and SPEC.loader is not None
 bench = importlib.util.module_from_spec(SPEC)
 SPEC.loader.exec_module(bench)
 
-ROOM = Room(-4, 4, -4, 4)
+ROOM = PlayingArea(-4, 4, -4, 4)
 
 
 @pytest.mark.parametrize("seed", range(7000, 7020))
@@ -43,41 +43,41 @@ def test_the_input_is_not_changed() -> None:
 
 
 def test_a_contradiction_is_reported_not_hidden() -> None:
-    a = Thing("a", Box(1, 0, 0, 0.5, 0.5, 1), "b", "on_the_left_of")
-    b = Thing("b", Box(0, 0, 0, 0.5, 0.5, 1), "a", "on_the_left_of")
+    a = LayoutThing("a", Box(1, 0, 0, 0.5, 0.5, 1), "b", "on_the_left_of")
+    b = LayoutThing("b", Box(0, 0, 0, 0.5, 0.5, 1), "a", "on_the_left_of")
     solution = solve([a, b], ROOM)
     assert not solution.solved
     assert {violation.subject for violation in solution.residual} <= {"a", "b"}
 
 
 def test_fixed_things_stay_and_the_others_leave_them() -> None:
-    piano = Thing("piano", Box(0, 0, 0, 1.5, 1.4, 1.0), fixed=True)
-    chair = Thing("chair", Box(0.2, 0.1, 0, 0.5, 0.5, 0.9))
+    piano = LayoutThing("piano", Box(0, 0, 0, 1.5, 1.4, 1.0), fixed=True)
+    chair = LayoutThing("chair", Box(0.2, 0.1, 0, 0.5, 0.5, 0.9))
     solution = solve([piano, chair], ROOM)
     assert solution.solved
     assert solution.things[0].box == piano.box
 
 
 def test_who_sits_in_what_is_fixed_outside_stays_in_it() -> None:
-    boat = Thing("boat", Box(0, 5.2, 0, 4.0, 1.5, 0.7), fixed=True)
-    rower = Thing("rower", Box(0.3, 5.2, 0.2, 0.42, 0.3, 0.8), anchor="boat", walks=True)
-    stray = Thing("stray", Box(2, 5.2, 0, 0.5, 0.4, 1.7), walks=True)
+    boat = LayoutThing("boat", Box(0, 5.2, 0, 4.0, 1.5, 0.7), fixed=True)
+    rower = LayoutThing("rower", Box(0.3, 5.2, 0.2, 0.42, 0.3, 0.8), anchor="boat", walks=True)
+    stray = LayoutThing("stray", Box(2, 5.2, 0, 0.5, 0.4, 1.7), walks=True)
     solution = solve([boat, rower, stray], ROOM)
     assert solution.solved
     assert [thing.box.y > 4 for thing in solution.things] == [True, True, False]
 
 
 def test_what_stands_on_a_table_moves_and_turns_with_it() -> None:
-    table = Thing("table", Box(5, 0, 0, 1.2, 0.8, 0.75))
-    cup = Thing("cup", Box(5.3, 0.1, 0.75, 0.1, 0.1, 0.1), "table", "on_top_of")
+    table = LayoutThing("table", Box(5, 0, 0, 1.2, 0.8, 0.75))
+    cup = LayoutThing("cup", Box(5.3, 0.1, 0.75, 0.1, 0.1, 0.1), "table", "on_top_of")
     solved = solve([table, cup], ROOM).things
     assert solved[0].box.x < 3.5
     assert solved[1].box.x - solved[0].box.x == pytest.approx(0.3)
 
 
 def test_a_blocked_walkway_is_opened_for_people() -> None:
-    shelf = Thing("shelf", Box(0, 2.1, 0, 0.5, 3.8, 2), fixed=True)
-    crates = [Thing(f"crate_{i}", Box(0, -3.6 + 0.9 * i, 0, 0.8, 0.8, 0.8)) for i in range(4)]
+    shelf = LayoutThing("shelf", Box(0, 2.1, 0, 0.5, 3.8, 2), fixed=True)
+    crates = [LayoutThing(f"crate_{i}", Box(0, -3.6 + 0.9 * i, 0, 0.8, 0.8, 0.8)) for i in range(4)]
     things = [shelf, *crates]
     assert find_walkway((-3, -2), (3, -2), things, ROOM) is None
     opened = find_walkway((-3, -2), (3, -2), things, ROOM, around_fixed_only=True)

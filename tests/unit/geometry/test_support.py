@@ -1,9 +1,9 @@
-from storyblender.geometry.relations import Surface
-from storyblender.geometry.support import Taken, Top, choose_perch
+from storyblender.geometry.relations import StandingSurface
+from storyblender.geometry.support import OpenTop, Taken, choose_perch
 
-DESK = Top(Surface(0, -0.05, 0.76, 1.2, 0.4))
-MIRROR_EDGE = Top(Surface(0, 0.22, 1.65, 0.8, 0.04))
-DRAWER = Top(Surface(0.4, 0, 0.2, 0.3, 0.4), clearance=0.05)
+DESK = OpenTop(StandingSurface(0, -0.05, 0.76, 1.2, 0.4))
+MIRROR_EDGE = OpenTop(StandingSurface(0, 0.22, 1.65, 0.8, 0.04))
+DRAWER = OpenTop(StandingSurface(0.4, 0, 0.2, 0.3, 0.4), clearance=0.05)
 JEWEL_BOX = (0.2, 0.14, 0.1)
 
 
@@ -28,7 +28,7 @@ def test_a_taken_place_is_avoided_by_the_shortest_way() -> None:
 
 
 def test_a_long_thing_is_turned_where_only_that_fits() -> None:
-    board = Top(Surface(0, 0, 0.7, 0.3, 0.9))
+    board = OpenTop(StandingSurface(0, 0, 0.7, 0.3, 0.9))
     chosen = choose_perch([board], (0.8, 0.2, 0.1))
     assert chosen is not None
     assert chosen.turned
@@ -36,5 +36,5 @@ def test_a_long_thing_is_turned_where_only_that_fits() -> None:
 
 
 def test_a_full_surface_holds_no_more() -> None:
-    tray = Top(Surface(0, 0, 0.7, 0.3, 0.3))
+    tray = OpenTop(StandingSurface(0, 0, 0.7, 0.3, 0.3))
     assert choose_perch([tray], (0.2, 0.2, 0.1), taken=[Taken(0, 0, 0.7, 0.2, 0.2)]) is None

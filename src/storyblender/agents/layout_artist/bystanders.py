@@ -17,7 +17,7 @@ from storyblender.agents.layout_artist.people_seats import free_seats
 from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView
 from storyblender.catalog.bystanders import BYSTANDER, VARIANTS
 from storyblender.geometry.boxes import Box, yaw_along
-from storyblender.geometry.relations import Thing
+from storyblender.geometry.relations import LayoutThing
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Vec2
 from storyblender.memory.measure import AssetMeasure
@@ -73,7 +73,7 @@ def place_bystanders(view: SpatialPlannerView, layout: Layout, count: int, lanes
     people = people or [stage.middle]
     seated = _choose_seats(stage, people, round(_SITTING * count), set(view.targets))
     for number, lane in enumerate(lanes):
-        stage.add(Thing(f"lane_{number}", lane, fixed=True), "")
+        stage.add(LayoutThing(f"lane_{number}", lane, fixed=True), "")
     return [*seated, *_place_standing_groups(stage, people, count - len(seated))]
 
 
@@ -126,7 +126,7 @@ def _place_standing_groups(stage: LayoutStage, people: Sequence[Vec2], count: in
             yaw = yaw_along(x - px, y - py) if size > 1 else yaw_along(people[0][0] - px, people[0][1] - py)
             found.append(Bystander("stand", len(found) % VARIANTS, (px, py, 0.0), yaw))
             box = Box(px, py, 0.0, 0.5, 0.4, 1.7, yaw)
-            stage.add(Thing(f"bystander_{len(found)}", box, fixed=True), "")
+            stage.add(LayoutThing(f"bystander_{len(found)}", box, fixed=True), "")
         turn += 1
     return found
 

@@ -11,7 +11,7 @@ from storyblender.agents.layout_artist.layout_stage import LayoutStage
 from storyblender.agents.layout_artist.people_seats import free_seats, put_on_seat
 from storyblender.catalog.props.prop_families import family_of
 from storyblender.geometry.boxes import yaw_along
-from storyblender.geometry.relations import Thing
+from storyblender.geometry.relations import LayoutThing
 from storyblender.geometry.stations import turn_towards_audience
 from storyblender.memory.base import Vec2
 
@@ -104,4 +104,4 @@ def _place_ring(stage: LayoutStage, group: Sequence[str], principals: Sequence[V
             if len(group) > 1
             else yaw_along(principals[0][0] - px, principals[0][1] - py)
         )
-        stage.add(Thing(member, stage.box(member, px, py, 0.0, yaw), walks=True), member)
+        stage.add(LayoutThing(member, stage.box(member, px, py, 0.0, yaw), walks=True), member)

@@ -22,7 +22,7 @@ from storyblender.catalog.props.prop_families import family_of, props_named
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.lanes import blocks_walkers
 from storyblender.geometry.paths import Footprint, clearance
-from storyblender.geometry.relations import Thing
+from storyblender.geometry.relations import LayoutThing
 from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.scene_context import LayoutObject
 
@@ -53,7 +53,7 @@ class LayoutStage:
         self.view = view
         self.room = room_of(view.plan.size)
         self.walls = walls_of(view.plan)
-        self.things: dict[str, Thing] = {}
+        self.things: dict[str, LayoutThing] = {}
         self.assets: dict[str, str] = {}
         self._dressed: NDArray[np.float64] | None = None
         for item in view.dressed:
@@ -86,7 +86,7 @@ class LayoutStage:
             self.add(thing, item.asset_id)
             assign_surfaces([thing, *self.things.values()], self.assets, self.view.measures)
 
-    def add(self, thing: Thing, asset_id: str) -> None:
+    def add(self, thing: LayoutThing, asset_id: str) -> None:
         """Add a thing that shows an asset (asset id)."""
         self.things[thing.name], self.assets[thing.name] = thing, asset_id
         self._dressed = None
@@ -94,7 +94,7 @@ class LayoutStage:
     def place(self, asset_id: str, box: Box, **asked: object) -> None:
         """Place a thing of the script (asset id) in a box; ``asked`` are further fields of its ``Thing``."""
         mass = mass_of((box.width, box.depth, box.height))
-        self.add(Thing(asset_id, box, mass=mass, **asked), asset_id)  # pyright: ignore[reportArgumentType]
+        self.add(LayoutThing(asset_id, box, mass=mass, **asked), asset_id)  # pyright: ignore[reportArgumentType]
 
     @property
     def middle(self) -> tuple[float, float]:
@@ -109,7 +109,7 @@ class LayoutStage:
         known = self.view.measures.get(asset_id)
         return known or AssetMeasure(asset_id=asset_id, digest="", geometry_hash="", dimensions=(0.4, 0.4, 0.4))
 
-    def find(self, asset_id: str | None, near: tuple[float, float] = (0.0, 0.0)) -> Thing | None:
+    def find(self, asset_id: str | None, near: tuple[float, float] = (0.0, 0.0)) -> LayoutThing | None:
         """Return the thing with that name, else the thing that shows the asset and is nearest to a floor point."""
         if asset_id is None:
             return None
@@ -118,7 +118,7 @@ class LayoutStage:
         shown = [thing for name, thing in self.things.items() if self.assets[name] == asset_id]
         return min(shown, key=lambda thing: math.dist((thing.box.x, thing.box.y), near), default=None)
 
-    def find_anchor(self, asset_id: str | None, near: tuple[float, float] | None = None) -> Thing | None:
+    def find_anchor(self, asset_id: str | None, near: tuple[float, float] | None = None) -> LayoutThing | None:
         """Return the thing for an anchor id: the thing itself, a related prop, or a part of the set; else None."""
         near = near or self.middle
         thing = self.find(asset_id, near)
@@ -130,7 +130,7 @@ class LayoutStage:
         if alike:
             return min(alike, key=lambda thing: math.dist((thing.box.x, thing.box.y), near))
         fixture = self.find_fixture(asset_id, near)
-        return Thing(fixture.name, fixture.box, fixed=True, floats=True) if fixture is not None else None
+        return LayoutThing(fixture.name, fixture.box, fixed=True, floats=True) if fixture is not None else None
 
     def find_fixture(self, name: str | None, near: tuple[float, float] | None = None) -> Fixture | None:
         """Return the part of the set with a name; the one nearest to a floor point if several match equally."""

@@ -10,8 +10,8 @@ import numpy as np
 from storyblender.catalog.footprints import piece_boxes, wall_boxes
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box, footprint_gap
-from storyblender.geometry.relations import Room, Surface, Thing, Violation, remedy, violations
-from storyblender.geometry.support import Top
+from storyblender.geometry.relations import LayoutThing, PlayingArea, StandingSurface, Violation, remedy, violations
+from storyblender.geometry.support import OpenTop
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.scene_context import Layout, LayoutObject, SceneSize
@@ -29,9 +29,9 @@ _SEVERITY = 2.5
 """Points for each violation: one is enough to be refined at the usual threshold of 8."""
 
 
-def room_of(size: SceneSize) -> Room:
+def room_of(size: SceneSize) -> PlayingArea:
     """Return the playing area."""
-    return Room(size.x_negative, size.x, size.y_negative, size.y)
+    return PlayingArea(size.x_negative, size.x, size.y_negative, size.y)
 
 
 def anchors_of(measure: AssetMeasure, kind: str) -> list[Anchor]:
@@ -39,15 +39,15 @@ def anchors_of(measure: AssetMeasure, kind: str) -> list[Anchor]:
     return [anchor for anchor in measure.anchors if anchor.kind == kind]
 
 
-def tops_of(measure: AssetMeasure) -> list[Top]:
+def tops_of(measure: AssetMeasure) -> list[OpenTop]:
     """Return the surfaces of an asset on which things can stand; the top of its box if it declares none."""
     tops = [
-        Top(Surface(*anchor.location, *anchor.size), anchor.clearance)
+        OpenTop(StandingSurface(*anchor.location, *anchor.size), anchor.clearance)
         for anchor in measure.anchors
         if anchor.kind == "top" and min(anchor.size) > 0
     ]
     width, depth, height = measure.dimensions
-    return tops or [Top(Surface(0.0, 0.0, height, width, depth))]
+    return tops or [OpenTop(StandingSurface(0.0, 0.0, height, width, depth))]
 
 
 def size_of(measure: AssetMeasure) -> tuple[float, float, float]:
@@ -58,7 +58,7 @@ def size_of(measure: AssetMeasure) -> tuple[float, float, float]:
     return width, depth, height
 
 
-def thing_of(item: LayoutObject, measures: Mapping[str, AssetMeasure], plan: SetPlan) -> Thing | None:
+def thing_of(item: LayoutObject, measures: Mapping[str, AssetMeasure], plan: SetPlan) -> LayoutThing | None:
     """Return a layout object as the solver sees it; None if its asset has no measure.
 
     Args:
@@ -77,7 +77,7 @@ def thing_of(item: LayoutObject, measures: Mapping[str, AssetMeasure], plan: Set
         box = Box(x - math.sin(yaw) * _SEATED_BEHIND, y + math.cos(yaw) * _SEATED_BEHIND, z, width, depth, height, yaw)
     else:
         box = Box(x, y, z, *_rotated_extent(size_of(measure), item.rotation), yaw)
-    thing = Thing(
+    thing = LayoutThing(
         item.node_id, box, item.anchor_asset_id, item.relationship, item.contact, item.direction,
         mass=1.0 if is_person else mass_of(measure.dimensions), fixed=item.fixed, walks=is_person,
     )  # fmt: skip
@@ -113,18 +113,18 @@ def is_hanging(box: Box, plan: SetPlan) -> bool:
     return any(footprint_gap(box, wall.box)[0] < _HUNG for wall in walls_of(plan))
 
 
-def walls_of(plan: SetPlan) -> list[Thing]:
+def walls_of(plan: SetPlan) -> list[LayoutThing]:
     """Return walls and solid parts of the set as fixed boxes."""
     solid = [(part.node_id, wall_boxes(part)) for part in plan.walls]
     solid += [(part.node_id, piece_boxes(part)) for part in plan.pieces]
     return [
-        Thing(f"{node_id}_{index}", box, fixed=True, floats=True)
+        LayoutThing(f"{node_id}_{index}", box, fixed=True, floats=True)
         for node_id, boxes in solid
         for index, box in enumerate(boxes)
     ]
 
 
-def layout_object_of(thing: Thing, asset_id: str) -> LayoutObject:
+def layout_object_of(thing: LayoutThing, asset_id: str) -> LayoutObject:
     """Return a solved thing as the graph stores it, rounded to a millimetre and a tenth of a degree."""
     box = thing.box
     x, y, z = box.x, box.y, box.z
@@ -148,7 +148,9 @@ def seat_box(x: float, y: float, z: float, yaw: float) -> Box:
     return Box(x - math.sin(yaw) * _SEATED_BEHIND, y + math.cos(yaw) * _SEATED_BEHIND, z, *_TRUNK, yaw)
 
 
-def assign_surfaces(things: Sequence[Thing], assets: Mapping[str, str], measures: Mapping[str, AssetMeasure]) -> None:
+def assign_surfaces(
+    things: Sequence[LayoutThing], assets: Mapping[str, str], measures: Mapping[str, AssetMeasure]
+) -> None:
     """Set the surface on which each thing stands, if it stands on another: the one nearest below it.
 
     Args:
@@ -181,7 +183,7 @@ def layout_violations(layout: Layout, measures: Mapping[str, AssetMeasure], plan
     return tuple(fault_of(violation, everything, room) for violation in violations(everything, room))
 
 
-def fault_of(violation: Violation, things: Sequence[Thing], room: Room) -> Fault:
+def fault_of(violation: Violation, things: Sequence[LayoutThing], room: PlayingArea) -> Fault:
     """Return a violation of the solver as a fault with its fix.
 
     Args:

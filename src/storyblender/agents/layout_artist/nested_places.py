@@ -9,7 +9,7 @@ from storyblender.agents.layout_artist.layout_things import anchors_of, size_of
 from storyblender.agents.layout_artist.wall_places import hang, stand_against
 from storyblender.catalog.hollows import place_inside
 from storyblender.geometry.boxes import Box
-from storyblender.geometry.relations import Thing, may_overlap_anchor
+from storyblender.geometry.relations import LayoutThing, may_overlap_anchor
 from storyblender.memory.base import Vec2
 from storyblender.memory.scene_context import Spot
 
@@ -21,7 +21,7 @@ _SILL = 0.12
 """Metres of a thing's depth that stand on a sill."""
 
 
-def place_in_hollow(stage: LayoutStage, asset_id: str, anchor: Thing) -> bool:
+def place_in_hollow(stage: LayoutStage, asset_id: str, anchor: LayoutThing) -> bool:
     """Place a thing in a hollow one, or on a seat of a vehicle with doors; return whether there was room.
 
     Args:
@@ -45,7 +45,7 @@ def place_in_hollow(stage: LayoutStage, asset_id: str, anchor: Thing) -> bool:
     return True
 
 
-def place_outside(stage: LayoutStage, asset_id: str, spot: Spot, anchor: Thing) -> bool:
+def place_outside(stage: LayoutStage, asset_id: str, spot: Spot, anchor: LayoutThing) -> bool:
     """Place a thing behind a window or door outdoors, if it is too large for the room or its distance is given.
 
     Args:
@@ -77,7 +77,9 @@ def box_under(stage: LayoutStage, asset_id: str, base: Box, peeps: bool) -> Box:
     return stage.box(asset_id, x, y, base.z, base.yaw)
 
 
-def place_at_wall(stage: LayoutStage, asset_id: str, spot: Spot, near: Vec2 | None, part: Thing | None = None) -> bool:
+def place_at_wall(
+    stage: LayoutStage, asset_id: str, spot: Spot, near: Vec2 | None, part: LayoutThing | None = None
+) -> bool:
     """Hang a thing on a wall or place its back to one, as its spot says; return whether it was placed.
 
     Args:

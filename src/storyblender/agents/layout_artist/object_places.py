@@ -11,7 +11,7 @@ from storyblender.agents.layout_artist.layout_things import anchors_of, size_of,
 from storyblender.agents.layout_artist.nested_places import box_under, place_at_wall, place_in_hollow, place_outside
 from storyblender.agents.layout_artist.wall_places import hang, stand_against
 from storyblender.geometry.boxes import Box, footprint_gap, wrap_angle, yaw_along
-from storyblender.geometry.relations import BEARING, Thing, slide_to_gap
+from storyblender.geometry.relations import BEARING, LayoutThing, slide_to_gap
 from storyblender.geometry.stations import TURNS
 from storyblender.geometry.support import Perch, Taken, choose_perch
 from storyblender.memory.base import Vec2
@@ -102,7 +102,7 @@ def _volume(stage: LayoutStage, asset_id: str) -> float:
     return width * depth * height
 
 
-def _place_at_spot(stage: LayoutStage, asset_id: str, spot: Spot, anchor: Thing) -> bool:
+def _place_at_spot(stage: LayoutStage, asset_id: str, spot: Spot, anchor: LayoutThing) -> bool:
     """Place a thing at its spot; return False if the anchor has no room for it."""
     kind = "in" if spot.relation == "inside" else "over" if spot.relation == "above" else spot.relation
     base, part = anchor.box, anchor.name not in stage.things
@@ -133,13 +133,13 @@ def _place_at_spot(stage: LayoutStage, asset_id: str, spot: Spot, anchor: Thing)
     return True
 
 
-def _second_anchor(stage: LayoutStage, asset_id: str) -> Thing | None:
+def _second_anchor(stage: LayoutStage, asset_id: str) -> LayoutThing | None:
     """Return the second of the two things that a thing is between; None if there is none."""
     stated = (each for each in stage.view.setup.relations if each.asset_id == asset_id)
     return stage.find(next((each.second_anchor_asset_id for each in stated), None))
 
 
-def _place_on(stage: LayoutStage, asset_id: str, anchor: Thing, near: tuple[float, float] | None = None) -> bool:
+def _place_on(stage: LayoutStage, asset_id: str, anchor: LayoutThing, near: tuple[float, float] | None = None) -> bool:
     """Place a thing on top of an anchor, near a floor point; return False if there is no room."""
     chosen = find_perch(stage, asset_id, anchor, near)
     if chosen is None:
@@ -154,7 +154,7 @@ def _place_on(stage: LayoutStage, asset_id: str, anchor: Thing, near: tuple[floa
 
 
 def find_perch(
-    stage: LayoutStage, asset_id: str, anchor: Thing, near: tuple[float, float] | None = None
+    stage: LayoutStage, asset_id: str, anchor: LayoutThing, near: tuple[float, float] | None = None
 ) -> Perch | None:
     """Return where on an anchor there is room for an asset; None if there is none.
 
@@ -191,7 +191,7 @@ def find_perch(
     return chosen
 
 
-def _sleepers_on(stage: LayoutStage, anchor: Thing) -> list[Taken]:
+def _sleepers_on(stage: LayoutStage, anchor: LayoutThing) -> list[Taken]:
     """Return the space of a bed that a lying person takes, at the start of the scene or later."""
     names = (anchor.name, stage.assets[anchor.name])
     states = (*stage.view.states, *stage.view.found_later)
@@ -227,7 +227,7 @@ def bearings_of(kind: str, anchor: Box, told: str | None = None) -> list[float]:
     return [*sides, front, front + math.pi]
 
 
-def _place_beside(stage: LayoutStage, asset_id: str, spot: Spot, anchor: Thing) -> None:
+def _place_beside(stage: LayoutStage, asset_id: str, spot: Spot, anchor: LayoutThing) -> None:
     """Place a thing on the roomiest of the allowed sides; touching for ``against``, a seat facing its table."""
     kind = spot.relation
     width, depth, _ = size_of(stage.measure(asset_id))
@@ -269,7 +269,7 @@ def _place_beside(stage: LayoutStage, asset_id: str, spot: Spot, anchor: Thing) 
     )  # fmt: skip
 
 
-def _box_beside(stage: LayoutStage, asset_id: str, anchor: Thing, angle: float, gap: float) -> Box:
+def _box_beside(stage: LayoutStage, asset_id: str, anchor: LayoutThing, angle: float, gap: float) -> Box:
     """Return the box of a thing beside an anchor at a bearing in radians, ``gap`` metres away."""
     box = stage.box(asset_id, anchor.box.x + math.cos(angle), anchor.box.y + math.sin(angle), 0.0, anchor.box.yaw)
     box.x, box.y = slide_to_gap(box, anchor.box, gap, angle)
@@ -323,7 +323,7 @@ def _all_spots(stage: LayoutStage) -> list[Spot]:
     return [*_scripted_spots(stage).values(), *(state.spot for state in states if state.spot is not None)]
 
 
-def _place_at_hand(stage: LayoutStage, asset_id: str, user: Thing) -> None:
+def _place_at_hand(stage: LayoutStage, asset_id: str, user: LayoutThing) -> None:
     """Place a thing on the floor beside its user, out of the way of their feet."""
     width, depth, _ = size_of(stage.measure(asset_id))
     aside = _AT_HAND + width / 2
@@ -340,7 +340,7 @@ def _ceiling_height(stage: LayoutStage) -> float | None:
     return next((slab.z for slab in stage.view.plan.slabs if slab.role == "ceiling"), None)
 
 
-def _place_on_nearest_table(stage: LayoutStage, asset_id: str, user: Thing | None, told: Vec2 | None) -> bool:
+def _place_on_nearest_table(stage: LayoutStage, asset_id: str, user: LayoutThing | None, told: Vec2 | None) -> bool:
     """Place a small thing on the table nearest to its user, else to the middle; return False if none has room.
 
     On a long seat it goes beside the sitter; only pots and pans are put on a stove.

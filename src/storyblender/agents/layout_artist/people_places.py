@@ -18,7 +18,7 @@ from storyblender.agents.layout_artist.people_stations import (
 )
 from storyblender.catalog.set_plan import PlanMark
 from storyblender.geometry.boxes import footprint_gap, yaw_along
-from storyblender.geometry.relations import Thing
+from storyblender.geometry.relations import LayoutThing
 from storyblender.geometry.stations import turn_towards_audience
 from storyblender.memory.shot_context import BodyState
 
@@ -163,7 +163,7 @@ def _place_at_set_mark(stage: LayoutStage, asset_id: str, wanted: WantedPlace | 
     x, y, _ = mark.location
     if float(stage.clearance(np.array([(x, y)]))[0]) > 0.1:
         box = stage.box(asset_id, x, y, 0.0, math.radians(mark.yaw))
-        stage.add(Thing(asset_id, box, walks=True), asset_id)
+        stage.add(LayoutThing(asset_id, box, walks=True), asset_id)
 
 
 def _direction_to_audience(x: float, stage: LayoutStage) -> tuple[float, float]:
@@ -190,7 +190,7 @@ def _place_group(stage: LayoutStage, members: list[str]) -> None:
         )
         box = stage.box(members[0], x, y, 0.0, 0.0)
         box.turn_to(yaw_along(*_direction_to_audience(x, stage)))
-        stage.add(Thing(members[0], box, walks=True), members[0])
+        stage.add(LayoutThing(members[0], box, walks=True), members[0])
         return
     radius = stage.view.distance_scale * (TALK / 2 if len(members) == 2 else max(0.8, 0.22 * len(members)))
     x, y = stage.free_spot(stage.middle, radius + 0.45, lambda x, y: _bareness_penalty(stage, x, y))
@@ -198,20 +198,20 @@ def _place_group(stage: LayoutStage, members: list[str]) -> None:
     for member, angle in zip(members, angles, strict=True):
         dx, dy = radius * math.cos(math.radians(angle)), radius * math.sin(math.radians(angle))
         box = stage.box(member, x + dx, y + dy, 0.0, turn_towards_audience(yaw_along(-dx, -dy), _CHEAT))
-        stage.add(Thing(member, box, walks=True), member)
+        stage.add(LayoutThing(member, box, walks=True), member)
     if len(members) == 2:
         left, right = (stage.things[member] for member in members)
         left.anchor, left.relationship, left.direction, left.contact = right.name, "on_the_left_of", "facing", False
         right.anchor, right.direction = left.name, "facing"
 
 
-def _place_companion(stage: LayoutStage, member: str, other: Thing) -> None:
+def _place_companion(stage: LayoutStage, member: str, other: LayoutThing) -> None:
     """Place a person beside another, shoulder to shoulder, looking the same way."""
     x, y = stage.free_spot((other.box.x, other.box.y), 0.42, lambda x, y: _companion_penalty(other, x, y))
-    stage.add(Thing(member, stage.box(member, x, y, 0.0, other.box.yaw), walks=True), member)
+    stage.add(LayoutThing(member, stage.box(member, x, y, 0.0, other.box.yaw), walks=True), member)
 
 
-def _companion_penalty(other: Thing, x: float, y: float) -> float:
+def _companion_penalty(other: LayoutThing, x: float, y: float) -> float:
     """Return the penalty in metres for a place in front of another person, or far behind them."""
     across, along = other.box.to_local(x, y)
     return max(-along - 0.1, 0.0) + 0.5 * max(along - 0.4, 0.0) + max(0.6 - abs(across), 0.0)
@@ -232,7 +232,7 @@ def _crowding_penalty(place: tuple[float, float], others: list[tuple[float, floa
     return cost + sum(max(0.5 - abs(place[0] - other[0]), 0.0) for other in others)
 
 
-def _place_beside_group(stage: LayoutStage, member: str, placed: list[Thing]) -> None:
+def _place_beside_group(stage: LayoutStage, member: str, placed: list[LayoutThing]) -> None:
     """Place a person at talking distance from a group, beside it as the audience sees it and not in front of it."""
     first = placed[0]
     ahead = math.atan2(first.box.forward[1], first.box.forward[0])
@@ -251,7 +251,7 @@ def _place_beside_group(stage: LayoutStage, member: str, placed: list[Thing]) ->
     assert best is not None
     _, x, y = best
     box = stage.box(member, x, y, 0.0, turn_towards_audience(yaw_along(first.box.x - x, first.box.y - y), _CHEAT))
-    stage.add(Thing(member, box, anchor=first.name, direction="facing", walks=True), member)
+    stage.add(LayoutThing(member, box, anchor=first.name, direction="facing", walks=True), member)
 
 
 def _turn_to_looked_at(stage: LayoutStage) -> None:

@@ -9,7 +9,7 @@ from storyblender.agents.layout_artist.layout_stage import LayoutStage
 from storyblender.agents.layout_artist.layout_things import anchors_of, seat_box
 from storyblender.agents.layout_artist.people_stations import WantedPlace
 from storyblender.geometry.boxes import distance_to_point, yaw_along
-from storyblender.geometry.relations import Thing
+from storyblender.geometry.relations import LayoutThing
 from storyblender.geometry.seating import list_seats, select_seats
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.base import Vec2
@@ -81,7 +81,7 @@ def put_on_seat(stage: LayoutStage, person: str, seat: Seat) -> None:
     x, y = base.to_world(*anchor.location[:2])
     dx, dy, _ = anchor.direction
     box = seat_box(x, y, base.z + anchor.location[2], base.yaw + yaw_along(dx, dy))
-    stage.add(Thing(person, box, anchor=name, walks=True), person)
+    stage.add(LayoutThing(person, box, anchor=name, walks=True), person)
 
 
 def _list_seats(stage: LayoutStage, names: Iterable[str], kinds: tuple[str, ...], asked: bool) -> list[Seat]:
@@ -116,7 +116,7 @@ def _seat_point(stage: LayoutStage, seat: Seat) -> Vec2:
     return stage.things[seat[0]].box.to_world(*seat[1].location[:2])
 
 
-def _seats_at_table(stage: LayoutStage, table: Thing) -> list[Seat]:
+def _seats_at_table(stage: LayoutStage, table: LayoutThing) -> list[Seat]:
     """Return the seats that face a table without a seat of its own."""
     own = stage.measure(stage.assets[table.name])
     if any(anchor.kind in ("seat", "bed") for anchor in own.anchors) or not anchors_of(own, "top"):

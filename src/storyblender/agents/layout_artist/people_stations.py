@@ -11,7 +11,7 @@ from storyblender.agents.layout_artist.layout_stage import LayoutStage
 from storyblender.agents.layout_artist.layout_things import anchors_of
 from storyblender.catalog.workplaces import workplaces_of
 from storyblender.geometry.boxes import Box, wrap_angle, yaw_along
-from storyblender.geometry.relations import BEARING, BEARING_TOLERANCE, Thing
+from storyblender.geometry.relations import BEARING, BEARING_TOLERANCE, LayoutThing
 from storyblender.geometry.stations import Sort, Station, stations, turn_towards_audience
 from storyblender.memory.shot_context import BodyState
 
@@ -63,7 +63,7 @@ def wanted_places(stage: LayoutStage) -> dict[str, WantedPlace]:
     return wishes | {name: wish for name, wish in own.items() if wish.anchor is not None or name not in wishes}
 
 
-def find_workplace(stage: LayoutStage, state: BodyState) -> Thing | None:
+def find_workplace(stage: LayoutStage, state: BodyState) -> LayoutThing | None:
     """Return the thing at which a person does their first actions, if the script names none; None if there is none."""
     for motion, prop in stage.view.first_actions.get(state.asset_id, ()):
         for wanted in workplaces_of(motion, prop):
@@ -73,7 +73,7 @@ def find_workplace(stage: LayoutStage, state: BodyState) -> Thing | None:
     return None
 
 
-def sort_of(stage: LayoutStage, anchor: Thing) -> Sort:
+def sort_of(stage: LayoutStage, anchor: LayoutThing) -> Sort:
     """Return the sort of an anchor, as `geometry.stations` has them."""
     if anchor.walks:
         return "person"
@@ -84,7 +84,7 @@ def sort_of(stage: LayoutStage, anchor: Thing) -> Sort:
     return sorts.get(kind, "thing")
 
 
-def stand_person_at(stage: LayoutStage, asset_id: str, anchor: Thing, wanted: WantedPlace) -> None:
+def stand_person_at(stage: LayoutStage, asset_id: str, anchor: LayoutThing, wanted: WantedPlace) -> None:
     """Place a person at, behind, in front of or beside something, on the side that has room.
 
     Args:
@@ -106,7 +106,7 @@ def stand_person_at(stage: LayoutStage, asset_id: str, anchor: Thing, wanted: Wa
         best = _nearest_in_room(stage, anchor.box, best)
     box = stage.box(asset_id, best.x, best.y, 0.0, best.yaw)
     turn_person(stage, box, wanted.facing, anchor.box)
-    thing = Thing(asset_id, box, walks=True)
+    thing = LayoutThing(asset_id, box, walks=True)
     if anchor.name in stage.things:
         bearing = math.atan2(box.y - anchor.box.y, box.x - anchor.box.x)
         name = min(BEARING, key=lambda each: abs(wrap_angle(bearing - BEARING[each])))
@@ -116,7 +116,7 @@ def stand_person_at(stage: LayoutStage, asset_id: str, anchor: Thing, wanted: Wa
     stage.add(thing, asset_id)
 
 
-def is_reachable(stage: LayoutStage, anchor: Thing) -> bool:
+def is_reachable(stage: LayoutStage, anchor: LayoutThing) -> bool:
     """Return whether people can walk to a thing; not to distant scenery such as a plane in the sky."""
     room, box = stage.room, anchor.box
     dx = max(room.x_min - box.x, box.x - room.x_max, 0.0) - box.reach((1.0, 0.0))
@@ -156,7 +156,7 @@ def _nearest_in_room(stage: LayoutStage, anchor: Box, wish: Station) -> Station:
     return Station(x, y, wish.yaw)
 
 
-def _has_its_own_seat(stage: LayoutStage, anchor: Thing) -> bool:
+def _has_its_own_seat(stage: LayoutStage, anchor: LayoutThing) -> bool:
     """Return whether a thing has a seat that faces it, such as a piano's stool: others stand at its ends."""
     if anchor.name not in stage.assets:  # a part of the set
         return False

@@ -22,7 +22,7 @@ from storyblender.agents.layout_artist.people_places import place_people
 from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.lanes import find_walkway, lane_boxes
-from storyblender.geometry.relations import Room, Thing, Violation, may_overlap_anchor
+from storyblender.geometry.relations import LayoutThing, PlayingArea, Violation, may_overlap_anchor
 from storyblender.geometry.solver import solve
 from storyblender.memory.base import Vec2, content_hash
 from storyblender.memory.scene_context import Layout
@@ -96,7 +96,7 @@ def _solve_layout(stage: LayoutStage, view: SpatialPlannerView) -> Layout:
     return Layout(scene_size=view.plan.size, objects=tuple(objects))
 
 
-def _without_relation(thing: Thing, residual: Sequence[Violation]) -> Thing:
+def _without_relation(thing: LayoutThing, residual: Sequence[Violation]) -> LayoutThing:
     """Return a thing without its place beside another, if a violation says there is no room for it."""
     freed = thing.copy()
     unmet = any(violation.subject == thing.name for violation in residual)
@@ -130,7 +130,7 @@ def free_floor_of(view: SpatialPlannerView, layout: Layout) -> list[Box]:
     return [*_reserved_floor(stage), *_walkways(stage, list(stage.things.values()))]
 
 
-def _walkways(stage: LayoutStage, things: Sequence[Thing]) -> list[Box]:
+def _walkways(stage: LayoutStage, things: Sequence[LayoutThing]) -> list[Box]:
     """Return boxes of the lanes from a door to everybody, and from the people to their targets."""
     people = [thing for thing in things if thing.walks and not may_overlap_anchor(thing)]
     if not people:
@@ -159,7 +159,7 @@ def _doors(view: SpatialPlannerView) -> list[tuple[float, float]]:
     return [(mark.location[0], mark.location[1]) for mark in view.plan.marks if "enter" in mark.tags]
 
 
-def _is_reachable(doors: Sequence[Vec2], spot: Vec2, things: Sequence[Thing], room: Room) -> bool:
+def _is_reachable(doors: Sequence[Vec2], spot: Vec2, things: Sequence[LayoutThing], room: PlayingArea) -> bool:
     """Return whether a person can walk to a floor point from any door."""
     return any(find_walkway(door, spot, things, room, width=_SQUEEZE) is not None for door in doors)
 

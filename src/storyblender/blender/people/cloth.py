@@ -15,7 +15,7 @@ import numpy as np
 from storyblender.blender.people.figure import FAR, BodyFigure
 from storyblender.blender.people.sheet import Sheet, clip, loosened, normals, smoothed
 from storyblender.blender.people.worn_layers import WornLayers
-from storyblender.catalog.cuts import Band, Collar, Fabric, Footwear, Lapel, Legs, Piece, Skirt, Top
+from storyblender.catalog.cuts import Band, Bodice, Collar, Fabric, Footwear, GarmentPiece, Lapel, Legs, Skirt
 from storyblender.catalog.skeleton import columns
 from storyblender.geometry.solids import Floats
 
@@ -37,12 +37,12 @@ Builder = Callable[[Any, BodyFigure, WornLayers], list[Bolt]]
 Cover = Callable[[Any, BodyFigure, Sheet], Floats]
 
 
-def single_bolt(piece: Piece, sheet: Sheet) -> list[Bolt]:
+def single_bolt(piece: GarmentPiece, sheet: Sheet) -> list[Bolt]:
     """Return the bolt of a ``piece`` that is made of one ``sheet``."""
     return [Bolt(sheet, piece.tint, piece.fabric)]
 
 
-def cover_top(cut: Top, figure: BodyFigure, sheet: Sheet) -> Floats:
+def cover_top(cut: Bodice, figure: BodyFigure, sheet: Sheet) -> Floats:
     """Return the cover field (V,) of a top on the vertices of ``sheet``."""
     field = np.minimum(figure.inside_sleeve(sheet, cut.sleeve), figure.above(sheet, figure.height(cut.hem)))
     # The throat stays visible inside a collar that stands off it.
@@ -50,7 +50,7 @@ def cover_top(cut: Top, figure: BodyFigure, sheet: Sheet) -> Floats:
     return np.minimum(field, figure.beside_opening(sheet, cut.opening)) if cut.opening else field
 
 
-def build_top(cut: Top, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
+def build_top(cut: Bodice, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
     """Return the bolts of a top: cut from the body suit, loosened, outside the worn layers."""
     k = figure.scale
     sheet = figure.part("tights")
@@ -70,7 +70,7 @@ def build_top(cut: Top, figure: BodyFigure, layers: WornLayers) -> list[Bolt]:
     return single_bolt(cut, sheet)
 
 
-def _fill_sleeves(sheet: Sheet, figure: BodyFigure, cut: Top) -> Sheet:
+def _fill_sleeves(sheet: Sheet, figure: BodyFigure, cut: Bodice) -> Sheet:
     """Return the sheet with its sleeves widened to the radii of the cut."""
     place, radial = figure.along_arm(sheet)
     least = np.interp(place, (0.45, 1, 2), (0, cut.elbow, cut.cuff)) * figure.scale

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from storyblender.blender.people.pack import PARTS, BodyPack
 from storyblender.blender.people.sheet import Sheet
-from storyblender.catalog.cuts import Level, Opening
+from storyblender.catalog.cuts import GarmentOpening, Level
 from storyblender.catalog.skeleton import columns
 from storyblender.geometry.solids import Floats
 
@@ -160,7 +160,7 @@ class BodyFigure:
         """Return which vertices lie in front of the neck's axis, (V,)."""
         return sheet.skin[:, 1] < self.joint("neck")[1] - 0.01 * self.scale
 
-    def beside_opening(self, sheet: Sheet, opening: Opening) -> Floats:
+    def beside_opening(self, sheet: Sheet, opening: GarmentOpening) -> Floats:
         """Return the field beside a neckline's opening in front: a V, or a gap down to the hem."""
         bottom, top = self.height(opening.bottom), self.heights["neck"]
         z = sheet.skin[:, 2]

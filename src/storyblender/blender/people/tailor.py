@@ -26,7 +26,7 @@ SKIN_MARGIN, CLOTH_MARGIN = 0.012, 0.018
 """Metres inside a cover field at which skin and cloth are hidden."""
 
 BUILDERS: dict[type, Builder] = {
-    cuts.Top: cloth.build_top,
+    cuts.Bodice: cloth.build_top,
     cuts.Lapel: cloth.build_lapel,
     cuts.Collar: cloth.build_collar,
     cuts.Legs: cloth.build_legs,
@@ -46,7 +46,7 @@ BUILDERS: dict[type, Builder] = {
 """Builder of each kind of piece."""
 
 COVERS: dict[type, Cover] = {
-    cuts.Top: cloth.cover_top,
+    cuts.Bodice: cloth.cover_top,
     cuts.Legs: cloth.cover_legs,
     cuts.Skirt: cloth.cover_skirt,
     cuts.Footwear: cloth.cover_footwear,
@@ -127,7 +127,7 @@ def _hidden(sheet: Sheet, fields: Sequence[Callable[[Sheet], Floats]], margin: f
 def hangs_below_hips(spec: GarmentSpec) -> bool:
     """Return whether a garment lies on the lap of a person who sits."""
     return any(
-        isinstance(piece, cuts.Skirt | cuts.Bib) or (isinstance(piece, cuts.Top) and piece.hem[0] == "crotch")
+        isinstance(piece, cuts.Skirt | cuts.Bib) or (isinstance(piece, cuts.Bodice) and piece.hem[0] == "crotch")
         for piece in spec.pieces
     )
 
