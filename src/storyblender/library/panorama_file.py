@@ -37,6 +37,10 @@ _EXR_LINES = {0: 1, 1: 1, 2: 1, 3: 16, 4: 32, 5: 16, 6: 32, 7: 32, 8: 32, 9: 256
 _MEND = "give an equirectangular .hdr or .exr, twice as wide as high"
 
 
+class _Unreadable(Exception):
+    """A file that is no panorama for a reason that can be named."""
+
+
 def read_panorama(path: Path) -> tuple[Panorama, bytes]:
     """Read a panorama.
 
@@ -52,8 +56,10 @@ def read_panorama(path: Path) -> tuple[Panorama, bytes]:
     data = _content(path)
     try:
         radiance = _decoded(data, path.suffix.lower())
-    except (FFmpegError, ValueError, IndexError, KeyError, struct.error) as error:
+    except _Unreadable as error:
         raise InputError(f"cannot be read as a panorama ({error})", mend=_MEND, path=path) from error
+    except (FFmpegError, ValueError, IndexError, KeyError, struct.error) as error:
+        raise InputError("cannot be read as a panorama (it is damaged)", mend=_MEND, path=path) from error
     height, width = radiance.shape[:2]
     if abs(width - 2 * height) > 0.01 * width:
         raise InputError(f"is no panorama: it has {width} x {height} pixels", mend=_MEND, path=path)
@@ -96,16 +102,16 @@ def _content(path: Path) -> bytes:
 
 
 def _decoded(data: bytes, suffix: str) -> Image:
-    """Return (h, w, 3) linear values. Raises ValueError or FFmpeg's error for what is no whole picture."""
+    """Return (h, w, 3) linear values. Raises _Unreadable, or what a decoder raises for a damaged file."""
     if suffix == ".exr":
         _refuse_torn_exr(data)
     with av.open(io.BytesIO(data), "r", format=f"{suffix[1:]}_pipe") as container:
         stream = container.streams.video[0]
         if not 0 < stream.width * stream.height <= _MOST_PIXELS:
-            raise ValueError("far too many pixels")
+            raise _Unreadable("far too many pixels")
         frame = next(container.decode(stream), None)
     if frame is None or not frame.format.name.startswith("gbr"):
-        raise ValueError("no red, green and blue of high dynamic range")
+        raise _Unreadable("no red, green and blue of high dynamic range")
     kind = {"gbrpf16le": np.float16, "gbrapf16le": np.float16, "gbrpf32le": np.float32, "gbrapf32le": np.float32}
     planes = [
         np.frombuffer(bytes(plane), kind[frame.format.name]).reshape(frame.height, -1)[:, : frame.width]
@@ -116,15 +122,15 @@ def _decoded(data: bytes, suffix: str) -> Image:
 
 
 def _refuse_torn_exr(data: bytes) -> None:
-    """Raise ValueError for an EXR that ends too early: FFmpeg fills up what is missing with black.
+    """Raise _Unreadable for an EXR that ends too early: FFmpeg fills up what is missing with black.
 
     Only files of rows are looked over (OpenEXR file layout: magic, version, attributes, table of offsets, blocks).
     """
     magic, version = struct.unpack_from("<II", data)
     if magic != 20000630:
-        raise ValueError("no EXR file")
+        raise _Unreadable("no EXR file")
     if version >> 8 & 0b11010:  # tiled, deep or of several parts
-        raise ValueError("an EXR file of tiles or of several parts")
+        raise _Unreadable("an EXR file of tiles or of several parts")
     attributes: dict[bytes, bytes] = {}
     at = 8
     while data[at]:
@@ -132,17 +138,17 @@ def _refuse_torn_exr(data: bytes) -> None:
         at = data.index(b"\0", at + len(name) + 1) + 1
         (size,) = struct.unpack_from("<i", data, at)
         if size < 0:
-            raise ValueError("a damaged header")
+            raise _Unreadable("a damaged header")
         attributes[name] = data[at + 4 : at + 4 + size]
         at += 4 + size
     _, top, _, bottom = struct.unpack("<4i", attributes[b"dataWindow"])
     blocks = -(-(bottom - top + 1) // _EXR_LINES[attributes[b"compression"][0]])
     if not 0 < blocks <= len(data) // 8:
-        raise ValueError("it ends too early")
+        raise _Unreadable("it ends too early")
     for begin in struct.unpack_from(f"<{blocks}Q", data, at + 1):
         size = struct.unpack_from("<i", data, begin + 4)[0] if begin + 8 <= len(data) else len(data)
         if not 0 <= size <= len(data) - begin - 8:
-            raise ValueError("it ends too early")
+            raise _Unreadable("it ends too early")
 
 
 def _resized(radiance: Image, width: int) -> Image:
