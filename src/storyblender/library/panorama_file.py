@@ -26,6 +26,8 @@ from storyblender.model_content import MOST_CREDIT_BYTES, credit_files, credit_l
 WIDEST = 2048
 """Pixels across the prepared picture; a wider one is scaled down."""
 _MOST_BYTES, _MOST_PIXELS = 512 << 20, 16384 * 8192
+_LEAST, _BRIGHTEST = 16, 1e5
+"""Pixels across that a panorama has at least; the largest value that is kept, as bright as any sun in practice."""
 _SMALL = 256
 """Pixels across that are enough for its irradiance."""
 _DISC = 16.0
@@ -61,15 +63,15 @@ def read_panorama(path: Path) -> tuple[Panorama, bytes]:
     except (FFmpegError, ValueError, IndexError, KeyError, struct.error) as error:
         raise InputError("cannot be read as a panorama (it is damaged)", mend=_MEND, path=path) from error
     height, width = radiance.shape[:2]
-    if abs(width - 2 * height) > 0.01 * width:
+    if abs(width - 2 * height) > 0.01 * width or width < _LEAST:
         raise InputError(f"is no panorama: it has {width} x {height} pixels", mend=_MEND, path=path)
-    radiance = np.clip(np.nan_to_num(radiance, nan=0.0, posinf=65504.0), 0, None)
+    radiance = np.clip(np.nan_to_num(radiance, nan=0.0), 0, _BRIGHTEST)
     radiance = _resized(radiance, min(width, WIDEST) // 2 * 2)
     if not radiance.any():
         raise InputError("is black all over", mend=_MEND, path=path)
     radiance, sun = _without_sun(radiance)
     coefficients = irradiance_of(_resized(radiance, min(radiance.shape[1], _SMALL)))
-    rounded = [[round(float(value), 6) for value in row] for row in coefficients]
+    rounded = [[float(f"{value:.6g}") for value in row] for row in coefficients]
     provenance = Provenance(
         source="panorama", file=path.name, digest=hashlib.sha256(data).hexdigest(), **_credit_beside(path)
     )
@@ -82,7 +84,7 @@ def radiance_file(radiance: Image) -> bytes:
     height, width = radiance.shape[:2]
     fraction, exponent = np.frexp(radiance.max(axis=-1))
     shown = exponent > -100
-    scale = np.where(shown, np.ldexp(np.float32(256), -exponent), 0)
+    scale = np.where(shown, np.ldexp(np.float32(256), -np.where(shown, exponent, 0)), 0)
     rgbe = np.zeros((height, width, 4), np.uint8)
     rgbe[..., :3] = np.minimum(radiance * scale[..., None], 255)
     rgbe[..., 3] = np.where(shown & (fraction > 0), exponent + 128, 0)

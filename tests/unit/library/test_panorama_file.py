@@ -77,6 +77,7 @@ def test_a_file_that_ends_too_early_is_refused(tmp_path: Path, suffix: str, shar
     ("name", "picture", "says"),
     [
         ("square.hdr", sky()[:, :64], "64 x 64 pixels"),
+        ("tiny.hdr", sky(4, sun=None), "4 x 2 pixels"),
         ("black.hdr", np.zeros((16, 32, 3), np.float32), "black all over"),
         ("sky.png", sky(), "is no panorama"),
     ],
@@ -87,6 +88,13 @@ def test_what_is_no_panorama_is_refused(tmp_path: Path, name: str, picture: np.n
         read_panorama(tmp_path / name)
     with pytest.raises(InputError, match="cannot be read"):
         read_panorama(tmp_path / "none.hdr")
+
+
+@pytest.mark.parametrize("gain", [1e-9, 1e-3, 1e4, 1e12])
+def test_whatever_its_exposure_it_is_read(tmp_path: Path, gain: float) -> None:
+    (tmp_path / "a.exr").write_bytes(exr_of(sky(sun=None) * np.float32(gain)))
+    known, prepared = read_panorama(tmp_path / "a.exr")
+    assert np.abs(known.irradiance).max() > 0 and _decoded(prepared, ".hdr").any()
 
 
 def test_its_credits_lie_beside_it(tmp_path: Path) -> None:

@@ -140,3 +140,14 @@ def test_it_is_named_from_the_settings_file_and_can_be_left_out_again(tmp_path: 
 def test_a_brighter_one_is_brighter_in_every_way() -> None:
     light = PanoramaLight(digest="ab", strength=0.5, irradiance=((1.0, 2.0, 3.0),) * 9)
     assert light.scaled(2) == PanoramaLight(digest="ab", strength=1.0, irradiance=((2.0, 4.0, 6.0),) * 9)
+
+
+def test_another_one_lights_the_project_anew_and_undo_brings_the_first_back(tmp_path: Path) -> None:
+    first = made(tmp_path, write_sky(tmp_path / "sky.hdr"))
+    second = made(tmp_path, write_sky(tmp_path / "clouds.hdr", sun=None))
+    one, other = plans(first)[0].panorama, plans(second)[0].panorama
+    assert one is not None and other is not None and other.digest != one.digest and other.yaw == 0.0
+    Studio(Settings.model_validate(QUICK)).undo(tmp_path / "a.storyboard")
+    assert plans(read_project_graph(tmp_path / "a.storyboard"))[0].panorama == one
+    without = made(tmp_path)
+    assert without.panorama is None and not any(plan.panorama for plan in plans(without))

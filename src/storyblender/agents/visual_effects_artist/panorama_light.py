@@ -29,7 +29,7 @@ def panorama_light(view: LightingArrangerView, sky: Sky, ambient: Color, sun: Li
     if offered is None or view.plan.indoor or HOURS[view.setup.time_of_day].lamps:
         return None
     coefficients = np.array(offered.irradiance)
-    own = max(float(luminance(mean_irradiance(coefficients).astype(np.float32))), 1e-6)
+    own = max(float(luminance(mean_irradiance(coefficients).astype(np.float32))), 1e-9)
     level = float(luminance((np.asarray(ambient, np.float32) + np.asarray(sky.ground, np.float32)) / 2))
     yaw = 0.0
     if offered.sun is not None:
@@ -40,6 +40,6 @@ def panorama_light(view: LightingArrangerView, sky: Sky, ambient: Color, sun: Li
     return PanoramaLight(
         digest=offered.provenance.digest,
         yaw=yaw,
-        strength=round(mean_sky_luminance(sky) / own, 6),
+        strength=float(f"{mean_sky_luminance(sky) / own:.6g}"),
         irradiance=tuple((round(red, 6), round(green, 6), round(blue, 6)) for red, green, blue in finished.tolist()),
     )
