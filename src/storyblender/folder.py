@@ -125,8 +125,8 @@ class Folder:
         """Write a folder of files: yield a private folder that is renamed to ``name`` at the end.
 
         Args:
-            name: Of the folder; one that is there already is replaced.
-            lone: Only the file of the same name in the private folder takes the place.
+            name: Of the folder; an existing one is replaced.
+            lone: Move only the file called like ``name`` out of the private folder, in place of the folder itself.
 
         Raises:
             InputError: The name leads out of the folder, or the disk cannot take the files.
@@ -234,10 +234,10 @@ class Folder:
         _make(self.root)
 
     def clear_parts(self) -> None:
-        """Delete part files that killed runs left. Call it only while holding the project's lock.
+        """Delete unfinished part files of killed runs. Call it only while holding the project's lock.
 
         Raises:
-            InputError: The disk refuses.
+            InputError: The disk does not let a file be deleted.
         """
         for top in {self.root, self.build}:
             for folder, folders, names in os.walk(top):

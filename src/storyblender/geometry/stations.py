@@ -146,7 +146,17 @@ def _along(
     dislike: float,
     halves: bool = False,
 ) -> Iterator[Station]:
-    """Yield places along one side of an object, its middle first."""
+    """Yield places for a person along one side of an object, its middle first.
+
+    Args:
+        anchor: Box of the object.
+        relation: Of the person to the object, such as ``next_to``.
+        angle: Direction of the side from the object's centre, radians, 0 at +X.
+        distance: Metres between person and object; None for the usual distance of the relation.
+        k: Stature of the person over 1.7 m; the usual distances are multiplied by it.
+        dislike: Cost that every place of this side starts with.
+        halves: Whether places near the middle, left and right of it, come before the ends.
+    """
     out, along = (math.cos(angle), math.sin(angle)), (-math.sin(angle), math.cos(angle))
     gap = {"next_to": ASIDE, "left_of": ASIDE, "right_of": ASIDE, "in_front_of": BEFORE, "facing": WATCH}
     usual = gap.get(relation, REACH) * k

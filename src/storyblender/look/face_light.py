@@ -56,6 +56,7 @@ def face_lights(head: Vec3, face_yaw: float, camera: Vec3, lighting: Lighting, n
 
 
 def _around(center: Vec3, yaw: float, elevation: float, distance: float) -> Vec3:
+    """Return the point at a distance in metres from a centre; degrees, yaw 0 at -Y and 90 at +X."""
     angle, height = math.radians(yaw), math.radians(elevation)
     flat = distance * math.cos(height)
     return (

@@ -119,13 +119,13 @@ def decode(data: bytes, path: Path | str = "") -> str:
     _refuse_binary(data, path)
     for mark, encoding in _BOMS:
         if data.startswith(mark):
-            return _strictly(data[len(mark) :], encoding, path)
+            return _decode_strictly(data[len(mark) :], encoding, path)
     if (encoding := _utf16_without_mark(data)) is not None:
-        return _strictly(data, encoding, path)
+        return _decode_strictly(data, encoding, path)
     try:
         return data.decode("utf-8")
     except UnicodeDecodeError:
-        text = _strictly(data, "cp1252", path)
+        text = _decode_strictly(data, "cp1252", path)
     if sum(letter < " " and letter not in "\t\n\r\v\f\x1a" for letter in text) > len(text) / 200:
         raise InputError("this is binary data, not text", mend=_EXPORT, path=path or None)
     return text
@@ -180,7 +180,7 @@ def _utf16_without_mark(data: bytes) -> str | None:
     return "utf-16-be" if low > 0.4 and high < 0.05 else None
 
 
-def _strictly(data: bytes, encoding: str, path: Path | str) -> str:
+def _decode_strictly(data: bytes, encoding: str, path: Path | str) -> str:
     """Decode bytes, or raise an InputError that names the first wrong byte."""
     try:
         return data.decode(encoding)

@@ -36,11 +36,14 @@ class SceneCuts:
         self._lines: dict[Pair, Faces] = {}
 
     def match(self, shot: ShotContext, view: CameraOperatorView) -> CameraOperatorView:
-        """Return a shot's view with the earlier shots and the side of the line that its camera has to match.
+        """Return a shot's view completed by what its camera has to match.
+
+        That is the shots before it, the side of the 180-degree line, and the last single of the other person,
+        which a reverse single mirrors.
 
         Args:
             shot: The next shot of the scene.
-            view: Its projection of the graph.
+            view: What the Camera Operator knows of the shot.
         """
         view = replace(view, previous=self._previous)
         axis = shot.camera_instruction.axis

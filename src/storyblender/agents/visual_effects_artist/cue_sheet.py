@@ -276,7 +276,7 @@ class CueSheet:
         return now + seconds
 
     def turn_to_person(self, person: StagedPerson, other: StagedPerson, now: float) -> float:
-        """Turn to another person and a little towards the audience; only if they are more than 55 degrees aside."""
+        """Turn to another person if they are over 55 degrees off; return the time in seconds at which that is done."""
         yaw = facing(person.place, other.place)
         if abs(shortest_turn(person.yaw, yaw)) < math.radians(55):
             return now

@@ -150,7 +150,7 @@ def _fall(mesh: bpy.types.Mesh, cell: float, origin: Floats, shape: tuple[int, i
 
 
 def level_field(mesh: bpy.types.Mesh) -> LevelGrid:
-    """Return the level places of a mesh (metres, Z up) from any modeller, whichever way its faces point."""
+    """Return the level places of a mesh in metres, Z up; the direction of its face normals does not matter."""
     cell, origin, shape = _grid(mesh)
     top = np.full(shape, -np.inf)
     found: list[tuple[int, int, float, float]] = []

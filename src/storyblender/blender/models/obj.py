@@ -1,6 +1,6 @@
 """Reads the surface of an .obj and the colours and pictures of its .mtl, line by line.
 
-An .obj says neither its unit nor what is up; Y up and front +Z is usual, and is what the result is turned from.
+An .obj says neither its unit nor what is up; Y up and front +Z are assumed.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ from storyblender.errors import InputError
 from storyblender.memory.base import Color
 
 _MOST_CORNERS = 4096
-"""Of one face."""
+"""Most corners of one face."""
 _OPTIONS = {"-s": 3, "-o": 3, "-t": 3, "-mm": 2, "-bm": 1, "-blendu": 1, "-blendv": 1, "-boost": 1, "-cc": 1,
             "-clamp": 1, "-texres": 1, "-imfchan": 1, "-type": 1, "-colorspace": 1}  # fmt: skip
-"""Options of a picture, and how many values each has at most."""
+"""Options of a texture statement, with the most values of each."""
 
 
 class _Surface:
@@ -44,7 +44,7 @@ class _Surface:
         self.slot, self.is_smooth = -1, False
 
     def take(self, word: str, rest: list[str], line: str) -> None:
-        """Take one line in; what is no surface is passed over."""
+        """Add one line of the file; statements that describe no surface are skipped."""
         match word:
             case "v":
                 values = [float(value) for value in rest[:7]]

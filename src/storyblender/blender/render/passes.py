@@ -234,7 +234,10 @@ def _patterns_of(
 
 
 def glow_of(materials: Sequence[bpy.types.Material]) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Return what each material gives off: a colour, or a multiple of its albedo where a texture glows."""
+    """Return emission by material index from 1: (n + 1, 3) linear colours, and (n + 1,) factors of the albedo.
+
+    The factor is used where a material's own base texture glows; a glow map of its own has neither.
+    """
     glow_color = np.zeros((len(materials) + 1, 3), np.float32)
     glow_gain = np.zeros(len(materials) + 1, np.float32)
     for index, material in enumerate(materials, 1):
@@ -249,7 +252,7 @@ def glow_of(materials: Sequence[bpy.types.Material]) -> tuple[NDArray[np.float32
                 continue
             if tint.is_linked:
                 own = node.inputs["Base Color"].links if node.type == "BSDF_PRINCIPLED" else tint.links
-                if own and own[0].from_node == tint.links[0].from_node:  # else a map of its own, which no pass draws
+                if own and own[0].from_node == tint.links[0].from_node:
                     glow_gain[index] = strength
             else:
                 glow_color[index] = np.array(tint.default_value[:3]) * strength

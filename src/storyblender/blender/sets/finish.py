@@ -43,7 +43,7 @@ def pane(key: str, scene: bpy.types.Scene, *, from_room: bool = False) -> bpy.ty
     Args:
         key: A key of ``PANES``.
         scene: Scenes of one file have different times of day, so each has its own.
-        from_room: It is seen out of a room, which is exposed for its inside.
+        from_room: The window is in the view out of a room; it is then dimmer, as exposure is set for the room.
     """
     name = f"MT_{key}_{scene.name}{'_far' if from_room else ''}"
     found = bpy.data.materials.get(name)
