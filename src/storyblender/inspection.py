@@ -133,7 +133,7 @@ def _layout_row(graph: ContinuityMemoryGraph, findings: list[str]) -> CheckRow:
 def _presence_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], findings: list[str]) -> CheckRow:
     """OCCM (paper, appendix): exp(-|D - E| / (eps + E)), D counted in the ID mask, E as planned.
 
-    A tight shot shows exactly its planned people; people whom its camera leaves out as too far away may be visible
+    A tight shot shows exactly its planned people; people left out by its camera as too far away may be visible
     behind them. A wide shot shows at least its planned people, and others on stage may be visible.
     """
     scores = []

@@ -13,7 +13,7 @@ from typing import Any
 from storyblender.errors import InputError
 
 _LONGEST_FILE = 1024**2
-"""Bytes of settings, far more than anybody writes."""
+"""Bytes of settings, far more than anyone writes."""
 _PLACE = re.compile(r" \(at (?:line (\d+), column \d+|end of document)\)$")
 """Where Python's TOML reader says that it stopped."""
 

@@ -61,7 +61,7 @@ class Door:
         return round(performance.grasps.get((cue.asset_id, cue.start), cue.start / self.fps + GRASP) * self.fps)
 
     def _frames_passed(self, performance: Performance, frames: int) -> NDArray[np.bool_]:
-        """Return in which frames somebody passes the doorway."""
+        """Return for each frame whether a person passes the doorway."""
         passed = np.zeros(frames, bool)
         for track in performance.people.values():
             places = track.root[:, :2]

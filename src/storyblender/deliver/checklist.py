@@ -40,7 +40,7 @@ STAGING: dict[str, tuple[float, str]] = {
     "no_path": (0.0, "{who} finds no way there and stays"),
     "no_support": (0.0, "{message}"),
     "unreachable": (0.15, "{whose} hand does not reach what it should"),
-    "crossing": (0.20, "{who} walks through somebody"),
+    "crossing": (0.20, "{who} walks through another person"),
     "late": (0.50, "{who} does not get there before the cut"),
 }
 """Flaw kind of the animator: metres from which it is listed, and the sentence."""

@@ -95,7 +95,7 @@ def _with_ids(graph: ContinuityMemoryGraph, decision: CameraDecision) -> CameraD
 
 
 def _refuse_impossible(kind: str, focus: Sequence[str], over: str | None, pov: str | None) -> None:
-    """Refuse a kind of picture that lacks whom it needs."""
+    """Refuse a kind of picture without the people that it needs."""
     if len(focus) < _PEOPLE_IN.get(kind, 0):
         count = _PEOPLE_IN[kind]
         raise InputError(f"a picture of the kind {kind} has {count} or more in focus", mend="name them with --on")

@@ -26,7 +26,7 @@ class _Job:
     def run(self, worker: Worker) -> None:
         try:
             self._result = self._work(worker)
-        except BaseException as error:  # noqa: BLE001 - carried to whoever waits for the future
+        except BaseException as error:  # noqa: BLE001 - re-raised where the future is awaited
             self._error = error
 
     def tell(self) -> None:

@@ -40,7 +40,7 @@ def camera_at(state: CameraState, frame: float, film: Film) -> Orbit:
 def focus_at(state: CameraState, frame: float, film: Film) -> float | None:
     """Return the depth in metres that is sharp at a frame of a shot; None where everything is.
 
-    It follows whom it is on, and is eased where it is racked from one to another.
+    It follows its subject, and is eased during a rack from one to another.
 
     Args:
         state: The camera.

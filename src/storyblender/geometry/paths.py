@@ -22,7 +22,7 @@ Track = Callable[[float], Vec2]
 Floats = NDArray[np.float64]
 
 SQUEEZE_RADIUS = 0.19
-"""Metres times k: the clearance of somebody who edges between a table and a chair."""
+"""Metres times k: the clearance of a person who edges between a table and a chair."""
 BEFORE_SEAT = 0.18
 """Metres times k from a seat's edge to where one stands; nearer, clothes cut the chair while turning."""
 LEG_ROOM = 0.17

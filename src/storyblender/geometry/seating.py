@@ -26,7 +26,7 @@ def list_seats(
     Args:
         anchors: Of the thing.
         dimensions: Its width, depth and height in metres.
-        asked: Whether somebody sits on it because the script says so: without a seat it has one at its front edge.
+        asked: Whether a person sits on it because the script says so: without a seat it has one at its front edge.
         on_top: Whether they sit on top even if it is high or narrow, such as a wall or a fence.
     """
     seats = [anchor for anchor in anchors if anchor.kind == "seat"]

@@ -193,7 +193,7 @@ def _as_locked(shot: ShotContext, past: ShotContext | None, graph: ContinuityMem
     Args:
         shot: Of the new plan.
         past: The old shot with its words.
-        graph: The new plan: what is locked stays unlocked where it needs somebody who is not in it.
+        graph: The new plan: what is locked stays unlocked where it needs a person who is not in it.
         rate: Frames a second now, over those of the old plan.
     """
     if past is None:

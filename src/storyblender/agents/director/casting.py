@@ -132,7 +132,7 @@ _FOREIGNER_WORDS: Final = (
     "foreigner|tourist|expatriate|expat|colonial|missionary|american|english(?:man|woman)?|british|brit|european|french"
     "|german|dutch|italian|russian|australian|swede|swedish|irish|scottish|white (?:man|woman)"
 )
-"""Words that say somebody is not from where the story is set."""
+"""Words that say a person is not from where the story is set."""
 _UNKNOWN_SPECIES: Final = "otter"
 """Species used for an animal of unknown kind."""
 _GREYING_AGE: Final = 50.0

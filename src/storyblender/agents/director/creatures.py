@@ -26,9 +26,9 @@ _CATALOG_HEIGHTS: Final[dict[str, float]] = {
 }
 """What the catalog builds -> metres."""
 _BEFORE: Final = 30
-"""Characters before a name in which its kind is told."""
+"""Characters before a name searched for the words that state its kind."""
 _REACH: Final = 70
-"""Characters after a thing's name in which its size is told."""
+"""Characters after a thing's name searched for the words that state its size."""
 
 
 def is_creature(person: Person, reading: Reading) -> bool:

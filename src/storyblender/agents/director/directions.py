@@ -24,7 +24,7 @@ _PARTS: dict[BodyPart, str] = {
     "mouth": r"mouth|lips?|smile",
     "feet": r"feet|foot|shoes?|boots?|toes?|heels?",
 }
-"""Words that make a direction on somebody an insert of a part of them."""
+"""Words that make a direction on a person an insert of a part of them."""
 
 
 class NameFinder:

@@ -43,7 +43,7 @@ class ShotDraft:
     detail: BodyPart | None = None
     """An insert: which part of its person."""
     whole_body: bool = False
-    """Somebody travels in it: it must not be tightened beyond the body."""
+    """A person travels in it: it must not be tightened beyond the body."""
     note: CameraNote | None = None
     """The direction in the script that ordered it."""
     rack: tuple[str, str] | None = None

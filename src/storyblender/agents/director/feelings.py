@@ -46,7 +46,7 @@ def mood_of(words: str, *, direction: bool = False) -> Mood:
 
     Args:
         words: A sentence, a parenthetical, an expression or the description of a face.
-        direction: Whether the words describe how somebody is, and nothing else. The stems of words then count too:
+        direction: Whether the words describe how a person is, and nothing else. The stems of words then count too:
             ``cold`` in a parenthetical is a mood, in a sentence it may be the weather.
     """
     if direction and words in get_args(Expression):

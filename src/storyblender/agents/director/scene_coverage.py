@@ -299,7 +299,7 @@ class SceneCoverage:
         last.beats += new.beats
         last.on_stage = unique([*last.on_stage, *new.on_stage])
         people = [each for each in new.focus if each in self.names.people]
-        # A wide view shows the furniture anyway: with somebody there it is about them.
+        # A wide view shows the furniture anyway: with a person there it is about that person.
         last.add_focus(*(people if last.kind == "establishing" and last.focus else new.focus))
         last.focus.sort(key=lambda each: each not in self.names.people)
         if last.kind == "establishing":

@@ -110,7 +110,7 @@ class ShotDetails:
         fresh = [beat.unit for beat in draft.beats if beat.unit.start not in self.told]
         self.told |= {unit.start for unit in fresh}
         on_stage = [person for person in draft.on_stage if person in self.story.actors]
-        # A thing in somebody's hands is not shown without them.
+        # A thing in a person's hands is not shown without them.
         holders = [state.asset_id for state in states if draft.kind == "insert" and {*state.held} & {*draft.focus}]
         line = max((index for index, unit in enumerate(units) if unit.moment), default=None)
         light = next((change.state for unit in fresh for change in unit.changes if change.subject == "light"), None)

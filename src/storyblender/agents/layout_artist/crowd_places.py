@@ -71,7 +71,7 @@ def place_crowd(stage: LayoutStage, members: Sequence[str]) -> None:
 
 
 def is_public_seat(stage: LayoutStage, name: str) -> bool:
-    """Return whether the thing ``name`` is a seat for anybody: not a throne or a place of work."""
+    """Return whether the thing ``name`` is a seat for anyone: not a throne or a place of work."""
     return stage.view.props.get(stage.assets[name]) in _SEATS
 
 

@@ -1,4 +1,4 @@
-"""Spots of things in the script before anybody moves them."""
+"""Spots of things in the script before anyone moves them."""
 
 from __future__ import annotations
 

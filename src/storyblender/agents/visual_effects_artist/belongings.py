@@ -9,7 +9,7 @@ from storyblender.memory.shot_context import CharacterAction, ShotContext
 
 
 def find_props_brought_along(shots: Sequence[ShotContext]) -> list[str]:
-    """Return the asset ids of props taken out of clothes, or in a hand before anybody handled or looked at them.
+    """Return the asset ids of props taken out of clothes, or in a hand before anyone handled or looked at them.
 
     Args:
         shots: All shots of one scene, in order.

@@ -113,7 +113,7 @@ class CueSheet:
         return max(self.clock, person.busy)
 
     def finish_action(self, person: StagedPerson, start: float, end: float, *, holds: bool = False) -> None:
-        """Keep a person busy to the end of an action, and set the clock for the next action of anybody.
+        """Keep a person busy to the end of an action, and set the clock for the next action of anyone.
 
         Args:
             person: The person who acts.

@@ -55,7 +55,7 @@ SEATED_FARTHEST = 1.25
 CASE_DEPTH = 0.2
 """Metres: a bag whose smallest extent is at least this stands on the floor, not on a table."""
 RING_SIZE = 0.06
-"""Metres: a prop whose largest extent is less is worn once somebody has put it on."""
+"""Metres: a prop whose largest extent is less is worn once a person has put it on."""
 TURN_ANGLE = math.radians(60)
 """Radians: a person turns to a spot that is farther than this from straight ahead before they handle a prop there."""
 

@@ -83,7 +83,7 @@ class StageState:
         self.players = find_instrument_players(shots, self.prop_of)
 
     def hide_props_brought_along(self, shots: Sequence[ShotContext]) -> None:
-        """Remove from the layout the props that a person has with them before anybody sees where they come from."""
+        """Remove from the layout the props that a person has with them before anyone sees where they come from."""
         for prop in find_props_brought_along(shots):
             if self.prop_places.pop(prop, None) is not None:
                 self.moved_props[prop] = None
@@ -343,7 +343,7 @@ class StageState:
         return person.free_hand() is None or any(one and two_handed(one.dimensions, one.anchors) for one in held)
 
     def put_in_hand(self, person: StagedPerson, prop: str, wish: Hand = "R") -> Hand | None:
-        """Put a prop into a person's hand, ``wish`` if it is free; whoever had it before lets go.
+        """Put a prop into a person's hand, ``wish`` if it is free; the person who held it before lets go.
 
         Returns:
             The hand that holds it; None if no hand is free.

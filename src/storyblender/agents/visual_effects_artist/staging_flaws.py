@@ -35,7 +35,7 @@ def _find_actions_not_staged(shot: ShotContext) -> Iterator[Flaw]:
         motion, person = clip_of(action.motion), action.asset_id
         taken = motion.after in postures.get(person, ()) or (motion.speed is not None and person in walkers)
         if person in shot.on_stage and not taken and not cues_of(action, shot):
-            message = f"{person} does not do what is told: “{action.action_description}”"
+            message = f"{person} is not shown doing: “{action.action_description}”"
             yield Flaw(kind="undone", subject=person, message=message)
 
 

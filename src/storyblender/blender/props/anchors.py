@@ -115,7 +115,7 @@ def bed_anchor(location: Vec3, width: float, length: float, name: str = "") -> A
 
 
 def boarding_place(x: float, y: float, name: str = "driver") -> Anchor:
-    """Return the floor point beside a vehicle where somebody gets in, facing the vehicle.
+    """Return the floor point beside a vehicle where a person gets in, facing the vehicle.
 
     Args:
         x: Metres from the vehicle's middle line; the sign tells the side.

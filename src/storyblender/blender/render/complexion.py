@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 _SHADES = 24
-"""Materials a skin is told in."""
+"""Number of materials that a skin is reduced to."""
 
 
 @contextmanager

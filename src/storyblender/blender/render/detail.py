@@ -18,11 +18,11 @@ from storyblender.blender.measure.figures import figures
 from storyblender.blender.render.session import RenderSession
 
 _LOOK_EVERY = 24
-"""Frames between looks at how near everybody comes."""
+"""Frames between looks at how near people come."""
 _PIXELS = 3.0
 """Square pixels of surface, front and back, that one vertex stands for."""
 _CLOSE = 0.1
-"""Metres before the eye at which somebody could not be nearer."""
+"""Metres before the eye nearer than which no person can be."""
 _MOST = 4
 """Times that a mesh is halved."""
 _SMALL = 300

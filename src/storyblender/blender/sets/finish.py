@@ -16,7 +16,7 @@ PANES: dict[str, tuple[Color, float]] = {
     "pane_pale": (hex_color("#ffdca8"), 0.95),
     "pane_far": (hex_color("#ffca7a"), 0.26),
 }
-"""Windows with somebody home: colour and emission at night."""
+"""Windows of occupied rooms: colour and emission at night."""
 
 DAYLIGHT = 0.75
 """Emission by day, times its colour, of what is seen through the windows of a room that is exposed for its inside."""

@@ -128,14 +128,14 @@ PROPS, WORN, SET_PIECES, SCENERY = (
 COMPOUNDS = frozenset(noun for noun in PROPS | WORN | SET_PIECES if "-" in noun)
 """Kinds of things that take two words: ``egg-cup``, ``fire-escape``."""
 OWN_BODY = _pairs(_rules["own_body"])
-"""Thing -> part of the body that it is where it is somebody's own: bites his nails."""
+"""Thing -> part of the body that it is where it is a person's own: bites his nails."""
 SEATS, VEHICLES = frozenset(_nouns["seat"]), frozenset(_nouns["vehicle"])
 PORTABLE = frozenset(_nouns["portable"])
 """Nouns that are both set piece and prop, and rather a prop when they stand alone."""
 MOVABLE = frozenset(_nouns["movable"])
-"""Set pieces that are props where somebody handles them or where they are on something: a stool, a lamp, a tent."""
+"""Set pieces that are props where a person handles them or where they are on something: a stool, a lamp, a tent."""
 PARTS = frozenset(_nouns["part"])
-"""Parts of other things, which are things only where somebody handles them: a page, a switch."""
+"""Parts of other things, which are things only where a person handles them: a page, a switch."""
 PART_OF = {part: frozenset(wholes.split("/")) for part, wholes in _pairs(_nouns["part_of"]).items()}
 """Thing -> what it is a part of, where such a thing was named before it."""
 CARRIERS = frozenset(_nouns["carrier"])
@@ -169,7 +169,7 @@ RARE_PERSON_NOUNS = _wordnet["person"]
 YOUNG_NOUNS = frozenset(_people["young"])
 CROWDS = frozenset(_people["crowd"])
 NEUTER_ROLES = frozenset(_people["neuter"])
-"""Somebody who may be called ``it``."""
+"""A person who may be called ``it``."""
 MACHINES = frozenset(_people["machine"])
 """Those that are built and do not look like people."""
 TITLE_SYNONYMS = _pairs(_people["title_synonym"])

@@ -58,7 +58,7 @@ def read_action(state: ReaderState, sentence: Sentence) -> None:
     """
     lately = [state.inventory.head(thing) for thing in state.discourse.recent_things]
     named = any(word.mention and word.mention.kind == "name" for word in sentence.words)
-    elsewhere = sentence.pictured and named  # what somebody known does in another place
+    elsewhere = sentence.pictured and named  # what a known person does in another place
     there, shown = ([], sentence.words) if sentence.pictured else split_depicted(sentence.words, lately)
     state.scene.pictured |= _people_on_screen(state, shown)
     words = regularise(sentence.words if elsewhere else there)

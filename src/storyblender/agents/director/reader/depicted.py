@@ -17,7 +17,7 @@ _ONES = frozenset({"one", "other", "another", "third", "second", "first", "next"
 _NEAR = 4
 """Things back to the one that ``it`` is, which shows something."""
 _OPENING = 6
-"""Words in which the place at the start of a sentence is told."""
+"""Most words of a place at the start of a sentence."""
 _RESTING = frozenset({"stand", "sit", "lie", "lean", "hang", "rest"})
 """``On the television stands a vase``: no picture of one."""
 _STOPS = frozenset({",", ";", ".", ":", "!", "?", "--", "—", "–", "(", ")"})

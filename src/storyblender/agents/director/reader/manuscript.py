@@ -162,7 +162,7 @@ def _take_out_cameras(paragraph: Paragraph) -> None:
 def _without_action(
     camera: CameraNote, span: camera_phrases.Span, sentence: str
 ) -> tuple[CameraNote, camera_phrases.Span]:
-    """Keep the action in ``OVER RICK'S SHOULDER: Ilsa and Laszlo walk``: a subject that does something is told too.
+    """Keep the action in ``OVER RICK'S SHOULDER: Ilsa and Laszlo walk``: a subject that acts is kept as action.
 
     Returns:
         The direction with the subject only, and the span of the sentence that is action.

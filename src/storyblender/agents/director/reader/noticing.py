@@ -40,7 +40,7 @@ _IDIOMS = frozenset(idiom.replace("_", " ") for idiom in lexicon.words("idioms")
 _SHOWN = frozenset({"picture", "image"})
 _SCREENS = lexicon.words("screens")
 _TOWARDS = lexicon.words("noticing_towards")
-"""Where somebody does something: ``sips from a cup``, ``both hands around a mug``, ``reaches for the poker``."""
+"""Where a person does something: ``sips from a cup``, ``both hands around a mug``, ``reaches for the poker``."""
 _ONLY_WORN = frozenset({"touch", "cut", "open", "clean"})
 """Motions that leave a garment on its wearer: ``straightens his tie``."""
 
@@ -93,7 +93,7 @@ def _is_not_present(state: ReaderState, phrases: list[Phrase], index: int, noun:
         return True
     bare = not noun.determiner and noun.possessor is None and not noun.plural
     if bare and state.sentence.words[noun.index].text.istitle() and lexicon.noun_class(noun.key) == "unknown":
-        return True  # somebody who is nobody here
+        return True  # not a person of this scene
     if before is not None and before.text == "in" and bare and lexicon.noun_class(noun.key) == "prop":
         return True
     lately = {state.inventory.head(thing) for thing in state.discourse.recent_things}

@@ -208,7 +208,7 @@ def _belongs_on_sheet(item: Item, apart: bool) -> bool:
 
     Args:
         item: The noun.
-        apart: Whether it has a place of its own, not on somebody.
+        apart: Whether it has a place of its own, not on a person.
     """
     notices, head = item.notices, item.key.rsplit(" ", 1)[-1]
     used = notices["handled"] + notices["held"]

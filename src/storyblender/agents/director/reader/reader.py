@@ -208,7 +208,7 @@ def _write_present(state: ReaderState) -> None:
 
 @rule("camera.subject")
 def _note_camera(state: ReaderState, camera: CameraNote) -> str | None:
-    """Note a camera direction: whom it shows or looks through is on stage. Return whom it shows, or None."""
+    """Note a camera direction: the person it shows or sees through is on stage. Return the person shown, or None."""
     state.unit.camera = camera
     person = None
     for name, shown in ((camera.who, False), (camera.subject, True)):

@@ -62,7 +62,7 @@ _GENDER_OF_ADDRESS: dict[str, Gender] = {
     "mama": "female", "mamma": "female",
 }  # fmt: skip
 _TITLED = rf"(?:{'|'.join(sorted(map(re.escape, lexicon.TITLES), key=lambda title: (-len(title), title)))})\.? "
-"""A title before a name somebody is called by."""
+"""A title before a name a person is called by."""
 _OPENS_ADDRESS = re.compile(rf"(?:^|,\s*)(?:{_TITLED})?$")
 _ENDS_ADDRESS = re.compile(r"\s*[.!?,]")
 _LONG_TITLE = 40
@@ -318,7 +318,7 @@ def _title(person: Person) -> str:
 
 
 _VOICE = frozenset({"talk", "whisper", "shout", "sing", "phone"})
-"""How it is said is told by the speech itself."""
+"""Motions that a speech implies by itself."""
 
 
 @rule("speech.brackets")
@@ -345,5 +345,5 @@ def read_parenthetical_action(state: ReaderState, sentence: Sentence, speech: Sp
             read_action(state, replace(sentence, words=[name, *words], speech=None))
     deeds = state.unit.deeds
     state.unit.deeds = deeds[spoken:] + deeds[:spoken]
-    # Brackets are no sentence: who ``she`` is next is told by the speech.
+    # Brackets are no sentence: the speech decides what the next ``she`` means.
     discourse.salience[speaker.id], discourse.subjects = present, subjects

@@ -1,4 +1,4 @@
-"""Relatives: whether ``her uncle`` is one of the cast already, and who is whose wife, son or uncle."""
+"""Relatives: whether ``her uncle`` is one of the cast already, and which people are wife, son or uncle of which."""
 
 from __future__ import annotations
 

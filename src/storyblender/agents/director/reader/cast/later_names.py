@@ -17,13 +17,13 @@ from storyblender.agents.director.rules import rule
 from storyblender.catalog.inflection import singular
 
 _SOON, _LATER = 900, 2500
-"""Characters from where somebody without a name was told of last to his title, and to a name that just turns up."""
+"""Characters from where a person without a name was told of last to his title, and to a name that just turns up."""
 _NEAR, _ANSWERING = 1600, 150
-"""Characters between somebody's last mention and what he is called."""
+"""Characters between a person's last mention and what he is called."""
 _SOMEBODY = frozenset({"man", "woman", "lady", "gentleman"})
 _YOUNG = frozenset({"boy", "girl", "child", "youth", "lad", "kid", "teenager"})
 GENERIC = _SOMEBODY | {"fellow", "stranger", "figure"}
-"""Nouns that tell no more than that somebody is there."""
+"""Nouns that tell no more than that a person is there."""
 _EITHER = frozenset({"nurse", "secretary", "housekeeper"})
 """They may be men after all."""
 _PASSING = frozenset(
@@ -40,7 +40,7 @@ _ARRIVING = re.compile(
     r"|returns|emerged|emerges|joined|joins|hurried|rushed|stood|stands|sat|sits|waited|waits|lay|lies"
     r"|was|is|were|are)\b"
 )
-"""What a story says of somebody who is new to it."""
+"""What a story says of a person who is new to it."""
 _GOING = re.compile(r"\b(?:passed|passes|went (?:by|past|out|away)|(?:ran|walked|hurried) (?:by|past|off|away)|left)\b")
 _PLACED = re.compile(
     r"(?:^|[.!?]\s)\s*(?:[Bb]ehind|[Bb]eside|[Oo]n|[Ii]n|[Aa]t|[Uu]nder|[Nn]ext to|[Ff]rom)\b[^.!?]*, $"
@@ -69,7 +69,7 @@ def name_the_nameless(roster: Roster, told: str, namings: Sequence[Naming]) -> N
     """Join people introduced by a noun with the name they get later.
 
     Args:
-        roster: The cast of a story; whoever is joined leaves it under the old name.
+        roster: The cast of a story; a person who is joined leaves it under the old name.
         told: The script without what is said.
         namings: Where people get names.
     """

@@ -50,7 +50,7 @@ class Naming(NamedTuple):
     at: int
     name: str
     way: Way
-    """Said by themselves, told by the story, or called so by somebody."""
+    """Said by themselves, told by the story, or called so by a person."""
     tag: str
     """What the story says around the words in its paragraph: ``said the mole``."""
     gender: str = "unknown"

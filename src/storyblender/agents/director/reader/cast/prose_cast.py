@@ -54,7 +54,7 @@ _OPENING = re.compile(
 """``Without knocking, a tiny woman came in``, ``Beside me, on the bench, an old man``: nobody stands before her."""
 _NOT_ROLES = frozenset({"people", "crowd", "figure", "narrator", "family", "couple", "animal", "creature"})
 _LATER = lexicon.words("later")
-"""``the man`` is somebody known, to be found by looking who is there."""
+"""``the man`` is a known person, found among the people present."""
 
 
 _ANOTHER = 400

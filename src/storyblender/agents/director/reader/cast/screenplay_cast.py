@@ -64,11 +64,11 @@ _SOME, _MOST = 3, 6
 _FOLLOWING = 40
 """How many characters after a name are read to decide whether it names a person."""
 _NOT_FAR = 900
-"""Characters back to the first sight of somebody who is then called ``the STRANGER``."""
+"""Characters back to the first sight of a person who is then called ``the STRANGER``."""
 _SOMEBODY = frozenset({"man", "woman", "boy", "girl", "figure", "stranger", "child", "kid"})
 _NUMBERED = re.compile(r"\s*#?\d+$")
 _CHORUS = lexicon.words("chorus")
-"""Cues that mean whoever is there."""
+"""Cues that mean the people present."""
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.SCENERY | lexicon.ABSTRACT | lexicon.BODY
 
 

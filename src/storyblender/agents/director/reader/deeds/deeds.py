@@ -19,7 +19,7 @@ _GOING = lexicon.words("going")
 """Motions whose target stands after a preposition even where there is an object."""
 _THROUGH = frozenset({"read", "search", "look", "crawl", "climb", "jump", "walk", "run"})
 _FOLLOWING = frozenset({"walk", "run", "sneak"})
-"""Motions that may be after somebody, wherever they lead."""
+"""Motions that may be after a person, wherever they lead."""
 _TO_PLACES = _GOING - {"aim", "shoot"} | {"look"}
 """Motions that may go to a piece of scenery."""
 _UPON = frozenset({"to", "against", "on", "onto", "upon"})
@@ -93,7 +93,7 @@ def add_deeds(state: ReaderState, clause: Clause, roles: Roles, motion: str) -> 
 
 @rule("deeds.companions", without=[])
 def _companions(roles: Roles, clause: Clause, motion: str) -> list[Deed]:
-    """Return deeds of who is led or goes along: ``ran down with her brother``."""
+    """Return the deeds of people who are led or go along: ``ran down with her brother``."""
     along = roles.people_after("with") if motion in _TRAVEL and clause.verb != "leave" else []
     carried = any(one.preposition == "with" and two.preposition in _BORNE for one, two in pairwise(roles.places))
     along = [] if carried else along
@@ -181,7 +181,7 @@ def _both_ends(
     """Return target and prop: where a thing is put, where it is taken from, and the tool of a work.
 
     ``sets the pistol in the drawer``: the drawer is the target, the pistol in the hand; ``wipes the bulb with a
-    duster``: the bulb, and the duster. None where no other end is told.
+    duster``: the bulb, and the duster. None where no other end is stated.
     """
     thing = prop or (target if target and not state.person(target) else None)
     if thing is None or (target and target != thing):

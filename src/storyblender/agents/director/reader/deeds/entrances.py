@@ -1,4 +1,4 @@
-"""Who comes on stage, who comes along from the scene before, and who is only mentioned (notes of the director, 1e)."""
+"""People who enter, who stay from the scene before, or who are only mentioned (notes of the director, 1e)."""
 
 from __future__ import annotations
 
@@ -136,7 +136,7 @@ _ANYBODY = frozenset({"friend", "other", "lover", "figure", "people", "them"}) |
 
 @rule("people.brought_along")
 def carry_over_people(state: ReaderState, sentence: Sentence) -> None:
-    """Put people of the scene before on stage, if a sentence means them before anybody is there.
+    """Put people of the scene before on stage, if a sentence means them before anyone is there.
 
     Args:
         state: Its scene knows who was there before.

@@ -77,9 +77,9 @@ _PASSAGES = frozenset(
     {"hall", "hallway", "corridor", "street", "night", "yard", "garden", "passage", "rain", "alley", "courtyard"}
     | {"lobby", "stairwell", "darkness", "dark", "fog", "mist", "crowd", "woods", "distance", "snow", "storm", "wing"}
 )
-"""Where somebody goes who leaves a room."""
+"""Where a person goes who leaves a room."""
 _WIDE = frozenset({"darkness", "dark", "fog", "mist", "crowd", "woods", "distance", "night", "house", "building"})
-"""Where somebody is lost who is out of doors."""
+"""Where a person is lost who is out of doors."""
 _ALL = frozenset({"everyone", "everybody", "rest", "others"})
 _STAYING = frozenset({"stand", "be", "remain", "stay", "sit"})
 _WEATHER = lexicon.WEATHER_NOUNS | lexicon.WEATHER_WORDS.keys()
@@ -132,7 +132,7 @@ def is_through_a_door(clause: Clause) -> bool:
 
 @rule("people.found_gone")
 def note_gone(state: ReaderState, clause: Clause, subjects: Sequence[Person]) -> None:
-    """Note who is gone by the words: ``Ben is gone``, ``But she has already vanished.``
+    """Note people whose absence the words state: ``Ben is gone``, ``But she has already vanished.``
 
     Args:
         state: The reader's state; changed in place.
@@ -148,7 +148,7 @@ def note_gone(state: ReaderState, clause: Clause, subjects: Sequence[Person]) ->
 
 @rule("people.all_leave")
 def note_everyone_leaves(state: ReaderState, clause: Clause) -> None:
-    """Note that all leave but who is named: ``Everybody leaves but Nora.``
+    """Note that all leave except the people named: ``Everybody leaves but Nora.``
 
     Args:
         state: The reader's state; changed in place.

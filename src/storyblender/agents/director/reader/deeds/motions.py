@@ -35,7 +35,7 @@ def motion_of(clause: Clause, object_head: str, posture: str) -> str | None:
     """Return the motion that a clause tells of its subject, or None where the body does nothing.
 
     Args:
-        clause: An active clause with somebody as its subject.
+        clause: An active clause with a person as its subject.
         object_head: Head noun of what it is done to, ``person``, ``self``, or empty.
         posture: Posture of the subject before.
     """

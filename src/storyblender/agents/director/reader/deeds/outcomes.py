@@ -35,7 +35,7 @@ _NOT_WITH = frozenset({"look", "think", "read", "listen"})
 _WHERE = frozenset(
     {"on", "over", "under", "around", "round", "across", "before", "in front of", "at", "behind", "beside", "by"}
 )
-"""``with a hat on her head``: where what comes with somebody is, if not in the hand."""
+"""``with a hat on her head``: where what comes with a person is, if not in the hand."""
 _HANDS = frozenset({"hand", "arm", "fist", "paw", "finger", "shoulder", "back"})
 _SLIPPING = frozenset({"slip", "fall", "drop", "slide", "tumble"})
 _OUT_OF = frozenset({"out of", "from", "through"})

@@ -22,7 +22,7 @@ class Clause:
     object: list[NounPhrase] = field(default_factory=list)
     recipient: list[NounPhrase] = field(default_factory=list)
     complement: list[NounPhrase] = field(default_factory=list)
-    """What somebody or something is said to be: ``The shop is a ruin``, ``Hale is asleep``."""
+    """What a person or a thing is said to be: ``The shop is a ruin``, ``Hale is asleep``."""
     places: list[tuple[str, list[NounPhrase]]] = field(default_factory=list)
     """Prepositions with their nouns."""
     asides: list[NounPhrase] = field(default_factory=list)
@@ -36,7 +36,7 @@ class Clause:
     absolute: bool = False
     """A participle with a subject of its own: ``engine running``."""
     passive: bool = False
-    """A past participle: somebody else does it."""
+    """A past participle: another person does it."""
     negated: bool = False
     earlier: bool = False
     """It was done before: ``the gate he had locked``."""
@@ -82,7 +82,7 @@ class ClauseBuilder:
     earlier: bool = False
     """``had locked``: done before."""
     perfect: bool = False
-    """``has fallen``: somebody's own deed."""
+    """``has fallen``: a person's own deed."""
 
     @property
     def current(self) -> Clause | None:

@@ -10,7 +10,7 @@ from storyblender.agents.director.reader.language.tagging import PERCEIVING
 
 _RESTING = lexicon.words("stative") - {"be"}
 _ARRIVED = lexicon.words("arrived")
-"""``has fallen asleep``, ``had come in``: what somebody has done shows still."""
+"""``has fallen asleep``, ``had come in``: what a person has done shows still."""
 _ENDINGS = frozenset({"stop", "quit", "avoid", "consider", "finish", "suggest", "imagine"})
 _GAZING = frozenset({"look", "stare", "gaze", "glance", "peer"})
 """``looks at the dust rising``: it is the dust that rises."""

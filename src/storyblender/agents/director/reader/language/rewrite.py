@@ -35,7 +35,7 @@ _TO_AND_FRO = frozenset(
 _SIDE_BY_SIDE = ("shoulder", "side", "back", "elbow", "knee", "hip", "arm")
 _RELATED = lexicon.KIN | lexicon.COMPANY
 _BORNE = lexicon.BODY | lexicon.WORN | lexicon.PROPS
-"""``skirts bunched in one fist``, ``boots on``: what somebody has about them, no verb."""
+"""``skirts bunched in one fist``, ``boots on``: what a person has about them, no verb."""
 _OUTCOMES = {"shut": "shut", "closed": "shut", "open": "open"}
 """What a door is after it was kicked or pulled."""
 _POSTURES = lexicon.words("postures")

@@ -15,7 +15,7 @@ MentionKind = Literal["name", "role", "generic", "group"]
 
 
 EVERYBODY = 99
-"""Number of ``everyone``, ``all of them``: whoever is there."""
+"""Number of ``everyone``, ``all of them``: the people present."""
 
 
 @dataclass
@@ -111,7 +111,7 @@ class TaggedRow:
     words: list[Word] = field(default_factory=list)
     verb_seen: bool = False
     tail: list[Word] = field(default_factory=list)
-    """``with a drum on her shoulder`` out of an apposition: it is told at the end."""
+    """``with a drum on her shoulder`` out of an apposition: it comes at the end of the sentence."""
     last_kind: str = ""
     """``3sg``, ``base`` or ``inf``: the form of the last finite verb or bare infinitive."""
 

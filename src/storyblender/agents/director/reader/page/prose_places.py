@@ -66,7 +66,7 @@ _OWNED = {
 }
 """``the ferryman's hut``."""
 _NEAR = 80
-"""Characters before a place in which another is told that is a part of it."""
+"""Characters before a place searched for another place that is a part of it."""
 _NAMED_AFTER = lexicon.PLACES | _THINGS
 WHOLE = {
     *("house", "cottage", "castle", "hotel", "inn", "motel", "palace", "mansion", "school", "schoolhouse", "church"),

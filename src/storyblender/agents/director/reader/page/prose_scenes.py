@@ -34,7 +34,7 @@ _PLACE_FIRST = re.compile(
     r"(?:in|at|on|inside|outside|aboard|across|near|behind|under)\b"
 )
 _YONDER = re.compile(r"(?:on|from|at|across) the (?:far|other|opposite) (?:side|bank|end|shore|edge)\b")
-"""``On the far side of the river somebody rang``: the story stays on this side."""
+"""``On the far side of the river a person rang``: the story stays on this side."""
 _ARRIVAL = re.compile(
     r"\b(?:reach(?:ed|es)|arrive[ds]|enter(?:ed|s)|return(?:ed|s)|sail(?:ed|s)|c[ao]mes? back|pulled into|pulls into"
     r"|(?:came|got|went|comes|gets|goes) home|(?:came|went|drove|rode|comes|goes|drives|rides) to"

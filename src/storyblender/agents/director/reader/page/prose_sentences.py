@@ -45,7 +45,7 @@ def prose_sentences(paragraph: Paragraph, scene: int, roster: Roster) -> list[Se
 
 
 def _who_follows(sentences: list[Sentence]) -> None:
-    """Note who is mentioned after an opening quotation, and which quotations stand alone."""
+    """Note the person mentioned after an opening quotation, and which quotations stand alone."""
     first = sentences[0] if sentences else None
     if first is None or first.speech is None or first.words:
         return

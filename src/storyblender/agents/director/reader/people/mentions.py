@@ -11,7 +11,7 @@ from storyblender.agents.director.reading import Person
 from storyblender.catalog.inflection import singular
 
 _OLD = 50
-"""Years from which somebody may be ``the old man``."""
+"""Years from which a person may be ``the old man``."""
 _COUNTS = frozenset(lexicon.NUMBERS) - {"a", "an", "one"}
 _OF_THEM = 3
 _NOT_ALONE = frozenset({"cook", "guide"})

@@ -21,7 +21,7 @@ CLOTHS = lexicon.words("cloths")
 """What is spread over something lies on it."""
 CONTAINERS = lexicon.words("containers")
 _BOXES = frozenset({"crate", "box", "trunk", "barrel", "chest", "basket", "suitcase", "bucket"})
-"""Somebody sits on them, but things are put in them."""
+"""A person sits on them, but things are put in them."""
 
 
 def exact_relation(state: ReaderState, kind: RelationKind, anchor: str, verb: str) -> RelationKind:
@@ -118,7 +118,7 @@ _BESIDE_PARTS = frozenset({"side", "elbow", "shoulder", "foot", "knee", "hand", 
 _FEET = frozenset({"foot", "knee"})
 _HEELS = frozenset({"heel", "back"})
 _WORN_PARTS = frozenset({"ear", "hair", "lip", "tooth", "belt", "waistband", "mouth", "collar", "lap", "arm"})
-"""What is behind or in them is on somebody."""
+"""What is behind or in them is on a person."""
 _ONTO_SOMEBODY = frozenset({"on", "onto", "to", "around", "round", "about", "over", "across"})
 FITTINGS = frozenset({"button", "switch", "knob", "handle", "lever", "dial"})
 """Parts of what they are on."""

@@ -72,7 +72,7 @@ def relations_at_place(
     if kind == "over" and clause.verb in BENT - {"hunch"} | {"lean"} and not clause.passive:
         return []  # stoops over the book, and is up again
     if kind == "in" and state.person(located[0]) and (_is_wrapping(state, place) or _is_corner(state, place)):
-        return []  # in a blanket: that is what somebody wears
+        return []  # in a blanket: that is what a person wears
     doorway = any(state.inventory.head(thing) == "doorway" for thing in place.things)
     doorway |= kind == "at" and clause.verb in TURNING and openings
     beside = kind in ("behind", "in_front_of", "next_to")

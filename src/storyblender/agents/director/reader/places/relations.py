@@ -147,7 +147,7 @@ def _boarding_known_vehicle(
 def _relate_between_clause(
     state: ReaderState, clause: Clause, roles: Roles, telling: list[Place], motion: str | None, located: list[str]
 ) -> None:
-    """State who is between two things; ``weaves between the stalls`` states nothing."""
+    """State the person who is between two things; ``weaves between the stalls`` states nothing."""
     still = not roles.subjects or subject_stays(state, clause, roles, motion)
     boxes = [
         thing

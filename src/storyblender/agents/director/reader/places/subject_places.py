@@ -19,14 +19,14 @@ from storyblender.agents.director.reader.places.supports import locates_support
 from storyblender.agents.director.reader.state import ReaderState
 
 _AT_REST = lexicon.words("at_rest")
-"""Verbs that tell where a thing is, not what somebody does."""
+"""Verbs that tell where a thing is, not what a person does."""
 _ALWAYS = frozenset({"be", "stay", "remain", "wait"})
 """What comes after them is no object that is moved."""
 _STILL = frozenset({"sit", "stand", "lie_down", "kneel", "lean", "sleep", "hide", "crouch"})
 _PLACING = lexicon.words("placing")
 _GAZE = lexicon.words("gaze")
 _BESIDE = frozenset(word.replace("_", " ") for word in lexicon.words("beside"))
-"""Prepositions that tell where somebody is whatever they do: ``runs alongside him``."""
+"""Prepositions that tell where a person is whatever they do: ``runs alongside him``."""
 _COMING_TO_REST, _WHERE = (
     lexicon.words("coming_to_rest"),
     ("on", "to", "in", "into", "onto", "under", "behind", "beneath", "across"),
@@ -39,7 +39,7 @@ _BACKING = lexicon.words("backing")
 _CREEPING = frozenset({"crawl", "creep", "scramble", "squeeze", "slide", "slip", "roll", "wriggle", "dive"})
 _SEEING = frozenset({"see", "look", "glance", "stare", "spot", "notice", "hear"})
 _SEATED = frozenset({"turn", "look_around", "laugh", "cry", "wear", "light", "play_music", "phone", "wake", "talk"})
-"""What somebody does without leaving the seat."""
+"""What a person does without leaving the seat."""
 _SEATS_TAKEN = frozenset({"seat", "place", "chair", "post", "stand"})
 """``takes her place at the window``."""
 _MOVING = lexicon.words("moving")
