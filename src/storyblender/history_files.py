@@ -38,9 +38,10 @@ UPGRADES: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {
     2: lambda body: body | {"schema_version": 3},
     3: lambda body: body | {"schema_version": 4},
     4: lambda body: body | {"schema_version": 5},
+    5: lambda body: body | {"schema_version": 6},
 }
 """From schema version n to n + 1; kept forever, so that every saved project opens. 2, 3 and 4 added fields only;
-the fields that 5 took away are dropped by the models, in old commits too."""
+the fields that 5 and 6 took away are dropped by the models, in old commits too."""
 
 
 @dataclass(frozen=True)
