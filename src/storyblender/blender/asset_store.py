@@ -20,6 +20,7 @@ from storyblender.blender.people.person import build_person
 from storyblender.blender.props.build import PropBuild, build_prop
 from storyblender.blender.props.imported import build_from_file
 from storyblender.blender.props.stand_in import build_stand_in
+from storyblender.catalog.props.prop_names import prop_of
 from storyblender.errors import InputError
 from storyblender.folder import Folder
 from storyblender.memory.asset_sheet import Asset, CharacterLook
@@ -188,7 +189,7 @@ class AssetStore:
             case "file":
                 path, folder = self._model_path(canonical.key, str(canonical.params.get("content", "")))
                 told = canonical.params.get("told") is True
-                return build_from_file(path, asset.dimension, folder=folder, name=asset.name, told=told)
+                return build_from_file(path, asset.dimension, folder=folder, prop=prop_of(asset), told=told)
             case _:
                 return build_stand_in(canonical.key, asset.dimension)
 

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, StringConstraints, model_validator
 
-from storyblender.memory.base import Color, Digest, Frozen, Identifier, Vec2, Vec3, without_fields
+from storyblender.memory.base import Color, Digest, Frozen, Identifier, Vec2, Vec3, is_none, without_fields
 from storyblender.memory.vocabulary import AssetType, Gender, SizeWord, StatureWord
 
 ParamValue = float | str | bool
@@ -153,6 +153,9 @@ class Asset(Frozen):
     name: str = ""
     """As written in the script, for people to read."""
     tags: tuple[str, ...] = ()
+    kind: Identifier | Literal[""] | None = Field(default=None, exclude_if=is_none)
+    """What an object is: the catalog key of the prop that its noun means, empty if the catalog has none. None for
+    characters, and in projects older than schema 6. Read it with ``catalog.props.prop_names.prop_of``."""
     origin: Literal["script", "dressing", "user"] = "script"
     writing: str = ""
     """Legible text on the asset: a sign, a letter, a screen."""

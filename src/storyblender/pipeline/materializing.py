@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from concurrent.futures import Future
 
 from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD
-from storyblender.agents.layout_artist.dimension_estimator import has_usual_size
 from storyblender.catalog.meanings import WORDS_BY_AGE
 from storyblender.catalog.props import PROPS
+from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.recipe import Recipe
 from storyblender.errors import EngineError, InputError, StoryBlenderError
 from storyblender.memory.asset_sheet import Asset, AssetDimension, CanonicalAsset
@@ -72,7 +72,7 @@ def _with_size(asset: Asset, dimension: AssetDimension) -> Asset:
     if canonical is not None and canonical.source == "file":
         if asset.stated_size.measure is not None:
             canonical = canonical.model_copy(update={"params": {**canonical.params, "told": True}})
-        elif not has_usual_size(asset):
+        elif prop_of(asset) not in PROPS:
             return asset
     return asset.model_copy(update={"dimension": dimension, "canonical": canonical})
 

@@ -60,7 +60,7 @@ def with_digests(plan: ContinuityMemoryGraph) -> ContinuityMemoryGraph:
         reference = digests.get(context.setup.reference_scene_id or 0, "")
         shots: list[object] = [_planned(shot) for shot in plan.shots_of(scene.scene_id)]
         cast: list[object] = [
-            assets[asset_id].model_dump(mode="json", exclude={"locked"}) for asset_id in context.setup.asset_ids
+            assets[asset_id].model_dump(mode="json", exclude={"locked", "kind"}) for asset_id in context.setup.asset_ids
         ]
         setup = context.setup.model_dump(mode="json", exclude={"reference_scene_id"})
         words = [[list(line) for line in _words(shot)] for shot in scene.shots]
@@ -255,7 +255,7 @@ def _with_assets(old: ContinuityMemoryGraph, plan: ContinuityMemoryGraph) -> Con
 
 
 def _told(asset: Asset) -> Asset:
-    return asset.model_copy(update={"canonical": None, "dimension": None, "locked": False})
+    return asset.model_copy(update={"canonical": None, "dimension": None, "locked": False, "kind": None})
 
 
 def _same_scene(old: ContinuityMemoryGraph, scene: SceneOutline, matched: dict[ShotKey, ShotKey]) -> int | None:

@@ -14,8 +14,8 @@ from storyblender.agents.visual_effects_artist.lamp_states import light_shots
 from storyblender.agents.visual_effects_artist.lighting_arranger_view import lighting_arranger_view
 from storyblender.agents.visual_effects_artist.staging_flaws import staging_flaws
 from storyblender.agents.visual_effects_artist.vehicle_doors import add_open_doors
-from storyblender.catalog.props import PROPS, PropEntry
-from storyblender.catalog.props.prop_names import prop_named
+from storyblender.catalog.props import PROPS
+from storyblender.catalog.props.prop_names import props_of
 from storyblender.catalog.sets import plan_of
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Vec2, scene_name, shot_name
@@ -99,7 +99,7 @@ def _laid_out(
     fresh = [asset for asset in dressing.assets if asset.asset_id not in known]
     run.commit("set_dresser", f"set and dressing of {name}", scene, *fresh)
     materialize(run, fresh)
-    placements = {asset.asset_id: entry.placement for asset in run.graph.assets if (entry := _entry_of(asset))}
+    placements = {asset_id: PROPS[prop].placement for asset_id, prop in props_of(run.graph.assets).items()}
     standing = drop_dressing(dressing.objects, plan, faulty, room.clear_radius)
     role, pending = run.crew.spatial_planner, dressing.pending
     return scene, run.reflect(role, name, run.graph, scene_id, plan, standing, pending, placements, room.distance_scale)
@@ -136,14 +136,6 @@ def _crowd_told(graph: ContinuityMemoryGraph, scene_id: int, area: float) -> int
     if told or setup.reference_scene_id is None or is_crowd_gone(words):
         return told
     return _crowd_told(graph, setup.reference_scene_id, area)
-
-
-def _entry_of(asset: Asset) -> PropEntry | None:
-    """Return the prop that an object is; of a user's model, what it is called."""
-    made = asset.canonical
-    if made is None or made.source == "person":
-        return None
-    return prop_named(asset.name) if made.source == "file" else PROPS.get(made.key)
 
 
 def design(run: Run, graph: ContinuityMemoryGraph, scene_id: int) -> Environment:

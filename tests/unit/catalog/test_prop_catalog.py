@@ -4,8 +4,6 @@ from tests.every import every
 
 from storyblender.catalog.materials import MATERIALS, hex_color
 from storyblender.catalog.props import PROPS, variants
-from storyblender.catalog.props.ordinary import ORDINARY
-from storyblender.catalog.props.prop_names import prop_named
 from storyblender.catalog.props.variants import read_variant
 from storyblender.catalog.stand_ins import guess_class
 from storyblender.look import backdrop_patterns, patterns
@@ -53,16 +51,6 @@ def test_a_phrase_varies_a_prop():
     assert read_variant(PROPS["ice_cream_scoop"], "an ice cream scoop") == {}
 
 
-def test_an_ordinary_thing_is_itself_by_all_its_names():
-    hidden = {
-        (name, found.key)
-        for entry in ORDINARY
-        for name in (entry.name, *entry.tags)
-        if (found := prop_named(name)) is not None and found.key != entry.key
-    }
-    assert not hidden
-
-
 @pytest.mark.parametrize(
     ("name", "key"),
     [
@@ -81,9 +69,3 @@ def test_the_head_of_a_name_says_its_class(name, key):
 
 def test_nothing_is_guessed_of_unknown_words():
     assert guess_class("zorblax") is None
-
-
-@pytest.mark.parametrize(("name", "key"), [("two couches", "sofa"), ("old park benches", "park_bench")])
-def test_a_plural_names_the_same_prop(name: str, key: str) -> None:
-    found = prop_named(name)
-    assert found is not None and found.key == key

@@ -204,6 +204,16 @@ def test_untouched_scenes_stay_as_they_were_staged(cups: Stage) -> None:
     assert all((shot.camera is None) == (shot.scene_id == 2) for shot in changed.shots)
 
 
+def test_scenes_of_a_project_without_kinds_stay_as_they_were_staged(cups: Stage) -> None:
+    before = cups.stage()
+    assert any(asset.kind for asset in before.assets)
+    with Project(cups.folder) as project:
+        older = [asset.model_copy(update={"kind": None}) for asset in before.assets]
+        project.commit(replace(before, *older), "director", "as schema 5 has it")
+    graph = cups.plan(script(KITCHEN, GARDEN, STATION))
+    assert [scene.layout for scene in graph.scenes] == [*(scene.layout for scene in before.scenes), None]
+
+
 @pytest.mark.parametrize("setting", [{"lens_kit": (35.0,)}, {"fps": 25}, {"seed": 7}])
 def test_other_settings_ask_for_other_work_and_keep_decisions(cups: Stage, setting: dict[str, object]) -> None:
     graph = cups.plan(script(KITCHEN, GARDEN), **setting)

@@ -17,7 +17,7 @@ from storyblender.agents.visual_effects_artist.environment_designer import (
     EnvironmentDesignerView,
     RulesEnvironmentDesigner,
 )
-from storyblender.agents.visual_effects_artist.furniture import prop_of, prop_size
+from storyblender.agents.visual_effects_artist.furniture import prop_size
 from storyblender.agents.visual_effects_artist.light_level import scale_lamps_to_level
 from storyblender.agents.visual_effects_artist.lighting_arranger import (
     LightingArrangerView,
@@ -198,13 +198,6 @@ def test_every_kit_is_dressed_without_faults(kit: str) -> None:
 def test_a_crowd_pushes_the_dressing_out() -> None:
     few, many = (RulesSetDresser().propose(cafe(people=people)) for people in (2, 20))
     assert len(many.objects) < len(few.objects)
-
-
-@pytest.mark.parametrize(
-    ("name", "prop"), [("old_wooden_table", "dining_table"), ("grand_piano", "grand_piano"), ("xyzzy", None)]
-)
-def test_things_are_known_by_their_head_noun(name: str, prop: str | None) -> None:
-    assert prop_of(asset(name)) == prop
 
 
 # ---------------------------------------------------------------------- light

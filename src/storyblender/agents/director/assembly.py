@@ -22,6 +22,7 @@ from storyblender.agents.director.story_assets import StoryAssets, unique
 from storyblender.agents.director.wording import modifiers_of, one_line, shot_sentence
 from storyblender.agents.director.writing import writing_on
 from storyblender.catalog.homelands import homeland_of
+from storyblender.catalog.props.prop_names import kind_named
 from storyblender.catalog.states import GONE, SEEN_AGAIN
 from storyblender.memory.asset_sheet import Asset, CharacterLook, Garment
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline, SourceSpan
@@ -72,6 +73,7 @@ class Assembly:
             asset_type="character" if character else "object",
             description=description,
             name=name,
+            kind=None if character else kind_named(description) or kind_named(name),
             stated_size=stated_size(name, description, person=character),
             tags=tuple(tags),
             look=self._look(person, worn_by_others) if character else None,
@@ -97,6 +99,7 @@ class Assembly:
             asset_type="object",
             description=description,
             name=name,
+            kind=kind_named(name),
             stated_size=stated_size(name, description, person=False),
             writing=thing.writing or writing_on(thing.name, thing.first, self.text),
             part_of=thing.part_of if thing.part_of in self.story.assets else None,

@@ -18,6 +18,7 @@ from storyblender.agents.director.reader.reader import read_script
 from storyblender.agents.director.reading import Reading, Unit
 from storyblender.agents.director.reading_file import unknown_names
 from storyblender.agents.director.settings import DirectorSettings
+from storyblender.catalog.props import PROPS
 from storyblender.catalog.sets import SETS
 from storyblender.memory.base import shot_name
 from storyblender.memory.graph import Storyboard
@@ -120,7 +121,7 @@ class RulesShotDirector:
 
 
 class ShotDirectorCritic:
-    """Checks that the shots cover the script once and in order, show who speaks and obey written directions."""
+    """Checks that shots cover the script once and in order, show who speaks, obey directions; and that props exist."""
 
     def judge(self, draft: Storyboard, view: ShotDirectorView) -> Critique:
         """Score ten less one for each fault."""
@@ -129,6 +130,7 @@ class ShotDirectorCritic:
                 *_uncovered_units(draft, view.reading),
                 *_unmarked_speakers(draft),
                 *_ignored_directions(draft, view.reading),
+                *_unknown_kinds(draft),
             )
         )
 
@@ -157,6 +159,14 @@ def _unmarked_speakers(board: Storyboard) -> Iterator[Fault]:
         if line.speaker is not None and line.speaker not in on_stage[name] and not line.off_screen:
             message = f"{line.speaker} speaks in {name}, and is neither on stage nor marked off screen"
             yield Fault(kind="speaker", subject=name, message=message)
+
+
+def _unknown_kinds(board: Storyboard) -> Iterator[Fault]:
+    """Yield objects that are said to be a prop that the catalog does not have."""
+    for asset in board.asset_sheet:
+        if asset.kind and asset.kind not in PROPS:
+            message = f"{asset.asset_id} is said to be a {asset.kind!r}, which is no prop of the catalog"
+            yield Fault(kind="vocabulary", subject=asset.asset_id, message=message)
 
 
 def _ignored_directions(board: Storyboard, reading: Reading) -> Iterator[Fault]:

@@ -1,21 +1,20 @@
 """The Dimension Estimator: for every asset the one dimension that is surest, in metres (paper, appendix).
 
-People are as tall as their age and gender; things are as large as the catalog's, stand-ins as their noun or class;
-words of size in the description scale both. Furniture keeps close to its size.
+People are as tall as their age and gender; things are as large as the catalog's, stand-ins as their class;
+words of size scale both. Furniture keeps close to its size.
 """
 
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
 from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD
 from storyblender.catalog.bodies import typical_stature
-from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.props import PROPS
+from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.places import kit_of
 from storyblender.look.surface import Surface
@@ -39,36 +38,9 @@ _STATURES: dict[StatureWord, float] = {
     "little": 0.94, "petite": 0.93, "tiny": 0.9,
 }  # fmt: skip
 """Factors for people, who vary less than things."""
-NOUNS: dict[str, tuple[Side, float]] = {
-    # animals
-    "dog": ("height", 0.6), "cat": ("height", 0.3), "horse": ("height", 1.65), "bird": ("height", 0.15),
-    "cow": ("height", 1.45), "sheep": ("height", 0.85), "wolf": ("height", 0.8), "bear": ("height", 1.3),
-    "rat": ("height", 0.1), "snake": ("depth", 1.2), "crow": ("height", 0.3), "owl": ("height", 0.35),
-    # vehicles
-    "car": ("depth", 4.4), "taxi": ("depth", 4.5), "truck": ("depth", 7.0), "van": ("depth", 5.2),
-    "bus": ("depth", 11.0), "bicycle": ("depth", 1.75), "motorcycle": ("depth", 2.1), "boat": ("depth", 4.0),
-    "ship": ("depth", 30.0), "plane": ("width", 20.0), "airplane": ("width", 20.0), "helicopter": ("depth", 12.0),
-    "wagon": ("depth", 3.6), "carriage": ("depth", 3.4), "cart": ("depth", 2.2), "train": ("depth", 20.0),
-    # buildings and the street
-    "house": ("width", 9.0), "cottage": ("height", 5.0), "tower": ("height", 18.0), "tent": ("width", 3.0),
-    "door": ("height", 2.05), "gate": ("width", 3.0), "window": ("width", 1.2), "fence": ("height", 1.1),
-    "fountain": ("width", 3.0), "well": ("height", 1.0), "sign": ("width", 0.8), "lamppost": ("height", 4.0),
-    "tree": ("height", 6.0), "bush": ("height", 1.1), "rock": ("width", 0.9), "log": ("width", 1.6),
-    "gravestone": ("height", 0.9), "statue": ("height", 1.9), "ladder": ("height", 2.4), "flag": ("height", 1.5),
-    # things
-    "table": ("height", 0.75), "lamp": ("height", 0.5), "box": ("width", 0.4), "mirror": ("height", 1.0),
-    "painting": ("width", 0.8), "clock": ("height", 0.35), "pillow": ("width", 0.6), "blanket": ("width", 1.4),
-    "phone": ("height", 0.15), "card": ("width", 0.15), "paper": ("depth", 0.297), "bottle": ("height", 0.3),
-    "coat": ("height", 1.0), "shoe": ("depth", 0.29), "wallet": ("width", 0.11), "ticket": ("width", 0.15),
-    "doll": ("height", 0.35), "toy": ("height", 0.2), "drum": ("width", 0.4), "plant": ("height", 0.8),
-    "stick": ("height", 0.9), "stone": ("width", 0.2), "fruit": ("width", 0.08), "food": ("width", 0.2),
-}  # fmt: skip
-"""Head noun -> its surest side and metres, for things that are not in the catalog."""
 _DEFAULT_SIDE: tuple[Side, float] = ("height", 0.4)
 _FURNITURE = 0.4
 """Exponent on the factor of a word of size for furniture, which is made for people."""
-_STRETCH = 4.0
-"""Most times that a stand-in may be larger or smaller than usual."""
 _TOY = 0.3
 """Metres of the longest side of a toy."""
 _IN_HAND = 0.45
@@ -166,7 +138,7 @@ def _find_problem(asset: Asset, dimension: AssetDimension | None) -> str:
 
 
 def estimate_dimension(asset: Asset, room: Vec3 | None = None) -> AssetDimension:
-    """Return the surest dimension of an asset: the script's, else its noun's; no larger than its room.
+    """Return the surest dimension of an asset: the script's, else its kind's; no larger than its room.
 
     Args:
         asset: The asset, with its geometry if it is decided.
@@ -195,18 +167,8 @@ def _fit_to_room(dimension: AssetDimension, asset: Asset, room: Vec3) -> AssetDi
     return dimension if scale >= 1 else AssetDimension(**{side: round(value * scale, 2)})
 
 
-def has_usual_size(asset: Asset) -> bool:
-    """Return whether the noun of a thing has a usual size."""
-    return _usual_side(asset, _text(asset)) is not _DEFAULT_SIDE
-
-
-def _text(asset: Asset) -> str:
-    """Return the name and the description of an asset in lower case."""
-    return f"{asset.name or asset.asset_id.replace('_', ' ')}. {asset.description}".lower()
-
-
 def _estimate_without_room(asset: Asset) -> AssetDimension:
-    """Return the dimension of an asset by measure, noun, class and words of size."""
+    """Return the dimension of an asset by measure, kind, class and words of size."""
     if asset.stated_size.measure is not None:
         return asset.stated_size.measure
     if asset.asset_type == "character" and asset.look is not None:
@@ -226,24 +188,13 @@ def _estimate_without_room(asset: Asset) -> AssetDimension:
         elif entry.category == "furniture":
             scale **= _FURNITURE
     elif asset.canonical is not None and asset.canonical.source == "stand_in":
-        side, value = _stand_in_side(_head_noun(asset), asset.canonical.dimensions)
+        side, value = _largest_side(asset.canonical.dimensions)
         if "handled" in asset.tags and max(asset.canonical.dimensions) <= _IN_HAND:
             value = min(value, _IN_HAND)
     else:
-        side, value = _usual_side(asset, _text(asset))
+        entry = PROPS.get(prop_of(asset))
+        side, value = _DEFAULT_SIDE if entry is None else _largest_side(entry.size)
     return AssetDimension(**{side: round(value * scale, 3 if value < 0.1 else 2)})
-
-
-def _stand_in_side(noun: str, size: Vec3) -> tuple[Side, float]:
-    """Return the side and metres of a noun if a shape of ``size`` can have them, else the shape's own."""
-    side, value = NOUNS.get(noun, _largest_side(size))
-    fits = 1 / _STRETCH < value / size[_SIDES.index(side)] < _STRETCH
-    return (side, value) if fits else _largest_side(size)
-
-
-def _head_noun(asset: Asset) -> str:
-    """Return the last word of an asset's name, in the singular."""
-    return noun_key((asset.name or asset.asset_id.replace("_", " ")).split(" ")[-1])
 
 
 def _stature(look: CharacterLook, word: SizeWord | StatureWord | None) -> float:
@@ -259,24 +210,3 @@ def _largest_side(size: tuple[float, float, float]) -> tuple[Side, float]:
     """Return the largest side of a size, and its metres."""
     value = max(size)
     return _SIDES[size.index(value)], value
-
-
-def _usual_side(asset: Asset, text: str) -> tuple[Side, float]:
-    """Return the side and metres of the catalog's prop with the asset's name, else of the last known noun in it."""
-    name = (asset.name or asset.asset_id.replace("_", " ")).lower()
-    words = re.findall(r"[a-z]+", name)
-    for start in range(len(words)):
-        for key in ("_".join(words[start:]), "_".join([*words[start:-1], noun_key(words[-1])])):
-            if key in PROPS:
-                return _largest_side(PROPS[key].size)
-    by_tag = {tag: entry for entry in PROPS.values() for tag in entry.tags}
-    for start in range(len(words)):
-        if (entry := by_tag.get(" ".join(words[start:]))) is not None:
-            return _largest_side(entry.size)
-    for word in [*reversed(words), *re.findall(r"[a-z]+", text)]:
-        for noun in (word, noun_key(word)):
-            if noun in NOUNS:
-                return NOUNS[noun]
-            if noun in PROPS:
-                return _largest_side(PROPS[noun].size)
-    return _DEFAULT_SIDE

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from storyblender.agents.layout_artist.scripted_spots import find_scripted_spots
 from storyblender.catalog.motions import clip_of
+from storyblender.catalog.props.prop_names import props_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -150,12 +151,6 @@ def spatial_planner_view(
         first_actions=_first_actions(shots, props_of(graph.assets)),
         distance_scale=distance_scale,
     )
-
-
-def props_of(assets: Iterable[Asset]) -> dict[str, str]:
-    """Return the catalog key of each asset's prop, by asset id."""
-    made = ((asset.asset_id, asset.canonical) for asset in assets)
-    return {asset_id: each.key for asset_id, each in made if each is not None and each.source == "catalog"}
 
 
 def _people_found_later(shots: Sequence[ShotContext]) -> tuple[BodyState, ...]:

@@ -20,6 +20,7 @@ from storyblender.catalog.footprints import piece_boxes, wall_boxes
 from storyblender.catalog.openings import OpeningPlace, openings_of
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.prop_families import family_of, props_named
+from storyblender.catalog.props.prop_names import props_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.paths import (
@@ -77,8 +78,7 @@ class Floor:
         self.open_air = not plan.indoor
         self.marks, self.plan = plan.marks, plan
         self.cast = {asset.asset_id for asset in assets if asset.asset_type == "character"}
-        made = ((asset.asset_id, asset.canonical) for asset in assets)
-        self.kinds = {name: each.key for name, each in made if each is not None and each.source == "catalog"}
+        self.kinds = props_of(assets)
         self.openings = [_opening_object(place) for wall in plan.walls for place in openings_of(wall)]
         self.set_boxes = [_footprint(wall.node_id, box) for wall in plan.walls for box in wall_boxes(wall)]
         self.set_boxes += [_footprint(piece.node_id, box) for piece in plan.pieces for box in piece_boxes(piece)]

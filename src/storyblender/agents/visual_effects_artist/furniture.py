@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-import re
 from dataclasses import dataclass
 
 from storyblender.catalog.footprints import stage_box
 from storyblender.catalog.props import PROPS
+from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.set_plan import Furnishing, SetPlan
 from storyblender.geometry.boxes import Box, penetration
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
@@ -47,6 +47,7 @@ def dressing_asset(prop: str, params: dict[str, float | str | bool]) -> Asset:
         name=prop.replace("_", " "),
         description=(entry.description or entry.name) if entry is not None else prop.replace("_", " "),
         tags=entry.tags if entry is not None else (),
+        kind=prop,
         origin="dressing",
         canonical=canonical,
     )
@@ -60,24 +61,6 @@ def prop_size(prop: str, params: dict[str, float | str | bool]) -> Vec3:
         float(params.get(name, size)) for name, size in zip(("width", "depth", "height"), usual, strict=True)
     )
     return (width, depth, height)
-
-
-def prop_of(asset: Asset) -> str | None:
-    """Return the catalog key of an object's prop: the one it was built from, else the one with its name; else None."""
-    if asset.canonical is not None and asset.canonical.source == "catalog":
-        return asset.canonical.key
-    name = _words(asset.name or asset.asset_id)
-    best: tuple[int, str] | None = None
-    for entry in PROPS.values():
-        for term in (entry.key.replace("_", " "), *entry.tags):
-            phrase = _words(term)
-            if phrase and name[-len(phrase) :] == phrase and (best is None or len(phrase) > best[0]):
-                best = (len(phrase), entry.key)
-    return None if best is None else best[1]
-
-
-def _words(text: str) -> list[str]:
-    return re.findall(r"[a-z']+", text.lower().replace("_", " "))
 
 
 @dataclass
@@ -149,10 +132,7 @@ def box_at(location: Vec3, yaw: float, size: Vec3) -> Box:
 
 def size_of_asset(asset: Asset) -> Vec3:
     """Return the width, depth and height of an asset in metres, or what it probably will have."""
-    if asset.canonical is not None:
-        return asset.canonical.dimensions
-    prop = prop_of(asset)
-    return prop_size(prop, {}) if prop is not None else (0.6, 0.6, 0.8)
+    return asset.canonical.dimensions if asset.canonical is not None else prop_size(prop_of(asset), {})
 
 
 def raise_to_new_tops(standing: list[PlacedFurnishing]) -> None:

@@ -13,11 +13,11 @@ from storyblender.agents.visual_effects_artist.lighting_arranger_view import (
     CarriedLamp,
     LightingArrangerView,
     burning_lamps,
-    prop_key,
     strongest_lights,
 )
 from storyblender.catalog.fixtures import fixtures_called
 from storyblender.catalog.light_recipes import HOURS, LAMPS
+from storyblender.catalog.props.prop_names import prop_of, props_of
 from storyblender.catalog.states import GONE, OFF_STATES, ON_STATES, Condition
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Light, Lighting
@@ -87,7 +87,7 @@ class LampStates:
             shot = shot.model_copy(update={"asset_modifications": (*changes, *switched)})
         held = {state.asset_id for state in shot.prop_states if state.held_by is not None and state.visible}
         gone = {state.asset_id for state in shot.prop_states if not state.visible} | {*shot.absent}
-        lamps = {asset.asset_id: LAMPS[key] for asset in self.view.assets if (key := prop_key(asset)) in LAMPS}
+        lamps = {asset_id: LAMPS[key] for asset_id, key in props_of(self.view.assets).items() if key in LAMPS}
         told = {
             **dict.fromkeys((lamp for lamp in held & lamps.keys() if lamps[lamp].off_by_default), True),
             **self.burning,
@@ -114,7 +114,7 @@ class LampStates:
         else:
             placed = {item.asset_id for item in self.view.layout.objects} if self.view.layout else set[str]()
             for asset in self.view.assets:
-                key, lit = prop_key(asset), self.burning.get(asset.asset_id)
+                key, lit = prop_of(asset), self.burning.get(asset.asset_id)
                 if key not in LAMPS or asset.asset_id in changed or asset.asset_id not in placed or lit is False:
                     continue
                 if (lit is None and not LAMPS[key].off_by_default) or not LAMPS[key].without_mains:

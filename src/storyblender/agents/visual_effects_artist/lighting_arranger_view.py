@@ -11,7 +11,7 @@ from pydantic import Field
 
 from storyblender.catalog.light_recipes import LAMPS, LampKind
 from storyblender.catalog.props import PROPS
-from storyblender.catalog.props.prop_names import prop_named
+from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import plan_of
 from storyblender.memory.asset_sheet import Asset, ParamValue
@@ -164,7 +164,7 @@ def _list_placed_props(view: LightingArrangerView) -> Iterator[_PlacedProp]:
     assets = {asset.asset_id: asset for asset in view.assets}
     for placed in view.layout.objects:
         asset = assets.get(placed.asset_id)
-        if asset is not None and asset.canonical is not None and (key := prop_key(asset)):
+        if asset is not None and asset.canonical is not None and (key := prop_of(asset)):
             made, dark = asset.canonical, is_built_dark(asset.canonical.params)
             yield _PlacedProp(
                 placed.node_id, asset.asset_id, key, placed.location, placed.rotation[2], made.dimensions[2], dark
@@ -175,16 +175,8 @@ def _list_placed_props(view: LightingArrangerView) -> Iterator[_PlacedProp]:
         if asset_id not in homes and asset is not None and asset.canonical is not None:
             made = asset.canonical
             yield _PlacedProp(
-                asset_id, asset_id, prop_key(asset), carried.place, 0.0, made.dimensions[2], is_built_dark(made.params)
+                asset_id, asset_id, prop_of(asset), carried.place, 0.0, made.dimensions[2], is_built_dark(made.params)
             )
-
-
-def prop_key(asset: Asset) -> str:
-    """Return the catalog key of an asset's prop; for a user's model, of the prop with its name; else empty."""
-    if asset.canonical is None or asset.canonical.source not in ("catalog", "file"):
-        return ""
-    named = prop_named(asset.name) if asset.canonical.source == "file" else None
-    return named.key if named is not None else asset.canonical.key if asset.canonical.source == "catalog" else ""
 
 
 def is_built_dark(params: Mapping[str, ParamValue]) -> bool:

@@ -20,11 +20,11 @@ from storyblender.agents.visual_effects_artist.furniture import (
     box_at,
     draw_up_seats,
     drop_clutter,
-    prop_of,
     raise_to_new_tops,
     size_of_asset,
 )
 from storyblender.catalog.props.prop_families import family_of
+from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.set_plan import Furnishing, SetPlan
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.geometry.boxes import penetration
@@ -217,7 +217,7 @@ def _is_the_place(asset: Asset, view: SetDresserView) -> bool:
     prop, place = prop_of(asset), view.setup.place.lower().split()
     if kit.indoor and place and name.split()[-1:] == place[-1:]:  # in a house "the house" is the set
         return all(item.prop != prop for item in view.plan.furnishings)
-    if prop is not None:
+    if prop:
         return False
     parts = {piece.part.replace("_", " ") for piece in view.plan.pieces}
     return name in {kit.key.replace("_", " "), view.setup.place.lower(), *kit.tags, *parts}
@@ -231,20 +231,18 @@ def _is_too_large_for_room(asset: Asset, plan: SetPlan) -> bool:
     return plan.indoor and height > ceiling and width * depth > _LARGEST_SHARE_OF_FLOOR * floor
 
 
-def _best_place(plan: SetPlan, prop: str | None, near: Vec2, taken: dict[str, Asset]) -> Furnishing | None:
+def _best_place(plan: SetPlan, prop: str, near: Vec2, taken: dict[str, Asset]) -> Furnishing | None:
     """Return the free furnishing nearest to a floor point that an object can replace.
 
     Args:
         plan: The set.
-        prop: Catalog key of the object; None if it is not of the catalog.
+        prop: Catalog key of the object; empty if it is not of the catalog.
         near: Floor point, metres in the set.
         taken: Objects that have a place already, by the node id of the furnishing they replace.
 
     Returns:
         A furnishing with the same prop, else with one of its family; None if there is none.
     """
-    if prop is None:
-        return None
     choices = [
         item
         for item in plan.furnishings

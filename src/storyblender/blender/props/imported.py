@@ -20,8 +20,8 @@ from storyblender.blender.models.rebuild import build_mesh
 from storyblender.blender.models.tangents import add_tangents
 from storyblender.blender.props.anchors import Anchors, grip
 from storyblender.blender.props.build import PropBuild, settle
-from storyblender.catalog.props import PropEntry
-from storyblender.catalog.props.prop_names import prop_named
+from storyblender.catalog.props import PROPS, PropEntry
+from storyblender.catalog.props.prop_names import kind_named
 from storyblender.errors import InputError
 from storyblender.geometry.canonical import find_scale, find_upright_rotation
 from storyblender.geometry.holding import Hold, find_hold
@@ -50,7 +50,7 @@ def build_from_file(
     dimension: AssetDimension | None = None,
     *,
     folder: Path | None = None,
-    name: str = "",
+    prop: str | None = None,
     told: bool = False,
 ) -> PropBuild:
     """Read a model and bring it to the canonical frame.
@@ -61,7 +61,7 @@ def build_from_file(
         path: A .glb, .gltf, .obj or .blend file.
         dimension: What the thing measures, usually; without it the unit is guessed.
         folder: The folder of models; what the file names must be in it. Its own folder if not given.
-        name: What the story calls it; the file's name if not given.
+        prop: Catalog key of what it is, empty for what the catalog lacks; its file's name tells if not given.
         told: Whether the script states the dimension, so that it counts and not the file's size.
 
     Raises:
@@ -69,7 +69,7 @@ def build_from_file(
     """
     model = read_model(path, folder or path.parent)
     mesh = build_mesh(model, path.stem[:40])
-    entry, notes = prop_named(name or path.stem), list(model.notes)
+    entry, notes = PROPS.get(kind_named(path.stem) if prop is None else prop), list(model.notes)
     credit = with_files(model.credit, path, folder or path.parent, notes)
     if path.suffix.lower() == ".obj":
         _stand(mesh, entry, dimension, notes)

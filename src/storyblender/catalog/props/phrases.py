@@ -24,10 +24,16 @@ def kept_words(words: list[str]) -> list[str]:
     Args:
         words: Lower-case, in order, at least one.
     """
+    words = before_details(words)
+    return [word for word in words[:-1] if word not in MODIFIERS] + words[-1:]
+
+
+def before_details(words: list[str]) -> list[str]:
+    """Return the words of a phrase before ``with``, ``on``, ``in`` ...: ``dog with a collar`` is a dog."""
     for stop in ("with", "on", "in", "from", "for", "at", "by"):
         if stop in words[1:]:
             words = words[: words.index(stop, 1)]
-    return [word for word in words[:-1] if word not in MODIFIERS] + words[-1:]
+    return words
 
 
 def thing_words(words: list[str]) -> list[str]:

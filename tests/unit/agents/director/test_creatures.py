@@ -21,17 +21,19 @@ def in_a_room(action: str) -> dict[str, Asset]:
 
 
 @pytest.mark.parametrize(
-    ("action", "id", "description"),
+    ("action", "id", "description", "kind"),
     [
-        ("Behind her trots PIP, a dented robot the size of a goat.", "pip", "110 cm tall dented robot"),
-        ("MULE, a squat robot, rolls in. Mule beeps.", "mule", "squat robot"),
-        ("A white horse walks in. The horse neighs.", "horse", "white horse"),
-        ("A parrot sits on the table.\n\nPARROT\nAhoy!\n\nThe parrot takes a nut.", "parrot", "parrot"),
+        ("Behind her trots PIP, a dented robot the size of a goat.", "pip", "110 cm tall dented robot", "robot"),
+        ("MULE, a squat robot, rolls in. Mule beeps.", "mule", "squat robot", "robot"),
+        ("A white horse walks in. The horse neighs.", "horse", "white horse", "horse"),
+        ("A parrot sits on the table.\n\nPARROT\nAhoy!\n\nThe parrot takes a nut.", "parrot", "parrot", "parrot"),
     ],
 )
-def test_animals_and_robots_are_the_catalogs(action: str, id: str, description: str) -> None:
+def test_animals_and_robots_are_the_catalogs(action: str, id: str, description: str, kind: str) -> None:
     asset = in_a_room(action)[id]
     assert (asset.asset_type, asset.tags[0], asset.description) == ("object", "animal", description)
+    assert asset.kind == kind
+    assert in_a_room(action)["ann"].kind is None
 
 
 @pytest.mark.parametrize(
