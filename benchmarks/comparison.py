@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 from storyblender.agents.director.lexicon import CONJUNCTIONS, DETERMINERS, POSSESSIVES, PREPOSITIONS
 from storyblender.agents.director.reading import Person, Reading, Thing, Unit
 from storyblender.catalog.inflection import singular
-from storyblender.catalog.motions import clip_of
+from storyblender.catalog.motions import MOTION_KEYS, STANDING
 from storyblender.catalog.sets.places import kit_of
 from storyblender.memory.scene_context import SceneSetup
 
@@ -176,12 +176,12 @@ class Comparison:
     def _facts(self, reading: Reading, units: list[Unit]) -> dict[str, list[object]]:
         """Facts of some units in names that both readings share."""
         last = units[-1:]
-        deeds = [deed for unit in units for deed in unit.deeds if clip_of(deed.motion).key not in ("idle", "talk")]
+        deeds = [deed for unit in units for deed in unit.deeds if MOTION_KEYS[deed.motion] not in (*STANDING, "talk")]
         who = self._who
         return {
             "on stage": [*{who(reading, person) for unit in last for person in unit.on_stage}],
             "speaker": [who(reading, unit.speaker) for unit in units if unit.speaker],
-            "actor and motion": [(who(reading, deed.actor), clip_of(deed.motion).key) for deed in deeds],
+            "actor and motion": [(who(reading, deed.actor), MOTION_KEYS[deed.motion]) for deed in deeds],
             "targets": [
                 (who(reading, deed.actor), self._what(reading, target))
                 for deed in deeds

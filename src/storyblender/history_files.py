@@ -19,6 +19,7 @@ from typing import Any
 from pydantic import ValidationError
 from pydantic_core import from_json
 
+from storyblender.catalog.motions import motion_called
 from storyblender.errors import InputError
 from storyblender.memory.gatekeeper import faults_of
 from storyblender.memory.graph import SCHEMA_VERSION, ContinuityMemoryGraph
@@ -38,10 +39,11 @@ UPGRADES: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {
     2: lambda body: body | {"schema_version": 3},
     3: lambda body: body | {"schema_version": 4},
     4: lambda body: body | {"schema_version": 5},
-    5: lambda body: body | {"schema_version": 6},
+    5: lambda body: body | {"schema_version": 6, "shots": _with_motion_keys(body["shots"])},
 }
 """From schema version n to n + 1; kept forever, so that every saved project opens. 2, 3 and 4 added fields only;
-the fields that 5 and 6 took away are dropped by the models, in old commits too."""
+the fields that 5 and 6 took away are dropped by the models, in old commits too; 6 has keys of the motion catalogue
+where earlier ones have words, in old commits see ``read_commit``."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +84,20 @@ def head_text(revision: int, digest: str) -> str:
     return f"{revision} {digest}".strip()
 
 
+def _with_motion_keys(value: Any) -> Any:
+    """Return stored data with the key of the motion catalogue for every word that an earlier schema has instead."""
+    if isinstance(value, list):
+        return [_with_motion_keys(each) for each in value]
+    if not isinstance(value, dict):
+        return value
+    return {
+        key: motion_called(each) or "idle"
+        if key in ("motion", "activity") and each and isinstance(each, str)
+        else _with_motion_keys(each)
+        for key, each in value.items()
+    }
+
+
 def graph_text(saved: Saved) -> str:
     """Return the content of ``graph.json``: the digest of the rest, then the rest."""
     body = {"revision": saved.revision, "commit": saved.digest, **saved.graph.model_dump(mode="json")}
@@ -90,7 +106,7 @@ def graph_text(saved: Saved) -> str:
 
 
 def read_commit(folder: Path, revision: int) -> Commit:
-    """Read one commit.
+    """Read one commit; the motions of one of an earlier schema become keys of the motion catalogue.
 
     Raises:
         InputError: It is missing, damaged or another one.
@@ -104,7 +120,13 @@ def read_commit(folder: Path, revision: int) -> Commit:
         raise InputError("the history is damaged here", mend=FROM_COPY, path=path) from error
     if commit.revision != revision or not commit.intact:
         raise InputError("the history is damaged here: this is not what was written", mend=FROM_COPY, path=path)
-    return commit
+    changes = tuple(
+        each.model_copy(update={"before": _with_motion_keys(each.before), "after": _with_motion_keys(each.after)})
+        if each.layer == "shots"
+        else each
+        for each in commit.changes
+    )
+    return commit.model_copy(update={"changes": changes})
 
 
 def step(saved: Saved, commit: Commit, folder: Path, *, backwards: bool = False) -> Saved:

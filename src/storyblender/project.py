@@ -17,6 +17,7 @@ from types import TracebackType
 from filelock import FileLock, Timeout
 
 from storyblender import history_files
+from storyblender.catalog.motions import MOTIONS
 from storyblender.errors import InputError, ProjectLocked, Rejected
 from storyblender.folder import Folder
 from storyblender.history_files import GRAPH, HEAD, HISTORY, Saved, commit_name
@@ -125,7 +126,7 @@ class Project:
             graph = apply(self.graph, commit)  # as it will be read again
         except ValueError as error:
             raise Rejected((str(error),)) from error
-        Gatekeeper(self.graph).admit(graph, changes, author)
+        Gatekeeper(self.graph, MOTIONS).admit(graph, changes, author)
         self._forget_undone()
         self.files.write(commit_name(commit.revision), commit.model_dump_json())
         self._move_head(Saved(graph, commit.revision, commit.digest))

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from reprlib import Repr
-from typing import Generic, Literal, ParamSpec, Protocol, TypeVar
+from typing import Final, Generic, Literal, ParamSpec, Protocol, TypeVar
 
 from pydantic import TypeAdapter
 
@@ -23,6 +23,10 @@ Judged = TypeVar("Judged", contravariant=True)
 _SHORT = Repr()
 """How a draft is written into the trace."""
 _SHORT.maxother = 240
+
+
+UNUSABLE: Final = 9.0
+"""Severity of a fault with which a draft is never accepted, whatever else is right: the graph cannot hold it."""
 
 
 class Fault(Frozen):

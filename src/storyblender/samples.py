@@ -104,7 +104,7 @@ def _motion_story(key: str) -> ContinuityMemoryGraph:
     action = CharacterAction(
         asset_id=_ACTOR.asset_id,
         action_description=motion.name,
-        motion=next(iter(motion.directs), key),
+        motion=key,
         target_id=targets[0] if targets else None,
         prop_id=things[-1].asset_id if things else None,
     )

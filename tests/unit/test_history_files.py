@@ -14,6 +14,8 @@ from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
+from storyblender.memory.scene_context import SceneContext, SceneSetup
+from storyblender.memory.shot_context import BodyState, CameraInstruction, CharacterAction, ShotContext
 from storyblender.project import Project, read_project_graph
 
 NAMES = ("cup", "key", "hat", "box", "pen")
@@ -234,3 +236,38 @@ def test_the_order_of_the_cast_comes_back(tmp_path: Path) -> None:
         project.go_to(2)
     (tmp_path / "p" / "graph.json").unlink()
     assert names_at(tmp_path / "p") == ("pen", "new", "cup")
+
+
+def test_words_for_motions_of_schema_5_become_keys_in_graph_and_commits(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    words = ("stand_up", "leaning over", "photosynthesise", "walk")
+    actions = tuple(CharacterAction(asset_id="ada", action_description="", motion=word) for word in words)
+    shot = ShotContext(
+        scene_id=1,
+        shot_id=1,
+        states=(BodyState(asset_id="ada", activity="play_music"), BodyState(asset_id="ada")),
+        character_actions=actions,
+        camera_instruction=CameraInstruction(),
+    )
+    ada = Asset(asset_id="ada", asset_type="character", description="")
+    with monkeypatch.context() as old, Project(tmp_path / "p") as project:
+        old.setattr("storyblender.project.MOTIONS", None)
+        project.commit(
+            ContinuityMemoryGraph(assets=(ada,), scenes=(SceneContext(scene_id=1, setup=SceneSetup()),)),
+            "director",
+            "plans",
+        )
+        project.commit(replace(project.graph, shot), "director", "plans")
+    body = json.loads((tmp_path / "p" / "graph.json").read_text())
+    del body["digest"]
+    (tmp_path / "p" / "graph.json").write_text(json.dumps(body | {"schema_version": 5}))
+    with Project(tmp_path / "p") as project:
+        found = project.graph.shot(1, 1)
+        assert [action.motion for action in found.character_actions] == ["rise", "lean_over", "idle", "walk"]
+        assert [state.activity for state in found.states] == ["play_piano", ""]
+        project.go_to(1)
+        project.go_to(2)
+        assert project.graph.shot(1, 1) == found
+    (tmp_path / "p" / "graph.json").unlink()
+    assert read_project_graph(tmp_path / "p").shot(1, 1) == found

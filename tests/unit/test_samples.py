@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tests.every import every
 
-from storyblender.catalog.motions import MOTIONS, clip_of
+from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.places import kit_of
@@ -25,11 +25,11 @@ def test_the_picture_of_a_motion_is_of_that_motion_and_of_things_there_are(key: 
     story = story_of("motions", key)
     assert story is not None
     (action,) = story.shots[0].character_actions
-    assert clip_of(action.motion).key == key
+    assert action.motion == key
     assert all(asset.asset_id in PROPS for asset in story.assets if asset.asset_type == "object")
     assert MOTIONS[key].reach != "thing" or action.target_id
     nothing = ContinuityMemoryGraph()
-    Gatekeeper(nothing).admit(story, changes_between(nothing, story))
+    Gatekeeper(nothing, MOTIONS).admit(story, changes_between(nothing, story))
 
 
 def test_clothes_and_hair_are_shown_on_somebody_and_a_material_on_a_crate() -> None:

@@ -22,7 +22,7 @@ class Motion:
         name: Display name.
         tags: Synonyms.
         seconds: Natural duration at a stature of 1.7 m, without the walk to it; the usual one for stretching motions.
-        directs: Motions of the Director's vocabulary that this clip plays, besides its own name.
+        directs: Motions of the Director's vocabulary that this clip plays.
         speed: Metres per second of motions that travel.
         stretches: Whether a cue may set its duration.
         before: Postures it can start from, empty for any; the actor leaves other postures first.

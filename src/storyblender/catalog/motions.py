@@ -6,7 +6,6 @@ The clips that play them are in ``blender/motion/clips``; the Director's motion 
 from __future__ import annotations
 
 import math
-from functools import lru_cache
 
 from storyblender.catalog.acts import ACTS
 from storyblender.catalog.motion_entry import AWAKE, UPRIGHT, Motion
@@ -30,7 +29,8 @@ IN_THEIR_SEAT: dict[str, str] = {
 MOTIONS: Catalog[Motion] = Catalog(
     "motion",
     (
-        Motion("idle", "stand at ease", ("wait", "stay", "stand"), 1.0, ("idle", "stand"), stretches=True),
+        Motion("idle", "stand at ease", ("wait", "stay"), 1.0, ("idle",), stretches=True),
+        Motion("stand", "stand", ("on their feet",), 1.0, ("stand",), stretches=True),
         # travel
         Motion("walk", "walk", ("go", "enter", "leave", "cross"), 0.9, ("walk",), 1.25, True, UPRIGHT, "stand",
             "place"),
@@ -147,38 +147,33 @@ MOTIONS: Catalog[Motion] = Catalog(
 )  # fmt: skip
 """Every motion, in the order of the printed catalogue."""
 
-CLIP_OF: dict[str, str] = {word: motion.key for motion in MOTIONS.values() for word in motion.directs}
-"""The Director's motion -> key of ``MOTIONS``."""
+STANDING: frozenset[str] = frozenset({"idle", "stand"})
+"""Motions that show no action; on ``stand`` who sits or lies gets up first."""
+
+MOTION_KEYS: dict[str, str] = {key: key for key in MOTIONS} | {
+    word: motion.key for motion in MOTIONS.values() for word in motion.directs
+}
+"""Motion of the Director's vocabulary, or key of ``MOTIONS`` -> key of ``MOTIONS``; the graph holds keys only."""
 _CALLED: dict[str, str] = {
     word.replace("_", " "): motion.key
     for motion in reversed(list(MOTIONS.values()))
     for word in (*motion.tags, motion.name, motion.key)
-}
-"""Name or synonym to key of the motion; the first motion with a name wins."""
+} | {word.replace("_", " "): key for word, key in MOTION_KEYS.items()}
+"""Name or synonym -> key of the motion; the first motion with a name wins."""
 
 
-@lru_cache(maxsize=4096)
-def clip_of(motion: str) -> Motion:
-    """Return the clip for a motion of the Director's vocabulary, or for a key or synonym of the catalogue.
+def motion_called(words: str) -> str | None:
+    """Return the key of the motion that words name: all words, else verb and particle, else the verb; else None.
 
-    An unknown motion becomes idle standing.
+    Args:
+        words: Such as ``leaning over``; the verb may be inflected.
     """
-    key = CLIP_OF.get(motion, motion if motion in MOTIONS else "")
-    return MOTIONS[key or _called(motion.lower().replace("_", " ").strip())]
+    verb, *rest = words.lower().replace("_", " ").split() or [""]
+    said = (" ".join((form, *rest[:count])) for count in range(len(rest), -1, -1) for form in _base_forms(verb))
+    return next((_CALLED[each] for each in said if each in _CALLED), None)
 
 
-def _called(words: str) -> str:
-    """Return the key of the motion that words name: all words, else verb and particle, else the verb; else ``idle``."""
-    verb, *rest = words.split() or [""]
-    for count in range(len(rest), -1, -1):
-        for form in _forms(verb):
-            said = " ".join((form, *rest[:count]))
-            if said in CLIP_OF or said in _CALLED:
-                return CLIP_OF.get(said, _CALLED.get(said, "idle"))
-    return "idle"
-
-
-def _forms(verb: str) -> list[str]:
+def _base_forms(verb: str) -> list[str]:
     """Return the possible base forms of an inflected verb."""
     forms = [verb]
     for ending in ("ing", "es", "s", "ed", "d"):

@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 WORKPLACES: dict[str, tuple[str, ...]] = {
-    "cook": ("stove", "wood_stove", "counter"),
     "stir": ("stove", "wood_stove", "counter"),
     "cut": ("counter", "dining_table", "workbench"),
-    "cut_food": ("counter", "dining_table", "round_table"),
-    "wash": ("sink",),
     "wash_up": ("sink",),
     "type": ("desk", "typewriter", "school_desk"),
-    "play_piano": ("piano", "grand_piano"),
     "pour": ("bar_counter", "counter"),
     "paint": ("easel",),
     "pray": ("altar", "pew"),
@@ -24,9 +20,9 @@ def workplaces_of(motion: str, prop: str | None) -> tuple[str, ...]:
     """Return the usual workplace props of a motion, the likeliest first.
 
     Args:
-        motion: Key of a Director motion or of a clip.
+        motion: Key of ``catalog.motions``.
         prop: Key of the prop used in the motion, if any: plates are cleaned at the sink.
     """
-    if motion == "clean" and prop in _AT_SINK:
-        return WORKPLACES["wash"]
+    if motion == "wipe" and prop in _AT_SINK:
+        return WORKPLACES["wash_up"]
     return WORKPLACES.get(motion, ())

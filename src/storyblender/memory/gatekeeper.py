@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from storyblender.errors import Rejected
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -17,10 +17,11 @@ class Gatekeeper:
 
     Args:
         existing: The graph as it is committed (S_exist).
+        motions: Keys of the motions that there are; None lets any pass.
     """
 
-    def __init__(self, existing: ContinuityMemoryGraph) -> None:
-        self.existing = existing
+    def __init__(self, existing: ContinuityMemoryGraph, motions: Collection[str] | None = None) -> None:
+        self.existing, self.motions = existing, motions
 
     def admit(self, graph: ContinuityMemoryGraph, changes: Sequence[Change], author: str = "user") -> None:
         """Let the new state in, or raise.
@@ -43,6 +44,10 @@ class Gatekeeper:
         removed = any(change.after is None for change in changes)
         touched = {(change.layer, change.key) for change in changes}
         yield from _faulty_references(graph, None if removed else touched)
+        for shot in graph.shots:
+            if self.motions is not None and ("shots", key_of(shot)) in touched:
+                for motion in sorted(shot.motions.difference(self.motions)):
+                    yield f"shot {shot.scene_id}/{shot.shot_id}: there is no motion {motion!r}"
         if author == "director":  # another reading of the script moves shots; ``revise`` keeps locks with their words
             return
         for layer in ("assets", "scenes", "shots"):

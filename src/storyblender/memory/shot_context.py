@@ -43,7 +43,7 @@ class CharacterAction(Frozen):
     asset_id: Identifier
     action_description: str
     motion: str = "idle"
-    """Key of the motion vocabulary: walk, sit, give, look, talk, ..."""
+    """Key of ``catalog.motions``."""
     target_id: Identifier | None = None
     prop_id: Identifier | None = None
     distance: Coordinate | None = None
@@ -72,7 +72,7 @@ class BodyState(Frozen):
     """Direction of a gaze that rests on nothing in the set; takes precedence over ``looking_at``."""
     expression: Expression = "neutral"
     activity: str = ""
-    """Key of a motion that continues until it is changed: ``phone``, ``drive``, ``paint``."""
+    """Key of the motion of ``catalog.motions`` that continues until it is changed: ``phone``, ``paint``."""
     grips: tuple[tuple[Identifier, Grip], ...] = ()
     """How props are carried; a held prop that is not listed gets an automatic grip."""
     spot: Spot | None = None
@@ -297,6 +297,12 @@ class ShotContext(Frozen):
     """Length in frames that a person gave the shot; it stays with the words of the shot when the script changes."""
     stale: tuple[Literal["motion"], ...] = Field(default=(), exclude_if=lambda value: not value)
     """What an edit made stale and the crew has not made anew yet."""
+
+    @property
+    def motions(self) -> set[str]:
+        """Keys of all motions of its actions, activities and cues."""
+        activities = {state.activity for state in (*self.states, *self.end_states)} - {""}
+        return activities | {action.motion for action in self.character_actions} | {cue.clip for cue in self.cues}
 
     @property
     def shown(self) -> tuple[str, ...]:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import pytest
 from tests.every import every
 
 from storyblender.catalog.acts import ACTS, Act
 from storyblender.catalog.expressions import EXPRESSIONS, FACE_UNITS
-from storyblender.catalog.motions import MOTIONS, clip_of
+from storyblender.catalog.motions import MOTIONS
 
 
 @every("act", ACTS.values())
@@ -23,11 +22,3 @@ def test_an_expression_uses_units_of_the_face_within_their_range() -> None:
     for face in EXPRESSIONS.values():
         assert {*face} <= {*FACE_UNITS}
         assert all(0 <= value <= 1 for value in face.values())
-
-
-@pytest.mark.parametrize(
-    ("words", "key"),
-    [("digging", "dig"), ("whistles", "whistle"), ("leaning over", "lean_over"), ("photosynthesise", "idle")],
-)
-def test_a_motion_is_found_by_what_it_is_called(words: str, key: str) -> None:
-    assert clip_of(words).key == key

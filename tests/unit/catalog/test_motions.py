@@ -5,17 +5,32 @@ from __future__ import annotations
 import pytest
 
 from storyblender.agents.director import lexicon
-from storyblender.catalog.motions import CLIP_OF, MOTIONS, clip_of, natural_seconds, turning_seconds
+from storyblender.catalog.motions import MOTION_KEYS, MOTIONS, motion_called, natural_seconds, turning_seconds
 
 
 def test_every_motion_of_the_director_has_a_clip() -> None:
-    assert set(lexicon.MOTIONS) - set(CLIP_OF) == set()
+    assert set(lexicon.MOTIONS) - set(MOTION_KEYS) == set()
 
 
-def test_an_unknown_motion_stands_idle() -> None:
-    assert clip_of("photosynthesise").key == "idle"
-    assert clip_of("stand_up").key == "rise"
-    assert clip_of("play_music").key == "play_piano"
+def test_a_key_is_its_own_motion_and_so_called() -> None:
+    assert all(MOTION_KEYS[key] == motion_called(key) == key for key in MOTIONS)
+    assert set(MOTION_KEYS.values()) == set(MOTIONS)
+
+
+@pytest.mark.parametrize(
+    ("words", "key"),
+    [
+        ("digging", "dig"),
+        ("whistles", "whistle"),
+        ("leaning over", "lean_over"),
+        ("stand_up", "rise"),
+        ("play_music", "play_piano"),
+        ("photosynthesise", None),
+        ("", None),
+    ],
+)
+def test_a_motion_is_found_by_what_it_is_called(words: str, key: str | None) -> None:
+    assert motion_called(words) == key
 
 
 def test_no_director_motion_is_claimed_twice() -> None:

@@ -10,7 +10,7 @@ from storyblender.memory.gatekeeper import Gatekeeper
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Item, changes_between, replace
 from storyblender.memory.scene_context import Layout, LayoutObject, SceneContext, SceneSetup, SceneSize
-from storyblender.memory.shot_context import BodyState, CameraInstruction, Cue, ShotContext
+from storyblender.memory.shot_context import BodyState, CameraInstruction, CharacterAction, Cue, ShotContext
 
 RICK = Asset(asset_id="rick", asset_type="character", description="")
 SCENE = SceneContext(scene_id=1, setup=SceneSetup(asset_ids=("rick",)))
@@ -21,6 +21,21 @@ GOOD = ContinuityMemoryGraph(assets=(RICK,), scenes=(SCENE,), shots=(SHOT,))
 def admit(*items: Item, existing: ContinuityMemoryGraph = GOOD) -> None:
     graph = replace(existing, *items)
     Gatekeeper(existing).admit(graph, changes_between(existing, graph))
+
+
+@pytest.mark.parametrize(
+    "told",
+    [
+        {"character_actions": (CharacterAction(asset_id="rick", action_description="", motion="strolls"),)},
+        {"states": (BodyState(asset_id="rick", activity="strolls"),)},
+        {"cues": (Cue(asset_id="rick", clip="strolls", start=0),)},
+    ],
+)
+def test_a_motion_that_does_not_exist_is_refused(told: dict[str, object]) -> None:
+    graph = replace(GOOD, SHOT.model_copy(update=told))
+    Gatekeeper(GOOD, ("walk", "strolls")).admit(graph, changes_between(GOOD, graph))
+    with pytest.raises(Rejected, match="strolls"):
+        Gatekeeper(GOOD, ("walk",)).admit(graph, changes_between(GOOD, graph))
 
 
 def layout(*objects: LayoutObject) -> SceneContext:

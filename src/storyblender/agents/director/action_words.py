@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Final
 
 from storyblender.catalog.inflection import noun_key
-from storyblender.catalog.motions import clip_of
+from storyblender.catalog.motions import MOTIONS
 from storyblender.memory.shot_context import CharacterAction
 
 _OUT: Final = re.compile(
@@ -28,7 +28,7 @@ def with_facts(action: CharacterAction, names: Mapping[str, str]) -> CharacterAc
     words = action.action_description
     facts = {
         "company": _company(action, names),
-        "gets_out": clip_of(action.motion).speed is not None and _OUT.search(words) is not None,
+        "gets_out": MOTIONS[action.motion].speed is not None and _OUT.search(words) is not None,
         "flies": _FLIGHT.search(words) is not None,
     }
     return action.model_copy(update=facts) if any(facts.values()) else action

@@ -18,13 +18,14 @@ from storyblender.agents.director.reader.reader import read_script
 from storyblender.agents.director.reading import Reading, Unit
 from storyblender.agents.director.reading_file import unknown_names
 from storyblender.agents.director.settings import DirectorSettings
+from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.sets import SETS
 from storyblender.memory.base import shot_name
 from storyblender.memory.graph import Storyboard
 from storyblender.memory.outline import ScriptLine
 from storyblender.ports import Embedder
-from storyblender.reflection import Critique, Fault
+from storyblender.reflection import UNUSABLE, Critique, Fault
 from storyblender.screenplay.model import Screenplay
 
 
@@ -84,7 +85,8 @@ def _faults_of_units(reading: Reading) -> Iterator[Iterator[Fault]]:
 def _faults_of_unit(name: str, unit: Unit, reading: Reading, people: set[str], known: set[str]) -> Iterator[Fault]:
     """Yield names, kits and speakers of a unit that do not exist or are not on stage."""
     for kind, unknown in dict.fromkeys(unknown_names(unit, people, known)):
-        yield Fault(kind="unknown", subject=name, message=f"{name} names the {kind} {unknown!r}, which does not exist")
+        message = f"{name} names the {kind} {unknown!r}, which does not exist"
+        yield Fault(kind="unknown", subject=name, message=message, severity=UNUSABLE if kind == "motion" else 1.0)
     kit = reading.scenes[unit.scene].kit
     if kit and kit not in SETS:
         yield Fault(
@@ -130,6 +132,7 @@ class ShotDirectorCritic:
                 *_uncovered_units(draft, view.reading),
                 *_unmarked_speakers(draft),
                 *_ignored_directions(draft, view.reading),
+                *_unknown_motions(draft),
                 *_unknown_kinds(draft),
             )
         )
@@ -150,6 +153,15 @@ def _uncovered_units(board: Storyboard, reading: Reading) -> Iterator[Fault]:
         told = unit.kind in ("action", "dialogue")
         if told and not any(start < unit.end and unit.start < end for start, end in spans):
             yield Fault(kind="uncovered", subject=f"unit {number}", message=f"no shot covers unit {number}")
+
+
+def _unknown_motions(board: Storyboard) -> Iterator[Fault]:
+    """Yield motions of actions and activities that the catalogue does not have."""
+    for shot in board.shot_details:
+        name = shot_name(shot.scene_id, shot.shot_id)
+        for motion in sorted(shot.motions.difference(MOTIONS)):
+            message = f"{name} has the motion {motion!r}, which does not exist"
+            yield Fault(kind="vocabulary", subject=name, message=message, severity=UNUSABLE)
 
 
 def _unmarked_speakers(board: Storyboard) -> Iterator[Fault]:

@@ -7,7 +7,7 @@ from functools import lru_cache
 from importlib.resources import files
 from typing import NamedTuple
 
-from storyblender.catalog.motions import MOTIONS
+from storyblender.catalog.motions import MOTION_KEYS, MOTIONS
 
 UNREAD = "idle"
 """The motion of verbs that the motion vocabulary lacks; the verb then decides."""
@@ -44,7 +44,7 @@ def _any_or(cell: str) -> frozenset[str]:
 
 
 def fine_motion(motion: str, verb: str, words: str) -> str:
-    """Return the finest motion of the catalogue for an action.
+    """Return the key of the finest motion of the catalogue for an action.
 
     Args:
         motion: The coarse motion, from the reader or a corrected reading.
@@ -64,7 +64,7 @@ def fine_motion(motion: str, verb: str, words: str) -> str:
         fits = done and known and telling
         if fits and (row.words is None or row.words.search(said)):
             return row.motion
-    return motion
+    return MOTION_KEYS[motion]
 
 
 def _has_form_of(verb: str, words: str) -> bool:

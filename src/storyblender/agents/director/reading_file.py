@@ -21,7 +21,7 @@ from storyblender.agents.director.fixtures import fixture_ids
 from storyblender.agents.director.reader.era import age_of
 from storyblender.agents.director.reading import CameraNote, Person, Reading, SceneReading, Thing, Unit
 from storyblender.agents.director.reading_passes import order_scenes_by_units
-from storyblender.catalog.motions import CLIP_OF, MOTIONS
+from storyblender.catalog.motions import MOTION_KEYS, motion_called
 from storyblender.catalog.sets import SETS
 from storyblender.errors import InputError
 from storyblender.memory.base import Frozen, Identifier, content_hash
@@ -255,7 +255,9 @@ def _check_ids(file: ReadingFile, path: Path) -> None:
         unit, where = written.unit, f"unit {written.number}"
         for kind, name in unknown_names(unit, people, known):
             problem = f"{where} names {name!r}, and there is no {kind} of that id"
-            raise InputError(problem, mend="add it, or mend the id", path=path)
+            near = motion_called(name) if kind == "motion" else None
+            mend = f"the nearest motion is {near!r}" if near else "add it, or mend the id"
+            raise InputError(problem, mend=mend, path=path)
         _refuse_camera_words(unit.camera, where, path)
 
 
@@ -272,7 +274,7 @@ def unknown_names(unit: Unit, people: Collection[str], known: Collection[str]) -
     yield from (("person", each) for each in _people_of(unit) if each not in people)
     yield from (("thing", each) for each in _things_of(unit) if each not in known)
     yield from (("person or thing", each) for each in unit.gaze.values() if each not in gazes)
-    yield from (("motion", each) for each in motions if each and each not in CLIP_OF and each not in MOTIONS)
+    yield from (("motion", each) for each in motions if each and each not in MOTION_KEYS)
 
 
 def _people_of(unit: Unit) -> list[str]:

@@ -21,6 +21,7 @@ from storyblender.agents.director.scene_continuity import absent_until_brought
 from storyblender.agents.director.staging import Staging
 from storyblender.agents.director.story_assets import StoryAssets, unique
 from storyblender.agents.director.wording import deed_words, one_line
+from storyblender.catalog.motions import MOTION_KEYS
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.places import find_kit
 from storyblender.memory.scene_context import Spot
@@ -281,7 +282,7 @@ class ShotDetails:
                 CharacterAction(
                     asset_id=deed.actor,
                     action_description=words,
-                    motion="idle" if self.staging.already(deed, unit) else fine_motion(deed.motion, deed.verb, words),
+                    motion=UNREAD if self.staging.already(deed, unit) else fine_motion(deed.motion, deed.verb, words),
                     target_id=target if target in self.story.assets | self.story.fixtures else None,
                     prop_id=prop if prop in self.story.assets else None,
                     distance=deed.distance,
@@ -311,7 +312,7 @@ class ShotDetails:
             CharacterAction(
                 asset_id=unit.speaker,
                 action_description=f"speaks to {self.story.names[to]}" if to else "speaks",
-                motion=motion,
+                motion=MOTION_KEYS[motion],
                 target_id=to,
                 mood=spoken.mood if spoken and spoken.mood != "neutral" else mood_of(words, direction=True),
                 line_index=index,

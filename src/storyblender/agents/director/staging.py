@@ -11,6 +11,7 @@ from storyblender.agents.director.draft import ShotDraft
 from storyblender.agents.director.feelings import expression_of
 from storyblender.agents.director.motion_families import GETTING, HOLDING, PARTING, PORTABLE, POSES, POSING, TRAVEL
 from storyblender.agents.director.reading import Deed, Unit
+from storyblender.catalog.motions import MOTION_KEYS
 from storyblender.memory.scene_context import Spot
 from storyblender.memory.shot_context import BodyState
 from storyblender.memory.vocabulary import Expression, GazeDirection, Grip, Posture
@@ -234,7 +235,7 @@ class Staging:
                 looking_at=self._known(body.looking_at),
                 gaze=body.gaze,
                 expression=body.expression,
-                activity=body.activity,
+                activity=MOTION_KEYS.get(body.activity, ""),
                 grips=grips,
                 spot=spot,
             )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from storyblender.agents.frame_critic.frame_view import FrameView, actions_not_shown, actions_to_see
-from storyblender.catalog.motions import clip_of
+from storyblender.catalog.motions import MOTIONS
 from storyblender.reflection import Fault
 
 NOT_ACCEPTED = 2.1
@@ -32,11 +32,11 @@ def find_action_faults(view: FrameView) -> list[Fault]:
     for number, action in enumerate(undone):
         none = not number and len(undone) == len({(each.motion, each.action_description) for each in told})
         severity = _NOTHING_DONE if none else _FURTHER_ACTION if number else NOT_ACCEPTED
-        text = f"{action.asset_id} does not {clip_of(action.motion).name} at this moment"
+        text = f"{action.asset_id} does not {MOTIONS[action.motion].name} at this moment"
         found.append(fault("not_done", action.asset_id, severity, text))
     if instruction.behind or instruction.explicit or instruction.kind in ("insert", "pov"):
         return found
-    for asset_id in dict.fromkeys(action.asset_id for action in told if clip_of(action.motion).hands):
+    for asset_id in dict.fromkeys(action.asset_id for action in told if MOTIONS[action.motion].hands):
         subject = view.subject(asset_id)
         seen = subject is not None and asset_id in view.people and subject.pixels
         if subject is not None and seen and subject.face_angle > _TURNED_AWAY:

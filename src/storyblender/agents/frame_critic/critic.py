@@ -10,7 +10,7 @@ from typing import Literal
 
 from storyblender.agents.frame_critic.action_faults import NOT_ACCEPTED, fault, find_action_faults, find_staging_faults
 from storyblender.agents.frame_critic.frame_view import FrameView, actions_to_see, speakers, things_to_see
-from storyblender.catalog.motions import clip_of
+from storyblender.catalog.motions import MOTIONS
 from storyblender.geometry.gaps import MAX_FACE_GAP, widest_face_gap
 from storyblender.memory.measure import SubjectView
 from storyblender.memory.shot_context import CameraInstruction, ShotContext
@@ -200,7 +200,7 @@ def _back_faults(view: FrameView) -> list[Fault]:
 def _is_walking_off(shot: ShotContext) -> bool:
     """Return whether the first person of a shot walks, and may show their back."""
     return any(
-        clip_of(action.motion).speed is not None and action.asset_id in shot.camera_instruction.focus_on_ids[:1]
+        MOTIONS[action.motion].speed is not None and action.asset_id in shot.camera_instruction.focus_on_ids[:1]
         for action in shot.character_actions
     )
 

@@ -6,14 +6,14 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from storyblender.agents.layout_artist.story_moment import board_frame, cue_span, cues_of
-from storyblender.catalog.motions import clip_of
+from storyblender.catalog.motions import MOTIONS
 from storyblender.look.picture_measure import PictureMeasure
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.jobs import PlayedCue
 from storyblender.memory.measure import CameraView, SubjectView
 from storyblender.memory.shot_context import CharacterAction, Flaw, ShotContext
 
-_WAITING = ("idle", "listen")
+_WAITING = ("idle", "stand", "listen")
 """Motions that do not have to be visible."""
 _SPEAKING = ("talk", "whisper", "shout", "sing")
 _LOOKING = ("look", "look_up", "look_down", "look_back", "look_left", "look_right", "look_away", "look_around")
@@ -64,7 +64,7 @@ class FrameView:
 
 def actions_to_see(shot: ShotContext) -> list[CharacterAction]:
     """Return the actions of a shot that must be visible: neither waiting nor talk."""
-    return [action for action in shot.character_actions if clip_of(action.motion).key not in (*_WAITING, *_SPEAKING)]
+    return [action for action in shot.character_actions if action.motion not in (*_WAITING, *_SPEAKING)]
 
 
 def actions_not_shown(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> list[CharacterAction]:
@@ -83,19 +83,18 @@ def actions_not_shown(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> li
     shown: set[tuple[str, str]] = set()
     doing: set[str] = set()
     for action in actions_to_see(shot):
-        key = clip_of(action.motion).key
-        if key in _LOOKING or (key in _HOLDING and (action.asset_id, action.prop_id) in held):
+        if action.motion in _LOOKING or (action.motion in _HOLDING and (action.asset_id, action.prop_id) in held):
             continue
         deed = (action.motion, action.action_description)
         for cue in cues_of(action, shot):
             start, length = cue_span(cue, shot, played)
-            stays = cue.lasting or clip_of(cue.clip).after not in (None, "stand")
+            stays = cue.lasting or MOTIONS[cue.clip].after not in (None, "stand")
             if start <= moment and (stays or moment <= start + length):
                 shown.add(deed)
                 doing.add(action.asset_id)
         missed.setdefault(deed, action)
     undone = [action for deed, action in missed.items() if deed not in shown]
-    return [each for each in undone if clip_of(each.motion).speed is None or each.asset_id not in doing]
+    return [each for each in undone if MOTIONS[each.motion].speed is None or each.asset_id not in doing]
 
 
 def speakers(shot: ShotContext) -> list[str]:

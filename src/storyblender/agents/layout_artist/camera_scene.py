@@ -12,7 +12,7 @@ from storyblender.agents.layout_artist.camera_operator import Operator, operate,
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment, too_far_to_frame
 from storyblender.agents.layout_artist.layout_things import size_of
 from storyblender.agents.layout_artist.story_moment import AT_REST, board_frame
-from storyblender.catalog.motions import clip_of
+from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.framing import Film
@@ -48,7 +48,7 @@ def props_put_away(shot: ShotContext, frame: int) -> set[str]:
     last: dict[str, Cue] = {}
     for cue in sorted(busy, key=lambda cue: cue.start):
         # Both people of an embrace are busy with it, whatever their hands did before.
-        pair = (cue.asset_id, cue.target_id) if clip_of(cue.clip).reach == "person" else (cue.asset_id,)
+        pair = (cue.asset_id, cue.target_id) if MOTIONS[cue.clip].reach == "person" else (cue.asset_id,)
         last |= {who: cue for who in pair if who is not None}
     return gone - {cue.prop_id for cue in last.values()}
 

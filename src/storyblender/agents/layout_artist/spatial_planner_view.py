@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from storyblender.agents.layout_artist.scripted_spots import find_scripted_spots
-from storyblender.catalog.motions import clip_of
+from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.props.prop_names import props_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.memory.asset_sheet import Asset
@@ -15,7 +15,7 @@ from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.scene_context import Layout, LayoutObject, SceneSetup, Spot
 from storyblender.memory.shot_context import BodyState, ShotContext
 
-_RESTING = ("idle", "stand", "wait", "sit", "lean")
+_RESTING = ("idle", "stand", "sit", "lean")
 """Motions of people who are somewhere and do nothing else."""
 
 
@@ -158,7 +158,7 @@ def _people_found_later(shots: Sequence[ShotContext]) -> tuple[BodyState, ...]:
     seen = {*shots[0].on_stage} if shots else set[str]()
     found: list[BodyState] = []
     for shot in shots[1:]:
-        come = {action.asset_id for action in shot.character_actions if clip_of(action.motion).speed}
+        come = {action.asset_id for action in shot.character_actions if MOTIONS[action.motion].speed}
         found += [state for state in shot.states if state.asset_id in {*shot.on_stage} - seen - come]
         seen |= {*shot.on_stage}
     return tuple(found)
@@ -184,7 +184,7 @@ def _first_actions(
     for shot in shots:
         done: dict[str, list[tuple[str, str | None]]] = {person: [] for person in shot.on_stage}
         for action in shot.character_actions:
-            if clip_of(action.motion).speed is None and action.asset_id in done:
+            if MOTIONS[action.motion].speed is None and action.asset_id in done:
                 done[action.asset_id].append((action.motion, props.get(action.prop_id or action.target_id or "")))
         for person, motions in done.items():
             actions_of.setdefault(person, tuple(motions))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from storyblender.catalog.motions import clip_of
+from storyblender.catalog.motions import MOTIONS
 from storyblender.memory.jobs import PlayedCue
 from storyblender.memory.shot_context import CharacterAction, Cue, ShotContext
 
@@ -22,10 +22,10 @@ _SPOKEN = ("talk", "shout", "whisper")
 """Clips of speech."""
 _FIRST_STRESS = 1.1
 """Seconds into a speech at which the speaker's hands are raised; later they rest between phrases."""
-AT_REST = ("idle", "look", "listen", "turn", "face")
+AT_REST = ("idle", "stand", "look", "listen", "turn", "face")
 """Clips that show no action."""
-_ADDED_CLIPS = {"put_down": ("put_down",), "rise": ("stand", "get_up")}
-"""Clips that the crew adds before others -> the motions of a script that ask for them."""
+_ADDED_CLIPS = {"put_down": (), "rise": ("stand", "get_up")}
+"""Clips that the crew adds before others -> the other motions of a script that ask for them."""
 _RELEASING_CLIPS = ("put_down", "drop", "throw")
 """Clips after which nobody holds the thing."""
 _BEGUN = 0.45
@@ -61,11 +61,11 @@ def story_moment(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> int:
         return last if moment == "end" else round(last * _REST)
     if moment == "end":
         cue = max(cues, key=lambda item: item.start)
-        if clip_of(cue.clip).after not in (None, "stand"):
+        if MOTIONS[cue.clip].after not in (None, "stand"):
             return last
     else:
         cue = max(cues, key=lambda item: (_cue_rank(item, shot) - _is_prelude(item, cues, shot), item.start))
-    motion = clip_of(cue.clip)
+    motion = MOTIONS[cue.clip]
     together = len(focus & set(shot.on_stage)) > 1 and shot.camera_instruction.kind != "establishing"
     arrives = motion.speed is not None and (together or moment == "end")
     insert = cue.clip in _BENT and shot.camera_instruction.kind == "insert"
@@ -85,7 +85,7 @@ def _named_moment(shot: ShotContext, played: Sequence[PlayedCue]) -> int | None:
         cue = max(cues, key=lambda item: (_cue_rank(item, shot), item.start))
     else:
         cue = min(cues, key=lambda item: item.start) if shot.moment == "start" else max(cues, key=lambda c: c.start)
-    motion = clip_of(cue.clip)
+    motion = MOTIONS[cue.clip]
     share = _ARRIVAL if motion.speed is not None and shot.moment == "end" else motion.telling
     start, length = cue_span(cue, shot, played)
     return start + round(length * share * (_BEGUN if shot.moment == "start" else 1.0))
@@ -104,11 +104,11 @@ def cues_of(action: CharacterAction, shot: ShotContext) -> list[Cue]:
     own = [cue for cue in shot.cues if cue.asset_id == action.asset_id]
     done = [cue for cue in own if cue.clip not in (*AT_REST, *_SPOKEN)]
     about = {action.prop_id, action.target_id} - {None, action.asset_id}
-    played = [cue for cue in own if cue.clip == clip_of(action.motion).key]
+    played = [cue for cue in own if cue.clip == action.motion]
     played = played or [cue for cue in done if about & {cue.prop_id, cue.target_id}]
-    deeds = {each.motion for each in shot.character_actions if each.asset_id == action.asset_id}
-    alone = {clip_of(each).key for each in deeds} <= {clip_of(action.motion).key, *AT_REST, *_SPOKEN}
-    return played or [cue for cue in done if alone and clip_of(cue.clip).speed is None]
+    told = {each.motion for each in shot.character_actions if each.asset_id == action.asset_id}
+    alone = told <= {action.motion, *AT_REST, *_SPOKEN}
+    return played or [cue for cue in done if alone and MOTIONS[cue.clip].speed is None]
 
 
 def cue_span(cue: Cue, shot: ShotContext, played: Sequence[PlayedCue] = ()) -> tuple[int, int]:
@@ -124,7 +124,7 @@ def cue_span(cue: Cue, shot: ShotContext, played: Sequence[PlayedCue] = ()) -> t
     real = next((each for each in played if (each.asset_id, each.clip, each.start) == name), None)
     if real is None:
         return cue.start, length
-    if clip_of(cue.clip).speed is not None or cue.duration is not None:
+    if MOTIONS[cue.clip].speed is not None or cue.duration is not None:
         return real.began, max(1, real.over - real.began)
     return max(real.began, real.over - length), length
 
@@ -134,7 +134,7 @@ def _cue_length(cue: Cue, shot: ShotContext) -> int:
     if cue.duration is not None:
         return cue.duration
     after = [item.start for item in shot.cues if item.asset_id == cue.asset_id and item.start > cue.start]
-    until, motion = min([*after, shot.duration]) - cue.start, clip_of(cue.clip)
+    until, motion = min([*after, shot.duration]) - cue.start, MOTIONS[cue.clip]
     stays = motion.speed is not None or (motion.reach == "thing" and motion.after in ("sit", "lie"))
     return until if stays else min(until, round(motion.seconds * _FPS))
 
@@ -144,7 +144,7 @@ def _is_prelude(cue: Cue, cues: Sequence[Cue], shot: ShotContext) -> bool:
     after = [each for each in cues if each.asset_id == cue.asset_id and each.start > cue.start]
     if cue.clip in _ADDED_CLIPS:
         told = {action.motion for action in shot.character_actions if action.asset_id == cue.asset_id}
-        return bool(after) and not any(clip_of(each).key == cue.clip or each in _ADDED_CLIPS[cue.clip] for each in told)
+        return bool(after) and not told & {cue.clip, *_ADDED_CLIPS[cue.clip]}
     return cue.clip == "pick_up" and any(
         each.prop_id == cue.prop_id and each.clip not in _RELEASING_CLIPS for each in after
     )
@@ -155,7 +155,7 @@ def _cue_rank(cue: Cue, shot: ShotContext) -> int:
 
     An activity that goes on since before the shot, such as reading, counts as words.
     """
-    motion = clip_of(cue.clip)
+    motion = MOTIONS[cue.clip]
     if motion.speed is not None:
         return 0
     if cue.clip == "shout":

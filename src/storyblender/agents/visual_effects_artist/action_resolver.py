@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from storyblender.agents.visual_effects_artist.handling import fits_in_clothes
 from storyblender.agents.visual_effects_artist.person import StagedPerson
 from storyblender.agents.visual_effects_artist.stage_state import StageState
-from storyblender.catalog.motions import IN_THEIR_SEAT, MOTIONS, Motion, clip_of
+from storyblender.catalog.motions import IN_THEIR_SEAT, MOTIONS, Motion
 from storyblender.memory.shot_context import BodyState, CharacterAction
 
 MOTION_WITH_PERSON = {"take": "touch", "catch": "touch", "pick_up": "lift", "hold": "hug"}
@@ -48,7 +48,7 @@ class ActionResolver:
         Returns:
             None for a thing that cannot be carried, such as a lamp post.
         """
-        held = next(iter(person.held.values()), None) if clip_of(action.motion).key == PHONE_CALL else None
+        held = next(iter(person.held.values()), None) if action.motion == PHONE_CALL else None
         if held is not None and action.prop_id is None:
             return held
         prop, thing = self.stage.prop_of(action), self.stage.floor.thing(action.target_id)
@@ -105,7 +105,7 @@ class ActionResolver:
             person: The person who does it.
             prop: Asset id of the prop; None if there is none.
         """
-        motion = clip_of(action.motion)
+        motion = MOTIONS[action.motion]
         partner = self.stage.people.get(action.target_id or "")
         if partner is not None and partner.present and partner is not person:
             return motion, partner

@@ -18,7 +18,7 @@ from storyblender.agents.visual_effects_artist.speeches import SPOKEN
 from storyblender.agents.visual_effects_artist.stage_state import StageState
 from storyblender.agents.visual_effects_artist.vehicle_doors import boarding_station, leaving_station
 from storyblender.catalog.acts import ACTS
-from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
+from storyblender.catalog.motions import MOTIONS, STANDING, Motion, natural_seconds
 from storyblender.geometry.boxes import shortest_turn
 from storyblender.geometry.paths import Vec2
 from storyblender.geometry.stations import Station
@@ -63,8 +63,8 @@ class Actions:
         motion, partner = self.resolver.find_partner(action, person, prop)
         if person.entering and not person.acted and self.stage.opens_set_door(action):
             return  # the door swings by itself for an entrance
-        if motion.key in ("idle", "stand"):
-            if action.motion == "stand" and not person.upright:
+        if motion.key in STANDING:
+            if motion.key == "stand" and not person.upright:
                 start = self.sheet.earliest_start(person)
                 self.sheet.finish_action(person, start, self.sheet.stand_up(person, start))
             return
@@ -110,13 +110,12 @@ class Actions:
                 self.sheet.finish_action(person, start, start + 0.8)
                 return
         sits_next = any(
-            a.asset_id == person.asset_id and a.target_id == action.target_id and clip_of(a.motion).key == "sit"
-            for a in later
+            a.asset_id == person.asset_id and a.target_id == action.target_id and a.motion == "sit" for a in later
         )
         goes_on = any(
-            a.asset_id == person.asset_id and a.target_id and clip_of(a.motion).speed is not None for a in later
+            a.asset_id == person.asset_id and a.target_id and MOTIONS[a.motion].speed is not None for a in later
         )
-        own = [clip_of(a.motion) for a in later if a.asset_id == person.asset_id]
+        own = [MOTIONS[a.motion] for a in later if a.asset_id == person.asset_id]
         goes_over = bool(own) and (own[0].speed is not None or own[0].key in ("jump", "climb"))
         meets_next = bool(own) and own[0].reach == "person" and self._next_target(person, later) == action.target_id
         if (
@@ -157,7 +156,7 @@ class Actions:
         """
         homeless = person.asset_id not in self.stage.home
         for action in (each for each in later if each.asset_id == person.asset_id):
-            partner, motion = self.stage.people.get(action.target_id or ""), clip_of(action.motion)
+            partner, motion = self.stage.people.get(action.target_id or ""), MOTIONS[action.motion]
             if motion.speed is not None:
                 return None
             meets = motion.reach == "person" or (homeless and motion.key in SPOKEN)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from storyblender.agents.visual_effects_artist.floor import facing
 from storyblender.agents.visual_effects_artist.stage_state import StageState
 from storyblender.agents.visual_effects_artist.ways import point_on_line
-from storyblender.catalog.motions import clip_of
+from storyblender.catalog.motions import MOTIONS
 from storyblender.geometry.boxes import shortest_turn
 from storyblender.geometry.paths import Vec2
 from storyblender.memory.asset_sheet import Asset
@@ -78,7 +78,7 @@ class Animals:
         states: list[PropState] = []
         for name, animal in self.animals.items():
             own = [action for action in shot.character_actions if action.asset_id == name]
-            if own and not animal.seen and clip_of(own[0].motion).speed and own[0].target_id is None:
+            if own and not animal.seen and MOTIONS[own[0].motion].speed and own[0].target_id is None:
                 self._start_at_entrance(animal)
             if animal.moved or own:
                 states.append(_prop_state(name, animal))
@@ -106,7 +106,7 @@ class Animals:
     ) -> Cue | None:
         """Return the cue of an action from frame ``start`` on, and move the animal; None if it stays as it is."""
         here = (animal.place[0], animal.place[1])
-        motion = clip_of(action.motion)
+        motion = MOTIONS[action.motion]
         target = self._find_place(action.target_id)
         goal, yaw = here, animal.yaw
         if motion.speed:

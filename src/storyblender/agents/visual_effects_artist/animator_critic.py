@@ -8,11 +8,11 @@ import math
 from storyblender.agents.visual_effects_artist.animator import AnimatorDraft, AnimatorView, ShotStaging
 from storyblender.agents.visual_effects_artist.crossings import vessel_at
 from storyblender.agents.visual_effects_artist.floor import BODY, Floor
-from storyblender.catalog.motions import AIMED
+from storyblender.catalog.motions import AIMED, MOTIONS
 from storyblender.geometry.paths import Vec2
 from storyblender.memory.base import shot_name
 from storyblender.memory.shot_context import Blocking, Mark
-from storyblender.reflection import Critique, Fault
+from storyblender.reflection import UNUSABLE, Critique, Fault
 
 LEAST_FREE_SHARE = 0.6
 """Share of a body's radius that must be clear of furniture."""
@@ -24,10 +24,10 @@ SUPPORTED = frozenset({"sit", "lie", "asleep", "lean"})
 
 
 class AnimatorCritic:
-    """Finds marks inside furniture, outside the set or on top of each other, walks without a way, seats in the air."""
+    """Finds marks inside furniture, outside the set or on one spot, walks without a way, seats in the air."""
 
     def judge(self, draft: AnimatorDraft, view: AnimatorView) -> Critique:
-        """Return the critique of a staging; its fixes are the moves of marks that mend it.
+        """Return the critique of a staging; its fixes are the moves of marks that mend it; unknown motions refuse it.
 
         Args:
             draft: The staging of all shots of the scene.
@@ -47,6 +47,9 @@ class AnimatorCritic:
                 *_find_overlaps(floor, scales, shot, name),
                 *_find_blocked_walks(floor, scales, shot, name),
             ]
+            for key in sorted({cue.clip for cue in shot.cues}.difference(MOTIONS)):
+                message = f"{name} has the motion {key!r}, which does not exist"
+                found.append(Fault(kind="vocabulary", subject=key, message=message, severity=UNUSABLE))
             for fault in found:
                 place = (float(fault.fix.get("x", 0.0)), float(fault.fix.get("y", 0.0)))
                 faults.setdefault((fault.kind, fault.subject, place), fault)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from storyblender.catalog.motions import clip_of
 from storyblender.memory.shot_context import CharacterAction, ShotContext
 
 
@@ -39,7 +38,7 @@ def find_instrument_players(
     handled: set[str] = set()
     for action in (each for shot in shots for each in shot.character_actions):
         prop = prop_of(action)
-        if prop is not None and prop not in handled and clip_of(action.motion).key == "play_piano":
+        if prop is not None and prop not in handled and action.motion == "play_piano":
             players[action.asset_id] = prop
         handled |= {prop} if prop is not None else set()
     return players

@@ -18,7 +18,7 @@ from storyblender.agents.visual_effects_artist.prop_spots import PropSpots
 from storyblender.agents.visual_effects_artist.stage_state import StageState
 from storyblender.catalog.carrying import hand_towards
 from storyblender.catalog.hollows import OPEN_ABOVE
-from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
+from storyblender.catalog.motions import MOTIONS, Motion, natural_seconds
 from storyblender.geometry.boxes import shortest_turn
 from storyblender.memory.base import Vec3
 from storyblender.memory.shot_context import CharacterAction, Mark
@@ -287,7 +287,7 @@ class Handling:
             if catcher is None or catcher is person or self.stage.prop_of(action) != prop:
                 continue
             able = catcher.present and catcher.free_hand() and catcher.posture not in ("lie", "asleep")
-            return catcher if able and clip_of(action.motion).key in TAKING_MOTIONS else None
+            return catcher if able and action.motion in TAKING_MOTIONS else None
         return None
 
     def _throw_to_catcher(self, person: StagedPerson, catcher: StagedPerson, prop: str, now: float) -> None:

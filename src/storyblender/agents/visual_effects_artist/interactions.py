@@ -11,7 +11,7 @@ from storyblender.agents.visual_effects_artist.handling import Handling
 from storyblender.agents.visual_effects_artist.person import SEATED, StagedPerson
 from storyblender.agents.visual_effects_artist.stage_state import StageState
 from storyblender.catalog.carrying import hand_towards
-from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
+from storyblender.catalog.motions import MOTIONS, Motion, natural_seconds
 from storyblender.geometry.paths import Vec2
 from storyblender.memory.shot_context import CharacterAction
 
@@ -22,7 +22,7 @@ MUTUAL = LASTING | {"shake_hands"}
 """Motions that are played once, though the script gives them to both people."""
 EMPTY_HANDED = frozenset({"hug", "dance", "lift"})
 """Motions for which both people need both hands."""
-QUIET = frozenset({"idle", "listen", "look"})
+QUIET = frozenset({"idle", "stand", "listen", "look"})
 LOW = frozenset({"kneel", "crouch"})
 REACH_KNEELING = 1.1
 """Metres within which a kneeling person reaches another without getting up."""
@@ -171,9 +171,8 @@ class Interactions:
         """Tell whether one of the two has another action later in the shot."""
         pair = {person.asset_id: partner.asset_id, partner.asset_id: person.asset_id}
         for action in later:
-            key = clip_of(action.motion).key
-            mutual = key == motion.key and action.target_id == pair.get(action.asset_id)
-            if action.asset_id in pair and key not in QUIET and not mutual:
+            mutual = action.motion == motion.key and action.target_id == pair.get(action.asset_id)
+            if action.asset_id in pair and action.motion not in QUIET and not mutual:
                 return True
         return False
 

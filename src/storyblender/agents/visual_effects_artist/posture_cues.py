@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
 from storyblender.agents.visual_effects_artist.person import StagedPerson
 from storyblender.agents.visual_effects_artist.stage_state import StageState
-from storyblender.catalog.motions import MOTIONS, clip_of
+from storyblender.catalog.motions import MOTIONS, STANDING
 from storyblender.memory.base import content_hash
 from storyblender.memory.shot_context import BodyState, Cue, Mark, ShotContext
 from storyblender.memory.vocabulary import GazeDirection, Hand
@@ -101,9 +101,9 @@ class PostureCues:
         if state.activity or person.scripted_activity:
             person.activity = state.activity
         person.scripted_activity = state.activity
-        clip = clip_of(person.activity).key if person.activity else ""
+        clip = person.activity
         own = [cue.clip for cue in self.sheet.cues if cue.asset_id == person.asset_id]
-        if not clip or clip in own or clip == "idle" or MOTIONS[clip].speed is not None:
+        if not clip or clip in own or clip in STANDING or MOTIONS[clip].speed is not None:
             return ""
         return clip
 

@@ -14,7 +14,6 @@ from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.agents.visual_effects_artist.posture_cues import PostureCues, extend_lasting_cues
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN, Speeches
 from storyblender.agents.visual_effects_artist.stage_state import StageState
-from storyblender.catalog.motions import clip_of
 from storyblender.catalog.states import Condition
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen
@@ -104,7 +103,7 @@ class Rehearsal:
             if number and _is_same_action(action, shot.character_actions[number - 1]):
                 sheet.clock = began + GROUP_DELAY
             began = sheet.clock
-            if clip_of(action.motion).key in SPOKEN:
+            if action.motion in SPOKEN:
                 speeches.add_speech(action, person, seconds.get(number, 2.0), cast)
             else:
                 actions.add_action(action, person, shot.character_actions[number + 1 :])

@@ -9,7 +9,7 @@ from collections.abc import Collection, Mapping, Sequence
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
 from storyblender.agents.visual_effects_artist.person import StagedPerson
 from storyblender.agents.visual_effects_artist.stage_state import StageState
-from storyblender.catalog.motions import MOTIONS, clip_of
+from storyblender.catalog.motions import MOTIONS
 from storyblender.memory.outline import ScriptLine
 from storyblender.memory.shot_context import CharacterAction, Cue, ShotContext
 
@@ -37,7 +37,7 @@ class Speeches:
         """
         spoken: dict[int, float] = {}
         for number, action in enumerate(shot.character_actions):
-            if clip_of(action.motion).key in SPOKEN:
+            if action.motion in SPOKEN:
                 line = _line_of_action(action, lines)
                 words = len(re.findall(r"[\w'’-]+", line.text)) if line else 0
                 spoken[number] = max(1.2, words / 2.5 + 0.4) if words else MOTIONS["talk"].seconds
@@ -73,7 +73,7 @@ class Speeches:
         elif partner is not None and person.upright:  # the speech begins on the way: the speaker turns on arrival
             turned = self.sheet.turn_to_person(person, partner, walking)
         target = partner.asset_id if partner else None
-        end = self.sheet.add_cue(person, clip_of(action.motion).key, start, seconds, target_id=target, mood=action.mood)
+        end = self.sheet.add_cue(person, action.motion, start, seconds, target_id=target, mood=action.mood)
         for listener in others:
             if listener.busy <= start + 0.3:
                 if math.dist(listener.place, person.place) < 6:

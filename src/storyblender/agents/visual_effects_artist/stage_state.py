@@ -15,7 +15,7 @@ from storyblender.agents.visual_effects_artist.scripted_props import ScriptedPro
 from storyblender.agents.visual_effects_artist.seats import Seats
 from storyblender.agents.visual_effects_artist.spot_finder import SpotFinder
 from storyblender.catalog.carrying import ON_BODY, two_handed
-from storyblender.catalog.motions import clip_of
+from storyblender.catalog.motions import MOTIONS, STANDING
 from storyblender.geometry.paths import Vec2
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Vec3
@@ -105,17 +105,17 @@ class StageState:
             others = [p.place for p in cast if p.present]
             first = next((a for a in shot.character_actions if a.asset_id == person.asset_id), None)
             place, yaw = self.home.get(person.asset_id, (self.floor.middle(), 0.0))
-            own = [clip_of(a.motion) for a in shot.character_actions if a.asset_id == person.asset_id]
+            own = [MOTIONS[a.motion] for a in shot.character_actions if a.asset_id == person.asset_id]
             leaves = person.asset_id not in stay and all(motion.speed for motion in own)
             enters = (
                 not leaves
                 and first is not None
-                and (self.opens_set_door(first) or clip_of(first.motion).speed is not None)
+                and (self.opens_set_door(first) or MOTIONS[first.motion].speed is not None)
             )
             thing = self.floor.thing(first.target_id, place) if first is not None else None
             stairs = self.floor.mark_of("stairs") if first is not None and first.motion == "climb" else None
             if first is not None and (stairs is not None or (enters and self.floor.enter_marks())):
-                mark = stairs or self._choose_entrance(place, clip_of(first.motion).speed or 0.0)
+                mark = stairs or self._choose_entrance(place, MOTIONS[first.motion].speed or 0.0)
                 crowded = any(math.dist(mark, other) < PERSONAL for other in others)
                 if crowded or self.floor.room_at(mark) < 0.6 * BODY * person.scale:
                     mark = self.floor.free_spot(mark, person.scale, others)
@@ -137,7 +137,7 @@ class StageState:
     def _is_waiting_by(self, action: CharacterAction, thing: PlacedObject, place: Vec2) -> bool:
         """Tell whether an action has a person wait by a large thing that is not at their layout place."""
         large = self.prop_of(action) is None and thing.solid and not thing.anchors_of("seat", "bed")
-        idle, rim = clip_of(action.motion).key == "idle", thing.nearest_edge(place)
+        idle, rim = action.motion in STANDING, thing.nearest_edge(place)
         return large and idle and math.dist(rim, place) > WAITING_DISTANCE and self.floor.inside(rim)
 
     def _stand_waiting_by(self, person: StagedPerson, thing: PlacedObject, place: Vec2) -> None:
@@ -148,7 +148,7 @@ class StageState:
 
     def opens_set_door(self, action: CharacterAction) -> bool:
         """Tell whether an action opens a door of the set."""
-        return clip_of(action.motion).key == "open" and self.floor.thing(action.target_id) in self.floor.openings
+        return action.motion == "open" and self.floor.thing(action.target_id) in self.floor.openings
 
     def end_shot(self, stay: Sequence[str]) -> None:
         """End a shot: only the people in ``stay`` remain; those who could not walk are cut to their goal."""
@@ -167,7 +167,7 @@ class StageState:
         taken = {
             (action.asset_id, self.prop_of(action))
             for action in actions
-            if clip_of(action.motion).key in ("take", "pick_up", "catch")
+            if action.motion in ("take", "pick_up", "catch")
         }
         by_people = [state.spot is not None and state.spot.anchor_id in self.people for state in states]
         for _, state in sorted(zip(by_people, states, strict=True), key=lambda pair: pair[0]):
@@ -292,9 +292,9 @@ class StageState:
             prop, person = self.prop_of(action), self.people.get(action.asset_id)
             if prop is None or person is None or not person.present or prop in self.prop_places or self.holder_of(prop):
                 continue
-            if prop in brought_out or (clip_of(action.motion).key == "idle" and action.prop_id != prop):
+            if prop in brought_out or (action.motion in STANDING and action.prop_id != prop):
                 continue  # an idle person does not hold the thing they are at
-            if clip_of(action.motion).key in ("pick_up", "take", "catch"):
+            if action.motion in ("pick_up", "take", "catch"):
                 if self.find_bag(person, prop):
                     continue
                 top = self.floor.nearest_top(person.place, 6.0)

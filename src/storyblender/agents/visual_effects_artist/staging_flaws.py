@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Mapping
 
 from storyblender.agents.frame_critic.frame_view import actions_to_see, things_to_see
 from storyblender.agents.layout_artist.story_moment import cues_of
-from storyblender.catalog.motions import clip_of
+from storyblender.catalog.motions import MOTIONS
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.shot_context import Flaw, ShotContext
 
@@ -30,9 +30,9 @@ def staging_flaws(shot: ShotContext, assets: Mapping[str, Asset], left_out: Coll
 def _find_actions_not_staged(shot: ShotContext) -> Iterator[Flaw]:
     """Yield a flaw for every action to be seen that no cue, posture or walk stages."""
     postures = {each.start.asset_id: {each.start.posture, each.end.posture} for each in shot.blocking}
-    walkers = {cue.asset_id for cue in shot.cues if clip_of(cue.clip).speed is not None}
+    walkers = {cue.asset_id for cue in shot.cues if MOTIONS[cue.clip].speed is not None}
     for action in actions_to_see(shot):
-        motion, person = clip_of(action.motion), action.asset_id
+        motion, person = MOTIONS[action.motion], action.asset_id
         taken = motion.after in postures.get(person, ()) or (motion.speed is not None and person in walkers)
         if person in shot.on_stage and not taken and not cues_of(action, shot):
             message = f"{person} is not shown doing: “{action.action_description}”"

@@ -12,7 +12,6 @@ from storyblender.agents.visual_effects_artist.floor import facing
 from storyblender.agents.visual_effects_artist.person import StagedPerson
 from storyblender.agents.visual_effects_artist.placed_objects import PlacedObject
 from storyblender.agents.visual_effects_artist.stage_state import StageState
-from storyblender.catalog.motions import clip_of
 from storyblender.catalog.states import DOOR_OPEN_SUFFIX, DOORS_CLOSED
 from storyblender.geometry.solids import transform
 from storyblender.geometry.stations import Station
@@ -136,7 +135,7 @@ def _doors_in_use(
     opening = {
         action.asset_id
         for action in shot.character_actions
-        if clip_of(action.motion).key == "open" and {action.target_id, action.prop_id} & {*names}
+        if action.motion == "open" and {action.target_id, action.prop_id} & {*names}
     }
     for blocking in shot.blocking:
         mark = blocking.end

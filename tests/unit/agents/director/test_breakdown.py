@@ -12,6 +12,7 @@ import pytest
 from handmade import Script
 
 from storyblender.agents.director.breakdown import storyboard
+from storyblender.agents.director.director import RulesShotDirector, ShotDirectorCritic, ShotDirectorView
 from storyblender.agents.director.durations import action_seconds, frame_count, speech_seconds, word_count
 from storyblender.agents.director.fixtures import FIXTURES
 from storyblender.agents.director.reader import read_script
@@ -345,3 +346,16 @@ Thank you.
     shots = storyboard(read_script(read(script, "fountain"))).shot_details
     states = next(shot.states for shot in shots if len(shot.on_stage) == 2)
     assert {state.asset_id: state.posture for state in states} == {"flight_attendant": "stand", "ana": "sit"}
+
+
+def test_the_critic_never_accepts_a_motion_that_does_not_exist() -> None:
+    reading = Script("Ana").action("Ana walks.", ("ana", "walk")).read()
+    view = ShotDirectorView(reading, DirectorSettings())
+    board = RulesShotDirector().propose(view)
+    assert ShotDirectorCritic().judge(board, view).score == 10
+    *others, shot = board.shot_details
+    actions = tuple(action.model_copy(update={"motion": "strolls"}) for action in shot.character_actions)
+    changed = shot.model_copy(update={"character_actions": actions})
+    draft = board.model_copy(update={"shot_details": (*others, changed)})
+    critique = ShotDirectorCritic().judge(draft, view)
+    assert [fault.kind for fault in critique.faults] == ["vocabulary"] and critique.score == 1

@@ -68,6 +68,8 @@ def _unit_with(plain: dict[str, Any], key: str) -> dict[str, Any]:
         (lambda plain: plain["people"].append(dict(plain["people"][0])), "given twice"),
         (lambda plain: _unit_with(plain, "on_stage")["on_stage"].append("nobody"), "there is no person of that id"),
         (lambda plain: _unit_with(plain, "deeds")["deeds"][0].update(actor="nobody"), "there is no person of that id"),
+        (lambda plain: _unit_with(plain, "deeds")["deeds"][0].update(motion="strolls"), "no motion of that id"),
+        (lambda plain: _unit_with(plain, "deeds")["deeds"][0].update(motion="digging"), "nearest motion is 'dig'"),
         (lambda plain: plain["units"][1]["unit"].update(text="Something else entirely."), "unit 2 .*own words"),
         (lambda plain: plain["units"][1].update(number=7), "unit 2 has the number 7"),
         (lambda plain: plain["units"][1]["unit"].update(scene=99), "unit 2 is in scene 99"),

@@ -63,9 +63,7 @@ def test_who_is_found_lying_before_a_chair_lies_beside_it() -> None:
 
 def test_who_falls_before_a_table_begins_where_there_is_room() -> None:
     at_table = BodyState(asset_id="rick", posture="sit", support_id="chair_l")
-    first, second = _stage(
-        _shot(1, states=(at_table,)), _shot(2, _do("rick", "stand_up"), _do("rick", "fall"), seconds=9)
-    )
+    first, second = _stage(_shot(1, states=(at_table,)), _shot(2, _do("rick", "rise"), _do("rick", "fall"), seconds=9))
     assert _cues(second, "rick")[-1] == "fall"
     lies = _end(second, "rick")
     yaw = math.radians(lies.yaw)

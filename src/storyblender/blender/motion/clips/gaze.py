@@ -48,6 +48,7 @@ def look_at_target(stage: MotionStage, who: Performer, t: float, cue: StagedCue)
 
 
 @clip("idle")
+@clip("stand")
 def idle(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Stand or sit still, with idle life. Return the end in seconds."""
     look_at_target(stage, who, cue.start, cue)
