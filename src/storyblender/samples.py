@@ -148,9 +148,7 @@ def _story(kit: str, shot: ShotContext, *assets: Asset) -> ContinuityMemoryGraph
         scene_type="indoor" if SETS[kit].indoor else "outdoor",
         asset_ids=tuple(asset.asset_id for asset in assets),
     )
-    outline = SceneOutline(
-        scene_id=1, scene_description=SETS[kit].name, shots=(ShotOutline(shot_id=1, shot_description="A sample."),)
-    )
+    outline = SceneOutline(scene_id=1, scene_description=SETS[kit].name, shots=(ShotOutline(shot_id=1),))
     return ContinuityMemoryGraph(
         title="A sample",
         format=ProjectFormat(width=WIDTH),

@@ -107,9 +107,7 @@ def test_errors_are_said_even_when_quiet(capsys: pytest.CaptureFixture[str]) -> 
 def test_a_plan_names_people_as_the_script_does(capsys: pytest.CaptureFixture[str]) -> None:
     ivan = Asset(asset_id="asset_2", name="Иван", asset_type="character", description="A man.")
     shot = ShotContext(scene_id=1, shot_id=1, on_stage=("asset_2",), camera_instruction=CameraInstruction())
-    scene = SceneOutline(
-        scene_id=1, scene_description="A station", shots=(ShotOutline(shot_id=1, shot_description=""),)
-    )
+    scene = SceneOutline(scene_id=1, scene_description="A station", shots=(ShotOutline(shot_id=1),))
     terminal = Terminal(quiet=False, json_lines=False)
     terminal.plan(ContinuityMemoryGraph(outline=(scene,), assets=(ivan,), shots=(shot,)))
     terminal.plan(ContinuityMemoryGraph())

@@ -203,7 +203,7 @@ def _texts(panel: Panel, size: float) -> list[Flowable]:
     """Return the paragraphs under a picture; ``size`` is the font size of the slate in points."""
     style = ParagraphStyle("action", fontName=fonts.REGULAR, fontSize=size * 0.9, leading=size * 1.12, textColor=INK)
     speech = ParagraphStyle("speech", parent=style, leftIndent=size)
-    said = panel.action or ("" if panel.dialogue else panel.outline.shot_description)
+    said = panel.action or ("" if panel.dialogue else panel.description)
     texts = [_setting([(said, INK)], style)] if said else []
     texts += [_setting([(cue_of(line), GREY), (line.text, INK)], speech) for line in panel.dialogue]
     return texts + [_setting([("Note", GREY), (note, NOTE)], style) for note in panel.notes]

@@ -132,7 +132,7 @@ def _card(panel: Panel, sources: tuple[str, str] | None, to_check: int, film: bo
     """
     picture, length = "", f"{panel.seconds:.1f} s"
     if sources is not None:
-        alt = escape(panel.outline.shot_description, quote=True)
+        alt = escape(panel.description, quote=True)
         image = f'<img loading="lazy" decoding="async" src="{sources[0]}" data-frame="{sources[1]}" alt="{alt}">'
         picture = f'<button class="picture" aria-label="Enlarge {panel.name}">{image}</button>'
     if film:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import textwrap
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from string import capwords
 from typing import Literal
 
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.base import shot_name
+from storyblender.memory.camera_words import listed
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline
 from storyblender.memory.shot_context import ShotContext
@@ -19,6 +22,8 @@ Way = Literal["left", "right", "up", "down", "in", "out"]
 """Direction of a camera move on the screen."""
 STOPS = (".", "!", "?", "…", ":", "。", "！", "？")
 """Characters that end a sentence."""
+_QUOTATION = 70
+"""Most characters of a speech in a description."""
 STILL = 0.02
 """Metres moved, or radians turned, below which a camera counts as static."""
 USUAL_CLOSING = 0.7
@@ -41,11 +46,12 @@ class Panel:
     Attributes:
         name: Slate, e.g. ``SC010_SH020``.
         scene: Its scene in the outline.
-        outline: Its description and script lines.
+        outline: Its script lines.
         shot: Its context.
         start: First frame on the story's timeline.
         fps: Frames a second.
         action: The script's own action lines, with an ellipsis where a sentence is cut.
+        description: What happens: the lines in order, with who speaks to whom; without lines, whom or what it shows.
     """
 
     name: str
@@ -55,6 +61,7 @@ class Panel:
     start: int
     fps: int
     action: str
+    description: str
 
     @property
     def lens(self) -> float:
@@ -138,7 +145,7 @@ class Panel:
     def dialogue(self) -> tuple[ScriptLine, ...]:
         """The speeches in the script's own words, without notes and the marks of emphasis."""
         spoken = (line for line in self.outline.lines if line.kind == "dialogue")
-        return tuple(line.model_copy(update={"text": strip_emphasis(without_comments(line.text))}) for line in spoken)
+        return tuple(line.model_copy(update={"text": _shown_text(line)}) for line in spoken)
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -150,6 +157,8 @@ class Panel:
 def panels(graph: ContinuityMemoryGraph) -> list[Panel]:
     """Return every shot of the story in order."""
     contexts = {(shot.scene_id, shot.shot_id): shot for shot in graph.shots}
+    names = {asset.asset_id: asset.name for asset in graph.assets if asset.name}
+    places = {scene.scene_id: capwords(scene.setup.place) for scene in graph.scenes}
     result: list[Panel] = []
     start = 0
     for scene in graph.outline:
@@ -159,7 +168,8 @@ def panels(graph: ContinuityMemoryGraph) -> list[Panel]:
             shot = contexts[scene.scene_id, outline.shot_id]
             name = shot_name(scene.scene_id, outline.shot_id)
             action = _action(lines, first, first + len(outline.lines))
-            result.append(Panel(name, scene, outline, shot, start, graph.format.fps, action))
+            words = _description(outline.lines, shot, names, places.get(scene.scene_id, ""))
+            result.append(Panel(name, scene, outline, shot, start, graph.format.fps, action, words))
             start, first = start + shot.duration, first + len(outline.lines)
     return result
 
@@ -185,7 +195,7 @@ def _action(lines: Sequence[ScriptLine], first: int, end: int) -> str:
     """
     texts: list[str] = []
     for index in range(first, end):
-        text = strip_emphasis(without_comments(lines[index].text)).strip()
+        text = _shown_text(lines[index]).strip()
         if lines[index].kind != "action" or not text:
             continue
         if text[0].islower() and (index == first or not _goes_on(lines[index - 1])):
@@ -194,6 +204,40 @@ def _action(lines: Sequence[ScriptLine], first: int, end: int) -> str:
             text += " …"
         texts.append(text)
     return " ".join(texts)
+
+
+def _description(lines: Sequence[ScriptLine], shot: ShotContext, names: Mapping[str, str], place: str) -> str:
+    """Return what happens in a shot; see ``Panel.description``.
+
+    Args:
+        lines: Of the shot.
+        shot: Its context: whom a speech is addressed to, whom the camera shows.
+        names: Display names by asset id.
+        place: Display name of the place; may be empty.
+    """
+    parts: list[str] = []
+    for index, line in enumerate(lines):
+        words = " ".join(_shown_text(line).split())
+        if line.kind == "action" and words:
+            parts.append(words[0].upper() + words[1:] + ("" if words.endswith((*'.!?…"”',)) else "."))
+        elif words and words[0] in '"“«„':
+            parts.append(words)
+        elif words:
+            said = (names.get(each.target_id or "") for each in shot.character_actions if each.line_index == index)
+            to = next((f" to {name}" for name in said if name), "")
+            speaker = names.get(line.speaker or "") or line.speaker_name.title() or "A voice"
+            parts.append(f"{speaker}{to}: “{textwrap.shorten(words, _QUOTATION, placeholder=' …')}”")
+    if parts:
+        return " ".join(parts)
+    if shot.camera_instruction.kind == "establishing":
+        return f"{place or 'The place'}, before anybody speaks."
+    shown = listed([names.get(each, each) for each in shot.camera_instruction.focus_on_ids]) or place or "the place"
+    return f"{'We see' if shot.camera_instruction.kind == 'insert' else 'On'} {shown}."
+
+
+def _shown_text(line: ScriptLine) -> str:
+    """Return the words of a line without notes and the marks of emphasis."""
+    return strip_emphasis(without_comments(line.text))
 
 
 def _goes_on(line: ScriptLine) -> bool:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import textwrap
 from typing import Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
-from storyblender.memory.base import Digest, Frozen, SceneId, ShotId
+from storyblender.memory.base import Digest, Frozen, SceneId, ShotId, without_fields
 
 LINE = 90
 """Characters of a title."""
@@ -38,10 +38,15 @@ class ShotOutline(Frozen):
     """A single shot within the outline."""
 
     shot_id: ShotId
-    shot_description: str
     lines: tuple[ScriptLine, ...] = ()
     notes: tuple[str, ...] = ()
     """Notes (``[[ ]]``) of the script that stand in this shot's lines or after them, in order, without their marks."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _from_older_schema(cls, value: object) -> object:
+        """Schemas up to 5 kept a sentence about the shot."""
+        return without_fields(value, "shot_description")
 
 
 class SceneOutline(Frozen):

@@ -160,8 +160,8 @@ def _aligned(old: Sequence[SceneOutline], new: Sequence[SceneOutline]) -> dict[S
 
 
 def _words(shot: ShotOutline) -> Words:
-    lines = tuple((line.kind, " ".join(line.text.split())) for line in shot.lines)
-    return lines or (("", shot.shot_description),)
+    """Return the words of a shot; shots without any are all alike, and matched by their order among the others."""
+    return tuple((line.kind, " ".join(line.text.split())) for line in shot.lines) or (("", ""),)
 
 
 def _scene_words(scene: SceneOutline) -> Words:

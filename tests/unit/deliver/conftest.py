@@ -18,8 +18,8 @@ def graph() -> ContinuityMemoryGraph:
     speech = ScriptLine(kind="dialogue", text="=Où est 李?", span=SourceSpan(start=9, end=20), speaker_name="Élodie")
     action = ScriptLine(kind="action", text="She waits & listens.", span=SourceSpan(start=0, end=8))
     shots = (
-        ShotOutline(shot_id=1, shot_description="She waits.", lines=(action,)),
-        ShotOutline(shot_id=2, shot_description="She asks.", lines=(speech,)),
+        ShotOutline(shot_id=1, lines=(action,)),
+        ShotOutline(shot_id=2, lines=(speech,)),
     )
     outline = SceneOutline(scene_id=1, scene_description="A bar", heading="INT. BAR - NIGHT", shots=shots)
     contexts = tuple(

@@ -21,7 +21,7 @@ def story(*shots: ShotContext) -> ContinuityMemoryGraph:
             SceneOutline(
                 scene_id=1,
                 scene_description="A bar",
-                shots=tuple(ShotOutline(shot_id=shot.shot_id, shot_description="x") for shot in shots),
+                shots=tuple(ShotOutline(shot_id=shot.shot_id) for shot in shots),
             ),
         ),
         assets=(

@@ -51,7 +51,7 @@ def project(folder: Path) -> Path:
             scene_id=number,
             scene_description="",
             heading=f"INT. ROOM {number} WITH A VERY LONG NAME THAT GOES ON AND ON - NIGHT",
-            shots=(ShotOutline(shot_id=1, shot_description="", lines=(line,)),),
+            shots=(ShotOutline(shot_id=1, lines=(line,)),),
         )
         for number in (1, 2)
     )

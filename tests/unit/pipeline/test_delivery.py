@@ -22,7 +22,7 @@ from storyblender.trace import silent
 
 
 def story() -> ContinuityMemoryGraph:
-    outlines = tuple(ShotOutline(shot_id=number, shot_description="") for number in (1, 2))
+    outlines = tuple(ShotOutline(shot_id=number) for number in (1, 2))
     shots = tuple(
         ShotContext(scene_id=1, shot_id=number, camera_instruction=CameraInstruction(), duration=24)
         for number in (1, 2)

@@ -254,10 +254,7 @@ def outline(*scenes: str) -> list[SceneOutline]:
             scene_id=number,
             scene_description="",
             heading="INT. ROOM",
-            shots=tuple(
-                ShotOutline(shot_id=place, shot_description="", lines=(line(word),))
-                for place, word in enumerate(words.split(), 1)
-            ),
+            shots=tuple(ShotOutline(shot_id=place, lines=(line(word),)) for place, word in enumerate(words.split(), 1)),
         )
         for number, words in enumerate(scenes, 1)
     ]

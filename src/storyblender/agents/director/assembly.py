@@ -19,7 +19,7 @@ from storyblender.agents.director.script_notes import notes_by_scene, notes_by_s
 from storyblender.agents.director.size_words import stated_size
 from storyblender.agents.director.staging import Staging
 from storyblender.agents.director.story_assets import StoryAssets, unique
-from storyblender.agents.director.wording import modifiers_of, one_line, shot_sentence
+from storyblender.agents.director.wording import modifiers_of, one_line
 from storyblender.agents.director.writing import writing_on
 from storyblender.catalog.homelands import homeland_of
 from storyblender.catalog.props.prop_names import kind_named
@@ -127,7 +127,6 @@ class Assembly:
             shots=tuple(
                 ShotOutline(
                     shot_id=index + 1,
-                    shot_description=shot_sentence(draft, self.text, self.story.names, capwords(place)),
                     lines=lines[index],
                     notes=tuple(notes.get(index, ())),
                 )

@@ -3,16 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from typing import Final
 
-from storyblender.agents.director.draft import ShotDraft
 from storyblender.agents.director.lexicon import ADJECTIVES, DETERMINERS, POSSESSIVES, PREPOSITIONS
 from storyblender.agents.director.reading import Deed, Thing, Unit
 from storyblender.catalog.props.variants import COLORS, MATERIALS, PLAIN, TOY_WORDS
-from storyblender.memory.camera_words import listed
-from storyblender.screenplay.comments import without_comments
-from storyblender.screenplay.cues import strip_emphasis
 
 _LOOSE_END: Final = re.compile(
     r"[\s,;]*(?:\b(?:with|and|then|while|as|but|until|till|who|in|on)\b)?[\s,;]*(?:\b(?:an?|the|his|her|he|she|they|it)\b)?[\s,;.]*$",
@@ -48,33 +43,6 @@ def modifiers_of(thing: Thing, text: str) -> str:
     if not found and len(words) > 1 and words[-2] in _DETERMINERS and words[-1] not in _DETERMINERS | PREPOSITIONS:
         found = [words[-1]]
     return " ".join(found)
-
-
-def shot_sentence(draft: ShotDraft, text: str, names: Mapping[str, str], place: str) -> str:
-    """Return what happens in a shot: the action as written, and who speaks with the first words."""
-    parts: list[str] = []
-    for beat in draft.beats:
-        words = one_line(strip_emphasis(without_comments(text[beat.start : beat.end])))
-        if not words:
-            continue
-        if beat.unit.kind == "action":
-            words = words[:1].upper() + words[1:]
-            parts.append(words if words.endswith((".", "!", "?", "…", '"', "”")) else words + ".")
-            continue
-        speaker = names.get(beat.unit.speaker or "", "") or beat.unit.speaker_name.title() or "A voice"
-        to = f" to {names[beat.unit.to]}" if beat.unit.to and beat.unit.to in names else ""
-        if words[0] in '"“«„':
-            parts.append(words)
-            continue
-        shown = words.split()
-        quote = words if len(shown) <= 14 else " ".join(shown[:12]) + " …"
-        parts.append(f"{speaker}{to}: “{quote}”")
-    if parts:
-        return " ".join(parts)
-    shown_names = listed([names.get(each, each) for each in draft.focus])
-    if draft.kind == "establishing":
-        return f"{place or 'The place'}, before anybody speaks."
-    return f"{'We see' if draft.kind == 'insert' else 'On'} {shown_names or place}."
 
 
 def deed_words(deed: Deed, unit: Unit, text: str) -> str:

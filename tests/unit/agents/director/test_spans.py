@@ -53,13 +53,3 @@ def test_lines_of_final_draft_are_its_words(tmp_path: Path) -> None:
     assert {line.text.rstrip(".") for line in _lines(path)} <= {words.rstrip(".") for words in written}
     (scene,) = storyboard(read_script(load(path))).storyboard_outline
     assert scene.script_number == "12A"
-
-
-def test_a_description_has_no_marks_and_no_notes(tmp_path: Path) -> None:
-    path = tmp_path / "a.fountain"
-    path.write_text(_SCRIPT, encoding="utf-8")
-    (scene,) = storyboard(read_script(load(path))).storyboard_outline
-    told = " ".join(shot.shot_description for shot in scene.shots)
-    assert "the cup from the table" in told and "I said *no*." in told
-    assert not any(mark in told for mark in ("[[", "/*", "red one", "slowly"))
-    assert scene.script_number == "12A"

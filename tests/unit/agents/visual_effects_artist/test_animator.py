@@ -94,7 +94,7 @@ def _view(*shots: ShotContext, lines: dict[int, tuple[ScriptLine, ...]] | None =
     outline = SceneOutline(
         scene_id=1,
         scene_description="",
-        shots=tuple(ShotOutline(shot_id=k, shot_description="", lines=v) for k, v in (lines or {}).items()),
+        shots=tuple(ShotOutline(shot_id=k, lines=v) for k, v in (lines or {}).items()),
     )
     return AnimatorView(scene_id=1, layout=LAYOUT, plan=PLAN, assets=ASSETS, shots=shots, outline=outline)
 

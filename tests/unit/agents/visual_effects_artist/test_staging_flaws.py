@@ -70,7 +70,7 @@ def test_a_cheat_of_the_animator_stays() -> None:
 
 def test_every_flaw_of_a_shot_is_on_the_checklist_in_plain_words() -> None:
     flaws = staging_flaws(SHOT, vase(3.0), ("vase",))
-    outline = SceneOutline(scene_id=1, scene_description="", shots=(ShotOutline(shot_id=1, shot_description=""),))
+    outline = SceneOutline(scene_id=1, scene_description="", shots=(ShotOutline(shot_id=1),))
     shot = SHOT.model_copy(update={"flaws": flaws})
     graph = ContinuityMemoryGraph(assets=tuple(vase(3.0).values()), outline=(outline,), shots=(shot,))
     told = [check.says for check in checklist(graph, [], [], "p")]
