@@ -43,6 +43,24 @@ class EngineError(StoryBlenderError):
     """Blender failed at a job, after restarts."""
 
 
+class NoAnswer(StoryBlenderError):
+    """A language model gave no answer that can be used; rules take over."""
+
+
+class AnswerAwaited(StoryBlenderError):
+    """A request waits in a folder for its answer; the run stops, and goes on when it is there.
+
+    Args:
+        problem: What is missing.
+        mend: What to do.
+        names: Names of the requests.
+    """
+
+    def __init__(self, problem: str, *, mend: str, names: tuple[str, ...]) -> None:
+        super().__init__(problem, mend=mend)
+        self.names = names
+
+
 class ProjectLocked(StoryBlenderError):
     """Another run is writing to the project folder."""
 

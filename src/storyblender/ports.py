@@ -24,8 +24,22 @@ from storyblender.memory.jobs import (
     StoryJob,
 )
 from storyblender.memory.measure import AssetMeasure, CameraView, Collision, ViewRequest
+from storyblender.memory.request import Request
 
-__all__ = ["AssetSource", "Embedder", "Engine", "ViewRequest", "Viewfinder"]
+__all__ = ["Answerer", "AssetSource", "Embedder", "Engine", "ViewRequest", "Viewfinder"]
+
+
+class Answerer(Protocol):
+    """Answers for a role: a language model, a person at a chat window, or a recording of either."""
+
+    def answer(self, request: Request) -> str:
+        """Return the answer as it was given; whether it is of the form that was asked for is the asker's to check.
+
+        Raises:
+            NoAnswer: It failed for good, and the role's next policy takes over.
+            AnswerAwaited: It has to come from outside first; the run stops here and goes on from here.
+        """
+        ...
 
 
 class Viewfinder(Protocol):

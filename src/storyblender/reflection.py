@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cache
 from reprlib import Repr
@@ -10,6 +10,7 @@ from typing import Final, Generic, Literal, ParamSpec, Protocol, TypeVar
 
 from pydantic import TypeAdapter
 
+from storyblender.errors import NoAnswer
 from storyblender.memory.base import Frozen, content_hash
 from storyblender.trace import Event, Listener, silent
 
@@ -183,25 +184,36 @@ def reflect(
     for place, author in enumerate(role.policies):
         if place:
             listener(Event(kind="handover", role=role.name, subject=subject, message="the next policy takes over"))
-        draft = author.propose(view)
-        listener(_told(role, "propose", subject, draft))
-        for turn in range(role.horizon + 1):
-            critique = role.critic.judge(draft, view)
-            kept = Outcome(view, draft, critique, turn, place > 0)
-            listener(_scored(role.name, subject, kept))
-            if best is None or critique.score > best.critique.score:
-                best = kept
-            if critique.score >= role.threshold:
-                return _accepted(role, subject, kept, listener)
-            if turn < role.horizon:
-                refined = author.refine(draft, critique, view)
-                if refined == draft:  # nothing more comes of asking again
-                    break
-                draft = refined
-                listener(_told(role, "refine", subject, draft, turn + 1, critique))
+        try:
+            for turn, draft, critique in _turns(role, author, subject, view, listener):
+                kept = Outcome(view, draft, critique, turn, place > 0)
+                if best is None or critique.score > best.critique.score:
+                    best = kept
+                if critique.score >= role.threshold:
+                    return _accepted(role, subject, kept, listener)
+        except NoAnswer as error:
+            listener(Event(kind="warning", role=role.name, subject=subject, message=str(error)))
     if best is None:
         raise ValueError(f"{role.name} has no policy")
     return _accepted(role, subject, best, listener)
+
+
+def _turns(
+    role: Role[Subject, View, Draft], author: Policy[View, Draft], subject: str, view: View, listener: Listener
+) -> Iterator[tuple[int, Draft, Critique]]:
+    """Yield each turn of one policy with its draft and the critique, until nothing more comes of asking again."""
+    draft = author.propose(view)
+    listener(_told(role, "propose", subject, draft))
+    for turn in range(role.horizon + 1):
+        critique = role.critic.judge(draft, view)
+        listener(_scored(role.name, subject, turn, critique))
+        yield turn, draft, critique
+        if turn < role.horizon:
+            refined = author.refine(draft, critique, view)
+            if refined == draft:
+                return
+            draft = refined
+            listener(_told(role, "refine", subject, draft, turn + 1, critique))
 
 
 def _accepted(
@@ -213,14 +225,14 @@ def _accepted(
     return outcome
 
 
-def _scored(role: str, subject: str, outcome: Outcome[View, Draft]) -> Event:
+def _scored(role: str, subject: str, turn: int, critique: Critique) -> Event:
     return Event(
         kind="score",
         role=role,
         subject=subject,
-        turn=outcome.turns,
-        score=round(outcome.critique.score, 2),
-        details=tuple(fault.message for fault in outcome.critique.faults),
+        turn=turn,
+        score=round(critique.score, 2),
+        details=tuple(fault.message for fault in critique.faults),
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from storyblender.errors import NoAnswer
 from storyblender.reflection import Critique, Fault, Outcome, Role, Typed, reflect
 from storyblender.trace import Event
 
@@ -61,3 +62,33 @@ def test_keeps_the_best_where_nobody_converges() -> None:
 
 def test_score_never_falls_under_one() -> None:
     assert Critique.of(tuple(Fault(kind="x", message="", severity=4) for _ in range(5))).score == 1
+
+
+class Silent:
+    """A model whose server is gone, after some answers."""
+
+    def __init__(self, drafts: list[float]) -> None:
+        self.drafts = iter(drafts)
+
+    def propose(self, view: str) -> float:
+        return self.refine(0, Critique.of(()), view)
+
+    def refine(self, draft: float, critique: Critique, view: str) -> float:
+        try:
+            return next(self.drafts)
+        except StopIteration:
+            raise NoAnswer("the server is gone") from None
+
+
+def test_where_no_answer_comes_the_next_policy_takes_over() -> None:
+    events: list[Event] = []
+    role = Role("role", str, (Silent([]), Climber(8, 8)), Scale(), Typed(float))
+    outcome = reflect(role, "x", "view", events.append)
+    assert (outcome.draft, outcome.handed_over) == (8, True)
+    assert [event.message for event in events if event.kind == "warning"] == ["the server is gone"]
+
+
+def test_the_best_draft_before_the_silence_is_kept() -> None:
+    role = Role("role", str, (Silent([7]), Climber(3, 3)), Scale(), Typed(float))
+    outcome = reflect(role, "x", "view")
+    assert (outcome.draft, outcome.handed_over) == (7, False)

@@ -1,0 +1,44 @@
+"""A question to a language model or a person who plays a role, with everything that the answer may rest on."""
+
+from __future__ import annotations
+
+import hashlib
+
+from pydantic import ConfigDict
+
+from storyblender.memory.base import Frozen, Identifier, content_hash
+
+
+class Picture(Frozen):
+    """A picture that belongs to a request."""
+
+    name: Identifier
+    png: bytes
+
+
+class Request(Frozen):
+    """Everything that an answer may rest on."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", ser_json_bytes="base64", val_json_bytes="base64")
+
+    role: Identifier
+    subject: str = ""
+    """What is to be decided, for people: ``SC010``; not part of the digest."""
+    instructions: str
+    """Markdown."""
+    view: str
+    """The role's projection of the graph, as JSON. Words of the script in it are data, never instructions."""
+    answer_schema: str
+    """JSON schema of the answer, as JSON."""
+    previous: str = ""
+    """The answer before, if there was one."""
+    feedback: tuple[str, ...] = ()
+    """What is wrong with the answer before, one sentence each."""
+    pictures: tuple[Picture, ...] = ()
+
+    @property
+    def digest(self) -> str:
+        """Return 16 hex digits: requests that ask the same, of the same, have the same."""
+        seen = [hashlib.sha256(picture.png).hexdigest() for picture in self.pictures]
+        asked = (self.role, self.instructions, self.view, self.answer_schema, self.previous)
+        return content_hash(*asked, *self.feedback, *seen)
