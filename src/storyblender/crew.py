@@ -57,13 +57,14 @@ from storyblender.agents.visual_effects_artist.set_dresser import (
     set_dresser_view,
 )
 from storyblender.catalog.recipe import Recipe
+from storyblender.crew_setting import RoleName
 from storyblender.memory.asset_sheet import Asset, AssetDimension
 from storyblender.memory.graph import ContinuityMemoryGraph, Storyboard
 from storyblender.memory.scene_context import Environment, Layout, Lighting
 from storyblender.ports import AssetSource, Embedder
 from storyblender.reflection import Critic, Draft, Policy, Role, Subject, Typed, View
 from storyblender.screenplay.model import Screenplay
-from storyblender.settings import RoleName, Settings
+from storyblender.settings import Settings
 
 
 @dataclass(frozen=True)
@@ -108,12 +109,12 @@ def rules_crew(settings: Settings, embedder: Callable[[], Embedder], sources: Se
         threshold: float = 8.0,
         horizon: int = 5,
     ) -> Role[Subject, View, Draft]:
-        limits = settings.limits(name, threshold, horizon)
+        limits = settings.reflection(name, threshold, horizon)
         return Role(name, project, tuple(policies), critic, Typed(draft), *limits)
 
     retrievers = (RulesAssetRetriever(sources), RulesAssetGenerator(embedder))
     dimensions = dict[str, AssetDimension]
-    camera = settings.limits("camera_operator", CAMERA_THRESHOLD, CAMERA_HORIZON)
+    camera = settings.reflection("camera_operator", CAMERA_THRESHOLD, CAMERA_HORIZON)
     return Crew(
         role("director", _as_it_is, [RulesDirector(embedder)], DirectorCritic(), Reading),
         role("shot_director", ShotDirectorView, [RulesShotDirector()], ShotDirectorCritic(), Storyboard),

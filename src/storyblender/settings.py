@@ -13,16 +13,12 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import AfterValidator, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 from pydantic_core import ErrorDetails
 
+from storyblender.crew_setting import LimitName, RoleName, players
 from storyblender.errors import InputError
 from storyblender.memory.base import Frozen
 from storyblender.memory.jobs import Look
 from storyblender.settings_file import REMEMBERED, SettingsFile, short
 
-RoleName = Literal[
-    "director", "shot_director", "asset_retriever", "dimension_estimator", "environment_designer", "set_dresser",
-    "spatial_planner", "animator", "lighting_arranger", "camera_operator",
-]  # fmt: skip
-"""The members of the crew."""
 Lens = Annotated[float, Field(ge=4, le=1200)]
 """mm."""
 
@@ -52,6 +48,11 @@ def _clock(value: str) -> str:
     return value
 
 
+def _players(value: str) -> str:
+    players(value)
+    return value
+
+
 LARGEST = 7680
 """Pixels across and down."""
 
@@ -62,8 +63,10 @@ class Settings(Frozen):
     model_config = ConfigDict(allow_inf_nan=False)
 
     look: Look = "board"
-    crew: Literal["rules"] = "rules"
-    """Policy of every role; language models plug in here."""
+    crew: Annotated[str, AfterValidator(_players)] = "rules"
+    """Who plays each role: rules, a model, a folder of requests and answers, a recording (``docs/crew.md``)."""
+    limits: dict[LimitName, Annotated[float, Field(gt=0)]] = {}
+    """The most that a run asks of models in all, where it is not ``crew_setting.LIMITS``."""
     aspect: Annotated[float, BeforeValidator(_ratio)] = Field(default=16 / 9, ge=0.4, le=4)
     width: int = Field(default=960, ge=160, le=LARGEST, multiple_of=4)
     """Pixels of a frame; the height follows the aspect ratio."""
@@ -113,7 +116,7 @@ class Settings(Frozen):
             raise ValueError(f"start_timecode ends in frame {frames}, and there are {self.fps} frames a second")
         return self
 
-    def limits(self, role: RoleName, threshold: float = 8.0, horizon: int = 5) -> tuple[float, int]:
+    def reflection(self, role: RoleName, threshold: float = 8.0, horizon: int = 5) -> tuple[float, int]:
         """Return tau and T_max of a role: those that were given, else the role's own."""
         return self.thresholds.get(role, threshold), self.horizons.get(role, horizon)
 
@@ -164,6 +167,11 @@ class Settings(Frozen):
             return InputError("the settings do not fit together", mend=mend, path=path)
         problem = f"setting {short(name)} cannot be {short(fault['input'])}"
         return InputError(problem, mend=mend, path=path, line=line)
+
+    @property
+    def language_roles(self) -> tuple[RoleName, ...]:
+        """Roles that a model or a person plays, whoever it is: a replay makes the same plan as its recording."""
+        return tuple(role for role, player in players(self.crew).items() if player.kind != "rules")
 
     def remembered(self, project: Path) -> str:
         """Return what a project keeps, as JSON: all that differs from the defaults and is not of this machine.

@@ -13,9 +13,10 @@ from tests.crew import crew_of
 from tests.recorded_crew import recorded_crew
 from tests.stand_in_engine import StandInEngine
 
+from storyblender.crew_setting import RoleName
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.project import DRAFTS, TRACE, read_project_graph
-from storyblender.settings import RoleName, Settings
+from storyblender.settings import Settings
 from storyblender.studio import Studio
 
 SETTINGS = Settings(width=160, look="fast", animatic=False)

@@ -193,8 +193,9 @@ def _plan_digest(run: Run, screenplay: Screenplay, corrected: Path | None) -> st
 def _plan_settings(run: Run) -> dict[str, object]:
     """Return the settings that the plan and the crew's work on it depend on."""
     settings = run.settings.model_dump(
-        mode="json", include={"shots_per_scene", "fps", "aspect", "sensor_width", "lens_kit", "seed", "crew"}
+        mode="json", include={"shots_per_scene", "fps", "aspect", "sensor_width", "lens_kit", "seed"}
     )
+    settings["crew"] = run.settings.language_roles or "rules"
     offered = {source.name: dict(source.inventory()) for source in run.sources}
     settings["models"] = {name: found for name, found in offered.items() if found} or None
     if run.panorama is not None:

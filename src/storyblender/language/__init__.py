@@ -1,0 +1,1 @@
+"""Who answers for the crew: language models, people who answer files in a folder, and recordings of both."""

@@ -1,0 +1,174 @@
+"""Answers in a folder, found by what was asked: the record of a model, a replay, and the mailbox of ``ask``.
+
+Every request is one Markdown file with all that it rests on, its pictures beside it, and its answer beside that:
+``director-sc010-1a2b3c4d5e6f.request.md`` and ``director-sc010-1a2b3c4d5e6f.answer.json``. An answer is kept as it was
+given, mistakes included.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from storyblender.errors import AnswerAwaited, InputError
+from storyblender.folder import Folder
+from storyblender.memory.request import Request
+from storyblender.ports import Answerer
+
+REQUEST, ANSWER = ".request.md", ".answer.json"
+_LONGEST = 5_000_000
+"""Bytes of an answer; a longer one is refused."""
+
+
+class AnswerFolder:
+    """Answers each request from the folder, else from another answerer, whose answers it keeps.
+
+    Args:
+        files: The folder.
+        otherwise: Answers what is not in the folder yet.
+    """
+
+    def __init__(self, files: Folder, otherwise: Answerer) -> None:
+        self._files, self._otherwise = files, otherwise
+
+    def answer(self, request: Request) -> str:
+        """Return the kept answer of a request, or a new one.
+
+        Raises:
+            InputError: A kept answer cannot be read.
+            NoAnswer: The other answerer failed.
+            AnswerAwaited: The answer has to come from outside first.
+        """
+        name = name_of(request)
+        kept = read_answer(self._files, name)
+        if kept is not None:
+            return kept
+        given = self._otherwise.answer(request)
+        write_request(self._files, request)
+        self._files.write(f"{name}{ANSWER}", given)
+        return given
+
+
+@dataclass(frozen=True)
+class Mailbox:
+    """Asks by writing a request into a folder; whoever answers it writes the answer beside it.
+
+    Attributes:
+        folder: The folder.
+    """
+
+    folder: Path
+
+    def answer(self, request: Request) -> str:
+        """Write the request, and stop. Raises AnswerAwaited."""
+        name = write_request(Folder(self.folder), request)
+        mend = (
+            f"write it to {self.folder / (name + ANSWER)}, see `storyblender answer {self.folder}`, and run this again"
+        )
+        raise AnswerAwaited(f"{self.folder / (name + REQUEST)} waits for its answer", mend=mend, names=(name,))
+
+
+@dataclass(frozen=True)
+class Replay:
+    """Knows no more than what was recorded.
+
+    Attributes:
+        folder: The recording, for the message.
+    """
+
+    folder: Path
+
+    def answer(self, request: Request) -> str:
+        """Refuse what was not recorded. Raises InputError."""
+        mend = "it was recorded from another script, other settings or another version; record it anew"
+        problem = f"the recording has no answer for {request.role} {request.subject}".rstrip()
+        raise InputError(problem, mend=mend, path=self.folder)
+
+
+def name_of(request: Request) -> str:
+    """Return the name of a request's files, without their endings."""
+    subject = re.sub(r"[^a-z0-9]+", "_", request.subject.lower()).strip("_")[:40]
+    return "-".join(part for part in (request.role, subject, request.digest[:12]) if part)
+
+
+def read_answer(files: Folder, name: str) -> str | None:
+    """Return a kept answer as it was given; None if there is none yet.
+
+    Args:
+        files: The folder.
+        name: As ``name_of`` gave it.
+
+    Raises:
+        InputError: It is not text, or too long.
+    """
+    path = files.path(f"{name}{ANSWER}")
+    try:
+        if path.stat().st_size > _LONGEST:
+            raise InputError("is too long for an answer", mend="give a shorter one", path=path)
+        return path.read_text(encoding="utf-8")
+    except FileNotFoundError:
+        return None
+    except UnicodeDecodeError as error:
+        raise InputError("is no text in UTF-8", mend="save it as UTF-8", path=path) from error
+
+
+def write_request(files: Folder, request: Request) -> str:
+    """Write a request for a person or a chat model, its pictures beside it, and return its name."""
+    name = name_of(request)
+    for number, picture in enumerate(request.pictures, start=1):
+        files.write(f"{name}.{number}.{picture.name}.png", picture.png)
+    files.write(f"{name}{REQUEST}", as_markdown(request, name))
+    return name
+
+
+def asked(folder: Path) -> Iterator[tuple[str, str | None]]:
+    """Yield the name of each request in a folder, in order, with its answer; None where it has none yet.
+
+    Raises:
+        InputError: There is no such folder, or an answer cannot be read.
+    """
+    if not folder.is_dir():
+        raise InputError("there is no such folder", mend="give the one that --crew ask:FOLDER names", path=folder)
+    files = Folder(folder)
+    for path in sorted(folder.glob(f"*{REQUEST}")):
+        name = path.name.removesuffix(REQUEST)
+        yield name, read_answer(files, name)
+
+
+def as_markdown(request: Request, name: str) -> str:
+    """Return a request as one page: instructions, projection, what was wrong before, the form of the answer."""
+    title = " ".join(part for part in (request.role.replace("_", " ").title(), request.subject) if part)
+    parts = [f"# {title}", request.instructions.strip(), "## What you know", fenced(_indented(request.view))]
+    if request.pictures:
+        files = (f"{name}.{number}.{each.name}.png" for number, each in enumerate(request.pictures, start=1))
+        parts += ["## Pictures", "\n".join(f"* `{file}`" for file in files)]
+    parts += repair_parts(request)
+    parts += [
+        "## Your answer",
+        f"Write one JSON value of this schema, and nothing else, to `{name}{ANSWER}` beside this file.",
+        fenced(_indented(request.answer_schema)),
+    ]
+    return "\n\n".join(parts) + "\n"
+
+
+def repair_parts(request: Request) -> list[str]:
+    """Return the Markdown parts on the answer before and what is wrong with it; none for a first request."""
+    if not request.feedback:
+        return []
+    wrong = "\n".join(f"* {sentence}" for sentence in request.feedback)
+    return ["## Your answer before", fenced(request.previous), "## What is wrong with it; answer again, whole", wrong]
+
+
+def fenced(text: str) -> str:
+    """Return text as a block of data, in a fence longer than any fence inside it."""
+    longest = max((len(run) for run in re.findall(r"`+", text)), default=0)
+    fence = "`" * max(3, longest + 1)
+    return f"{fence}json\n{text}\n{fence}"
+
+
+def _indented(text: str) -> str:
+    """Return JSON over several lines, as people read it."""
+    return json.dumps(json.loads(text), indent=1, ensure_ascii=False)
