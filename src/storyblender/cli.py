@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from storyblender import __version__, cli_edits
+from storyblender import __version__, cli_crew, cli_edits
 from storyblender.cli_options import Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
 from storyblender.shell import Commands, shown
 
@@ -57,7 +57,14 @@ Shots = Annotated[
 Aspect = Annotated[str | None, typer.Option(help="Width over height of the picture: 2.39, 1.85, 16:9, 9:16 ...")]
 Width = Annotated[int | None, typer.Option(help="Pixels across (default 960).")]
 Fps = Annotated[int | None, typer.Option(help="Frames a second (default 24).")]
-Crew = Annotated[str | None, typer.Option(help="Who plays the roles of the crew: rules, which need no key.")]
+Crew = Annotated[
+    str | None,
+    typer.Option(
+        help="Who plays the roles of the crew: rules (the default, no key), a model (google:MODEL, openai:MODEL, "
+        "anthropic:MODEL, ollama:MODEL), ask:FOLDER (you, or any chat model), replay:FOLDER; or by role: "
+        "rules,director=ollama:MODEL."
+    ),
+]
 Paper = Annotated[str | None, typer.Option(help="Size of the board's pages: a4 (the default) or letter.")]
 Reading = Annotated[
     Path | None, typer.Option(help="A reading of the script that you corrected, from `plan --write-reading FILE`.")
@@ -186,6 +193,7 @@ def render(
 
 
 cli_edits.add_to(app)
+cli_crew.add_to(app)
 
 
 @app.command(epilog=examples("check my_film.storyboard"))

@@ -236,4 +236,9 @@ class Studio:
         embedder = cache(load_embedder)
         sources = asset_sources(settings, embedder)
         crew = rules_crew(settings, embedder, sources)
+        if settings.language_roles:
+            from storyblender.language.answerers import answerers
+            from storyblender.language_crew import language_crew
+
+            crew = language_crew(crew, answerers(settings.crew, folder, settings.limits), embedder)
         return Session(Project(folder, build), engine, crew, sources, settings, self._listener)

@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from storyblender.edits.dispatcher import Applied
     from storyblender.errors import StoryBlenderError
     from storyblender.inspection import Inspection
+    from storyblender.language_crew import CheckedAnswer
     from storyblender.memory.graph import ContinuityMemoryGraph
     from storyblender.memory.history import Commit
     from storyblender.pipeline.reviewing import FrameReview
@@ -218,6 +219,17 @@ class Terminal:
             self._results.print(f"{mark} {finding.name:18} {_plain(finding.says)}")
             if finding.mend:
                 self._results.print(f"    [bold]{_plain(finding.mend)}[/]")
+
+    def answers(self, checked: Sequence[CheckedAnswer]) -> None:
+        """Print which requests of the crew wait, and which answers are not of the form that was asked for."""
+        self._progress.stop()
+        for each in checked:
+            if self._json:
+                self._write({"name": each.name, "answered": each.answered, "problem": each.problem or None})
+            state = "[red]wrong[/]" if each.problem else "[green]there[/]" if each.answered else "waits"
+            self._results.print(f"{state:5} {_plain(each.name)} {_plain(each.problem)}".rstrip())
+        waiting = sum(not each.answered for each in checked)
+        self._results.print(f"{waiting} of {len(checked)} requests wait for an answer")
 
     def catalog(self, catalogs: Mapping[str, Sequence[Entry]]) -> None:
         """Print catalogues."""

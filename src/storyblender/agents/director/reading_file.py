@@ -97,10 +97,16 @@ def write_reading(reading: Reading) -> str:
     Args:
         reading: As the reader gave it, before it is cut into shots.
     """
+    plain = _file_of(reading).model_dump(mode="json", exclude_defaults=True)
+    return json.dumps(plain, indent=1, ensure_ascii=False) + "\n"
+
+
+def _file_of(reading: Reading) -> ReadingFile:
+    """Return a reading as a file holds it."""
     relations: dict[int, list[Relation]] = {}
     for scene, relation in reading.relations:
         relations.setdefault(scene, []).append(relation)
-    file = ReadingFile(
+    return ReadingFile(
         reading_version=READING_VERSION,
         script=_digest(reading.screenplay),
         people=tuple(reading.people),
@@ -113,8 +119,6 @@ def write_reading(reading: Reading) -> str:
         flags=tuple(reading.flags),
         age=reading.age,
     )
-    plain = file.model_dump(mode="json", exclude_defaults=True)
-    return json.dumps(plain, indent=1, ensure_ascii=False) + "\n"
 
 
 def read_reading(path: Path, screenplay: Screenplay) -> Reading:
@@ -133,9 +137,20 @@ def read_reading(path: Path, screenplay: Screenplay) -> Reading:
         raise InputError("is a reading of another script, or of another version of it", mend=mend, path=path)
     _check_units(file, screenplay, path)
     _check_ids(file, path)
+    return reading_with_fixtures(_reading_of(file, screenplay))
+
+
+def reading_with_fixtures(reading: Reading) -> Reading:
+    """Return a reading with the ids of the set's own doors and windows, and its scenes in the order of its units."""
+    file = _file_of(reading)
     if ids := fixture_ids((thing.id, thing.name) for thing in file.things if thing.part_of is None):
         file = ReadingFile.model_validate(_with_ids(file.model_dump(mode="json", exclude_defaults=True), ids))
-    reading = Reading(
+    return order_scenes_by_units(_reading_of(file, reading.screenplay))
+
+
+def _reading_of(file: ReadingFile, screenplay: Screenplay) -> Reading:
+    """Return the reading that a file holds."""
+    return Reading(
         screenplay,
         people=list(file.people),
         things=list(file.things),
@@ -145,7 +160,6 @@ def read_reading(path: Path, screenplay: Screenplay) -> Reading:
         flags=list(file.flags),
         age=file.age or age_of(screenplay),
     )
-    return order_scenes_by_units(reading)
 
 
 def _with_ids(plain: object, ids: Mapping[str, str]) -> object:

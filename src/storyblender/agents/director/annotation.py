@@ -1,0 +1,200 @@
+"""The answer of a language Director: one scene of the script, annotated unit by numbered unit."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from storyblender.agents.director.reading import Deed, Person, SceneReading, StateChange, Thing, Unit
+from storyblender.memory.base import Coordinate, Frozen, Identifier
+from storyblender.memory.scene_context import Relation, Spot
+from storyblender.memory.vocabulary import (
+    Expression,
+    Gender,
+    Grip,
+    Moment,
+    Mood,
+    Posture,
+    SceneType,
+    TimeOfDay,
+    Weather,
+)
+
+Name = Annotated[str, Field(max_length=200)]
+"""A few words of the script."""
+
+
+class PlaceNotes(Frozen):
+    """Where and when a scene plays."""
+
+    kit: Identifier
+    """Key of the set kit."""
+    scene_type: SceneType
+    time: TimeOfDay
+    weather: Weather = "clear"
+    same_place_as: int | None = None
+    """Number of the earlier scene in the same place."""
+
+
+class PersonNotes(Frozen):
+    """A person, an animal that acts, or a crowd."""
+
+    id: Identifier
+    name: Name
+    aliases: tuple[Name, ...] = ()
+    """Every other name the script uses, in small letters."""
+    kind: Literal["human", "animal", "group"] = "human"
+    gender: Gender = "unknown"
+    age: Name = ""
+    """``35``, ``late 30s``, ``child``, ``old``."""
+    build: tuple[Name, ...] = ()
+    hair: tuple[Name, ...] = ()
+    outfit: tuple[Name, ...] = ()
+    """One piece of clothing each, with its colour."""
+    face: tuple[Name, ...] = ()
+    role: Name = ""
+    """Trade or kin: ``waiter``, ``grandmother``."""
+    variant_of: Identifier | None = None
+    """Id of the same person at another age or in another costume."""
+    count: int = Field(default=1, ge=1, le=40)
+    """Members of a group."""
+
+
+class ThingNotes(Frozen):
+    """A prop or a set piece that matters."""
+
+    id: Identifier
+    name: Name
+    """The noun with its adjectives."""
+    kind: Literal["prop", "set_piece", "vehicle", "animal"] = "prop"
+    description: Annotated[str, Field(max_length=500)] = ""
+    handled: bool = False
+    writing: Annotated[str, Field(max_length=500)] = ""
+    """Words that can be read on it."""
+    part_of: Identifier | None = None
+
+
+class DeedNotes(Frozen):
+    """One visible action."""
+
+    actor: Identifier
+    motion: Identifier
+    """Key of a motion."""
+    target: Identifier | None = None
+    prop: Identifier | None = None
+    distance: Coordinate | None = None
+    """Metres, where the script says so."""
+    mood: Mood = "neutral"
+
+
+class StateNotes(Frozen):
+    """What is new about a person or a thing when a unit ends; a field that is left out stays as it was."""
+
+    id: Identifier
+    posture: Posture | None = None
+    on: Identifier | None = None
+    """What they sit, lie or lean on."""
+    holds: tuple[Identifier, ...] | None = None
+    """Everything in their hands; empty for nothing."""
+    grip: Grip | None = None
+    """How the first of them is carried."""
+    looks_at: Identifier | None = None
+    """Id of a person or thing, or ``left``, ``right``, ``up``, ``down``, ``camera``, ``closed``."""
+    face: Expression | None = None
+    activity: str | None = None
+    """Key of a motion that goes on; empty ends it."""
+    spot: Spot | None = None
+    """Position; also of a thing."""
+
+
+class ChangeNotes(Frozen):
+    """A door, a lamp, a thing or the light of the place (``light``) changes."""
+
+    subject: Identifier
+    state: Name
+
+
+class UnitNotes(Frozen):
+    """A unit of the script, annotated."""
+
+    number: int
+    on_stage: tuple[Identifier, ...] = ()
+    entering: tuple[Identifier, ...] = ()
+    leaving: tuple[Identifier, ...] = ()
+    things: tuple[Identifier, ...] = ()
+    """Things that the unit is about."""
+    deeds: tuple[DeedNotes, ...] = ()
+    states: tuple[StateNotes, ...] = ()
+    changes: tuple[ChangeNotes, ...] = ()
+    absent: tuple[Identifier, ...] = ()
+    speaker: Identifier | None = None
+    to: Identifier | None = None
+    off_screen: bool = False
+    moment: Moment | None = None
+    picture: int | None = None
+
+
+class SceneNotes(Frozen):
+    """A scene of the script, annotated."""
+
+    place: PlaceNotes
+    people: tuple[PersonNotes, ...] = ()
+    """Everybody in this scene; of people known before only what is new about them."""
+    things: tuple[ThingNotes, ...] = ()
+    relations: tuple[Relation, ...] = ()
+    """Where things are as the scene opens, if the script says so."""
+    units: tuple[UnitNotes, ...] = ()
+
+
+def annotated_scene(scene: SceneReading, notes: PlaceNotes) -> SceneReading:
+    """Return a scene of the page with the place, hour and weather of its notes."""
+    return SceneReading(
+        id=scene.id, heading=scene.heading, place=scene.place, scene_type=notes.scene_type, time=notes.time,
+        time_written=scene.time_written, weather=notes.weather, reference=notes.same_place_as, number=scene.number,
+        start=scene.start, end=scene.end, kit=notes.kit,
+    )  # fmt: skip
+
+
+def annotated_unit(unit: Unit, notes: UnitNotes, picture: int) -> Unit:
+    """Return a unit of the page with its notes; camera directions and sounds stay as they are written.
+
+    Args:
+        unit: As the page has it.
+        notes: What the Director said of it.
+        picture: Added to the number of its picture, so that scenes do not share pictures.
+    """
+    states = notes.states
+    return Unit(
+        kind=unit.kind, scene=unit.scene, element=unit.element, start=unit.start, end=unit.end, text=unit.text,
+        deeds=[
+            Deed(each.actor, each.motion, each.target, each.prop, unit.start, "", each.distance, each.mood)
+            for each in notes.deeds
+        ],
+        on_stage=[*notes.on_stage], entering=[*notes.entering], leaving=[*notes.leaving],
+        people=[*dict.fromkeys(each.actor for each in notes.deeds)], things=[*notes.things],
+        posture={each.id: (each.posture, each.on) for each in states if each.posture is not None},
+        held={each.id: [*each.holds] for each in states if each.holds is not None},
+        camera=unit.camera,
+        changes=[StateChange(each.subject, each.state, unit.start) for each in notes.changes],
+        sounds=unit.sounds,
+        expressions={each.id: each.face for each in states if each.face is not None},
+        gaze={each.id: each.looks_at for each in states if each.looks_at is not None},
+        grips={each.id: {each.holds[0]: each.grip} for each in states if each.holds and each.grip is not None},
+        activities={each.id: each.activity for each in states if each.activity is not None},
+        spots={each.id: each.spot for each in states if each.spot is not None},
+        absent=[*notes.absent], moment=notes.moment,
+        picture=picture + notes.picture if notes.picture is not None else unit.picture,
+        speaker=notes.speaker if unit.kind == "dialogue" else None, speaker_name=unit.speaker_name,
+        to=notes.to, parenthetical=unit.parenthetical, off_screen=notes.off_screen, dual=unit.dual,
+    )  # fmt: skip
+
+
+def person_of(notes: PersonNotes, first: int) -> Person:
+    """Return a person as a reading has them; ``first`` is the character of the script where they first appear."""
+    return Person(**notes.model_dump(), first=first)
+
+
+def thing_of(notes: ThingNotes, first: int) -> Thing:
+    """Return a thing as a reading has it; ``first`` is the character of the script where it first appears."""
+    return Thing(**notes.model_dump(), first=first)

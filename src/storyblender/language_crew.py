@@ -1,0 +1,67 @@
+"""The crew with language models: each role that is played by one asks it first, and hands over to its rules."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
+from typing import Final
+
+from pydantic import BaseModel
+
+from storyblender.agents.asking import read_answer_as
+from storyblender.agents.director.annotation import SceneNotes
+from storyblender.agents.director.director import RulesDirector
+from storyblender.agents.director.language_director import LanguageDirector
+from storyblender.crew import Crew
+from storyblender.crew_setting import RoleName
+from storyblender.language.answer_folder import asked
+from storyblender.ports import Answerer, Embedder
+
+ANSWERS: Final[Mapping[str, type[BaseModel]]] = {"director": SceneNotes}
+"""What each role answers with."""
+
+
+def language_crew(crew: Crew, answerers: Mapping[RoleName, Answerer], embedder: Callable[[], Embedder]) -> Crew:
+    """Return a crew whose named roles are played by language models before rules.
+
+    Args:
+        crew: The crew of rules.
+        answerers: Who answers, by role.
+        embedder: Loads the sentence model; called once, at the first need.
+    """
+    embedder = cache(embedder)
+    if (answerer := answerers.get("director")) is not None:
+        policy = LanguageDirector(answerer, RulesDirector(embedder), embedder)
+        crew = replace(crew, director=replace(crew.director, policies=(policy, *crew.director.policies)))
+    return crew
+
+
+@dataclass(frozen=True)
+class CheckedAnswer:
+    """A request in a folder.
+
+    Attributes:
+        name: Of the request.
+        answered: Whether its answer is there.
+        problem: What is wrong with the form of the answer; empty if nothing is.
+    """
+
+    name: str
+    answered: bool
+    problem: str = ""
+
+
+def check_answers(folder: Path) -> list[CheckedAnswer]:
+    """Return the requests of a folder, in order, with what is wrong with the form of their answers.
+
+    Raises:
+        InputError: There is no such folder, or an answer cannot be read.
+    """
+    checked: list[CheckedAnswer] = []
+    for name, answer in asked(folder):
+        kind = ANSWERS.get(name.partition("-")[0])
+        wrong = read_answer_as(kind, answer)[1] if answer is not None and kind is not None else []
+        checked.append(CheckedAnswer(name, answer is not None, wrong[0] if wrong else ""))
+    return checked

@@ -1,0 +1,175 @@
+"""The Director played by a model: it annotates units, and what it says becomes a reading or is sent back."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from tests.answering import Answering, Scripted
+
+from storyblender.agents.director.director import DirectorCritic, RulesDirector
+from storyblender.agents.director.language_director import LanguageDirector
+from storyblender.agents.director.reading import Reading
+from storyblender.errors import NoAnswer
+from storyblender.ports import Answerer
+from storyblender.reflection import Critique, Fault
+from storyblender.screenplay.fountain import parse
+
+SCRIPT = parse(
+    """INT. BAKERY - DAY
+
+MIRA, in an apron, kneads dough. The bell rings. OTTO comes in with a parcel.
+
+OTTO
+For you.
+
+EXT. YARD - NIGHT
+
+Mira opens the parcel.
+
+INT. BAKERY - DAY
+
+She puts a medal on the counter.
+"""
+)
+
+
+class Alike:
+    """Finds every text as near to every other."""
+
+    def embed(self, texts: Any) -> NDArray[np.float32]:
+        return np.ones((len(texts), 1), np.float32)
+
+
+def director(answerer: Answerer) -> LanguageDirector:
+    embedder = cache(Alike)
+    return LanguageDirector(answerer, RulesDirector(embedder), embedder)
+
+
+def noted(view: dict[str, Any]) -> dict[str, Any]:
+    """Answer a request: the same few people and things in every unit."""
+    number = view["scene"]["number"]
+    places = {
+        1: {"kit": "shop", "scene_type": "indoor", "time": "day"},
+        2: {"kit": "back_yard", "scene_type": "outdoor", "time": "night"},
+        3: {"kit": "shop", "scene_type": "indoor", "time": "day", "same_place_as": 1},
+    }
+    known = {person["id"] for person in view["cast_so_far"]}
+    people = [{"id": "mira", "name": "Mira", "outfit": ["white apron"]}, {"id": "otto", "name": "Otto"}]
+    units = [
+        {
+            "number": unit["number"],
+            "on_stage": ["mira", "otto"],
+            "deeds": [{"actor": "mira", "motion": "wave", "target": "otto"}],
+            "states": [{"id": "mira", "looks_at": "otto", "face": "smile", "holds": ["parcel"], "grip": "both"}],
+            "picture": unit["number"],
+        }
+        | ({"speaker": "otto", "to": "mira"} if unit["kind"] == "dialogue" else {})
+        for unit in view["units"]
+    ]
+    return {
+        "place": places[number],
+        "people": [person for person in people if person["id"] not in known],
+        "things": [] if view["things_so_far"] else [{"id": "parcel", "name": "parcel", "handled": True}],
+        "units": units,
+    }
+
+
+@pytest.fixture(scope="module")
+def told() -> tuple[Reading, Answering]:
+    model = Answering(noted)
+    return director(model).propose(SCRIPT), model
+
+
+def test_the_answer_becomes_a_reading_without_fault(told: tuple[Reading, Answering]) -> None:
+    reading, _ = told
+    assert DirectorCritic().judge(reading, SCRIPT) == Critique(score=10.0)
+    assert [person.name for person in reading.people] == ["Mira", "Otto"]
+    assert [scene.kit for scene in reading.scenes] == ["shop", "back_yard", "shop"]
+    unit = reading.units[0]
+    assert (unit.gaze, unit.expressions, unit.held) == ({"mira": "otto"}, {"mira": "smile"}, {"mira": ["parcel"]})
+    assert unit.grips == {"mira": {"parcel": "both"}}
+
+
+def test_the_words_of_the_script_are_never_the_models(told: tuple[Reading, Answering]) -> None:
+    reading, _ = told
+    for unit in reading.units:
+        assert unit.text in " ".join(SCRIPT.text[unit.start : unit.end].split())
+
+
+def test_a_request_knows_what_came_before(told: tuple[Reading, Answering]) -> None:
+    _, model = told
+    views = [json.loads(request.view) for request in model.asked]
+    assert [view["scene"]["number"] for view in views] == [1, 2, 3]
+    assert [len(view["cast_so_far"]) for view in views] == [0, 2, 2]
+    assert views[2]["places_so_far"] == [
+        {"number": 1, "heading": "INT. BAKERY - DAY", "kit": "shop"},
+        {"number": 2, "heading": "EXT. YARD - NIGHT", "kit": "back_yard"},
+    ]
+    assert views[1]["things_so_far"] == {"parcel": "parcel"}
+
+
+def test_scenes_in_one_place_share_it(told: tuple[Reading, Answering]) -> None:
+    assert [scene.reference for scene in told[0].scenes] == [None, None, 1]
+
+
+def test_pictures_of_two_scenes_are_never_one(told: tuple[Reading, Answering]) -> None:
+    pictures = [unit.picture for unit in told[0].units]
+    assert len({*pictures}) == len(pictures)
+
+
+def test_where_the_rules_read_something_else_it_is_said(told: tuple[Reading, Answering]) -> None:
+    assert any(flag.topic == "thing" and "medal" in flag.reason for flag in told[0].flags)
+
+
+def change(**update: Any) -> Any:
+    """Return an answerer that is wrong once in the first unit of each scene, and right when it is told."""
+
+    class Wrong(Answering):
+        def answer(self, request: Any) -> str:
+            right = json.loads(super().answer(request))
+            if not request.feedback:
+                right["units"][0] |= update
+            return json.dumps(right)
+
+    return Wrong(noted)
+
+
+@pytest.mark.parametrize(
+    ("update", "why"),
+    [
+        ({"on_stage": ["nobody"]}, "names the person 'nobody'"),
+        ({"number": 7}, "each once and in order"),
+        ({"deeds": [{"actor": "mira", "motion": "bake_bread"}]}, "names the motion 'bake_bread'"),
+        ({"deeds": [{"actor": "mira", "motion": "open", "target": "treasure"}]}, "names 'treasure'"),
+        ({"states": [{"id": "ghost", "posture": "sit"}]}, "'ghost'"),
+    ],
+)
+def test_what_cannot_be_is_sent_back_with_the_reason(update: dict[str, Any], why: str) -> None:
+    model = change(**update)
+    reading = director(model).propose(SCRIPT)
+    assert DirectorCritic().judge(reading, SCRIPT).score == 10.0
+    sent_back = [request for request in model.asked if request.feedback]
+    assert len(sent_back) == 3
+    assert any(why in sentence for sentence in sent_back[0].feedback)
+
+
+def test_only_the_scene_with_a_fault_is_read_again() -> None:
+    model = Answering(noted)
+    reader = director(model)
+    draft = reader.propose(SCRIPT)
+    number = next(index for index, unit in enumerate(draft.units, start=1) if unit.scene == 1)
+    fault = Fault(kind="unknown", subject=f"unit {number}", message="unit names a thing that is not there")
+    assert reader.refine(draft, Critique.of((fault,)), SCRIPT) == draft
+    assert len(model.asked) == 4
+    assert model.asked[3].feedback == (fault.message,)
+    assert json.loads(model.asked[3].view)["scene"]["number"] == 2
+
+
+def test_a_model_that_fails_leaves_the_script_to_the_rules() -> None:
+    with pytest.raises(NoAnswer):
+        director(Scripted([NoAnswer("the server is gone")])).propose(SCRIPT)
