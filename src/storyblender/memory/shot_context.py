@@ -7,7 +7,17 @@ from typing import Annotated, Literal
 
 from pydantic import Field, field_validator, model_validator
 
-from storyblender.memory.base import Coordinate, Frames, Frozen, Identifier, SceneId, ShotId, Vec3, is_none
+from storyblender.memory.base import (
+    Coordinate,
+    Frames,
+    Frozen,
+    Identifier,
+    SceneId,
+    ShotId,
+    Vec3,
+    is_none,
+    without_fields,
+)
 from storyblender.memory.camera_decision import CameraDecision, CameraInstruction, CameraRetake
 from storyblender.memory.locks import ShotLock
 from storyblender.memory.scene_context import Light, Lighting, Spot
@@ -32,9 +42,14 @@ class AssetModification(Frozen):
 
     asset_id: Identifier
     modification_type: ModificationType
-    description: str | None = None
     state: str = ""
     """For doors, lamps and the like: ``open``, ``closed``, ``on``, ``off``."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _from_older_schema(cls, value: object) -> object:
+        """Schemas up to 5 kept a sentence about the change."""
+        return without_fields(value, "description")
 
 
 class CharacterAction(Frozen):

@@ -211,8 +211,7 @@ class ShotDetails:
                     and deed.prop not in self.seen
                     and _brought_out(deed, unit, self.text)
                 ):
-                    hand = f"in the hand of {self.story.names.get(deed.actor, deed.actor)}"
-                    found.append(AssetModification(asset_id=deed.prop, modification_type="add", description=hand))
+                    found.append(AssetModification(asset_id=deed.prop, modification_type="add"))
             for change in unit.changes:
                 subject = self.story.visible_id(change.subject)
                 if subject in self.story.assets or subject in self.story.fixtures:
@@ -220,7 +219,6 @@ class ShotDetails:
                         AssetModification(
                             asset_id=subject,
                             modification_type="remove" if change.state == "gone" else "transform",
-                            description=f"{self.story.names[change.subject]}: {change.state}",
                             state=change.state,
                         )
                     )

@@ -243,6 +243,4 @@ def _rounded(place: Vec3) -> Vec3:
 
 
 def _lamp_change(asset_id: str, state: str) -> AssetModification:
-    return AssetModification(
-        asset_id=asset_id, modification_type="transform", description=f"goes {state} with the light", state=state
-    )
+    return AssetModification(asset_id=asset_id, modification_type="transform", state=state)

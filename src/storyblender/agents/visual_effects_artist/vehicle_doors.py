@@ -92,11 +92,7 @@ def add_open_doors(
             doors = sorted({*_doors_in_use(shot, before, after, item, made[item.asset_id].anchors)})
             if doors != open_now.get(item.node_id, []):
                 state = f"{' '.join(doors)}{DOOR_OPEN_SUFFIX}" if doors else DOORS_CLOSED
-                changes.append(
-                    AssetModification(
-                        asset_id=item.asset_id, modification_type="transform", description=state, state=state
-                    )
-                )
+                changes.append(AssetModification(asset_id=item.asset_id, modification_type="transform", state=state))
                 open_now[item.node_id] = doors
         kept = tuple(
             each for each in shot.asset_modifications if not each.state.endswith((DOOR_OPEN_SUFFIX, DOORS_CLOSED))

@@ -425,7 +425,7 @@ def test_nothing_is_put_down_in_a_flowerpot() -> None:
 
 
 def test_what_comes_out_of_a_pocket_is_not_seen_lying_about_before() -> None:
-    brought = AssetModification(asset_id="cup", modification_type="add", description="in the hand of rick")
+    brought = AssetModification(asset_id="cup", modification_type="add")
     before, after = _stage(
         _shot(1), _shot(2, _do("rick", "take", prop_id="cup"), asset_modifications=(brought,), seconds=5)
     )
@@ -504,7 +504,7 @@ def test_nobody_holds_a_table() -> None:
 
 
 def test_what_no_pocket_holds_is_in_hand_when_it_is_brought_out() -> None:
-    brought = AssetModification(asset_id="cup", modification_type="add", description="in the hand of rick")
+    brought = AssetModification(asset_id="cup", modification_type="add")
     view = _view(_shot(1, _do("rick", "take", prop_id="cup"), asset_modifications=(brought,), seconds=5))
     assets = (*(asset for asset in ASSETS if asset.asset_id != "cup"), _thing("cup", (0.2, 0.4, 0.5)))
     (shot,) = RulesAnimator().propose(view.model_copy(update={"assets": assets})).shots
