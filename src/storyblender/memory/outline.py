@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
+from functools import lru_cache
 from typing import Literal
 
 from pydantic import Field, model_validator
@@ -11,6 +13,19 @@ from storyblender.memory.base import Digest, Frozen, SceneId, ShotId, without_fi
 
 LINE = 90
 """Characters of a title."""
+
+
+WORDS_PER_SECOND = 2.5
+"""How fast people speak."""
+_UNSPACED = re.compile(r"[\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af]")
+_WORD = re.compile(r"[^\W_]+(?:['’-][^\W_]+)*")
+
+
+@lru_cache(maxsize=8192)
+def word_count(text: str) -> int:
+    """Return the number of words; in scripts without spaces two characters count as one word."""
+    unspaced = len(_UNSPACED.findall(text))
+    return len(_WORD.findall(_UNSPACED.sub(" ", text))) + (unspaced + 1) // 2
 
 
 class SourceSpan(Frozen):
@@ -32,6 +47,11 @@ class ScriptLine(Frozen):
     """The cue as written, for display."""
     parenthetical: str = ""
     off_screen: bool = False
+
+    @property
+    def word_count(self) -> int:
+        """Number of words of the text."""
+        return word_count(self.text)
 
 
 class ShotOutline(Frozen):

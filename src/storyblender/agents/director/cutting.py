@@ -8,9 +8,10 @@ from collections.abc import Collection, Sequence
 from typing import Final
 
 from storyblender.agents.director.draft import ShotDraft
-from storyblender.agents.director.durations import shot_seconds, word_count
+from storyblender.agents.director.durations import shot_seconds
 from storyblender.agents.director.motion_families import HANDS, TRAVEL, WHOLE_BODY
 from storyblender.agents.director.reading import Deed, Unit
+from storyblender.memory.outline import word_count
 from storyblender.memory.shot_sizes import SHOT_SIZES, ShotSize
 
 _SIZE_RANGES: Final[dict[str, tuple[ShotSize, ShotSize]]] = {

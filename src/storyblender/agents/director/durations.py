@@ -7,22 +7,14 @@ from functools import lru_cache
 from typing import Final
 
 from storyblender.agents.director.draft import ShotDraft
+from storyblender.memory.outline import WORDS_PER_SECOND, word_count
 
-WORDS_PER_SECOND: Final = 2.5
 SHORTEST_SHOT: Final = 1.5
 LONGEST_ACTION: Final = 8.0
 SHORTEST_ESTABLISHING: Final = 3.0
 """An establishing shot stays at least this long: the eye needs it to read a place."""
 _PAUSE: Final = re.compile(r"\b(?:beat|pause|silence|long)\b", re.IGNORECASE)
 _BRACKETS: Final = re.compile(r"\([^)]*\)")
-_UNSPACED: Final = re.compile(r"[\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af]")
-
-
-@lru_cache(maxsize=8192)
-def word_count(text: str) -> int:
-    """Return the number of words; in scripts without spaces two characters count as one word."""
-    unspaced = len(_UNSPACED.findall(text))
-    return len(re.findall(r"[^\W_]+(?:['’-][^\W_]+)*", _UNSPACED.sub(" ", text))) + (unspaced + 1) // 2
 
 
 @lru_cache(maxsize=8192)

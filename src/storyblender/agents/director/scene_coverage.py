@@ -19,10 +19,11 @@ from storyblender.agents.director.cutting import (
 )
 from storyblender.agents.director.directions import directed_shot, is_direction_only, racks_within
 from storyblender.agents.director.draft import Beat, ShotDraft
-from storyblender.agents.director.durations import action_seconds, speech_seconds, word_count
+from storyblender.agents.director.durations import action_seconds, speech_seconds
 from storyblender.agents.director.motion_families import FAST, HANDS, LOW, TRAVEL, WHOLE_BODY
 from storyblender.agents.director.reading import CameraNote, SceneReading, Unit
 from storyblender.agents.director.story_assets import unique
+from storyblender.memory.outline import word_count
 from storyblender.memory.shot_sizes import ShotSize
 from storyblender.memory.vocabulary import ShotKind
 

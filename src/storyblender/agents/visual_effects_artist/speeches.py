@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Collection, Mapping, Sequence
 
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
 from storyblender.agents.visual_effects_artist.person import StagedPerson
 from storyblender.agents.visual_effects_artist.stage_state import StageState
 from storyblender.catalog.motions import MOTIONS
-from storyblender.memory.outline import ScriptLine
+from storyblender.memory.outline import WORDS_PER_SECOND, ScriptLine
 from storyblender.memory.shot_context import CharacterAction, Cue, ShotContext
 
 SPOKEN = ("talk", "whisper", "shout")
@@ -39,8 +38,8 @@ class Speeches:
         for number, action in enumerate(shot.character_actions):
             if action.motion in SPOKEN:
                 line = _line_of_action(action, lines)
-                words = len(re.findall(r"[\w'’-]+", line.text)) if line else 0
-                spoken[number] = max(1.2, words / 2.5 + 0.4) if words else MOTIONS["talk"].seconds
+                words = line.word_count if line else 0
+                spoken[number] = max(1.2, words / WORDS_PER_SECOND + 0.4) if words else MOTIONS["talk"].seconds
         total = sum(spoken.values())
         fit = max(0.5, min(1.0, (1.15 * self.sheet.length - 0.4) / total)) if total else 1.0
         return {number: seconds * fit for number, seconds in spoken.items()}

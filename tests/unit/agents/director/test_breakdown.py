@@ -13,7 +13,7 @@ from handmade import Script
 
 from storyblender.agents.director.breakdown import storyboard
 from storyblender.agents.director.director import RulesShotDirector, ShotDirectorCritic, ShotDirectorView
-from storyblender.agents.director.durations import action_seconds, frame_count, speech_seconds, word_count
+from storyblender.agents.director.durations import action_seconds, frame_count, speech_seconds
 from storyblender.agents.director.fixtures import FIXTURES
 from storyblender.agents.director.reader import read_script
 from storyblender.agents.director.reading import CameraNote, Person, Reading, StateChange
@@ -210,13 +210,6 @@ def test_relations_hold_as_the_scene_opens() -> None:
     assert [relation.asset_id for relation in setup.relations] == ["lamp"]
     assert "lamp on table" in setup.layout_description
     assert setup.wall_description and setup.light and setup.ground_description
-
-
-@pytest.mark.parametrize(
-    ("text", "words"), [("Don't go there, man-child.", 4), ("", 0), ("李走进房间。", 3), ("a b c", 3)]
-)
-def test_word_count(text: str, words: int) -> None:
-    assert word_count(text) == words
 
 
 def test_durations() -> None:
