@@ -14,12 +14,11 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
+from storyblender.agents.director.kit_choice import choose_kit
 from storyblender.agents.director.lexicon import CONJUNCTIONS, DETERMINERS, POSSESSIVES, PREPOSITIONS
 from storyblender.agents.director.reading import Person, Reading, Thing, Unit
 from storyblender.catalog.inflection import singular
 from storyblender.catalog.motions import MOTION_KEYS, STANDING
-from storyblender.catalog.sets.places import kit_of
-from storyblender.memory.scene_context import SceneSetup
 
 FACTS = (
     "cast", "on stage", "speaker", "actor and motion", "targets", "postures", "relations", "things", "place kit",
@@ -153,12 +152,7 @@ class Comparison:
     def _kit(reading: Reading, index: int) -> str:
         scene = reading.scenes[index]
         things = dict.fromkeys(thing for unit in reading.units if unit.scene == index for thing in unit.things)
-        return kit_of(
-            SceneSetup(
-                asset_ids=tuple(things), scene_type=scene.scene_type, place=scene.place, place_kind=scene.place_kind,
-                kit=scene.kit, layout_description=" ".join(things),
-            )
-        )  # fmt: skip
+        return choose_kit(scene, things, " ".join(things))
 
     def _units(self) -> list[tuple[list[Unit], list[Unit]]]:
         """The person's units one by one, each with the rules' units that have most of their words in it."""

@@ -143,7 +143,6 @@ def _shot(
 def _story(kit: str, shot: ShotContext, *assets: Asset) -> ContinuityMemoryGraph:
     setup = SceneSetup(
         place=SETS[kit].name,
-        place_kind=kit,
         kit=kit,
         scene_type="indoor" if SETS[kit].indoor else "outdoor",
         asset_ids=tuple(asset.asset_id for asset in assets),

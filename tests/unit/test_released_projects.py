@@ -39,6 +39,7 @@ def test_a_released_project_opens_with_its_history(released: Path, tmp_path: Pat
     graph = read_project_graph(folder)
     assert graph.schema_version == SCHEMA_VERSION and len(graph.shots) == 7
     assert all(shot.camera is not None and shot.lights for shot in graph.shots)
+    assert all(scene.environment and scene.setup.kit == scene.environment.kit for scene in graph.scenes)
     with Project(folder) as project:
         assert project.graph == graph
         close = graph.shot(1, 2)

@@ -7,7 +7,6 @@ from tests.every import every
 from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.sets import SETS
-from storyblender.catalog.sets.places import kit_of
 from storyblender.memory.gatekeeper import Gatekeeper
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import changes_between
@@ -17,7 +16,7 @@ from storyblender.samples import asset_of, story_of
 @every("key", SETS)
 def test_the_picture_of_a_set_is_of_that_set(key: str) -> None:
     story = story_of("sets", key)
-    assert story is not None and kit_of(story.scenes[0].setup) == key
+    assert story is not None and story.scenes[0].setup.kit == key
 
 
 @every("key", MOTIONS)

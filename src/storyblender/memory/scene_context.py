@@ -11,6 +11,7 @@ from storyblender.memory.base import Color, Coordinate, Frozen, Identifier, Scen
 from storyblender.memory.locks import SceneLock
 from storyblender.memory.panorama import PanoramaLight
 from storyblender.memory.vocabulary import (
+    Crowd,
     Facing,
     LightQuality,
     RelationKind,
@@ -58,26 +59,28 @@ class SceneSetup(Frozen):
     scene_type: SceneType = "indoor"
     place: str = ""
     """As written in the heading, e.g. ``RICK'S CAFE``."""
-    place_kind: str = ""
-    """Key of the place lexicon, e.g. ``cafe``; chooses the set kit."""
     kit: str = ""
-    """Key of the set kit if it was chosen by name; takes precedence over the heading."""
+    """Key of the set kit; empty only in half-made projects of schema 5 and older."""
+    set_options: tuple[Identifier, ...] = ()
+    """Options of the kit that are turned on, e.g. ``palms``."""
+    snow: bool = False
+    """Whether snow lies on the ground."""
+    crowd: Crowd | None = None
+    """How full of background people the place is; None if there are only those of the story."""
     time_of_day: TimeOfDay = "day"
     weather: Weather = "clear"
-    layout_description: str = ""
     light: tuple[LightQuality, ...] = ()
     """Qualities of the light."""
-    ground_description: str = ""
-    wall_description: str | None = None
     relations: tuple[Relation, ...] = ()
     found: dict[Identifier, tuple[str, ...]] = {}
     """States in which things and doors are as the scene opens, left so by earlier scenes: ``broken``, ``open``."""
 
     @model_validator(mode="before")
     @classmethod
-    def _from_schema_4(cls, value: object) -> object:
-        """Older projects kept a sentence on the light, which follows from hour and weather."""
-        return without_fields(value, "lighting_description")
+    def _from_schema_5(cls, value: object) -> object:
+        """Older projects kept the place in words, and to schema 4 a sentence on its light."""
+        words = ("place_kind", "layout_description", "ground_description", "wall_description", "lighting_description")
+        return without_fields(value, *words)
 
 
 class SceneSize(Frozen):
@@ -192,3 +195,13 @@ class SceneContext(Frozen):
     lighting: Lighting | None = None
     locked: tuple[SceneLock, ...] = Field(default=(), exclude_if=lambda value: not value)
     """What a person locked: it stays as it is until it is unlocked."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _from_schema_5(cls, value: object) -> object:
+        """Older projects had a kit only in the environment, unless a person chose it by name."""
+        match value:
+            case {"setup": dict() as setup, "environment": {"kit": kit} as made, **rest} if not setup.get("kit"):
+                return {**rest, "setup": {**setup, "kit": kit}, "environment": made}
+            case _:
+                return value

@@ -71,4 +71,6 @@ StatureWord = Literal["tall", "towering", "giant", "huge", "big", "short", "smal
 LightQuality = Literal["dim", "bright", "harsh", "soft", "candlelight", "cold", "warm", "red"]
 """The character of a light, besides its hour and weather."""
 Weather = Literal["clear", "cloudy", "fog", "rain", "storm", "snow"]
+Crowd = Literal["busy", "full"]
+"""How full of background people a place is."""
 Gender = Literal["female", "male", "unknown"]

@@ -26,7 +26,7 @@ from storyblender.trace import Event
 
 
 def ground(run: Run, script: Path, reading: Path | None = None) -> None:
-    """Read the script and commit the plan, unless this very plan is in the graph already.
+    """Read the script and commit the plan, unless this very plan is in the graph already, with a kit for every scene.
 
     Args:
         run: The run.
@@ -43,7 +43,8 @@ def ground(run: Run, script: Path, reading: Path | None = None) -> None:
     sources = {f"script{script.suffix}": script.read_bytes()}
     if corrected is not None:
         sources[KEPT_READING] = corrected.read_bytes()
-    if run.graph.plan_digest != digest:
+    kits_decided = all(scene.setup.kit for scene in run.graph.scenes)  # not in half-made projects of schema 5
+    if run.graph.plan_digest != digest or not kits_decided:
         graph = _revised(run, _plan(run, script, _understood(run, screenplay, corrected), digest))
         _keep(run, digest, sources)
         run.project.commit(graph, "director", f"plans {script.name}")

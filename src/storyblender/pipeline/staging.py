@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
-from storyblender.agents.director.crowds import background_crowd_size, is_crowd_gone
-from storyblender.agents.layout_artist.bystanders import bystander_objects, place_bystanders
+from storyblender.agents.layout_artist.bystanders import bystander_objects, crowd_size, place_bystanders
 from storyblender.agents.layout_artist.room_steps import RoomStep, drop_dressing, enlarge_set, find_fitting_room
 from storyblender.agents.layout_artist.spatial_planner import free_floor_of
 from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView, measures_of
@@ -106,11 +105,10 @@ def _laid_out(
 
 
 def _with_crowd(run: Run, view: SpatialPlannerView, layout: Layout) -> Layout:
-    """Return a layout with the people of the background that the script tells of."""
-    graph = run.graph
-    size = view.plan.size
+    """Return a layout with as many people of the background as the place is full of."""
+    graph, size = run.graph, view.plan.size
     area = (size.x - size.x_negative) * (size.y - size.y_negative)
-    count = _crowd_told(graph, view.scene_id, area) - graph.people_in(view.scene_id)
+    count = crowd_size(graph.scene(view.scene_id).setup.crowd, area) - graph.people_in(view.scene_id)
     if count <= 0:
         return layout
     found = place_bystanders(view, layout, count, free_floor_of(view, layout))
@@ -124,18 +122,6 @@ def _with_crowd(run: Run, view: SpatialPlannerView, layout: Layout) -> Layout:
         materialize(run, list(fresh.values()))
     objects = bystander_objects(found, figures, measures_of(run.graph.assets))
     return layout.model_copy(update={"objects": (*layout.objects, *objects)})
-
-
-def _crowd_told(graph: ContinuityMemoryGraph, scene_id: int, area: float) -> int:
-    """Return how many people the words of a scene put into its place; the same place again is as full as it was."""
-    setup = graph.scene(scene_id).setup
-    outline = next((each for each in graph.outline if each.scene_id == scene_id), None)
-    lines = [line.text for shot in outline.shots for line in shot.lines if line.kind == "action"] if outline else []
-    words = "\n".join(lines)
-    told = background_crowd_size(setup.place, words, area)
-    if told or setup.reference_scene_id is None or is_crowd_gone(words):
-        return told
-    return _crowd_told(graph, setup.reference_scene_id, area)
 
 
 def design(run: Run, graph: ContinuityMemoryGraph, scene_id: int) -> Environment:

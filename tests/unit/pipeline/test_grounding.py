@@ -10,6 +10,8 @@ import pytest
 
 from storyblender.errors import InputError
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.history import replace
+from storyblender.project import Project
 from storyblender.settings import Settings
 from storyblender.studio import Studio
 from storyblender.trace import Event
@@ -34,6 +36,12 @@ class Desk:
     def plan(self, reading: Path | None = None, export: Path | None = None) -> ContinuityMemoryGraph:
         return Studio(Settings(), self.told.append).plan(self.script, self.folder, reading, export).graph
 
+    @property
+    def reasons(self) -> list[str]:
+        """Why the Director committed, in order."""
+        with Project(self.folder) as project:
+            return [commit.reason for commit in project.log() if commit.author == "director"]
+
     def undo(self) -> None:
         Studio(Settings(), self.told.append).undo(self.folder)
 
@@ -55,6 +63,18 @@ def hair(graph: ContinuityMemoryGraph) -> object:
     look = next(asset.look for asset in graph.assets if asset.asset_id == "ada")
     assert look is not None
     return look.hair_color
+
+
+def test_a_half_made_project_without_kits_is_read_again(desk: Desk) -> None:
+    planned = desk.plan()
+    scene = planned.scenes[0]
+    with Project(desk.folder) as project:
+        plain = scene.model_copy(update={"setup": scene.setup.model_copy(update={"kit": ""})})
+        project.commit(replace(planned, plain), "user", "as in schema 5, which chose kits later")
+    assert desk.plan().scenes[0].setup.kit == scene.setup.kit == "kitchen"
+    assert desk.reasons == ["plans a.fountain"] * 2
+    desk.plan()
+    assert desk.reasons == ["plans a.fountain"] * 2, "with its kits decided it is not read again"
 
 
 def test_a_written_reading_gives_the_same_plan(desk: Desk) -> None:

@@ -6,6 +6,7 @@ from concurrent.futures import Future
 from pathlib import Path
 from types import SimpleNamespace
 from typing import cast
+from unittest.mock import MagicMock
 
 import pytest
 from tests.crew import crew_of, no_words
@@ -119,15 +120,16 @@ def test_a_model_that_was_changed_is_another_model(tmp_path: Path) -> None:
 
 
 def test_dressing_of_one_more_scene_does_not_look_at_every_scene(monkeypatch: pytest.MonkeyPatch) -> None:
-    seen: list[SceneSetup] = []
-    monkeypatch.setattr(asset_retriever_view, "kit_of", lambda setup: seen.append(setup) or "room")
+    kits = MagicMock()
+    kits.__getitem__.return_value.meanings = {}
+    monkeypatch.setattr(asset_retriever_view, "SETS", kits)
     lamp = Asset(asset_id="set_lamp", asset_type="object", description="a lamp", name="lamp", origin="dressing")
-    setup = SceneSetup(asset_ids=("set_lamp",))
+    setup = SceneSetup(kit="room", asset_ids=("set_lamp",))
     scenes = tuple(SceneContext(scene_id=number, setup=setup) for number in range(1, 50))
     kept: list[Asset] = []
     run = quick_run(ContinuityMemoryGraph(assets=(lamp,), scenes=scenes), Settings(), (), [], kept)
     materialize(run)
-    assert len(seen) == 1, "only the first place where it stands says something about it"
+    assert kits.__getitem__.call_count == 1, "only the first place where it stands says something about it"
     assert [asset.asset_id for asset in kept] == ["set_lamp"]
 
 

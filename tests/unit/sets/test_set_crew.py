@@ -44,12 +44,12 @@ def asset(name: str) -> Asset:
 
 def test_the_same_place_again_is_the_same_set() -> None:
     first = Environment(kit="bar", params={"width": 9.0}, seed=7)
-    again = RulesEnvironmentDesigner().propose(EnvironmentDesignerView(SceneSetup(place="BAR"), reference=first))
+    again = RulesEnvironmentDesigner().propose(EnvironmentDesignerView(SceneSetup(kit="bar"), reference=first))
     assert again == first
 
 
 def test_more_people_and_longer_ways_get_a_larger_room() -> None:
-    setup = SceneSetup(place="OFFICE")
+    setup = SceneSetup(kit="office")
     few = RulesEnvironmentDesigner().propose(EnvironmentDesignerView(setup, people=2))
     many = RulesEnvironmentDesigner().propose(EnvironmentDesignerView(setup, people=14, travel=7.0))
     assert float(many.params["width"]) > float(few.params["width"]) + 1
@@ -59,7 +59,7 @@ def test_more_people_and_longer_ways_get_a_larger_room() -> None:
 
 
 def test_the_critics_fix_is_applied() -> None:
-    view = EnvironmentDesignerView(SceneSetup(place="OFFICE"), people=12)
+    view = EnvironmentDesignerView(SceneSetup(kit="office"), people=12)
     critic, designer = EnvironmentDesignerCritic(), RulesEnvironmentDesigner()
     small = Environment(kit="office")
     mended = designer.refine(small, critic.judge(small, view), view)
@@ -67,28 +67,17 @@ def test_the_critics_fix_is_applied() -> None:
 
 
 @pytest.mark.parametrize(
-    ("place", "age", "kit", "period"),
-    [
-        ("APARTMENT", "classic", "living_room", None),
-        ("APARTMENT", "today", "apartment", None),
-        ("KITCHEN", "victorian", "kitchen", "past"),
-        ("SUPERMARKET", "victorian", "shop", "past"),
-        ("SERVER ROOM", "classic", "archive", None),
-    ],
+    ("kit", "age", "period"),
+    [("living_room", "classic", None), ("kitchen", "victorian", "past"), ("archive", None, None)],
 )
-def test_the_age_of_a_story_furnishes_its_rooms(place: str, age: Age, kit: str, period: str | None) -> None:
-    environment = RulesEnvironmentDesigner().propose(EnvironmentDesignerView(SceneSetup(place=place), age=age))
+def test_the_age_of_a_story_furnishes_its_rooms(kit: str, age: Age | None, period: str | None) -> None:
+    environment = RulesEnvironmentDesigner().propose(EnvironmentDesignerView(SceneSetup(kit=kit), age=age))
     assert (environment.kit, environment.params.get("period")) == (kit, period)
-
-
-def test_a_kit_that_was_chosen_by_name_stays_in_any_age() -> None:
-    setup = SceneSetup(place="FLAT", kit="apartment")
-    assert RulesEnvironmentDesigner().propose(EnvironmentDesignerView(setup, age="victorian")).kit == "apartment"
 
 
 def test_a_story_of_today_has_modern_rooms_and_one_that_tells_no_age_its_usual_ones() -> None:
     for age, period in (("today", "modern"), (None, None)):
-        room = RulesEnvironmentDesigner().propose(EnvironmentDesignerView(SceneSetup(place="KITCHEN"), age=age))  # type: ignore[arg-type]
+        room = RulesEnvironmentDesigner().propose(EnvironmentDesignerView(SceneSetup(kit="kitchen"), age=age))  # type: ignore[arg-type]
         assert room.params.get("period") == period
 
 
@@ -103,39 +92,37 @@ def test_no_set_has_what_its_time_does_not_know(kit: str) -> None:
         assert not things & {item.prop for item in plan.furnishings}
 
 
-def environment_of(place: str, reference: Environment | None = None, headings: str = "", **setup: str) -> Environment:
-    view = EnvironmentDesignerView(SceneSetup(place=place, **setup), reference=reference, headings=headings)  # type: ignore[arg-type]
-    return RulesEnvironmentDesigner().propose(view)
+def test_the_options_of_a_scene_and_its_snow_are_parameters_of_the_set() -> None:
+    setup = SceneSetup(scene_type="outdoor", kit="street", set_options=("frontier",), snow=True)
+    street = RulesEnvironmentDesigner().propose(EnvironmentDesignerView(setup, age="west"))
+    assert (street.params["frontier"], street.params["snow"]) == (True, True)
+    parts = {piece.part for piece in plan_of(street).pieces}
+    assert "false_front" in parts and "facade" not in parts
+    plain = setup.model_copy(update={"set_options": (), "snow": False})
+    town = RulesEnvironmentDesigner().propose(EnvironmentDesignerView(plain))
+    assert not {"frontier", "snow"} & town.params.keys()
 
 
-def test_snow_lies_where_it_falls_or_the_script_says_so() -> None:
-    yard = environment_of("YARD", scene_type="outdoor", weather="snow")
-    plan = plan_of(yard)
+def yard(snow: bool, reference: Environment | None = None) -> Environment:
+    setup = SceneSetup(place="YARD", kit="back_yard", scene_type="outdoor", snow=snow)
+    return RulesEnvironmentDesigner().propose(EnvironmentDesignerView(setup, reference=reference))
+
+
+def test_snow_covers_the_ground_and_what_grows_until_it_thaws() -> None:
+    white = yard(snow=True)
+    plan = plan_of(white)
     assert {slab.material for slab in plan.slabs} == {"snow"}
     assert not {piece.part for piece in plan.pieces} & {"grass_tuft", "flowers"}
     assert all(piece.params["snow"] for piece in plan.pieces if piece.part in ("hedge", "broad_tree"))
-    assert environment_of("SNOWY FIELD", scene_type="outdoor").params["snow"] is True
-    assert "snow" not in environment_of("OFFICE").params
-    thawed = environment_of("YARD", yard, scene_type="outdoor")
-    assert "snow" not in thawed.params and environment_of("YARD", thawed, scene_type="outdoor", weather="snow") == yard
+    thawed = yard(snow=False, reference=white)
+    assert "snow" not in thawed.params and yard(snow=True, reference=thawed) == white
 
 
 def test_snow_is_seen_from_a_room_and_not_in_it() -> None:
-    plan = plan_of(environment_of("KITCHEN", weather="snow"))
+    view = EnvironmentDesignerView(SceneSetup(kit="kitchen", snow=True))
+    plan = plan_of(RulesEnvironmentDesigner().propose(view))
     assert {slab.material for slab in plan.slabs if slab.z < 0} == {"snow"}
     assert "snow" not in {slab.material for slab in plan.slabs if slab.z >= 0}
-
-
-@pytest.mark.parametrize(
-    ("place", "headings", "aboard"),
-    [
-        ("SPINE CORRIDOR", "INT. SPINE CORRIDOR / INT. AIRLOCK", True),
-        ("HOTEL CORRIDOR", "INT. HOTEL CORRIDOR / INT. AIRLOCK", False),
-        ("CORRIDOR", "INT. CORRIDOR / INT. KITCHEN", False),
-    ],
-)
-def test_a_corridor_of_a_story_in_space_is_aboard(place: str, headings: str, aboard: bool) -> None:
-    assert environment_of(place, headings=headings).params.get("space", False) is aboard
 
 
 # ---------------------------------------------------------------------- dressing
@@ -334,15 +321,10 @@ def test_a_camp_fire_does_not_burn_out_who_sits_at_it() -> None:
     assert fire.power < lit.lights[0].power < 300
 
 
-def test_what_the_script_sees_far_off_stands_in_the_set() -> None:
-    setup = SceneSetup(scene_type="outdoor", place="beach", layout_description="Beach with lighthouse.")
-    plan = plan_of(RulesEnvironmentDesigner().propose(EnvironmentDesignerView(setup)))
+def test_the_lighthouse_of_a_beach_stands_far_off() -> None:
+    plan = plan_of(Environment(kit="beach", params={"lighthouse": True}))
     towers = [piece.location for piece in plan.pieces if piece.part == "lighthouse"]
     assert [math.hypot(*location[:2]) > 40 for location in towers] == [True]  # or a wide picture cuts its 19 m off
-    bare = plan_of(
-        RulesEnvironmentDesigner().propose(EnvironmentDesignerView(setup.model_copy(update={"layout_description": ""})))
-    )
-    assert not [piece.part for piece in bare.pieces if piece.part == "lighthouse"]
 
 
 def test_the_place_itself_is_not_put_on_the_stage() -> None:
@@ -389,13 +371,6 @@ def test_what_the_set_has_takes_nothing_elses_place() -> None:
     assert "bench" not in {*dressing.pending, *(item.node_id for item in dressing.objects)}
 
 
-def test_knights_meet_on_a_field_and_soldiers_in_a_trench() -> None:
-    ages: tuple[tuple[Age, str], ...] = (("medieval", "open_ground"), ("classic", "trench"))
-    for age, kit in ages:
-        setup = SceneSetup(place="BATTLEFIELD", scene_type="outdoor")
-        assert RulesEnvironmentDesigner().propose(EnvironmentDesignerView(setup, age=age)).kit == kit
-
-
 def test_who_sits_on_the_bed_of_a_tent_has_the_canvas_above_the_head() -> None:
     for size in ({}, {"width": 5.0, "height": 2.6}):
         plan = plan_of(Environment(kit="tent", params=size))
@@ -403,20 +378,6 @@ def test_who_sits_on_the_bed_of_a_tent_has_the_canvas_above_the_head() -> None:
         slope = next(piece for piece in plan.pieces if piece.part == "roof_slope")
         inwards = abs(abs(slope.location[0]) - abs(bed.location[0])) / float(slope.params["run"])
         assert float(slope.params["eave"]) + inwards * float(slope.params["rise"]) > 1.75
-
-
-def test_a_street_of_the_frontier_is_dust_between_wooden_fronts() -> None:
-    story = "A dusty frontier street. The marshal faces the outlaw before the saloon."
-    street = RulesEnvironmentDesigner().propose(
-        EnvironmentDesignerView(SceneSetup(place="main street", scene_type="outdoor"), story=story, age="west")
-    )
-    assert street.params["frontier"] is True
-    parts = {piece.part for piece in plan_of(street).pieces}
-    assert "false_front" in parts and "facade" not in parts
-    town = RulesEnvironmentDesigner().propose(
-        EnvironmentDesignerView(SceneSetup(place="main street", scene_type="outdoor"))
-    )
-    assert "frontier" not in town.params
 
 
 def test_the_bar_and_the_counter_of_a_saloon_are_one() -> None:
@@ -435,6 +396,6 @@ def test_houses_that_are_seen_from_a_room_do_not_stand_in_it() -> None:
 
 
 def test_a_small_place_stays_small_for_the_things_in_it() -> None:
-    view = EnvironmentDesignerView(SceneSetup(place="CLOSET"), footprints=((0.9, 0.3), (0.3, 0.3)))
+    view = EnvironmentDesignerView(SceneSetup(kit="closet"), footprints=((0.9, 0.3), (0.3, 0.3)))
     plan = plan_of(RulesEnvironmentDesigner().propose(view))
     assert plan.size.x - plan.size.x_negative < 2.6

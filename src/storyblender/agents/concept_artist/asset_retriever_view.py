@@ -6,7 +6,6 @@ from collections.abc import Collection, Mapping
 
 from storyblender.catalog.recipe import AssetQuery, Recipe
 from storyblender.catalog.sets import SETS
-from storyblender.catalog.sets.places import kit_of
 from storyblender.catalog.states import state_at_first
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -43,7 +42,7 @@ def asset_retriever_view(
     return AssetRetrieverView(
         asset=asset,
         rejected=refused,
-        means={**means, **SETS[kit_of(setup)].meanings},
+        means={**means, **SETS[setup.kit].meanings},
         weather=setup.weather if setup.scene_type == "outdoor" else "",
         state=state_at_first(states) or ("open" if _is_looked_into(graph, asset.asset_id) else ""),
     )

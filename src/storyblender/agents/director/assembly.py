@@ -11,11 +11,12 @@ from string import capwords
 from storyblender.agents.director.casting import age_word, cast_look, describe_person, introduction_words
 from storyblender.agents.director.creatures import describe_creature, size_in_script
 from storyblender.agents.director.draft import Beat, ShotDraft
+from storyblender.agents.director.lighting import usual_light
 from storyblender.agents.director.motion_families import GETTING, PARTING
-from storyblender.agents.director.place_words import ground_words, usual_light, wall_words
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Thing, Unit
 from storyblender.agents.director.scene_continuity import LIGHT, inherited_positions, inherited_states
 from storyblender.agents.director.script_notes import notes_by_scene, notes_by_shot
+from storyblender.agents.director.set_choice import SetChoice
 from storyblender.agents.director.size_words import stated_size
 from storyblender.agents.director.staging import Staging
 from storyblender.agents.director.story_assets import StoryAssets, unique
@@ -35,12 +36,14 @@ class Assembly:
     Args:
         reading: The reading of the script.
         story: The people and things on the asset sheet.
+        summary: Summary of the story.
     """
 
-    def __init__(self, reading: Reading, story: StoryAssets) -> None:
+    def __init__(self, reading: Reading, story: StoryAssets, summary: str) -> None:
         self.reading = reading
         self.story = story
         self.text = reading.screenplay.text
+        self.sets = SetChoice(reading, summary)
         self.inherited_positions = inherited_positions(reading)
         self.inherited = inherited_states(reading)
         self.handled = {thing.id for thing in reading.things if thing.handled and thing.kind == "prop"}
@@ -148,12 +151,13 @@ class Assembly:
             off_screen=unit.off_screen,
         )
 
-    def scene_context(self, scene: SceneReading, units: Sequence[Unit]) -> SceneContext:
-        """Return what a scene starts with: set, assets and relations.
+    def scene_context(self, scene: SceneReading, units: Sequence[Unit], outline: SceneOutline) -> SceneContext:
+        """Return what a scene starts with: set, assets and relations; called in story order.
 
         Args:
             scene: The scene.
             units: The units of the scene.
+            outline: Its shots with their lines.
         """
         relations = self._relations(scene, units)
         present = unique(
@@ -174,6 +178,8 @@ class Assembly:
         )
         stated = [id_ for relation in relations for id_ in (relation.asset_id, relation.anchor_asset_id)]
         ids = unique((*present, *(thing for thing in scene.furniture if thing in self.story.assets), *stated))
+        action = "\n".join(line.text for shot in outline.shots for line in shot.lines if line.kind == "action")
+        chosen = self.sets.decide(scene, ids, self._contents(scene, relations), action)
         return SceneContext(
             scene_id=scene.id,
             setup=SceneSetup(
@@ -181,14 +187,13 @@ class Assembly:
                 asset_ids=tuple(ids),
                 scene_type=scene.scene_type,
                 place=scene.place,
-                place_kind=scene.place_kind,
-                kit=scene.kit,
+                kit=chosen.kit,
+                set_options=chosen.set_options,
+                snow=chosen.snow,
+                crowd=chosen.crowd,
                 time_of_day=scene.time,
                 weather=scene.weather,
-                layout_description=self._layout(scene, relations),
-                light=usual_light(scene),
-                ground_description=ground_words(scene),
-                wall_description=wall_words(scene),
+                light=usual_light(scene.scene_type, scene.time),
                 relations=tuple(relations),
                 found={each: states for each, states in self.inherited[scene.id].items() if self._is_known(each)},
             ),
@@ -230,8 +235,8 @@ class Assembly:
                 found.setdefault(relation.asset_id, relation)
         return list(found.values())
 
-    def _layout(self, scene: SceneReading, relations: Sequence[Relation]) -> str:
-        """Return one sentence about the place, its furniture and the relations."""
+    def _contents(self, scene: SceneReading, relations: Sequence[Relation]) -> str:
+        """Return the place, its furniture and the relations in words."""
         names = self.story.names
         stated = [
             f"{names[relation.asset_id]} {relation.kind.replace('_', ' ')} {names[relation.anchor_asset_id]}"

@@ -35,7 +35,8 @@ def storyboard(reading: Reading, settings: DirectorSettings | None = None) -> St
     settings = settings or DirectorSettings()
     reading = add_writing_changes(copy_shared_things(expand_groups(reading)))
     story = StoryAssets(reading)
-    assembly = Assembly(reading, story)
+    summary = _summary(reading, story)
+    assembly = Assembly(reading, story, summary)
     coverage = Coverage(reading)
     notes, flags = camera_notes_by_unit(reading), ScriptFlags(reading.flags)
     units_of: dict[int, list[int]] = {}
@@ -48,10 +49,10 @@ def storyboard(reading: Reading, settings: DirectorSettings | None = None) -> St
         own_notes = {place: notes[number] for place, number in enumerate(numbers) if number in notes}
         drafts = cut(coverage.shots(scene, units, own_notes), coverage.names.people, reading.screenplay.text, settings)
         outline.append(assembly.scene_outline(scene, drafts))
-        details.append(assembly.scene_context(scene, units))
-        shots += ShotDetails(reading.screenplay.text, story, scene, units, flags).write(drafts, settings.fps)
+        details.append(assembly.scene_context(scene, units, outline[-1]))
+        shots += ShotDetails(reading.screenplay.text, story, details[-1], units, flags).write(drafts, settings.fps)
     return Storyboard(
-        story_summary=_summary(reading, story),
+        story_summary=summary,
         age=reading.age,
         storyboard_outline=tuple(outline),
         asset_sheet=assembly.asset_sheet(),

@@ -1,4 +1,4 @@
-"""How many background people a scene has, from its words: a crowded café, a packed bar, an audience."""
+"""How full of background people a place is, from the words of its scene: a crowded café, a packed bar, an audience."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from functools import cache
 from typing import Final
 
 from storyblender.catalog.sets import SETS
+from storyblender.memory.vocabulary import Crowd
 
 _FULL: Final = "crowded|packed|jam[- ]?packed|bustling|teeming|heaving|thronged|rammed|swarming|overflowing|jostling"
 _FULL_ALONE: Final = (
@@ -25,32 +26,22 @@ _MANY: Final = (
     r"|the (?:audience|crowd|congregation)\b"
 )
 _EMPTY: Final = r"\b(?:empty|deserted|abandoned|closed|shut up|vacant|nobody (?:else )?(?:is )?(?:here|there|about))\b"
-_BUSY_SIZE, _FULL_SIZE = 12, 16
-_LARGE_AREA, _LARGE_EXTRA = 80.0, 8
-"""Square metres above which a place holds more people, and how many more."""
 
 
-def background_crowd_size(place: str, words: str, area: float) -> int:
-    """Return the number of background people in a scene; 0 where its words tell of none.
+def crowd_in(place: str, words: str, before: Crowd | None = None) -> Crowd | None:
+    """Return how full of background people a place is; it stays as full as it was unless its words tell otherwise.
 
     Args:
         place: The place as written.
         words: The action of the scene, without its dialogue.
-        area: Floor of the place in square metres.
+        before: How full it was when it was last seen.
     """
     told = f"{place}. {words}".lower()
     if re.search(_MANY, told) or re.search(_FULL_ALONE, told) or _place_pattern(_FULL).search(told):
-        most = _FULL_SIZE
-    elif _place_pattern("busy|lively|bustling|crowded").search(told):
-        most = _BUSY_SIZE
-    else:
-        return 0
-    return most + (_LARGE_EXTRA if area > _LARGE_AREA else 0)
-
-
-def is_crowd_gone(words: str) -> bool:
-    """Whether the words of a scene say that its place is empty."""
-    return re.search(_EMPTY, words.lower()) is not None
+        return "full"
+    if _place_pattern("busy|lively|bustling|crowded").search(told):
+        return "busy"
+    return None if re.search(_EMPTY, words.lower()) else before
 
 
 @cache

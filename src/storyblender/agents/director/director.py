@@ -16,11 +16,10 @@ from storyblender.agents.director.directions import camera_notes_by_unit
 from storyblender.agents.director.places_by_meaning import choose_kits_by_meaning
 from storyblender.agents.director.reader.reader import read_script
 from storyblender.agents.director.reading import Reading, Unit
-from storyblender.agents.director.reading_file import unknown_names
+from storyblender.agents.director.reading_file import unknown_names, unknown_sets
 from storyblender.agents.director.settings import DirectorSettings
 from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.props import PROPS
-from storyblender.catalog.sets import SETS
 from storyblender.memory.base import shot_name
 from storyblender.memory.graph import Storyboard
 from storyblender.memory.outline import ScriptLine
@@ -83,15 +82,12 @@ def _faults_of_units(reading: Reading) -> Iterator[Iterator[Fault]]:
 
 
 def _faults_of_unit(name: str, unit: Unit, reading: Reading, people: set[str], known: set[str]) -> Iterator[Fault]:
-    """Yield names, kits and speakers of a unit that do not exist or are not on stage."""
+    """Yield names, sets and speakers of a unit that do not exist or are not on stage."""
     for kind, unknown in dict.fromkeys(unknown_names(unit, people, known)):
         message = f"{name} names the {kind} {unknown!r}, which does not exist"
         yield Fault(kind="unknown", subject=name, message=message, severity=UNUSABLE if kind == "motion" else 1.0)
-    kit = reading.scenes[unit.scene].kit
-    if kit and kit not in SETS:
-        yield Fault(
-            kind="vocabulary", subject=name, message=f"{name} plays in the set kit {kit!r}, which does not exist"
-        )
+    for unknown, _ in unknown_sets(reading.scenes[unit.scene]):
+        yield Fault(kind="vocabulary", subject=name, message=f"{name} plays in a scene with {unknown}")
     if unit.speaker is not None and unit.speaker not in unit.on_stage and not unit.off_screen:
         message = f"{unit.speaker} speaks in {name}, and is neither on stage nor marked off screen"
         yield Fault(kind="speaker", subject=name, message=message)

@@ -6,7 +6,7 @@ import re
 from typing import Final
 
 from storyblender.memory.shot_context import LightChange
-from storyblender.memory.vocabulary import LightQuality, TimeOfDay
+from storyblender.memory.vocabulary import LightQuality, SceneType, TimeOfDay
 
 _SWITCHES: Final = r"turn(s|ed)?|switch(es|ed)?|flip(s|ped)?|snuff(s|ed)?|blow(s|n)?"
 _OUT: Final = (
@@ -35,6 +35,18 @@ _QUALITIES: Final[dict[LightQuality, str]] = {
     "warm": "warm|golden|amber",
     "red": "red light|red glow|emergency light",
 }
+_BY_HOUR: Final[dict[TimeOfDay, tuple[tuple[LightQuality, ...], tuple[LightQuality, ...]]]] = {
+    "dawn": (("cold",), ("cold",)), "morning": ((), ("soft",)), "day": (("soft",), ("bright",)),
+    "noon": (("bright",), ()), "afternoon": (("warm",), ("warm",)), "sunset": (("warm",), ("warm",)),
+    "dusk": ((), ()), "evening": (("warm",), ("warm",)), "night": (("warm",), ("cold", "warm")),
+}  # fmt: skip
+"""Hour -> usual qualities of the light indoors and outdoors (notes, 4.4)."""
+
+
+def usual_light(scene_type: SceneType, time: TimeOfDay) -> tuple[LightQuality, ...]:
+    """Return the qualities that the light of a place has by its hour."""
+    indoor, outdoor = _BY_HOUR[time]
+    return indoor if scene_type == "indoor" else outdoor
 
 
 def light_qualities(words: str) -> tuple[LightQuality, ...]:

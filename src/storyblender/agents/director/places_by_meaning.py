@@ -7,11 +7,11 @@ from typing import Final
 
 import numpy as np
 
+from storyblender.agents.director.kit_choice import FALLBACK, names_a_kit
+from storyblender.agents.director.kit_evidence import kit_of_things
 from storyblender.agents.director.reading import Reading, SceneReading
 from storyblender.agents.director.rules import rule
 from storyblender.catalog.sets import SETS, SetKit
-from storyblender.catalog.sets.evidence import kit_of_things
-from storyblender.catalog.sets.places import FALLBACK, names_a_kit
 from storyblender.memory.shot_context import Flag
 from storyblender.ports import Embedder
 
@@ -37,7 +37,7 @@ def choose_kits_by_meaning(reading: Reading, load: Callable[[], Embedder]) -> No
     unknown = [
         (index, scene)
         for index, scene in enumerate(reading.scenes)
-        if scene.reference is None and not names_a_kit(scene.place_kind, scene.place, scene.scene_type)
+        if scene.reference is None and not names_a_kit(scene)
     ]
     by_meaning = [(index, scene) for index, scene in unknown if not _choose_by_things(reading, index, scene)]
     named = [(index, scene) for index, scene in by_meaning if scene.place]
@@ -75,7 +75,7 @@ def _copy_to_same_place(reading: Reading) -> None:
     kinds = {scene.id: scene.place_kind for scene in reading.scenes}
     for scene in reading.scenes:
         first = kinds.get(scene.reference or 0)
-        if first and not names_a_kit(scene.place_kind, scene.place, scene.scene_type):
+        if first and not names_a_kit(scene):
             scene.place_kind = first
 
 

@@ -200,6 +200,12 @@ class SceneReading(Facts):
     end: int = 0
     kit: str = ""
     """Key of the set kit, if it was chosen by name."""
+    set_options: list[str] | None = None
+    """Options of the named kit that are turned on; None if the words tell."""
+    snow: bool | None = None
+    """Whether snow lies on the ground; None if weather and place tell."""
+    crowd: Literal["none", "busy", "full"] | None = None
+    """How full of background people the place is; None if the words tell."""
     furniture: list[str] = field(default_factory=list)
     """Things of this scene that belong to the set, as mentioned."""
 

@@ -260,11 +260,8 @@ def _check_ids(file: ReadingFile, path: Path) -> None:
         known.add(each.id)
     people = {person.id for person in file.people}
     for index, written in enumerate(file.scenes):
-        if written.scene.kit and written.scene.kit not in SETS:
-            mend = "`storyblender catalog sets` lists them"
-            raise InputError(
-                f"scene {index} has the kit {written.scene.kit!r}, which does not exist", mend=mend, path=path
-            )
+        for unknown, mend in unknown_sets(written.scene):
+            raise InputError(f"scene {index} has {unknown}", mend=mend, path=path)
     for written in file.units:
         unit, where = written.unit, f"unit {written.number}"
         for kind, name in unknown_names(unit, people, known):
@@ -273,6 +270,17 @@ def _check_ids(file: ReadingFile, path: Path) -> None:
             mend = f"the nearest motion is {near!r}" if near else "add it, or mend the id"
             raise InputError(problem, mend=mend, path=path)
         _refuse_camera_words(unit.camera, where, path)
+
+
+def unknown_sets(scene: SceneReading) -> Iterator[tuple[str, str]]:
+    """Yield the set kit and the options of a scene that do not exist, each with what to do."""
+    known = SETS[scene.kit].options if scene.kit in SETS else ()
+    if scene.kit and scene.kit not in SETS:
+        yield f"the set kit {scene.kit!r}, which does not exist", "`storyblender catalog sets` lists them"
+    for option in scene.set_options or ():
+        if option not in known:
+            mend = f"options of the kit {scene.kit!r}: {', '.join(known) or 'none'}"
+            yield f"the set option {option!r}, which its kit does not have", mend
 
 
 def unknown_names(unit: Unit, people: Collection[str], known: Collection[str]) -> Iterator[tuple[str, str]]:

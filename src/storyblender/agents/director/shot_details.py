@@ -16,15 +16,14 @@ from storyblender.agents.director.feelings import mood_of
 from storyblender.agents.director.fine_motions import UNREAD, fine_motion
 from storyblender.agents.director.lighting import light_change
 from storyblender.agents.director.motion_families import GETTING, SPOKEN, TRAVEL
-from storyblender.agents.director.reading import Deed, SceneReading, Unit
+from storyblender.agents.director.reading import Deed, Unit
 from storyblender.agents.director.scene_continuity import absent_until_brought
 from storyblender.agents.director.staging import Staging
 from storyblender.agents.director.story_assets import StoryAssets, unique
 from storyblender.agents.director.wording import deed_words, one_line
 from storyblender.catalog.motions import MOTION_KEYS
 from storyblender.catalog.sets import SETS
-from storyblender.catalog.sets.places import find_kit
-from storyblender.memory.scene_context import Spot
+from storyblender.memory.scene_context import SceneContext, Spot
 from storyblender.memory.shot_context import (
     AssetModification,
     CameraInstruction,
@@ -76,19 +75,19 @@ class ShotDetails:
     Args:
         text: The script.
         company: Who and what is on the sheet.
-        scene: The scene.
+        scene: The scene, with its set kit.
         units: Its units.
         flags: What the reader was not sure of in the whole script.
     """
 
     def __init__(
-        self, text: str, story: StoryAssets, scene: SceneReading, units: Sequence[Unit], flags: ScriptFlags
+        self, text: str, story: StoryAssets, scene: SceneContext, units: Sequence[Unit], flags: ScriptFlags
     ) -> None:
         self.story = story
-        self.scene = scene
+        self.scene_id = scene.scene_id
         self.text = text
         self.flags = flags
-        kit = SETS[scene.kit or find_kit(scene.place_kind, scene.place, scene.scene_type)]
+        kit = SETS[scene.setup.kit]
         self.staging = Staging(units, story.assets, story.fixtures, seated=kit.seated, on_foot=kit.on_foot)
         self.later = absent_until_brought(units, story.assets - story.actors - story.creatures)
         self.told: set[int] = set()
@@ -116,7 +115,7 @@ class ShotDetails:
         line = max((index for index, unit in enumerate(units) if unit.moment), default=None)
         light = next((change.state for unit in fresh for change in unit.changes if change.subject == "light"), None)
         return ShotContext(
-            scene_id=self.scene.id,
+            scene_id=self.scene_id,
             shot_id=number,
             on_stage=tuple(on_stage),
             in_frame=tuple(unique([*self._in_frame(draft, on_stage), *holders])),

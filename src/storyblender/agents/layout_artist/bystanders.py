@@ -22,6 +22,7 @@ from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Vec2
 from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.scene_context import Layout, LayoutObject
+from storyblender.memory.vocabulary import Crowd
 
 _SITTING = 0.6
 """Share of the figures that sit if there are seats."""
@@ -35,6 +36,9 @@ _GROUPS = (2, 3, 2, 1, 3)
 _RADIUS = {1: 0.0, 2: 0.42, 3: 0.55}
 """Metres from the middle of a group to its members, by their number."""
 _GRID = 0.4
+_CROWDS: dict[Crowd, int] = {"busy": 12, "full": 16}
+_LARGE_AREA, _LARGE_EXTRA = 80.0, 8
+"""Square metres above which a place holds more people, and how many more."""
 
 
 @dataclass(frozen=True)
@@ -54,6 +58,11 @@ class Bystander:
     location: tuple[float, float, float]
     yaw: float
     seat: str | None = None
+
+
+def crowd_size(crowd: Crowd | None, area: float) -> int:
+    """Return the number of people in a place with a floor of ``area`` square metres, those of the story included."""
+    return _CROWDS[crowd] + (_LARGE_EXTRA if area > _LARGE_AREA else 0) if crowd else 0
 
 
 def place_bystanders(view: SpatialPlannerView, layout: Layout, count: int, lanes: Sequence[Box]) -> list[Bystander]:

@@ -16,7 +16,6 @@ from storyblender.catalog.bodies import typical_stature
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.sets import SETS
-from storyblender.catalog.sets.places import kit_of
 from storyblender.look.surface import Surface
 from storyblender.memory.asset_sheet import PLAUSIBLE, Asset, AssetDimension, CharacterLook
 from storyblender.memory.base import Vec3
@@ -77,7 +76,7 @@ def dimension_estimator_view(graph: ContinuityMemoryGraph, assets: Sequence[Asse
     outdoors = {asset_id for setup in setups if setup.scene_type == "outdoor" for asset_id in setup.asset_ids}
     rooms: dict[str, Vec3] = {}
     for setup in setups:
-        kit = SETS[kit_of(setup)]
+        kit = SETS[setup.kit]
         room = (kit.width.most, kit.depth.most, kit.height.usual)
         for asset_id in set(setup.asset_ids) - outdoors:
             rooms[asset_id] = min(rooms.get(asset_id, room), room, key=math.prod)

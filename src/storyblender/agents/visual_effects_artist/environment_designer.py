@@ -1,15 +1,13 @@
-"""The Environment Designer: a place of the script becomes a set kit with its options, large enough for the scene."""
+"""The Environment Designer: the kit and options of a scene become a set, large enough for the scene."""
 
 from __future__ import annotations
 
 import math
-import re
 from dataclasses import dataclass
 
-from storyblender.agents.visual_effects_artist.period import OLDER_KITS, PERIOD_OF_AGE
 from storyblender.catalog.registry import ParamValue
 from storyblender.catalog.sets import SETS, SetKit, plan_of
-from storyblender.catalog.sets.places import kit_of
+from storyblender.catalog.sets.period import period_of
 from storyblender.memory.base import Vec2, content_hash
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.scene_context import Environment, SceneSetup
@@ -33,13 +31,11 @@ class EnvironmentDesignerView:
     """What the Environment Designer sees of a scene.
 
     Attributes:
-        setup: The place in words.
+        setup: The place, with its kit and options.
         footprints: Width and depth in metres of the scene's own objects.
         people: Number of people on stage at once.
         travel: Metres of the longest walk in one shot.
         reference: Environment of the earlier scene in the same place; None if there is none.
-        story: Summary of the story; its words choose options of a set of the past.
-        headings: Headings of all scenes; their words tell a story in space.
         age: Age of the story; None if its words do not tell it.
     """
 
@@ -48,8 +44,6 @@ class EnvironmentDesignerView:
     people: int = 2
     travel: float = 0.0
     reference: Environment | None = None
-    story: str = ""
-    headings: str = ""
     age: Age | None = None
 
 
@@ -70,34 +64,26 @@ def environment_designer_view(graph: ContinuityMemoryGraph, scene_id: int) -> En
         people=graph.people_in(scene_id),
         travel=max(walks, default=0.0),
         reference=graph.scene(reference).environment if reference is not None else None,
-        story=graph.story_summary,
-        headings=" / ".join(outline.heading for outline in graph.outline),
         age=graph.age,
     )
 
 
 class RulesEnvironmentDesigner:
-    """Chooses the kit by the words of the heading and the scene; chooses its size by what must fit."""
+    """Furnishes the kit for the age of the story; chooses its size by what must fit."""
 
     def propose(self, view: EnvironmentDesignerView) -> Environment:
         """Return the environment of a scene; the same place as before gets the same one, with or without snow."""
         setup = view.setup
+        ground: dict[str, ParamValue] = {"snow": True} if setup.snow else {}
         if view.reference is not None:
-            ground = {"snow": True} if _has_snow(setup) else {}
             params = {name: value for name, value in view.reference.params.items() if name != "snow"} | ground
             return view.reference.model_copy(update={"params": params})
-        kit = SETS[kit_of(setup)]
-        period = PERIOD_OF_AGE[view.age] if view.age is not None else kit.period
-        if not setup.kit:
-            kit = SETS[OLDER_KITS.get(period, {}).get(kit.key, kit.key)]
+        kit = SETS[setup.kit]
+        period = period_of(kit, view.age)
         params: dict[str, ParamValue] = {"width": kit.width.usual, "depth": kit.depth.usual}
         if period != kit.period:
             params["period"] = period
-        words = f"{setup.place} {setup.layout_description} {setup.ground_description} {setup.wall_description or ''}"
-        told = f"{words} {view.story}" if period == "past" else words
-        params |= _chosen_options(kit, words.lower(), told.lower(), view.headings.lower())
-        if _has_snow(setup):
-            params["snow"] = True
+        params |= dict.fromkeys(setup.set_options, True) | ground
         seed = int(content_hash(setup.place.upper(), kit.key), 16) % 100_000
         return _with_size(Environment(kit=kit.key, params=params, seed=seed), *_needed_size(view, kit))
 
@@ -161,39 +147,3 @@ def _with_size(environment: Environment, width: float, depth: float) -> Environm
     kit = SETS[environment.kit]
     size: dict[str, ParamValue] = {"width": kit.width.clamp(width), "depth": kit.depth.clamp(depth)}
     return environment.model_copy(update={"params": environment.params | size})
-
-
-_OPTION_WORDS = {
-    "log": r"\blog\b|cabin|lodge",
-    "pines": r"\bpines?\b|\bfirs?\b|snow",
-    "palms": r"palms?|tropic|island|lagoon|jungle|rain ?forest",
-    "dry": r"\bdry\b|prairie|savanna|wheat|corn|dusty|steppe",
-    "lighthouse": r"light ?house",
-    "cranes": r"\bcranes?\b",
-    "space": r"\bspace|star ?ship|\bstars\b|orbit|shuttle|galax|planet",
-    "frontier": r"frontier|western town|cowboy|gunslinger|sheriff|marshal|saloon|stagecoach|gold rush",
-    "railway": r"station|rail|\btrains?\b|ticket|depot",
-    "train": r"\btrain (stands|waits|stops|is standing|has stopped|at the platform)",
-    "air": r"\bplane|air ?plane|aero ?plane|aircraft|airliner|\bjet\b|flight",
-    "taxi": r"\btaxi|\bcab\b|cabbie",
-}
-_SNOW = r"\bsnow(y|field|drift|bound)?\b|glacier|\barctic|\bantarctic|blizzard|\bfrozen"
-_SHIP_IN_SPACE = r"\bspace|star ?ship|airlock|\bhyper|cryo|\borbit"
-_ON_EARTH = r"hotel|hospital|school|office|house|home|flat|apartment|prison|police|court|castle|palace|museum|theat"
-"""Words of a place that is not aboard a ship in space, though the story has one."""
-
-
-def _has_snow(setup: SceneSetup) -> bool:
-    """Return whether a place has snow on the ground, by its weather and words."""
-    return setup.weather == "snow" or re.search(_SNOW, f"{setup.place} {setup.ground_description}".lower()) is not None
-
-
-def _chosen_options(kit: SetKit, words: str, story: str, headings: str) -> dict[str, ParamValue]:
-    """Return the options of a kit that the words of the place, the story or the headings ask for."""
-    aboard = re.search(_SHIP_IN_SPACE, headings) and not re.search(_ON_EARTH, words)
-    options: dict[str, ParamValue] = {}
-    for name in kit.options:
-        listed = "|".join(rf"\b{re.escape(word)}" for word in kit.option_words.get(name, ())) or _OPTION_WORDS[name]
-        if re.search(listed, story if name == "frontier" else words) or (name == "space" and aboard):
-            options[name] = True
-    return options

@@ -11,7 +11,12 @@ from typing import Final
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.set_plan import Furnishing, Piece, SetPlan
 from storyblender.catalog.sets.drawing import Period
+from storyblender.catalog.sets.kit import SetKit
+from storyblender.memory.vocabulary import Age
 
+_OF_AGE: Final[Mapping[Age, Period]] = {
+    "medieval": "past", "west": "past", "victorian": "past", "classic": "classic", "space": "modern", "today": "modern",
+}  # fmt: skip
 _INSTEAD: Final[Mapping[Period, Mapping[str, str]]] = {
     "past": {
         "pendant_lamp": "lantern", "table_lamp": "candle_holder", "bankers_lamp": "candle_holder", "floor_lamp": "",
@@ -45,6 +50,11 @@ _NO_PIECES: Final[Mapping[Period, frozenset[str]]] = {
 """Period -> set pieces that it lacks."""
 _DROP = 0.55
 """Metres from the ceiling to a lantern in place of an electric light."""
+
+
+def period_of(kit: SetKit, age: Age | None) -> Period:
+    """Return the period in which a kit is furnished: that of the story's age, or the kit's own if no age is known."""
+    return kit.period if age is None else _OF_AGE[age]
 
 
 def fit_to_period(plan: SetPlan, period: Period) -> SetPlan:

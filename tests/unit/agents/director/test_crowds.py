@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from storyblender.agents.director.crowds import background_crowd_size, is_crowd_gone
+from storyblender.agents.director.crowds import crowd_in
 
 
 @pytest.mark.parametrize(
@@ -21,8 +21,7 @@ from storyblender.agents.director.crowds import background_crowd_size, is_crowd_
     ],
 )
 def test_a_full_place_is_told(place: str, words: str) -> None:
-    assert 12 <= background_crowd_size(place, words, 60.0) <= 40
-    assert background_crowd_size(place, words, 120.0) > background_crowd_size(place, words, 60.0)
+    assert crowd_in(place, words) == ("busy" if "busy" in words else "full")
 
 
 @pytest.mark.parametrize(
@@ -36,8 +35,9 @@ def test_a_full_place_is_told(place: str, words: str) -> None:
     ],
 )
 def test_what_is_packed_or_busy_otherwise_is_no_crowd(place: str, words: str) -> None:
-    assert background_crowd_size(place, words, 60.0) == 0
+    assert crowd_in(place, words) is None
 
 
 def test_a_place_is_emptied() -> None:
-    assert is_crowd_gone("The bar is closed. Chairs on tables.") and not is_crowd_gone("She empties a glass.")
+    assert crowd_in("BAR", "The bar is closed. Chairs on tables.", "full") is None
+    assert crowd_in("BAR", "She empties a glass.", "full") == "full"

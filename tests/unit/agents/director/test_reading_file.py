@@ -74,6 +74,13 @@ def _unit_with(plain: dict[str, Any], key: str) -> dict[str, Any]:
         (lambda plain: plain["units"][1].update(number=7), "unit 2 has the number 7"),
         (lambda plain: plain["units"][1]["unit"].update(scene=99), "unit 2 is in scene 99"),
         (lambda plain: plain["units"][1]["unit"].update(end=10**9), "unit 2 covers the characters"),
+        (lambda plain: plain["scenes"][0]["scene"].update(kit="nowhere"), "scene 0 has the set kit 'nowhere'"),
+        (
+            lambda plain: plain["scenes"][0]["scene"].update(kit="beach", set_options=["log"]),
+            "'beach': palms, lighthouse",
+        ),
+        (lambda plain: plain["scenes"][0]["scene"].update(set_options=["palms"]), "the kit '': none"),
+        (lambda plain: plain["scenes"][0]["scene"].update(crowd="many"), "scene 1, crowd.*'none', 'busy' or 'full'"),
         (lambda plain: plain.update(script="0" * 16), "another script"),
         (lambda plain: plain.update(reading_version=99), "reading_version"),
     ],

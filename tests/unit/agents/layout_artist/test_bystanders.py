@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from storyblender.agents.layout_artist.bystanders import bystander_objects, place_bystanders
+from storyblender.agents.layout_artist.bystanders import bystander_objects, crowd_size, place_bystanders
 from storyblender.agents.layout_artist.spatial_planner import RulesSpatialPlanner, free_floor_of
 from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView, measures_of, props_of
 from storyblender.agents.visual_effects_artist.furniture import dressing_asset
@@ -42,6 +42,11 @@ def view_of(kit: str) -> SpatialPlannerView:
         groups=(("ada", "tom"),),
         props=props_of(dressing.assets),
     )
+
+
+def test_a_full_place_and_a_large_one_hold_more_people() -> None:
+    sizes = [crowd_size(crowd, area) for crowd, area in ((None, 120), ("busy", 60), ("full", 60), ("full", 120))]
+    assert sizes[0] == 0 < 12 <= sizes[1] < sizes[2] < sizes[3] <= 40
 
 
 @pytest.mark.parametrize("kit", ["cafe", "bar", "square", "street", "lobby", "park"])

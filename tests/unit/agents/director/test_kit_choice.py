@@ -1,15 +1,23 @@
-"""Headings of scripts and the kits they get."""
+"""Places of scripts and the kits they get, by their headings, contents and age."""
 
 from __future__ import annotations
 
 import pytest
 
 from storyblender.agents.director import lexicon
+from storyblender.agents.director.kit_choice import choose_kit, find_kit
+from storyblender.agents.director.kit_evidence import kit_of_things
+from storyblender.agents.director.reading import SceneReading
 from storyblender.catalog.sets import SETS
-from storyblender.catalog.sets.evidence import kit_of_things
-from storyblender.catalog.sets.places import find_kit, kit_of
-from storyblender.memory.scene_context import SceneSetup
-from storyblender.memory.vocabulary import SceneType
+from storyblender.memory.vocabulary import Age, SceneType
+
+
+def kit_of(
+    place: str, things: tuple[str, ...] = (), where: SceneType = "indoor", age: Age | None = None, kit: str = ""
+) -> str:
+    kind = lexicon.place_kind(place)
+    scene = SceneReading(id=1, heading="", place=place, place_kind=kind, scene_type=where, kit=kit)
+    return choose_kit(scene, things, place, age)
 
 
 @pytest.mark.parametrize(
@@ -144,11 +152,11 @@ def test_no_word_means_two_kits_alike() -> None:
     ],
 )
 def test_where_no_word_is_known_the_things_tell_the_place(things: tuple[str, ...], kit: str) -> None:
-    assert kit_of(SceneSetup(place='zorgblat "la esquina"', scene_type="indoor", asset_ids=things)) == kit
+    assert kit_of('zorgblat "la esquina"', things) == kit
 
 
 def test_a_known_heading_counts_more_than_things() -> None:
-    assert kit_of(SceneSetup(place="kitchen", scene_type="indoor", asset_ids=("bed", "pillow"))) == "kitchen"
+    assert kit_of("kitchen", ("bed", "pillow")) == "kitchen"
 
 
 @pytest.mark.parametrize(
@@ -161,8 +169,7 @@ def test_a_known_heading_counts_more_than_things() -> None:
     ],
 )
 def test_open_ground_that_is_named_is_no_fallback(place: str, kit: str) -> None:
-    setup = SceneSetup(place=place, place_kind=lexicon.place_kind(place), scene_type="outdoor")
-    assert kit_of(setup) == kit
+    assert kit_of(place, where="outdoor") == kit
 
 
 def test_things_tell_only_kits_that_may_be_chosen() -> None:
@@ -207,8 +214,7 @@ def test_the_last_part_of_a_heading_is_where_we_are() -> None:
     ],
 )
 def test_a_hall_is_what_stands_in_it_and_whose_it_is(place: str, things: tuple[str, ...], kit: str) -> None:
-    setup = SceneSetup(place=place, place_kind=lexicon.place_kind(place), scene_type="indoor", asset_ids=things)
-    assert kit_of(setup) == kit
+    assert kit_of(place, things) == kit
 
 
 @pytest.mark.parametrize(
@@ -232,3 +238,24 @@ def test_a_small_place_is_no_living_room(place: str, where: SceneType, kit: str)
     assert find_kit("", place, where) == kit
     width, depth = SETS[kit].width, SETS[kit].depth
     assert where == "outdoor" or width.usual * depth.usual < 26
+
+
+@pytest.mark.parametrize(
+    ("place", "where", "age", "kit"),
+    [
+        ("APARTMENT", "indoor", "classic", "living_room"),
+        ("APARTMENT", "indoor", "today", "apartment"),
+        ("APARTMENT", "indoor", None, "apartment"),
+        ("KITCHEN", "indoor", "victorian", "kitchen"),
+        ("SUPERMARKET", "indoor", "victorian", "shop"),
+        ("SERVER ROOM", "indoor", "classic", "archive"),
+        ("BATTLEFIELD", "outdoor", "medieval", "open_ground"),
+        ("BATTLEFIELD", "outdoor", "classic", "trench"),
+    ],
+)
+def test_a_place_gets_the_kit_of_the_storys_age(place: str, where: SceneType, age: Age | None, kit: str) -> None:
+    assert kit_of(place, where=where, age=age) == kit
+
+
+def test_a_kit_that_was_chosen_by_name_stays_in_any_age() -> None:
+    assert kit_of("FLAT", age="victorian", kit="apartment") == "apartment"

@@ -1,16 +1,19 @@
-"""Chooses the set kit for a place of the script: by its heading, else by its contents, else a plain fallback."""
+"""Chooses the set kit of a scene: as named, else by its heading, else by its contents, else a plain fallback."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from functools import cache
 from typing import NamedTuple
 
+from storyblender.agents.director.kit_evidence import kit_of_things
+from storyblender.agents.director.reading import SceneReading
 from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.sets import SETS
-from storyblender.catalog.sets.evidence import kit_of_things
-from storyblender.memory.scene_context import SceneSetup
-from storyblender.memory.vocabulary import SceneType
+from storyblender.catalog.sets.drawing import Period
+from storyblender.catalog.sets.period import period_of
+from storyblender.memory.vocabulary import Age, SceneType
 
 FALLBACK: dict[SceneType, str] = {"indoor": "room", "outdoor": "open_ground"}
 
@@ -43,49 +46,72 @@ _INSIDE_OF = {
 }  # fmt: skip
 """Outdoor kit -> the kit for INT. of the same place; a plain room if it is not listed."""
 
+_OLDER_KITS: dict[Period, dict[str, str]] = {
+    "past": {
+        "trench": "open_ground", "apartment": "living_room", "motel_room": "bedroom", "hospital_room": "bedroom",
+        "open_office": "office", "meeting_room": "dining_room", "coffee_shop": "cafe", "diner": "bar",
+        "supermarket": "shop", "restaurant_kitchen": "kitchen", "nightclub": "ballroom", "garage": "stable",
+        "parking_garage": "stable", "server_room": "archive", "caravan": "cottage", "gas_station": "stable",
+        "parking_lot": "square", "highway": "country_road", "bus_stop": "country_road", "suburb": "village",
+        "construction_site": "village", "playground": "park", "coach": "horse_carriage", "car": "horse_carriage",
+        "housing_estate": "street", "phone_box": "closet",
+    },
+    "classic": {
+        "apartment": "living_room", "open_office": "office", "coffee_shop": "cafe", "supermarket": "shop",
+        "server_room": "archive",
+    },
+}  # fmt: skip
+"""Kit of a place before its time, by period: knights meet on open ground, a flat of the forties is a living room."""
 
 _SURE, _SUITS = 10.0, 30.0
 """Points of a particular word, and for suiting INT or EXT: that beats any phrase that does not. INT. CAR - PARKING LOT
 is in the car."""
 
-
 _HALL = frozenset(["hall", "great", "main", "central", "big", "large"])
-
 
 _BESIDE = re.compile(r"(?<=\w)[\s,-]+(?:of|behind|near|beside|outside|opposite|next to|close to|on|by|above)\s+")
 """Words after which another place is named: the alley behind the market is an alley."""
-
 
 _PARTS = re.compile(r",\s*|\s+[-–—]+\s+")
 """Between the parts of a heading: the last, MANOR, LIBRARY, is where we are."""
 
 
-def kit_of(setup: SceneSetup) -> str:
-    """Return the key of a scene's kit: as chosen, or by its heading, its characters and props, or its description."""
-    if setup.kit in SETS:
-        return setup.kit
-    key = _hall_of(setup) or find_kit(setup.place_kind, setup.place, setup.scene_type)
-    vague = bool(setup.place) and _VAGUE.issuperset(_tokens(setup.place))
-    if not vague and (key != FALLBACK[setup.scene_type] or _names(setup.place, key)):
-        return key
-    indoor = setup.scene_type == "indoor"
-    kits = (kit.key for kit in SETS.values() if kit.indoor == indoor)
-    told = kit_of_things((*setup.asset_ids, setup.layout_description), kits)
-    if told is not None:
-        return told
-    if key != FALLBACK[setup.scene_type]:
-        return key
-    words = f"{setup.layout_description} {setup.ground_description} {setup.place}"
-    return find_kit(setup.place_kind, words, setup.scene_type)
+def choose_kit(scene: SceneReading, things: Iterable[str], contents: str, age: Age | None = None) -> str:
+    """Return the key of a scene's kit; one that no person named is the kit that its place had in the story's age.
+
+    Args:
+        scene: The scene.
+        things: Ids of the people and things that are there.
+        contents: The place and what is in it, in words.
+        age: Age of the story; None if its words do not tell it.
+    """
+    if scene.kit in SETS:
+        return scene.kit
+    kit = _kit_by_words(scene, things, contents)
+    return _OLDER_KITS.get(period_of(SETS[kit], age), {}).get(kit, kit)
 
 
-def _hall_of(setup: SceneSetup) -> str | None:
+def _kit_by_words(scene: SceneReading, things: Iterable[str], contents: str) -> str:
+    """Return the kit of a scene by its heading, its people and things, or the words for its contents."""
+    fallback = FALLBACK[scene.scene_type]
+    key = _hall_of(scene) or find_kit(scene.place_kind, scene.place, scene.scene_type)
+    vague = bool(scene.place) and _VAGUE.issuperset(_tokens(scene.place))
+    if not vague and (key != fallback or _names(scene.place, key)):
+        return key
+    kits = (kit.key for kit in SETS.values() if kit.indoor == (scene.scene_type == "indoor"))
+    told = kit_of_things((*things, contents), kits)
+    if told is not None or key != fallback:
+        return told or key
+    return find_kit(scene.place_kind, f"{contents} {scene.place}", scene.scene_type)
+
+
+def _hall_of(scene: SceneReading) -> str | None:
     """Return the kit of the building whose hall it is: the great hall of a museum is no castle's."""
-    building, *_, last = _PARTS.split(setup.place.strip()) if _PARTS.search(setup.place.strip()) else ("", "")
+    building, *_, last = _PARTS.split(scene.place.strip()) if _PARTS.search(scene.place.strip()) else ("", "")
     if not _HALL.issuperset(_tokens(last) or ["-"]):
         return None
-    key = find_kit("", building, setup.scene_type)
-    return key if _names(building, key) and SETS[key].indoor == (setup.scene_type == "indoor") else None
+    key = find_kit("", building, scene.scene_type)
+    return key if _names(building, key) and SETS[key].indoor == (scene.scene_type == "indoor") else None
 
 
 def _names(words: str, key: str) -> bool:
@@ -93,18 +119,12 @@ def _names(words: str, key: str) -> bool:
     return any(_score(tag, _heading("", words)) >= _SURE for tag in SETS[key].tags if tag not in _VAGUE)
 
 
-def names_a_kit(place_kind: str, words: str, scene_type: SceneType) -> bool:
-    """Return whether the words of a place name a kit rather than falling back; ``ROOM`` names the plain room.
-
-    Args:
-        place_kind: The Director's key of the place, or empty.
-        words: The place as written.
-        scene_type: INT or EXT.
-    """
-    key = find_kit(place_kind, words, scene_type)
-    if key == FALLBACK[scene_type] and _VAGUE.issuperset(_tokens(words)):
-        return True  # ``ROOM`` means no more than a plain room
-    return key != FALLBACK[scene_type] or _names(words, key) or _names(place_kind.replace("_", " "), key)
+def names_a_kit(scene: SceneReading) -> bool:
+    """Return whether the words of a place name a kit rather than falling back; ``ROOM`` names the plain room."""
+    key = find_kit(scene.place_kind, scene.place, scene.scene_type)
+    if key != FALLBACK[scene.scene_type] or _VAGUE.issuperset(_tokens(scene.place)):
+        return True
+    return _names(scene.place, key) or _names(scene.place_kind.replace("_", " "), key)
 
 
 def find_kit(place_kind: str, words: str, scene_type: SceneType) -> str:
