@@ -20,7 +20,8 @@ from storyblender.agents.director.reading_file import unknown_names, unknown_set
 from storyblender.agents.director.settings import DirectorSettings
 from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.props import PROPS
-from storyblender.memory.base import shot_name
+from storyblender.catalog.sets import SETS
+from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.graph import Storyboard
 from storyblender.memory.outline import ScriptLine
 from storyblender.ports import Embedder
@@ -119,7 +120,7 @@ class RulesShotDirector:
 
 
 class ShotDirectorCritic:
-    """Checks that shots cover the script once and in order, show who speaks, obey directions; and that props exist."""
+    """Checks that shots cover the script once and in order, show who speaks, obey directions; props and sets exist."""
 
     def judge(self, draft: Storyboard, view: ShotDirectorView) -> Critique:
         """Score ten less one for each fault."""
@@ -130,6 +131,7 @@ class ShotDirectorCritic:
                 *_ignored_directions(draft, view.reading),
                 *_unknown_motions(draft),
                 *_unknown_kinds(draft),
+                *_unknown_sets(draft),
             )
         )
 
@@ -175,6 +177,15 @@ def _unknown_kinds(board: Storyboard) -> Iterator[Fault]:
         if asset.kind and asset.kind not in PROPS:
             message = f"{asset.asset_id} is said to be a {asset.kind!r}, which is no prop of the catalog"
             yield Fault(kind="vocabulary", subject=asset.asset_id, message=message)
+
+
+def _unknown_sets(board: Storyboard) -> Iterator[Fault]:
+    """Yield scenes whose set kit does not exist, or has not all of their options."""
+    for scene in board.scene_details:
+        name, kit = scene_name(scene.scene_id), SETS.get(scene.setup.kit)
+        if kit is None or not kit.options.keys() >= {*scene.setup.set_options}:
+            message = f"{name} has a set that does not exist: {scene.setup.kit!r}, {list(scene.setup.set_options)}"
+            yield Fault(kind="vocabulary", subject=name, message=message, severity=UNUSABLE)
 
 
 def _ignored_directions(board: Storyboard, reading: Reading) -> Iterator[Fault]:

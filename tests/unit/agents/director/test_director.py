@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from storyblender.agents.director.director import RulesShotDirector, ShotDirectorCritic, ShotDirectorView
 from storyblender.agents.director.reader import read_script
 from storyblender.agents.director.settings import DirectorSettings
@@ -20,3 +22,14 @@ def test_a_kind_that_is_no_prop_is_a_fault() -> None:
     )
     (fault,) = critic.judge(board.model_copy(update={"asset_sheet": sheet}), view).faults
     assert (fault.kind, fault.subject) == ("vocabulary", "cup")
+
+
+@pytest.mark.parametrize("wrong", [{"kit": ""}, {"kit": "nowhere"}, {"set_options": ("palms",)}])
+def test_a_set_that_does_not_exist_is_never_accepted(wrong: dict[str, object]) -> None:
+    view = ShotDirectorView(read_script(read(SCRIPT, "fountain")), DirectorSettings())
+    board = RulesShotDirector().propose(view)
+    (scene,) = board.scene_details
+    scene = scene.model_copy(update={"setup": scene.setup.model_copy(update=wrong)})
+    critique = ShotDirectorCritic().judge(board.model_copy(update={"scene_details": (scene,)}), view)
+    assert [(fault.kind, fault.subject) for fault in critique.faults] == [("vocabulary", "SC010")]
+    assert critique.score == 1
