@@ -132,6 +132,7 @@ class LanguagePolicy(Generic[View, Answer, Draft]):
         subject: Returns what a view is about, for people.
         mend: The rules' ``refine``: applies the numbers that the critic computed; the model is asked only for the rest.
         pictures: Returns what there is to look at.
+        settled: Returns the draft of a view that leaves nothing to decide; None where the model is asked.
     """
 
     asker: Asker[Answer]
@@ -141,12 +142,14 @@ class LanguagePolicy(Generic[View, Answer, Draft]):
     subject: Callable[[View], str] = lambda view: ""
     mend: Callable[[Draft, Critique, View], Draft] = lambda draft, critique, view: draft
     pictures: Callable[[View], tuple[Picture, ...]] = lambda view: ()
+    settled: Callable[[View], Draft | None] = lambda view: None
     _last: dict[str, str] = field(default_factory=dict)
     """The last answer as JSON, by the digest of its view."""
 
     def propose(self, view: View) -> Draft:
         """Return the draft of the model. Raises NoAnswer or AnswerAwaited."""
-        return self._asked(view)
+        settled = self.settled(view)
+        return self._asked(view) if settled is None else settled
 
     def refine(self, draft: Draft, critique: Critique, view: View) -> Draft:
         """Return the draft with the critic's numbers applied; where it gave none, the model's next draft.
@@ -157,7 +160,7 @@ class LanguagePolicy(Generic[View, Answer, Draft]):
             view: What the role knows.
         """
         mended = self.mend(draft, critique, view)
-        if mended != draft:
+        if mended != draft or self.settled(view) is not None:
             return mended
         return self._asked(view, tuple(fault.message for fault in critique.faults))
 

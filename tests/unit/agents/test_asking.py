@@ -100,3 +100,14 @@ def test_what_has_no_number_is_asked_again_with_the_answer_before() -> None:
     fault = Fault(kind="mood", message="the scene is cold")
     assert role.refine(draft, Critique.of((fault,)), "INT. BAR").mood == "cold"
     assert (model.asked[1].previous, model.asked[1].feedback) == ('{"mood":"warm"}', ("the scene is cold",))
+
+
+def test_a_view_that_leaves_nothing_to_decide_is_not_asked_about() -> None:
+    ask, model = asker([])
+    role = LanguagePolicy[str, Light, Light](
+        ask, show=lambda view: {}, draft_of=lambda answer, view: answer, settled=lambda view: Light(mood=view)
+    )
+    assert role.propose("warm") == Light(mood="warm")
+    fault = Fault(kind="mood", message="the scene is cold")
+    assert role.refine(Light(mood="warm"), Critique.of((fault,)), "warm") == Light(mood="warm")
+    assert not model.asked
