@@ -10,9 +10,10 @@ from functools import cache
 from importlib.resources import files
 from typing import Any, Generic, TypeVar
 
-from pydantic import BaseModel, ValidationError
+from pydantic import BaseModel, ConfigDict, ValidationError
 
 from storyblender.errors import NoAnswer
+from storyblender.memory.base import Frozen
 from storyblender.memory.request import Picture, Request
 from storyblender.ports import Answerer
 from storyblender.reflection import Critique, view_digest
@@ -26,6 +27,12 @@ _REPAIRS = 2
 _COMPLAINTS = 12
 """Most sentences of feedback in one request."""
 _FENCED = re.compile(r"\A\s*```[a-z]*\s*\n(.*?)\n?\s*```\s*\Z", re.DOTALL)
+
+
+class Notes(Frozen):
+    """A part of an answer; the docstrings of its fields are part of the JSON schema that goes with a request."""
+
+    model_config = ConfigDict(use_attribute_docstrings=True)
 
 
 @cache

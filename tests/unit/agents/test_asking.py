@@ -9,7 +9,7 @@ import pytest
 from pydantic import BaseModel
 from tests.answering import Scripted
 
-from storyblender.agents.asking import Asker, LanguagePolicy, prompt
+from storyblender.agents.asking import Asker, LanguagePolicy, Notes, prompt
 from storyblender.errors import NoAnswer
 from storyblender.reflection import Critique, Fault
 
@@ -111,3 +111,13 @@ def test_a_view_that_leaves_nothing_to_decide_is_not_asked_about() -> None:
     fault = Fault(kind="mood", message="the scene is cold")
     assert role.refine(Light(mood="warm"), Critique.of((fault,)), "warm") == Light(mood="warm")
     assert not model.asked
+
+
+def test_the_schema_explains_its_fields() -> None:
+    class Level(Notes):
+        """How bright a room is."""
+
+        stops: float = 0.0
+        """Stops over the usual level."""
+
+    assert Level.model_json_schema()["properties"]["stops"]["description"] == "Stops over the usual level."

@@ -6,8 +6,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from storyblender.agents.asking import Notes
 from storyblender.agents.director.reading import Deed, Person, SceneReading, StateChange, Thing, Unit
-from storyblender.memory.base import Coordinate, Frozen, Identifier
+from storyblender.memory.base import Coordinate, Identifier
 from storyblender.memory.scene_context import Relation, Spot
 from storyblender.memory.vocabulary import (
     Expression,
@@ -25,7 +26,7 @@ Name = Annotated[str, Field(max_length=200)]
 """A few words of the script."""
 
 
-class PlaceNotes(Frozen):
+class PlaceNotes(Notes):
     """Where and when a scene plays."""
 
     kit: Identifier
@@ -37,7 +38,7 @@ class PlaceNotes(Frozen):
     """Number of the earlier scene in the same place."""
 
 
-class PersonNotes(Frozen):
+class PersonNotes(Notes):
     """A person, an animal that acts, or a crowd."""
 
     id: Identifier
@@ -61,7 +62,7 @@ class PersonNotes(Frozen):
     """Members of a group."""
 
 
-class ThingNotes(Frozen):
+class ThingNotes(Notes):
     """A prop or a set piece that matters."""
 
     id: Identifier
@@ -75,7 +76,7 @@ class ThingNotes(Frozen):
     part_of: Identifier | None = None
 
 
-class DeedNotes(Frozen):
+class DeedNotes(Notes):
     """One visible action."""
 
     actor: Identifier
@@ -88,7 +89,7 @@ class DeedNotes(Frozen):
     mood: Mood = "neutral"
 
 
-class StateNotes(Frozen):
+class StateNotes(Notes):
     """What is new about a person or a thing when a unit ends; a field that is left out stays as it was."""
 
     id: Identifier
@@ -108,14 +109,14 @@ class StateNotes(Frozen):
     """Position; also of a thing."""
 
 
-class ChangeNotes(Frozen):
+class ChangeNotes(Notes):
     """A door, a lamp, a thing or the light of the place (``light``) changes."""
 
     subject: Identifier
     state: Name
 
 
-class UnitNotes(Frozen):
+class UnitNotes(Notes):
     """A unit of the script, annotated."""
 
     number: int
@@ -135,7 +136,7 @@ class UnitNotes(Frozen):
     picture: int | None = None
 
 
-class SceneNotes(Frozen):
+class SceneNotes(Notes):
     """A scene of the script, annotated."""
 
     place: PlaceNotes
