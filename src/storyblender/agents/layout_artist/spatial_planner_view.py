@@ -44,6 +44,7 @@ class SpatialPlannerView:
         scripted_spots: Spots of things in the script, by asset id.
         first_actions: Motions that each person does on the spot in their first shot, each with its prop.
         distance_scale: Factor on distances between people who stand together.
+        script: What happens in the scene, line by line as written.
     """
 
     scene_id: int
@@ -66,6 +67,7 @@ class SpatialPlannerView:
     scripted_spots: Mapping[str, Spot] = field(default_factory=dict)
     first_actions: Mapping[str, tuple[tuple[str, str | None], ...]] = field(default_factory=dict)
     distance_scale: float = 1.0
+    script: tuple[str, ...] = ()
 
 
 def measures_of(assets: Iterable[Asset]) -> dict[str, AssetMeasure]:
@@ -129,6 +131,7 @@ def spatial_planner_view(
             if action.prop_id in objects:
                 handlers[action.prop_id] = (*handlers.get(action.prop_id, ()), action.asset_id)
     reference = scene.setup.reference_scene_id
+    outline = graph.outline_of(scene_id)
     return SpatialPlannerView(
         scene_id=scene_id,
         setup=scene.setup,
@@ -150,6 +153,7 @@ def spatial_planner_view(
         scripted_spots=find_scripted_spots(scene.setup, shots),
         first_actions=_first_actions(shots, props_of(graph.assets)),
         distance_scale=distance_scale,
+        script=outline.script if outline is not None else (),
     )
 
 
