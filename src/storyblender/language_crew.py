@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from pydantic import BaseModel
 
@@ -14,13 +14,26 @@ from storyblender.agents.asking import read_answer_as
 from storyblender.agents.director.annotation import SceneNotes
 from storyblender.agents.director.director import RulesDirector
 from storyblender.agents.director.language_director import LanguageDirector
+from storyblender.agents.visual_effects_artist.language_environment_designer import (
+    SetNotes,
+    language_environment_designer,
+)
 from storyblender.crew import Crew
 from storyblender.crew_setting import RoleName
 from storyblender.language.answer_folder import asked
 from storyblender.ports import Answerer, Embedder
+from storyblender.reflection import Policy
 
-ANSWERS: Final[Mapping[str, type[BaseModel]]] = {"director": SceneNotes}
+ANSWERS: Final[Mapping[str, type[BaseModel]]] = {
+    "director": SceneNotes,
+    "environment_designer": SetNotes,
+}
 """What each role answers with."""
+_POLICIES: Final[Mapping[RoleName, Callable[[Answerer, Callable[[], Embedder]], Policy[Any, Any]]]] = {
+    "director": lambda answerer, embedder: LanguageDirector(answerer, RulesDirector(embedder), embedder),
+    "environment_designer": language_environment_designer,
+}
+"""Makes the policy of each role that a model can play."""
 
 
 def language_crew(crew: Crew, answerers: Mapping[RoleName, Answerer], embedder: Callable[[], Embedder]) -> Crew:
@@ -32,10 +45,12 @@ def language_crew(crew: Crew, answerers: Mapping[RoleName, Answerer], embedder: 
         embedder: Loads the sentence model; called once, at the first need.
     """
     embedder = cache(embedder)
-    if (answerer := answerers.get("director")) is not None:
-        policy = LanguageDirector(answerer, RulesDirector(embedder), embedder)
-        crew = replace(crew, director=replace(crew.director, policies=(policy, *crew.director.policies)))
-    return crew
+    played: dict[str, Any] = {}
+    for name, make in _POLICIES.items():
+        if (answerer := answerers.get(name)) is not None:
+            role = getattr(crew, name)
+            played[name] = replace(role, policies=(make(answerer, embedder), *role.policies))
+    return replace(crew, **played)
 
 
 @dataclass(frozen=True)

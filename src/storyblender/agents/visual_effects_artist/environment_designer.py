@@ -10,6 +10,7 @@ from storyblender.catalog.sets import SETS, SetKit, plan_of
 from storyblender.catalog.sets.period import period_of
 from storyblender.memory.base import Vec2, content_hash
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.outline import SceneOutline
 from storyblender.memory.scene_context import Environment, SceneSetup
 from storyblender.memory.vocabulary import Age
 from storyblender.reflection import Critique, Fault
@@ -37,6 +38,7 @@ class EnvironmentDesignerView:
         travel: Metres of the longest walk in one shot.
         reference: Environment of the earlier scene in the same place; None if there is none.
         age: Age of the story; None if its words do not tell it.
+        outline: The words of the scene, which only a language model reads.
     """
 
     setup: SceneSetup
@@ -45,6 +47,7 @@ class EnvironmentDesignerView:
     travel: float = 0.0
     reference: Environment | None = None
     age: Age | None = None
+    outline: SceneOutline | None = None
 
 
 def environment_designer_view(graph: ContinuityMemoryGraph, scene_id: int) -> EnvironmentDesignerView:
@@ -65,6 +68,7 @@ def environment_designer_view(graph: ContinuityMemoryGraph, scene_id: int) -> En
         travel=max(walks, default=0.0),
         reference=graph.scene(reference).environment if reference is not None else None,
         age=graph.age,
+        outline=graph.outline_of(scene_id),
     )
 
 
@@ -85,7 +89,7 @@ class RulesEnvironmentDesigner:
             params["period"] = period
         params |= dict.fromkeys(setup.set_options, True) | ground
         seed = int(content_hash(setup.place.upper(), kit.key), 16) % 100_000
-        return _with_size(Environment(kit=kit.key, params=params, seed=seed), *_needed_size(view, kit))
+        return with_size(Environment(kit=kit.key, params=params, seed=seed), *needed_size(view, kit))
 
     def refine(self, draft: Environment, critique: Critique, view: EnvironmentDesignerView) -> Environment:
         """Return the environment at the size that the critic computed.
@@ -97,7 +101,7 @@ class RulesEnvironmentDesigner:
         """
         for fault in critique.faults:
             if "width" in fault.fix:
-                draft = _with_size(draft, float(fault.fix["width"]), float(fault.fix["depth"]))
+                draft = with_size(draft, float(fault.fix["width"]), float(fault.fix["depth"]))
         return draft
 
 
@@ -118,7 +122,7 @@ class EnvironmentDesignerCritic:
             )
         width, depth = plan.size.x - plan.size.x_negative, plan.size.y - plan.size.y_negative
         kit = SETS[draft.kit]
-        want_width, want_depth = _needed_size(view, kit)
+        want_width, want_depth = needed_size(view, kit)
         if width < kit.width.clamp(want_width) - 0.05 or depth < kit.depth.clamp(want_depth) - 0.05:
             message = f"the set is {width:.1f} x {depth:.1f} m; the scene wants {want_width:.1f} x {want_depth:.1f} m"
             fix: dict[str, float | str] = {"width": want_width, "depth": want_depth}
@@ -130,7 +134,7 @@ class EnvironmentDesignerCritic:
         return Critique.of(tuple(faults))
 
 
-def _needed_size(view: EnvironmentDesignerView, kit: SetKit) -> Vec2:
+def needed_size(view: EnvironmentDesignerView, kit: SetKit) -> Vec2:
     """Return the width and depth in metres that the people, things and walks of a scene need in a kit."""
     usual = kit.width.usual * kit.depth.usual
     extra = _ROOM_FOR_ONE * max(0, view.people - _CROWD)
@@ -142,7 +146,7 @@ def _needed_size(view: EnvironmentDesignerView, kit: SetKit) -> Vec2:
     return round(width, 1), round(kit.depth.usual * scale, 1)
 
 
-def _with_size(environment: Environment, width: float, depth: float) -> Environment:
+def with_size(environment: Environment, width: float, depth: float) -> Environment:
     """Return an environment at a width and depth in metres, within the limits of its kit."""
     kit = SETS[environment.kit]
     size: dict[str, ParamValue] = {"width": kit.width.clamp(width), "depth": kit.depth.clamp(depth)}

@@ -6,10 +6,8 @@ import json
 from functools import cache
 from typing import Any
 
-import numpy as np
 import pytest
-from numpy.typing import NDArray
-from tests.answering import Answering, Scripted
+from tests.answering import Alike, Answering, Scripted
 
 from storyblender.agents.director.director import DirectorCritic, RulesDirector
 from storyblender.agents.director.language_director import LanguageDirector
@@ -36,13 +34,6 @@ INT. BAKERY - DAY
 She puts a medal on the counter.
 """
 )
-
-
-class Alike:
-    """Finds every text as near to every other."""
-
-    def embed(self, texts: Any) -> NDArray[np.float32]:
-        return np.ones((len(texts), 1), np.float32)
 
 
 def director(answerer: Answerer) -> LanguageDirector:
