@@ -14,6 +14,7 @@ from storyblender.agents.asking import read_answer_as
 from storyblender.agents.director.annotation import SceneNotes
 from storyblender.agents.director.director import RulesDirector
 from storyblender.agents.director.language_director import LanguageDirector
+from storyblender.agents.layout_artist.language_spatial_planner import LayoutNotes, language_spatial_planner
 from storyblender.agents.visual_effects_artist.language_environment_designer import (
     SetNotes,
     language_environment_designer,
@@ -27,11 +28,13 @@ from storyblender.reflection import Policy
 ANSWERS: Final[Mapping[str, type[BaseModel]]] = {
     "director": SceneNotes,
     "environment_designer": SetNotes,
+    "spatial_planner": LayoutNotes,
 }
 """What each role answers with."""
 _POLICIES: Final[Mapping[RoleName, Callable[[Answerer, Callable[[], Embedder]], Policy[Any, Any]]]] = {
     "director": lambda answerer, embedder: LanguageDirector(answerer, RulesDirector(embedder), embedder),
     "environment_designer": language_environment_designer,
+    "spatial_planner": language_spatial_planner,
 }
 """Makes the policy of each role that a model can play."""
 

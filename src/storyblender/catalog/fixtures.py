@@ -62,16 +62,16 @@ def fixtures_called(plan: SetPlan, name: str | None) -> list[Fixture]:
         return []
     last = words[-1]
     kind = _MEANINGS.get(last)
-    found = [fixture for fixture in _fixtures(plan) if fixture.kind == kind]
+    found = [fixture for fixture in fixtures_of(plan) if fixture.kind == kind]
     if not found:
         wanted = {last, *_SAME.get(last, ())}
-        found = [fixture for fixture in _fixtures(plan) if wanted & {*fixture.tags}]
+        found = [fixture for fixture in fixtures_of(plan) if wanted & {*fixture.tags}]
         found.sort(key=lambda fixture: fixture.kind == "mark")
     told = {*words}
     return sorted(found, key=lambda fixture: -len(told & {*fixture.tags, *fixture.name.split("_")}))
 
 
-def _fixtures(plan: SetPlan) -> Iterator[Fixture]:
+def fixtures_of(plan: SetPlan) -> Iterator[Fixture]:
     """Yield the walls, openings, corners, pieces and marks of a set."""
     for wall in plan.walls:
         if not wall.missing:

@@ -93,9 +93,3 @@ class SceneOutline(Frozen):
     def numbered_title(self) -> str:
         """The title after the scene's number in the script, where it has one."""
         return f"{self.script_number}  {self.title}" if self.script_number else self.title
-
-    @property
-    def script(self) -> tuple[str, ...]:
-        """What happens in the scene, line by line as written; a speech has its speaker before it."""
-        lines = (line for shot in self.shots for line in shot.lines)
-        return tuple(f"{line.speaker_name}: {line.text}" if line.speaker_name else line.text for line in lines)

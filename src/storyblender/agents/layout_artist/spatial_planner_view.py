@@ -12,6 +12,7 @@ from storyblender.catalog.set_plan import SetPlan
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.measure import AssetMeasure
+from storyblender.memory.outline import SceneOutline
 from storyblender.memory.scene_context import Layout, LayoutObject, SceneSetup, Spot
 from storyblender.memory.shot_context import BodyState, ShotContext
 
@@ -44,7 +45,7 @@ class SpatialPlannerView:
         scripted_spots: Spots of things in the script, by asset id.
         first_actions: Motions that each person does on the spot in their first shot, each with its prop.
         distance_scale: Factor on distances between people who stand together.
-        script: What happens in the scene, line by line as written.
+        outline: The lines of the scene.
     """
 
     scene_id: int
@@ -67,7 +68,7 @@ class SpatialPlannerView:
     scripted_spots: Mapping[str, Spot] = field(default_factory=dict)
     first_actions: Mapping[str, tuple[tuple[str, str | None], ...]] = field(default_factory=dict)
     distance_scale: float = 1.0
-    script: tuple[str, ...] = ()
+    outline: SceneOutline | None = None
 
 
 def measures_of(assets: Iterable[Asset]) -> dict[str, AssetMeasure]:
@@ -131,7 +132,6 @@ def spatial_planner_view(
             if action.prop_id in objects:
                 handlers[action.prop_id] = (*handlers.get(action.prop_id, ()), action.asset_id)
     reference = scene.setup.reference_scene_id
-    outline = graph.outline_of(scene_id)
     return SpatialPlannerView(
         scene_id=scene_id,
         setup=scene.setup,
@@ -153,7 +153,7 @@ def spatial_planner_view(
         scripted_spots=find_scripted_spots(scene.setup, shots),
         first_actions=_first_actions(shots, props_of(graph.assets)),
         distance_scale=distance_scale,
-        script=outline.script if outline is not None else (),
+        outline=graph.outline_of(scene_id),
     )
 
 
