@@ -82,13 +82,12 @@ def made(folder: Path, scenes: int, shots: int) -> Path:
 
 
 def timed(project: Path, name: str, *change: str) -> tuple[float, float, float]:
-    """Render a shot; return seconds to its frame, to the end, and of processor."""
+    """Edit the camera of a shot, or render it as it is; return seconds to its frame, to the end, and of processor."""
     frame = project / "frames" / f"{name}.png"
     before, spent = frame.stat().st_mtime_ns, processor()
     start = time.perf_counter()
-    run = subprocess.Popen(
-        [sys.executable, "-m", "storyblender", "render", str(project), "--shot", name, *change, "--quiet"]
-    )
+    command = ["edit", str(project), name, *change] if change else ["render", str(project), "--shot", name]
+    run = subprocess.Popen([sys.executable, "-m", "storyblender", *command, "--quiet"])
     while frame.stat().st_mtime_ns == before and run.poll() is None:
         time.sleep(0.02)
     seen = time.perf_counter() - start

@@ -11,6 +11,8 @@ import pytest
 from storyblender.folder import Folder
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.base import Frozen
+from storyblender.memory.camera_decision import CameraDecision
+from storyblender.memory.edits import CameraEdit
 from storyblender.memory.graph import ContinuityMemoryGraph, ProjectFormat
 from storyblender.memory.history import Item, replace
 from storyblender.memory.jobs import (
@@ -89,7 +91,7 @@ class Stage:
         with Project(self.folder) as project:
             form = ProjectFormat(fps=settings.fps, width=wide)
             project.commit(project.graph.model_copy(update={"format": form}), "user", "picture size")
-        Studio(settings, self._hear).render(self.folder, shots, {})
+        Studio(settings, self._hear).render(self.folder, shots)
         return self.engine.calls
 
     def content(self) -> dict[str, bytes]:
@@ -110,3 +112,8 @@ class Stage:
     def _hear(self, event: Any) -> None:
         if event.kind == "warning":
             self.told.append(f"{event.role} {event.message}")
+
+
+def camera_edit(shot: str, words: dict[str, Any]) -> CameraEdit:
+    """Return what a person decides about the camera of a shot as an edit."""
+    return CameraEdit(shot=shot, decision=CameraDecision.model_validate(words))

@@ -160,8 +160,8 @@ def plan(
 
 @app.command(
     epilog=examples(
-        "render my_film.storyboard --shot SC010_SH020 --size CU --lens 85",
-        'render my_film.storyboard --shot SC010_SH020 --move "push in" --animatic',
+        "render my_film.storyboard --shot SC010_SH020",
+        "render my_film.storyboard --animatic",
         "render my_film.storyboard --look pencil",
     )
 )
@@ -170,25 +170,16 @@ def render(
     folder: Folder,
     shot: Annotated[list[str] | None, typer.Option(help="Only this shot, e.g. SC010_SH020; may be repeated.")] = None,
     look: LookOption = None,
-    size: Annotated[
-        str | None,
-        typer.Option(help="How much is seen, from extreme wide to extreme close-up: EWS WS FS MWS MS MCU CU ECU."),
-    ] = None,
-    angle: Annotated[str | None, typer.Option(help="eye-level, high angle, low angle, bird's-eye, dutch ...")] = None,
-    lens: Annotated[float | None, typer.Option(help="Focal length in mm: 24 is wide, 85 is long.")] = None,
-    move: Annotated[str | None, typer.Option(help="Camera move: static, pan left, tilt up, push in ...")] = None,
     animatic: Annotated[bool, typer.Option(help="Render the moving film again where it changed.")] = False,
     jobs: Jobs = None,
     quiet: Quiet = False,
     json_lines: Json = False,
 ) -> None:
-    """Render a project again: only what changed, or the shots named, with a changed camera if you say so."""
-    camera = {"size": size, "angle": angle, "lens": lens, "movement": move}
-    change = {key: value for key, value in camera.items() if value is not None}
+    """Render a project again: only what changed, or the shots named. A camera is changed with `edit`."""
     settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=animatic)
     with shown(quiet, json_lines) as terminal:
         studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
-        delivery = studio.render(folder, shot or [], change)
+        delivery = studio.render(folder, shot or [])
         terminal.files(delivery.folder, delivery.files)
 
 

@@ -23,7 +23,6 @@ from storyblender.catalog.registry import Entry
 from storyblender.catalog.sets import SETS
 from storyblender.crew import rules_crew
 from storyblender.edits.dispatcher import Applied
-from storyblender.edits.words import Word, camera_decision
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.engine.worker import Worker
 from storyblender.errors import InputError
@@ -33,7 +32,7 @@ from storyblender.library.embedder import load_embedder
 from storyblender.library.sources import asset_sources
 from storyblender.look.looks import LOOKS
 from storyblender.memory.base import shot_name
-from storyblender.memory.edits import CameraEdit, Edit
+from storyblender.memory.edits import Edit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit
 from storyblender.memory.jobs import AssetJob
@@ -109,22 +108,10 @@ class Studio:
         read_project_graph(folder)
         return self._open(None, folder)
 
-    def render(self, folder: Path, names: Sequence[str], camera: Mapping[str, Word]) -> Delivery:
-        """Open a project, decide about the cameras of the named shots if anything is said of them, and draw.
-
-        Args:
-            folder: The project.
-            names: Shots to draw; all if empty.
-            camera: Fields of ``CameraDecision`` for the named shots.
-
-        Raises:
-            InputError: No such project or shot, a project that is only planned, or a camera without a shot.
-        """
+    def render(self, folder: Path, names: Sequence[str] = ()) -> Delivery:
+        """Open a project for one call of ``Session.render``."""
         with self.open(folder) as session:
-            if camera and not names:
-                raise InputError("a changed camera needs a shot", mend="name it, e.g. --shot SC010_SH020")
-            decision = camera_decision(camera)
-            return session.render(names, [CameraEdit(shot=name, decision=decision) for name in names if camera])
+            return session.render(names)
 
     def edit(
         self, folder: Path, edits: Sequence[Edit], revision: str | None = None, *, draw: bool = True

@@ -176,7 +176,7 @@ def test_damaged_history(planned: Path) -> None:
 def test_unknown_shots_and_catalogues(planned: Path, tmp_path: Path) -> None:
     refuses("there is no shot 'SC990_SH010'", "render", planned, "--shot", "SC990_SH010")
     refuses("there is no shot '../../x'", "render", planned, "--shot", "../../x")
-    refuses("needs a shot", "render", planned, "--size", "CU")
+    refuses("nothing to change", "edit", planned, "--size", "CU")
     refuses("dragons", "catalog", "dragons")
     refuses("dragons", "catalog", "--picture", "dragons", "--out", tmp_path / "dragons.png")
     refuses("nothing to undo", "undo", planned)
@@ -185,7 +185,7 @@ def test_unknown_shots_and_catalogues(planned: Path, tmp_path: Path) -> None:
 
 
 def test_a_plan_is_not_drawn_before_it_is_made(planned: Path) -> None:
-    refuses("planned, not made yet", "render", planned, "--shot", "SC010_SH010", "--lens", "85")
+    refuses("planned, not made yet", "render", planned, "--shot", "SC010_SH010")
     refuses("planned, not made yet", "check", planned)
 
 

@@ -72,7 +72,7 @@ def test_a_second_run_draws_nothing(project: Path, script: Path) -> None:
 def test_a_changed_camera_draws_one_frame(project: Path) -> None:
     before = stamps(project)
     name = shots(project)[1]
-    done = storyblender("render", project, "--shot", name, "--size", "ECU", "--look", "fast", "--quiet")
+    done = storyblender("edit", project, name, "--size", "ECU", "--look", "fast", "--quiet")
     assert done.returncode == 0, done.stderr[-2000:]
     after = stamps(project)
     assert [key for key in before if after[key] != before[key]] == [f"{name}.png"]

@@ -30,7 +30,7 @@ def test_a_changed_script_keeps_cameras_and_pictures(tmp_path: Path) -> None:
     script.write_text(SCRIPT + GARDEN)
     arguments = [script, "--out", project, *SMALL, "--no-animatic"]
     made(arguments)
-    assert storyblender("render", project, "--shot", "SC010_SH020", "--size", "CU", "--quiet").returncode == 0
+    assert storyblender("edit", project, "SC010_SH020", "--size", "CU", "--quiet").returncode == 0
     before, graph = frames(project), read_project_graph(project)
 
     script.write_text((SCRIPT + GARDEN).replace("Two Cups", "Three Cups"))

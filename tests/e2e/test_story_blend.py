@@ -111,10 +111,10 @@ def test_assets_are_marked_and_nothing_is_missing(facts: dict[str, Any]) -> None
 
 def test_a_scene_put_in_anew_is_as_in_a_whole_file(project: Path) -> None:
     name = rows(project)[0]["shot"]
-    for arguments in (["--shot", name, "--lens", "41"], []):
-        done = storyblender("render", project, *arguments, "--quiet")
+    for command in (["edit", project, name, "--lens", "41"], ["render", project]):
+        done = storyblender(*command, "--quiet")
         assert done.returncode == 0, done.stderr[-2000:]
-        if arguments:
+        if command[0] == "edit":
             patched = read(project)
             (project / "build" / "story.json").unlink()
     assert read(project) == patched

@@ -31,7 +31,7 @@ def test_undo_and_redo_draw_one_picture_again(project: Path) -> None:
     shot = read_project_graph(project).shots[-1]
     name = shot_name(shot.scene_id, shot.shot_id)
     before, graph = stamps(project), read_project_graph(project)
-    told = done("render", project, "--shot", name, "--lens", "90", "--json")
+    told = done("edit", project, name, "--lens", "90", "--json")
     stale = [line for line in told.splitlines() if "still shows" in line]
     assert stale and name in stale[0], "the film was not shot again"
     edited, changed = stamps(project), read_project_graph(project)

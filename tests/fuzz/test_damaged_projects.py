@@ -26,6 +26,7 @@ from storyblender.project import Project, read_project_graph
 from storyblender.settings import Settings
 from storyblender.studio import Studio
 from tests.fuzz.damage import copied, damage
+from tests.stage import camera_edit
 from tests.stand_in_engine import StandInEngine
 
 RELEASED = Path(__file__).parents[1] / "data" / "projects"
@@ -43,7 +44,7 @@ def sources(tmp_path_factory: pytest.TempPathFactory) -> Iterator[list[Path]]:
     patch.setattr(delivery, "deliver", _deliver)
     made = [copied(source, tmp_path_factory.mktemp("whole") / source.name) for source in sorted(RELEASED.iterdir())]
     for folder in made:
-        Studio(Settings.load(project=folder)).render(folder, [], {})
+        Studio(Settings.load(project=folder)).render(folder)
     yield made
     patch.undo()
 
@@ -63,12 +64,12 @@ def _snapshot(folder: Path) -> dict[str, bytes]:
 
 
 def _draw(folder: Path) -> None:
-    Studio(Settings.load(project=folder)).render(folder, [], {})
+    Studio(Settings.load(project=folder)).render(folder)
 
 
 def _edit(folder: Path) -> None:
     name = "SC010_SH010"
-    Studio(Settings.load(project=folder)).render(folder, [name], {"size": "CU"})
+    Studio(Settings.load(project=folder)).edit(folder, [camera_edit(name, {"size": "CU"})])
 
 
 def _undo(folder: Path) -> None:

@@ -28,6 +28,7 @@ from storyblender.project import Project
 from storyblender.settings import Settings
 from storyblender.studio import Studio
 from tests.fuzz.damage import copied
+from tests.stage import camera_edit
 from tests.stand_in_engine import StandInEngine
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="kills a forked process")
@@ -61,7 +62,8 @@ def _redo(folder: Path) -> None:
 
 
 def _edit(size: str) -> Step:
-    return lambda folder: Studio(Settings.load(project=folder)).render(folder, ["SC010_SH030"], {"size": size})
+    edits = [camera_edit("SC010_SH030", {"size": size})]
+    return lambda folder: Studio(Settings.load(project=folder)).edit(folder, edits)
 
 
 def _lengthen(frames: int) -> Step:
@@ -217,7 +219,7 @@ def test_killed_edits_and_plans(tmp_path: Path) -> None:
     """An edit has commits of the crew's after it: killed between them, the camera is set and not yet drawn."""
     with _without_blender():
         source = copied(RELEASED, tmp_path / "source")
-        Studio(Settings.load(project=source)).render(source, [], {})
+        Studio(Settings.load(project=source)).render(source)
         _, writes = Killed(copied(source, tmp_path / "p"), COMMANDS).run(0, None)
         for at in sorted(random.Random(3).sample(range(writes), 60)):
             folder = copied(source, tmp_path / "p")

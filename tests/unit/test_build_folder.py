@@ -33,10 +33,10 @@ def test_a_project_is_drawn_there_and_again_only_what_is_damaged(
     stage, build = Stage(tmp_path / "p", monkeypatch), tmp_path / "disk"
     check_build_folder(build, stage.folder, take=True)
     settings = SETTINGS.model_copy(update={"build": build})
-    Studio(settings).render(stage.folder, [], {})
+    Studio(settings).render(stage.folder)
     assert stage.engine.calls["render_frame"] == 3 and not list((stage.folder / "build").glob("*"))
     next((build / "frames").glob("*.png")).unlink()
-    Studio(settings).render(stage.folder, [], {})
+    Studio(settings).render(stage.folder)
     assert stage.engine.calls == {"render_frame": 1}
 
 
@@ -54,7 +54,7 @@ def test_a_project_cannot_name_a_folder_that_is_not_its_own(
     before = {path: path.read_text() for path in build.rglob("*")}
     (stage.folder / REMEMBERED).write_text(json.dumps({"build": str(build)}))
     with pytest.raises(InputError, match=r"is not the build folder of this project.*storyblender.toml"):
-        Studio(Settings.load(project=stage.folder)).render(stage.folder, [], {})
+        Studio(Settings.load(project=stage.folder)).render(stage.folder)
     assert build.exists() == (content is not None) and {path: path.read_text() for path in build.rglob("*")} == before
 
 

@@ -49,7 +49,7 @@ def test_blender_comes_up_first_for_a_project_and_never_outlives_the_command(
     (tmp_path / "graph.json").write_text("{}")
     assert CliRunner().invoke(app, ["undo", str(tmp_path)]).exit_code == 2
     assert worker.told == [], "taking back draws nothing"
-    for mistake in (["--look", "nope"], ["--lens", "long"], ["--nonsense"]):
+    for mistake in (["--look", "nope"], ["--jobs", "many"], ["--nonsense"]):
         assert CliRunner().invoke(app, ["render", str(tmp_path), *mistake]).exit_code == 2
         assert worker.told == ["start", "close"], mistake
         worker.told.clear()

@@ -47,6 +47,6 @@ def test_a_scene_without_its_staging_is_not_made_yet(folder: Path, field: str) -
     body = json.loads((folder / "graph.json").read_text())
     body["scenes"][1][field] = None
     (folder / "graph.json").write_text(json.dumps(body))
-    for command in (lambda made: made.render(folder, [], {}), lambda made: made.check(folder)):
+    for command in (lambda made: made.render(folder), lambda made: made.check(folder)):
         with pytest.raises(InputError, match=r"is planned, not made yet; run `storyblender make SCRIPT` first"):
             command(Studio(Settings.load(project=folder)))

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.stage import SETTINGS, Stage
+from tests.stage import SETTINGS, Stage, camera_edit
 from tests.stand_in_engine import StandInEngine
 
 from storyblender.errors import Cancelled, ProjectLocked, StoryBlenderError
@@ -71,7 +71,7 @@ def test_a_session_is_open_for_many_calls_and_takes_no_second_one(stage: Stage) 
 def test_a_render_that_was_cancelled_goes_on_to_what_it_would_have_been(stage: Stage, tmp_path: Path) -> None:
     heard: list[Event] = []
     copies = {step: shutil.copytree(stage.folder, tmp_path / str(step)) for step in (1, 4, 9, 13)}
-    Studio(STILL, heard.append).render(stage.folder, ["SC010_SH010"], {"size": "ECU", "lens": 90.0})
+    Studio(STILL, heard.append).edit(stage.folder, [camera_edit("SC010_SH010", {"size": "ECU", "lens": 90.0})])
     whole = graph_of(stage.folder), frames_of(stage.folder)
     assert len(heard) > max(copies), "every cancel comes before the end"
     for step, folder in copies.items():
@@ -109,7 +109,7 @@ def test_events_come_from_inside_jobs_to_every_listener_until_it_leaves(stage: S
 
 
 def test_the_film_has_every_shot_moving_also_where_one_is_named(stage: Stage) -> None:
-    Studio(MOVING).render(stage.folder, ["SC010_SH010"], {})
+    Studio(MOVING).render(stage.folder, ["SC010_SH010"])
     assert stage.engine.calls["render_motion"] == 3, "a shot without moving frames would be a still in the film"
 
 

@@ -160,7 +160,7 @@ def picture_flaws(shot: ShotContext) -> list[Flaw]:
 def _camera_checks(panel: Panel, folder: str, names: Mapping[str, str]) -> Iterator[Check]:
     for flaw in picture_flaws(panel.shot):
         _, says, way = CAMERA[flaw.kind]
-        command = f"storyblender render {shlex.quote(folder)} --shot {panel.name}"
+        command = f"storyblender edit {shlex.quote(folder)} {panel.name}"
         yield Check(panel.name, _worded(says, flaw, names), f"{command} {_reframed(way, panel)}")
 
 
@@ -170,7 +170,7 @@ def _frame_checks(panel: Panel, flaws: Iterable[Flaw], folder: str, names: Mappi
     for flaw in flaws:
         if flaw.kind in FRAME_FIXES and (flaw.subject not in listed or not flaw.subject):
             way = _reframed(FRAME_FIXES[flaw.kind], panel)
-            command = f"storyblender render {shlex.quote(folder)} --shot {panel.name} {way}"
+            command = f"storyblender edit {shlex.quote(folder)} {panel.name} {way}"
             yield Check(panel.name, _worded("{message}", flaw, names), command)
 
 

@@ -64,7 +64,7 @@ def test_a_picture_flaw_has_a_name_and_a_command_that_reframes() -> None:
     told = checklist(
         story(shot(1, flaw("out_of_frame", 5.0)), shot(2, hidden, size="EWS")), [], [], "my film.storyboard"
     )
-    command = "storyblender render 'my film.storyboard' --shot SC010_SH0"
+    command = "storyblender edit 'my film.storyboard' SC010_SH0"
     assert told == [
         Check("SC010_SH010", "Agnes is not in the picture", f"{command}10 --size MWS"),
         Check("SC010_SH020", "Agnes is mostly hidden", f'{command}20 --angle "high angle"'),

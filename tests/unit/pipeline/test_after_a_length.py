@@ -31,7 +31,7 @@ def stage(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Stage:
     with Project(stage.folder) as project:  # the stage has set no motion
         unset = (shot.model_copy(update={"stale": ("motion",)}) for shot in project.graph.shots)
         project.commit(replace(project.graph, *unset), "user", "animate all")
-    Studio(STILL).render(stage.folder, [], {})
+    Studio(STILL).render(stage.folder)
     return stage
 
 
@@ -62,7 +62,7 @@ def test_an_edit_killed_before_it_was_drawn_is_gone_on_with(stage: Stage) -> Non
     assert read_project_graph(stage.folder).shots[0].stale == ("motion",)
     with pytest.raises(InputError, match="not up to date; run `storyblender render` first"):
         Studio(STILL).check(stage.folder)
-    graph = Studio(STILL).render(stage.folder, [], {}).graph
+    graph = Studio(STILL).render(stage.folder).graph
     assert graph.shots[0].stale == () and graph.shots[0].camera is not None and graph.shots[0].duration == LENGTH
 
 

@@ -9,7 +9,7 @@ from concurrent.futures import Future
 from pathlib import Path
 
 import pytest
-from tests.stage import SETTINGS, Stage
+from tests.stage import SETTINGS, Stage, camera_edit
 from tests.stand_in_engine import StandInEngine
 
 from storyblender.memory.history import replace
@@ -48,7 +48,7 @@ def checks_on_page(stage: Stage, shot: str) -> str:
 def test_texts_follow_a_camera_edit_and_those_of_other_shots_stay(stage: Stage) -> None:
     before, shown = rows(stage), cards(stage)
     assert before[0]["size"] != "ECU" and before[0]["angle"] != "low angle"
-    Studio(SETTINGS).render(stage.folder, [EDITED], {"size": "ECU", "angle": "low angle", "lens": 90.0})
+    Studio(SETTINGS).edit(stage.folder, [camera_edit(EDITED, {"size": "ECU", "angle": "low angle", "lens": 90.0})])
     after, now = rows(stage), cards(stage)
     assert (after[0]["shot"], after[0]["size"], after[0]["angle"]) == (EDITED, "ECU", "low angle")
     assert after[0]["lens_mm"] == "90"
@@ -63,24 +63,27 @@ def test_texts_follow_a_camera_edit_and_those_of_other_shots_stay(stage: Stage) 
 
 def test_texts_are_as_before_after_undo(stage: Stage) -> None:
     before, shown = rows(stage), cards(stage)
-    Studio(SETTINGS).render(stage.folder, [EDITED], {"size": "ECU", "movement": "push in"})
+    Studio(SETTINGS).edit(stage.folder, [camera_edit(EDITED, {"size": "ECU", "movement": "push in"})])
     assert rows(stage) != before
     Studio(SETTINGS).undo(stage.folder)
-    Studio(SETTINGS).render(stage.folder, [], {})
+    Studio(SETTINGS).render(stage.folder)
     assert (rows(stage), cards(stage)) == (before, shown)
 
 
 def test_a_cut_that_another_camera_made_wrong_is_told_and_goes_with_it(stage: Stage) -> None:
     neighbour = rows(stage)[1]
     assert neighbour["shot"] == "SC010_SH020"
-    Studio(SETTINGS).render(stage.folder, [EDITED], {"size": neighbour["size"]})
+    Studio(SETTINGS).edit(stage.folder, [camera_edit(EDITED, {"size": neighbour["size"]})])
     with Project(stage.folder) as project:
         first, second, _ = project.graph.shots
         assert first.camera is not None
         same = first.camera.model_copy(update={"residual": ()})
         project.commit(replace(project.graph, second.model_copy(update={"camera": same})), "user", "the same camera")
     for camera, told in ({}, True), ({"size": "EWS", "angle": "high angle"}, False):
-        Studio(SETTINGS).render(stage.folder, [EDITED] if camera else [], camera)
+        if camera:
+            Studio(SETTINGS).edit(stage.folder, [camera_edit(EDITED, camera)])
+        else:
+            Studio(SETTINGS).render(stage.folder)
         findings = Studio(SETTINGS).check(stage.folder).findings
         on_page = checks_on_page(stage, neighbour["shot"])
         assert any("SC010_SH020: the cut moves only" in finding for finding in findings) == told

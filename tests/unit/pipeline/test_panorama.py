@@ -101,19 +101,19 @@ def test_the_project_keeps_its_picture_and_asks_for_the_users_file_only_when_it_
     content = sky.read_bytes()
     sky.unlink()
     settings = Settings.load(project=project)
-    Studio(settings).render(project, [], {})
+    Studio(settings).render(project)
     assert graph.panorama is not None
     kept = project / panorama_file(graph.panorama.provenance.digest)
     kept.unlink()
     with pytest.raises(InputError, match=r"sky\.hdr"):
-        Studio(settings).render(project, [], {})
+        Studio(settings).render(project)
     sky.write_bytes(content)
-    Studio(settings).render(project, [], {})
+    Studio(settings).render(project)
     assert kept.is_file()
     write_sky(sky, sun=None)
     kept.unlink()
     with pytest.raises(InputError, match="not the panorama that the project was made with"):
-        Studio(settings).render(project, [], {})
+        Studio(settings).render(project)
 
 
 def test_a_broken_one_is_refused_before_there_is_a_folder(tmp_path: Path) -> None:
