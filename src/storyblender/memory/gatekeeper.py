@@ -116,7 +116,7 @@ def _scene_violations(scene: SceneContext, scenes: dict[int, SceneContext], asse
     reference = scene.setup.reference_scene_id
     if reference is not None and (reference not in scenes or reference >= scene.scene_id):
         yield f"{name} refers to scene {reference}, which is not an earlier one"
-    for asset_id in scene.setup.asset_ids:
+    for asset_id in (*scene.setup.asset_ids, *scene.setup.scenery):
         if asset_id not in assets:
             yield f"{name} uses {asset_id!r}, which is not on the asset sheet"
     if scene.layout is None:

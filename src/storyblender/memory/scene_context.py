@@ -72,6 +72,8 @@ class SceneSetup(Frozen):
     light: tuple[LightQuality, ...] = ()
     """Qualities of the light."""
     relations: tuple[Relation, ...] = ()
+    scenery: tuple[Identifier, ...] = ()
+    """Objects that are the place itself or a part of its set: no prop is added for them."""
     found: dict[Identifier, tuple[str, ...]] = {}
     """States in which things and doors are as the scene opens, left so by earlier scenes: ``broken``, ``open``."""
 

@@ -59,6 +59,7 @@ def test_a_whole_story_enters() -> None:
             "focused on 'ghost'",
         ),
         (SCENE.model_copy(update={"setup": SceneSetup(asset_ids=("ghost",))}), "not on the asset sheet"),
+        (SCENE.model_copy(update={"setup": SceneSetup(scenery=("ghost",))}), "not on the asset sheet"),
         (SCENE.model_copy(update={"setup": SceneSetup(reference_scene_id=1)}), "not an earlier one"),
         (layout(LayoutObject(node_id="a", asset_id="ghost", location=(0, 0, 0))), "not on the asset sheet"),
         (

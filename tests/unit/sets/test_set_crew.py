@@ -328,7 +328,7 @@ def test_the_lighthouse_of_a_beach_stands_far_off() -> None:
 
 
 def test_the_place_itself_is_not_put_on_the_stage() -> None:
-    setup = SceneSetup(scene_type="outdoor", place="harbour")
+    setup = SceneSetup(scene_type="outdoor", place="harbour", scenery=("pier",))
     view = SetDresserView(setup, plan_of(Environment(kit="dock", seed=1)), (asset("pier"), asset("gun")))
     assert RulesSetDresser().propose(view).pending == ("gun",)
 
@@ -338,7 +338,7 @@ def test_a_boat_lies_in_the_water_beside_the_quay(relation: str | None) -> None:
     plan = plan_of(Environment(kit="dock", seed=1))
     water = next(slab for slab in plan.slabs if slab.material == "water_deep")
     relations = (Relation(asset_id="boat", kind=relation, anchor_asset_id="pier"),) if relation else ()  # type: ignore[arg-type]
-    setup = SceneSetup(scene_type="outdoor", place="harbour", relations=relations)
+    setup = SceneSetup(scene_type="outdoor", place="harbour", relations=relations, scenery=("pier",))
     dressing = RulesSetDresser().propose(SetDresserView(setup, plan, (asset("boat"), asset("pier"))))
     boat = next(item for item in dressing.objects if item.node_id == "boat")
     assert boat.fixed and water.z - 0.1 < boat.location[2] < water.z
@@ -346,16 +346,19 @@ def test_a_boat_lies_in_the_water_beside_the_quay(relation: str | None) -> None:
     assert min(y for _, y in water.polygon) < side < plan.size.y + 0.3, "beside the quay, and a step from it"
 
 
-def test_who_is_in_a_house_finds_no_house_there() -> None:
-    setup = SceneSetup(place="old house")
-    view = SetDresserView(setup, plan_of(Environment(kit="room", seed=1)), (asset("house"), asset("gun")))
-    assert RulesSetDresser().propose(view).pending == ("gun",)
+def test_what_is_called_like_a_piece_of_the_set_and_is_no_prop_is_that_piece() -> None:
+    plan = plan_of(Environment(kit="airfield", seed=1))
+    tower = asset("control_tower").model_copy(update={"kind": ""})
+    rock = asset("rock").model_copy(update={"kind": "rock"})
+    assert "control_tower" in {piece.part for piece in plan.pieces}
+    assert RulesSetDresser().propose(SetDresserView(SceneSetup(), plan, (tower, rock))).pending == ("rock",)
 
 
-def test_the_house_before_which_a_scene_plays_is_no_doll_house_on_the_pavement() -> None:
-    setup = SceneSetup(scene_type="outdoor", place="lindqvist house")
-    view = SetDresserView(setup, plan_of(Environment(kit="street", seed=1)), (asset("house"), asset("suitcase")))
-    assert RulesSetDresser().propose(view).pending == ("suitcase",)
+@pytest.mark.parametrize(("kit", "name"), [("square", "fountain"), ("ballroom", "chandelier")])
+def test_what_the_set_is_furnished_with_is_the_scripts_own(kit: str, name: str) -> None:
+    view = SetDresserView(SceneSetup(scenery=(name,)), plan_of(Environment(kit=kit, seed=1)), (asset(name),))
+    dressing = RulesSetDresser().propose(view)
+    assert name in {item.node_id for item in dressing.objects} and not dressing.pending
 
 
 def test_the_scripts_fountain_is_the_one_on_the_square() -> None:
@@ -367,7 +370,8 @@ def test_the_scripts_fountain_is_the_one_on_the_square() -> None:
 
 def test_what_the_set_has_takes_nothing_elses_place() -> None:
     plan = plan_of(Environment(kit="courtroom"))
-    dressing = RulesSetDresser().propose(SetDresserView(SceneSetup(place="COURT"), plan, (asset("bench"),)))
+    setup = SceneSetup(place="COURT", scenery=("bench",))
+    dressing = RulesSetDresser().propose(SetDresserView(setup, plan, (asset("bench"),)))
     assert "bench" not in {*dressing.pending, *(item.node_id for item in dressing.objects)}
 
 

@@ -11,6 +11,7 @@ from string import capwords
 from storyblender.agents.director.casting import age_word, cast_look, describe_person, introduction_words
 from storyblender.agents.director.creatures import describe_creature, size_in_script
 from storyblender.agents.director.draft import Beat, ShotDraft
+from storyblender.agents.director.fixtures import is_scenery
 from storyblender.agents.director.lighting import usual_light
 from storyblender.agents.director.motion_families import GETTING, PARTING
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Thing, Unit
@@ -24,6 +25,7 @@ from storyblender.agents.director.wording import modifiers_of, one_line
 from storyblender.agents.director.writing import writing_on
 from storyblender.catalog.homelands import homeland_of
 from storyblender.catalog.props.prop_names import kind_named
+from storyblender.catalog.sets import SETS
 from storyblender.catalog.states import GONE, SEEN_AGAIN
 from storyblender.memory.asset_sheet import Asset, CharacterLook, Garment
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline, SourceSpan
@@ -180,6 +182,7 @@ class Assembly:
         ids = unique((*present, *(thing for thing in scene.furniture if thing in self.story.assets), *stated))
         action = "\n".join(line.text for shot in outline.shots for line in shot.lines if line.kind == "action")
         chosen = self.sets.decide(scene, ids, self._contents(scene, relations), action)
+        kit, names, things = SETS[chosen.kit], self.story.names, (each for each in ids if each in self.inanimate)
         return SceneContext(
             scene_id=scene.id,
             setup=SceneSetup(
@@ -195,6 +198,7 @@ class Assembly:
                 weather=scene.weather,
                 light=usual_light(scene.scene_type, scene.time),
                 relations=tuple(relations),
+                scenery=tuple(each for each in things if is_scenery(names[each], scene.place, kit)),
                 found={each: states for each, states in self.inherited[scene.id].items() if self._is_known(each)},
             ),
         )

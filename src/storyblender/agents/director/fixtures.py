@@ -1,4 +1,4 @@
-"""Things of a script that the set shows and that are no props: doors and windows, hills, streams, the sky."""
+"""Things of a script that the set shows: doors and windows, hills, streams, the sky, the place itself."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from typing import Final
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reading import Thing
 from storyblender.catalog.props import PROPS
+from storyblender.catalog.sets.kit import SetKit
 
 FIXTURES = lexicon.words("fixtures")
 """Head nouns of what the set kit builds, or what belongs to another thing."""
@@ -44,6 +45,19 @@ def fixture_ids(things: Iterable[tuple[str, str]]) -> dict[str, str]:
         for id_, head in heads.items()
         if head in FIXTURES and id_.rsplit("_", 1)[-1] not in FIXTURES and head.isidentifier()
     }
+
+
+def is_scenery(name: str, place: str, kit: SetKit) -> bool:
+    """Whether an object is the place itself or a part of its set: the house in a house, the mirror of a car.
+
+    Args:
+        name: Of the object, as in the script.
+        place: Of the scene, as in its heading.
+        kit: Of the scene.
+    """
+    name, place = name.lower(), place.lower()
+    part = any(name == word or name.endswith(f" {word}") for word in kit.has)
+    return part or (kit.indoor and bool(place) and name.split()[-1:] == place.split()[-1:])
 
 
 @cache

@@ -26,7 +26,7 @@ from storyblender.agents.visual_effects_artist.furniture import (
 from storyblender.catalog.props.prop_families import family_of
 from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.set_plan import Furnishing, SetPlan
-from storyblender.catalog.sets import SETS, plan_of
+from storyblender.catalog.sets import plan_of
 from storyblender.geometry.boxes import penetration
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen, Identifier, Vec2
@@ -109,7 +109,7 @@ class RulesSetDresser:
         draw_up_seats(standing)
         kept, dropped = drop_clutter(standing, view.plan, view.people)
         assets = {item.asset.asset_id: item.asset for item in kept if item.asset.origin == "dressing"}
-        placed = {asset.asset_id for asset in taken.values()}
+        shown = {asset.asset_id for asset in taken.values()} | {*view.setup.scenery} | _shown_by_set(view)
         served = _has_counter(taken)
         return SetDresserDraft(
             assets=tuple(assets.values()),
@@ -117,8 +117,7 @@ class RulesSetDresser:
             pending=tuple(
                 asset.asset_id
                 for asset in view.objects
-                if asset.asset_id not in placed
-                and not _is_the_place(asset, view)
+                if asset.asset_id not in shown
                 and not _is_too_large_for_room(asset, view.plan)
                 and not (served and prop_of(asset) in _COUNTERS)
             ),
@@ -179,7 +178,7 @@ def _assign_furnishing_places(view: SetDresserView) -> dict[str, Asset]:
     taken: dict[str, Asset] = {}
     where: dict[str, Vec2] = {}
     anchors = {relation.asset_id: relation.anchor_asset_id for relation in view.setup.relations}
-    places = {asset.asset_id for asset in view.objects if _is_the_place(asset, view)}
+    places = _shown_by_set(view)
     floating = {
         relation.asset_id
         for relation in view.setup.relations
@@ -205,22 +204,15 @@ def _has_counter(taken: dict[str, Asset]) -> bool:
     return any(prop_of(asset) in _COUNTERS for asset in taken.values())
 
 
-def _is_the_place(asset: Asset, view: SetDresserView) -> bool:
-    """Tell whether the set itself already contains an object, so that it needs no prop.
-
-    A harbour has its pier, and a beach its lighthouse.
-    """
-    name = asset.name.lower()
-    kit = SETS[view.plan.kit]
-    if any(name == word or name.endswith(f" {word}") for word in kit.has):
-        return True
-    prop, place = prop_of(asset), view.setup.place.lower().split()
-    if kit.indoor and place and name.split()[-1:] == place[-1:]:  # in a house "the house" is the set
-        return all(item.prop != prop for item in view.plan.furnishings)
-    if prop:
-        return False
-    parts = {piece.part.replace("_", " ") for piece in view.plan.pieces}
-    return name in {kit.key.replace("_", " "), view.setup.place.lower(), *kit.tags, *parts}
+def _shown_by_set(view: SetDresserView) -> set[str]:
+    """Return the ids of the objects that the set shows by itself; what it is furnished with is still replaced."""
+    parts, furnished = ({piece.part for piece in view.plan.pieces}, {item.prop for item in view.plan.furnishings})
+    return {
+        asset.asset_id
+        for asset in view.objects
+        if asset.asset_id in view.setup.scenery or (asset.kind == "" and asset.asset_id in parts)
+        if prop_of(asset) not in furnished
+    }
 
 
 def _is_too_large_for_room(asset: Asset, plan: SetPlan) -> bool:

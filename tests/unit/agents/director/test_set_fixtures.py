@@ -8,10 +8,11 @@ from pathlib import Path
 import pytest
 
 from storyblender.agents.director.breakdown import storyboard
-from storyblender.agents.director.fixtures import head_of, is_fixture
+from storyblender.agents.director.fixtures import head_of, is_fixture, is_scenery
 from storyblender.agents.director.reader import read_script
 from storyblender.agents.director.reading import Thing
 from storyblender.agents.director.reading_file import read_reading, write_reading
+from storyblender.catalog.sets import SETS
 from storyblender.screenplay.source import read
 
 
@@ -32,6 +33,24 @@ from storyblender.screenplay.source import read
 )
 def test_parts_of_the_set_land_and_weather_are_no_props(name: str, fixture: bool) -> None:
     assert is_fixture(Thing("it", name)) == fixture
+
+
+@pytest.mark.parametrize(
+    ("name", "place", "kit", "scenery"),
+    [
+        ("rearview mirror", "taxi", "car", True),
+        ("gun", "taxi", "car", False),
+        ("house", "old house", "room", True),
+        ("doll house", "lounge", "room", False),
+        ("house", "lindqvist house", "street", True),
+        ("house", "lane", "country_road", False),
+        ("judge's bench", "court", "courtroom", True),
+        ("bench", "park", "park", False),
+        ("suitcase", "", "street", False),
+    ],
+)
+def test_the_place_itself_and_the_parts_of_its_set_are_scenery(name: str, place: str, kit: str, scenery: bool) -> None:
+    assert is_scenery(name, place, SETS[kit]) == scenery
 
 
 def test_the_noun_of_a_name_stands_before_what_it_is_of_or_with() -> None:

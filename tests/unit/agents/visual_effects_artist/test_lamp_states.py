@@ -88,6 +88,16 @@ def test_a_lamp_that_an_earlier_scene_put_out_is_dark(key: str) -> None:
     assert f"{key}_1_light" not in _names(plans[0])
 
 
+@pytest.mark.parametrize(("kind", "shines"), [("floor_lamp", True), ("chair", False), ("", False)])
+def test_a_users_model_of_a_lamp_gives_light(kind: str, shines: bool) -> None:
+    view = _view("floor_lamp")
+    (lamp,) = view.assets
+    model = CanonicalAsset(source="file", key="a.glb", dimensions=(0.4, 0.4, 1.6), digest="a")
+    view = replace(view, assets=(lamp.model_copy(update={"kind": kind, "canonical": model}),))
+    plans, _ = _plans(view, _shot(1))
+    assert ("floor_lamp_1_light" in _names(plans[0])) == shines
+
+
 def test_the_last_lamp_that_goes_out_leaves_the_room_dark() -> None:
     plans, _ = _plans(
         _view("floor_lamp", "table_lamp"), _shot(1), _shot(2, ("floor_lamp", "off")), _shot(3, ("table_lamp", "off"))
