@@ -103,8 +103,8 @@ class StateNotes(Notes):
     looks_at: Identifier | None = None
     """Id of a person or thing, or ``left``, ``right``, ``up``, ``down``, ``camera``, ``closed``."""
     face: Expression | None = None
-    activity: str | None = None
-    """Key of a motion that goes on; empty ends it."""
+    activity: Identifier | Literal[""] | None = None
+    """Key of a motion of `motions` that goes on while others act: `phone`, `paint`; the empty string ends it."""
     spot: Spot | None = None
     """Position; also of a thing."""
 

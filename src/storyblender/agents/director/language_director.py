@@ -22,7 +22,7 @@ from storyblender.agents.director.annotation import (
     thing_of,
 )
 from storyblender.agents.director.director import RulesDirector
-from storyblender.agents.director.reading import Person, Reading, Unit
+from storyblender.agents.director.reading import Person, Reading, Thing, Unit
 from storyblender.agents.director.reading_file import reading_with_fixtures, unknown_names
 from storyblender.agents.director.second_opinion import differences
 from storyblender.agents.nearest import nearest_entries
@@ -38,8 +38,8 @@ _KITS, _MOTIONS = 16, 90
 """Entries of the catalogues that a request offers."""
 _PICTURES = 1000
 """Numbers of pictures that a part of a scene may have."""
-_FIXTURES = ("door", "window", "floor", "wall")
-"""Parts of any set that deeds and states may name."""
+_FIXTURES = ("door", "window")
+"""Parts of any set that may be named without being listed."""
 
 
 @dataclass(frozen=True)
@@ -100,6 +100,7 @@ class LanguageDirector:
                 notes = self._asked(part, page, reading, notes, faults)
                 self._notes[part.number] = notes
             _add(reading, page, part, notes)
+        _add_fixtures(reading)
         read = {scene.id: scene for scene in reading.scenes}
         reading.scenes = [read.get(scene.id, scene) for scene in page.scenes]
         reading.flags = list(differences(reading, page))
@@ -185,6 +186,10 @@ def _wrong(notes: SceneNotes, part: _Part, so_far: Reading) -> Iterator[str]:
         yield f"same_place_as {notes.place.same_place_as} is no scene of `places_so_far`; leave it out"
     people = {each.id for each in (*so_far.people, *notes.people)}
     known = people | {each.id for each in (*so_far.things, *notes.things)} | {*_FIXTURES}
+    for relation in notes.relations:
+        for each in (relation.asset_id, relation.anchor_asset_id, relation.second_anchor_asset_id):
+            if each is not None and each not in known:
+                yield f"a relation names {each!r}, which is neither in `people` nor in `things`; add it or leave it out"
     for unit, noted in zip(part.units, notes.units, strict=True):
         name = f"unit {noted.number}"
         for kind, unknown in dict.fromkeys(unknown_names(annotated_unit(unit, noted, 0), people, known)):
@@ -209,14 +214,29 @@ def _add(reading: Reading, page: Reading, part: _Part, notes: SceneNotes) -> Non
     for thing in notes.things:
         if all(each.id != thing.id for each in reading.things):
             reading.things.append(thing_of(thing, start))
-    known = {each.id for each in (*reading.people, *reading.things)} | {*_FIXTURES}
-    stated = (each for each in notes.relations if {each.asset_id, each.anchor_asset_id} <= known)
-    reading.relations += [(part.scene, each) for each in stated]
+    reading.relations += [(part.scene, each) for each in notes.relations]
     for unit, noted in zip(part.units, notes.units, strict=True):
         reading.units.append(annotated_unit(unit, noted, _PICTURES * part.number))
     speakers = {unit.speaker for unit in reading.units}
     for index, person in enumerate(reading.people):
         reading.people[index] = replace(person, speaks=person.id in speakers)
+
+
+def _add_fixtures(reading: Reading) -> None:
+    """Add the doors and windows to the things that units name without listing them."""
+    named = {relation.anchor_asset_id: 0 for _, relation in reading.relations if relation.anchor_asset_id in _FIXTURES}
+    for unit in reading.units:
+        done_to = (each for deed in unit.deeds for each in (deed.target, deed.prop))
+        anchors = (each for spot in unit.spots.values() for each in (spot.anchor_id, spot.facing))
+        supports = (support for _, support in unit.posture.values())
+        changed = (change.subject for change in unit.changes)
+        for each in (*unit.things, *unit.absent, *unit.gaze.values(), *done_to, *anchors, *supports, *changed):
+            if each in _FIXTURES:
+                named.setdefault(each, unit.start)
+    listed = {thing.id for thing in reading.things}
+    reading.things += [
+        Thing(each, each, kind="set_piece", first=first) for each, first in named.items() if each not in listed
+    ]
 
 
 def _with_reference(place: PlaceNotes, reading: Reading) -> PlaceNotes:

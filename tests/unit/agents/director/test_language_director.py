@@ -138,6 +138,7 @@ def change(**update: Any) -> Any:
         ({"deeds": [{"actor": "mira", "motion": "bake_bread"}]}, "names the motion 'bake_bread'"),
         ({"deeds": [{"actor": "mira", "motion": "open", "target": "treasure"}]}, "names 'treasure'"),
         ({"states": [{"id": "ghost", "posture": "sit"}]}, "'ghost'"),
+        ({"states": [{"id": "mira", "activity": "kneading the dough"}]}, "activity"),
     ],
 )
 def test_what_cannot_be_is_sent_back_with_the_reason(update: dict[str, Any], why: str) -> None:
@@ -147,6 +148,13 @@ def test_what_cannot_be_is_sent_back_with_the_reason(update: dict[str, Any], why
     sent_back = [request for request in model.asked if request.feedback]
     assert len(sent_back) == 3
     assert any(why in sentence for sentence in sent_back[0].feedback)
+
+
+def test_a_door_of_the_set_needs_no_entry_among_the_things() -> None:
+    opened = change(deeds=[{"actor": "otto", "motion": "open", "target": "door"}])
+    reading = director(opened).propose(SCRIPT)
+    assert "door" in {thing.id for thing in reading.things}
+    assert not [request for request in opened.asked if request.feedback]
 
 
 def test_only_the_scene_with_a_fault_is_read_again() -> None:
