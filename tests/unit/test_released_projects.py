@@ -57,6 +57,15 @@ def test_a_released_project_opens_with_its_history(released: Path, tmp_path: Pat
     assert load(folder).graph == latest, "the commits alone make the same graph"
 
 
+def test_scenes_that_were_not_staged_before_schema_6_have_no_kit(tmp_path: Path) -> None:
+    with Project(shutil.copytree(RELEASED[4], tmp_path / "p")) as project:
+        kits: dict[int, list[str]] = {}
+        for revision in (20, 9, 5):
+            project.go_to(revision)
+            kits[revision] = [scene.setup.kit for scene in project.graph.scenes]
+    assert kits == {20: ["kitchen", "park"], 9: ["kitchen", ""], 5: ["", ""]}
+
+
 def test_a_project_that_is_not_at_its_last_change_says_so(tmp_path: Path) -> None:
     """Schema 1 has no digest in ``history/HEAD``: another number there may be an undo that was killed, or damage."""
     folder = shutil.copytree(RELEASED[0], tmp_path / "p")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Any, Literal
 
 from pydantic import Field, model_validator
 
@@ -60,7 +60,7 @@ class SceneSetup(Frozen):
     place: str = ""
     """As written in the heading, e.g. ``RICK'S CAFE``."""
     kit: str = ""
-    """Key of the set kit; empty only in half-made projects of schema 5 and older."""
+    """Key of the set kit; empty only in scenes of schema 5 and older that are not staged."""
     set_options: tuple[Identifier, ...] = ()
     """Options of the kit that are turned on, e.g. ``palms``."""
     snow: bool = False
@@ -200,10 +200,12 @@ class SceneContext(Frozen):
 
     @model_validator(mode="before")
     @classmethod
-    def _from_schema_5(cls, value: object) -> object:
-        """Older projects had a kit only in the environment, unless a person chose it by name."""
+    def _from_schema_5(cls, value: Any) -> object:
+        """Older projects chose the kit with the set; a scene that is not staged has none, and is read again."""
         match value:
-            case {"setup": dict() as setup, "environment": {"kit": kit} as made, **rest} if not setup.get("kit"):
-                return {**rest, "setup": {**setup, "kit": kit}, "environment": made}
+            case {"setup": {"place_kind": _, **setup}, "environment": {"kit": kit}, "lighting": {}}:
+                return {**value, "setup": {**setup, "kit": kit}}
+            case {"setup": {"place_kind": _, **setup}}:
+                return {**value, "setup": {**setup, "kit": ""}}
             case _:
                 return value

@@ -43,7 +43,7 @@ def ground(run: Run, script: Path, reading: Path | None = None) -> None:
     sources = {f"script{script.suffix}": script.read_bytes()}
     if corrected is not None:
         sources[KEPT_READING] = corrected.read_bytes()
-    kits_decided = all(scene.setup.kit for scene in run.graph.scenes)  # not in half-made projects of schema 5
+    kits_decided = all(scene.setup.kit for scene in run.graph.scenes)  # or a half-made project of schema 5
     if run.graph.plan_digest != digest or not kits_decided:
         graph = _revised(run, _plan(run, script, _understood(run, screenplay, corrected), digest))
         _keep(run, digest, sources)
