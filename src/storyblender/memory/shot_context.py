@@ -282,10 +282,8 @@ class ShotContext(Frozen):
     """Frame from the start of the shot that the storyboard shows; chosen by the Camera Operator with the camera."""
     asset_modifications: tuple[AssetModification, ...] = ()
     character_actions: tuple[CharacterAction, ...] = ()
-    new_lighting_description: str | None = None
-    """The script's words on a change of the light."""
     light_change: LightChange | None = None
-    """What those words change, if they change anything."""
+    """What the script changes about the light."""
     sound_effect: str | None = None
     camera_instruction: CameraInstruction
     """The Director's camera plan, with ``camera_retake`` and ``camera_decision`` applied on top."""
@@ -312,6 +310,12 @@ class ShotContext(Frozen):
     """Length in frames that a person gave the shot; it stays with the words of the shot when the script changes."""
     stale: tuple[Literal["motion"], ...] = Field(default=(), exclude_if=lambda value: not value)
     """What an edit made stale and the crew has not made anew yet."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _from_older_schema(cls, value: object) -> object:
+        """Schemas up to 5 kept the words on a change of the light, too."""
+        return without_fields(value, "new_lighting_description")
 
     @property
     def motions(self) -> set[str]:

@@ -113,7 +113,7 @@ class ShotDetails:
         # A thing in a person's hands is not shown without them.
         holders = [state.asset_id for state in states if draft.kind == "insert" and {*state.held} & {*draft.focus}]
         line = max((index for index, unit in enumerate(units) if unit.moment), default=None)
-        light = next((change.state for unit in fresh for change in unit.changes if change.subject == "light"), None)
+        light = next((change.state for unit in fresh for change in unit.changes if change.subject == "light"), "")
         return ShotContext(
             scene_id=self.scene_id,
             shot_id=number,
@@ -128,8 +128,7 @@ class ShotDetails:
             moment_line=line if draft.beats else None,
             asset_modifications=tuple(self._modifications(fresh)),
             character_actions=tuple(self._actions(draft, on_stage)),
-            new_lighting_description=light,
-            light_change=light_change(light or ""),
+            light_change=light_change(light),
             sound_effect=", ".join(unique(sound for unit in fresh for sound in unit.sounds)) or None,
             camera_instruction=self._camera(draft),
             duration=frame_count(shot_seconds(draft, self.text), fps),

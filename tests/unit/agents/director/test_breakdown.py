@@ -155,7 +155,7 @@ def test_changes_sounds_and_light_reach_the_shot() -> None:
         ("knife", "add", ""),
         ("door", "transform", "open"),
     ]
-    assert [shot.new_lighting_description for shot in shots if shot.new_lighting_description] == ["the lamps go out"]
+    assert [shot.light_change.lamps for shot in shots if shot.light_change is not None] == ["off"]
     assert "thunder" in [shot.sound_effect for shot in shots]
 
 

@@ -8,6 +8,7 @@ from storyblender.agents.director.reader.people.roles import Roles
 from storyblender.agents.director.reader.state import ReaderState, UnreadAct
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
+from storyblender.catalog.motions import MOTION_KEYS, MOTIONS
 
 _INWARD = (
     lexicon.SILENT_VERBS
@@ -80,8 +81,8 @@ def note_unread(state: ReaderState, clause: Clause, roles: Roles, shown: str | N
     start, stop = written[0].start, max(word.end for word in written)
     words = " ".join(state.reading.screenplay.text[start:stop].split()).rstrip(" .,;")
     who = _names(roles.subjects)
-    reason = f"there is no motion for what {who} does: “{words}”"
-    reason += f"; shown as “{shown.replace('_', ' ')}”" if shown else "; nobody moves for it"
+    reason = f"the library has no motion for “{words}” ({who}): "
+    reason += f"shown as “{MOTIONS[MOTION_KEYS[shown]].name}”" if shown else "not shown"
     state.unread.append(UnreadAct(roles.subjects[0].id, shown or "", reason, start, stop))
 
 
