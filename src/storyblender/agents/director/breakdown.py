@@ -12,7 +12,7 @@ from storyblender.agents.director.draft import ShotDraft
 from storyblender.agents.director.economy import economise
 from storyblender.agents.director.extras import expand_groups
 from storyblender.agents.director.reading import Reading
-from storyblender.agents.director.reading_passes import copy_shared_things
+from storyblender.agents.director.reading_passes import copy_shared_things, use_directed_motions
 from storyblender.agents.director.settings import DirectorSettings
 from storyblender.agents.director.shot_details import ScriptFlags, ShotDetails
 from storyblender.agents.director.story_assets import StoryAssets
@@ -33,7 +33,7 @@ def storyboard(reading: Reading, settings: DirectorSettings | None = None) -> St
         settings: How finely to cut; None for the defaults.
     """
     settings = settings or DirectorSettings()
-    reading = add_writing_changes(copy_shared_things(expand_groups(reading)))
+    reading = add_writing_changes(copy_shared_things(expand_groups(use_directed_motions(reading))))
     story = StoryAssets(reading)
     summary = _summary(reading, story)
     assembly = Assembly(reading, story, summary)

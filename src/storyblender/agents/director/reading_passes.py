@@ -1,4 +1,6 @@
-"""Passes over a finished reading: a copy of a shared thing for each user, and scenes in the order of their units."""
+"""Passes over a finished reading: the Director's words for motions, a copy of a shared thing for each user, scenes in
+the order of their units.
+"""
 
 from __future__ import annotations
 
@@ -8,9 +10,28 @@ from dataclasses import replace
 from itertools import groupby
 
 from storyblender.agents.director.reading import Deed, Reading, SceneReading, Thing, Unit
+from storyblender.catalog.motions import MOTIONS
 
 Owners = dict[tuple[str, str], str]
 """Person and thing -> the copy that is theirs."""
+
+_DIRECTED = {
+    motion.key: motion.directs[0] for motion in MOTIONS.values() if motion.directs and motion.key not in motion.directs
+}
+"""Key of the catalogue -> the word for it that the Director's families of motions have: ``rise`` -> ``stand_up``."""
+
+
+def use_directed_motions(reading: Reading) -> Reading:
+    """Return the reading with the Director's words for motions; corrected readings and models name keys as well."""
+    return replace(reading, units=[_with_directed_motions(unit) for unit in reading.units])
+
+
+def _with_directed_motions(unit: Unit) -> Unit:
+    if _DIRECTED.keys().isdisjoint({*unit.activities.values(), *(deed.motion for deed in unit.deeds)}):
+        return unit
+    activities = {person: _DIRECTED.get(motion, motion) for person, motion in unit.activities.items()}
+    deeds = [replace(deed, motion=_DIRECTED.get(deed.motion, deed.motion)) for deed in unit.deeds]
+    return replace(unit, activities=activities, deeds=deeds)
 
 
 def copy_shared_things(reading: Reading) -> Reading:
