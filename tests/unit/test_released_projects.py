@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from storyblender.catalog.props.prop_names import props_of
 from storyblender.edits.undo import redo_edit, undo_edit
 from storyblender.errors import InputError
 from storyblender.history_files import UPGRADES, load
@@ -64,6 +65,15 @@ def test_scenes_that_were_not_staged_before_schema_6_have_no_kit(tmp_path: Path)
             project.go_to(revision)
             kits[revision] = [scene.setup.kit for scene in project.graph.scenes]
     assert kits == {20: ["kitchen", "park"], 9: ["kitchen", ""], 5: ["", ""]}
+
+
+@pytest.mark.parametrize("released", RELEASED, ids=lambda folder: folder.name)
+def test_what_the_things_of_a_released_project_are_is_known_whatever_they_are_made_from(released: Path) -> None:
+    assets = read_project_graph(released).assets
+    props = props_of(assets)
+    assert {"table", "cup", "bench", "gate"} <= props.keys() and not {"ada", "tom"} & props.keys()
+    bare = [asset.model_copy(update={"canonical": None}) for asset in assets]
+    assert props_of(bare) == props
 
 
 def test_a_project_that_is_not_at_its_last_change_says_so(tmp_path: Path) -> None:
