@@ -19,6 +19,10 @@ from storyblender.agents.visual_effects_artist.language_environment_designer imp
     SetNotes,
     language_environment_designer,
 )
+from storyblender.agents.visual_effects_artist.language_lighting_arranger import (
+    LightNotes,
+    language_lighting_arranger,
+)
 from storyblender.crew import Crew
 from storyblender.crew_setting import RoleName
 from storyblender.language.answer_folder import asked
@@ -29,12 +33,14 @@ ANSWERS: Final[Mapping[str, type[BaseModel]]] = {
     "director": SceneNotes,
     "environment_designer": SetNotes,
     "spatial_planner": LayoutNotes,
+    "lighting_arranger": LightNotes,
 }
 """What each role answers with."""
 _POLICIES: Final[Mapping[RoleName, Callable[[Answerer, Callable[[], Embedder]], Policy[Any, Any]]]] = {
     "director": lambda answerer, embedder: LanguageDirector(answerer, RulesDirector(embedder), embedder),
     "environment_designer": language_environment_designer,
     "spatial_planner": language_spatial_planner,
+    "lighting_arranger": language_lighting_arranger,
 }
 """Makes the policy of each role that a model can play."""
 

@@ -70,6 +70,13 @@ def hex_color(code: str) -> Color:
     return (red, green, blue)
 
 
+def hex_code(color: Color) -> str:
+    """Return the sRGB hex code of a scene-linear colour; the reverse of ``hex_color``, clipped at one."""
+    linear = (min(max(v, 0.0), 1.0) for v in color)
+    display = (v * 12.92 if v <= 0.0031308 else 1.055 * v ** (1 / 2.4) - 0.055 for v in linear)
+    return "#" + "".join(f"{round(v * 255):02x}" for v in display)
+
+
 def painted(key: str, color: str, accent: str = "#1a1612", tags: str = "", **fields: object) -> MaterialEntry:
     """Return a material from hex colours; ``tags`` are words separated by spaces."""
     return MaterialEntry(

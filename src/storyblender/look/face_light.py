@@ -10,6 +10,8 @@ from storyblender.memory.scene_context import Light, Lighting
 
 _KEY_TURN = 0.35
 """Share of the way from where the face looks to the camera: profiles keep a lit side towards the lens."""
+_SIDE_TURN = 50.0
+"""Most degrees from where the face looks to a key light that comes from one side of the set."""
 _KEY_ELEVATION = 36.0
 _KEY_DISTANCE = 2.3
 _RIM_ELEVATION = 40.0
@@ -23,12 +25,15 @@ def face_lights(head: Vec3, face_yaw: float, camera: Vec3, lighting: Lighting, n
         head: Centre of the face, world, metres.
         face_yaw: Where the face looks, degrees; 0 is -Y, counter-clockwise.
         camera: The eye, world, metres.
-        lighting: Gives colours, face luminance and key to fill ratio.
+        lighting: Gives colours, face luminance, key to fill ratio and the side of the key.
         name: asset_id of the person.
     """
     toward_camera = math.degrees(math.atan2(camera[0] - head[0], -(camera[1] - head[1])))
     turn = (toward_camera - face_yaw + 180) % 360 - 180
-    level = lighting.face_luminance
+    level, key_turn = lighting.face_luminance, _KEY_TURN * turn
+    if lighting.key_side is not None:
+        toward_side = -90.0 if lighting.key_side == "left" else 90.0
+        key_turn = max(-_SIDE_TURN, min(_SIDE_TURN, (toward_side - face_yaw + 180) % 360 - 180))
 
     def lamp(
         role: str, yaw: float, elevation: float, distance: float, share: float, color: Color, cone: float
@@ -49,7 +54,7 @@ def face_lights(head: Vec3, face_yaw: float, camera: Vec3, lighting: Lighting, n
 
     side = 1 if turn >= 0 else -1
     return (
-        lamp("key", face_yaw + _KEY_TURN * turn, _KEY_ELEVATION, _KEY_DISTANCE, 1.0, lighting.key_color, 60),
+        lamp("key", face_yaw + key_turn, _KEY_ELEVATION, _KEY_DISTANCE, 1.0, lighting.key_color, 60),
         lamp("fill", toward_camera + 12 * side, 8, 2.6, 1 / lighting.key_fill_ratio, lighting.fill_color, 50),
         lamp("rim", toward_camera + 180 - 35 * side, _RIM_ELEVATION, 2.4, _RIM_STRENGTH, lighting.rim_color, 34),
     )

@@ -185,6 +185,8 @@ class Lighting(Frozen):
     fill_color: Color = (0.62, 0.75, 1.0)
     rim_color: Color = (0.75, 0.85, 1.0)
     key_fill_ratio: float = Field(default=4.0, gt=0, le=1e4)
+    key_side: Literal["left", "right"] | None = Field(default=None, exclude_if=is_none)
+    """Side of the set, as the viewer sees it, from which faces get their key light; None lets each camera decide."""
 
 
 class SceneContext(Frozen):

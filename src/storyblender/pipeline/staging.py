@@ -147,7 +147,7 @@ def _light(
 
     def change(current: Lighting, shot: ShotContext) -> Lighting:
         name = shot_name(scene_id, shot.shot_id)
-        return run.reflect(role, name, graph, scene_id, current, shot.light_change).draft
+        return run.reflect(role, name, graph, scene_id, current, shot.light_change, shot.shot_id).draft
 
     first, lit, found = light_shots(usual, lighting_arranger_view(graph, scene_id), shots, scene.setup.found, change)
     setup = scene.setup if found == scene.setup.found else scene.setup.model_copy(update={"found": found})

@@ -56,7 +56,7 @@ def light_exterior(view: LightingArrangerView) -> Lighting:
     hour, weather = HOURS[view.setup.time_of_day], view.setup.weather
     air, ground = WEATHERS[weather], _ground_color(view)
     sky = sky_of(hour, weather, ground)
-    side = 1.0 if view.environment.seed % 2 else -1.0
+    side = 1.0 if view.sun_from_left else -1.0
     azimuth = side * _sun_azimuth(view.plan, hour)
     where = sun_position(hour.elevation, azimuth)
     sun = Light(

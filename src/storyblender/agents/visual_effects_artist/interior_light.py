@@ -51,7 +51,7 @@ def light_interior(view: LightingArrangerView) -> Lighting:
     for opening in openings:
         lights.append(_make_window_light(opening, luminance=0.25 + 1.5 * brightness, hour=hour, grayness=air.gray))
     if openings and hour.sun * air.sun > 0.4 and hour.elevation < 60:
-        lights.append(_make_window_sun(openings, hour, air.sun, view.environment.seed))
+        lights.append(_make_window_sun(openings, hour, air.sun, from_left=view.sun_from_left))
     if day and openings:
         lights.append(_make_ceiling_light(view.plan, 0.22, mix(hour.horizon, (1.0, 0.96, 0.9), 0.6)))
     elif lamps:
@@ -122,18 +122,18 @@ def _make_window_light(opening: WindowWall, *, luminance: float, hour: Hour, gra
     )
 
 
-def _make_window_sun(openings: list[WindowWall], hour: Hour, share: float, seed: int) -> Light:
+def _make_window_sun(openings: list[WindowWall], hour: Hour, share: float, *, from_left: bool) -> Light:
     """Return the sun light that falls through the largest windows and makes a pool on the floor.
 
     Args:
         openings: The walls with windows; the front wall counts least.
         hour: The time of day; it gives the sun's elevation, power and colour.
         share: Share of the sun that the weather lets through, 0 to 1.
-        seed: Seed of the set; it decides from which side the sun comes.
+        from_left: Whether the sun comes from the left, for somebody who looks out of the window: else from the right.
     """
     largest = max(openings, key=lambda item: item.size * (0.3 if item.wall.node_id == "wall_front" else 1.0))
     centre, inward = largest.centre, largest.inward
-    turn = math.radians(28.0 if seed % 2 else -28.0)
+    turn = math.radians(28.0 if from_left else -28.0)
     dx = inward[0] * math.cos(turn) - inward[1] * math.sin(turn)
     dy = inward[0] * math.sin(turn) + inward[1] * math.cos(turn)
     drop = math.tan(math.radians(min(max(hour.elevation, 12.0), 34.0)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Annotated, NamedTuple
+from typing import Annotated, Literal, NamedTuple
 
 from pydantic import Field
 
@@ -17,6 +17,7 @@ from storyblender.catalog.sets import plan_of
 from storyblender.memory.asset_sheet import Asset, ParamValue
 from storyblender.memory.base import Color, Vec3, is_none
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.outline import SceneOutline
 from storyblender.memory.panorama import Panorama
 from storyblender.memory.scene_context import Environment, Layout, Light, Lighting, SceneSetup
 from storyblender.memory.shot_context import LightChange
@@ -49,6 +50,9 @@ class LightingArrangerView:
         burning: Whether a lamp burns, by asset id, if the story says so.
         carried: Lamps that have left their places, by asset id.
         panorama: The user's high-dynamic-range panorama on offer, for exteriors by day.
+        sun_side: Viewer's side from which the sun comes; None lets the set's seed decide.
+        outline: The words of the scene, which only a language model reads.
+        shot_id: Shot in which the light changes; 0 for the light of the scene.
     """
 
     setup: SceneSetup
@@ -61,10 +65,22 @@ class LightingArrangerView:
     burning: Mapping[str, bool] = field(default_factory=dict[str, bool])
     carried: Mapping[str, CarriedLamp] = field(default_factory=dict[str, CarriedLamp])
     panorama: Annotated[Panorama | None, Field(exclude_if=is_none)] = None
+    sun_side: Literal["left", "right"] | None = None
+    outline: SceneOutline | None = None
+    shot_id: int = 0
+
+    @property
+    def sun_from_left(self) -> bool:
+        """Whether the sun comes from the viewer's left."""
+        return self.environment.seed % 2 == 1 if self.sun_side is None else self.sun_side == "left"
 
 
 def lighting_arranger_view(
-    graph: ContinuityMemoryGraph, scene_id: int, current: Lighting | None = None, change: LightChange | None = None
+    graph: ContinuityMemoryGraph,
+    scene_id: int,
+    current: Lighting | None = None,
+    change: LightChange | None = None,
+    shot_id: int = 0,
 ) -> LightingArrangerView:
     """Return the Lighting Arranger's projection of the graph.
 
@@ -73,13 +89,15 @@ def lighting_arranger_view(
         scene_id: Number of the scene.
         current: The light so far, if the script changes it.
         change: The change.
+        shot_id: Shot of the change.
     """
     scene = graph.scene(scene_id)
     assert scene.environment is not None, "the set comes before its light"
     plan, assets = plan_of(scene.environment), graph.assets_of(scene_id)
     return LightingArrangerView(
-        scene.setup, plan, scene.environment, scene.layout, assets, current, change, panorama=graph.panorama
-    )
+        scene.setup, plan, scene.environment, scene.layout, assets, current, change,
+        panorama=graph.panorama, outline=graph.outline_of(scene_id), shot_id=shot_id,
+    )  # fmt: skip
 
 
 def burning_lamps(view: LightingArrangerView, share: float) -> tuple[Light, ...]:
