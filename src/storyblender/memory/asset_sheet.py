@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Field, StringConstraints, model_validator
+from pydantic import Field, StringConstraints
 
-from storyblender.memory.base import Color, Digest, Frozen, Identifier, Vec2, Vec3, is_none, without_fields
+from storyblender.memory.base import Color, Digest, Frozen, Identifier, Vec2, Vec3, dropping, is_none
 from storyblender.memory.vocabulary import AssetType, Gender, SizeWord, StatureWord
 
 ParamValue = float | str | bool
@@ -169,8 +169,4 @@ class Asset(Frozen):
     canonical: CanonicalAsset | None = None
     locked: bool = Field(default=False, exclude_if=lambda value: not value)
     """Whether a person locked its look, its size and its model."""
-
-    @model_validator(mode="before")
-    @classmethod
-    def _from_schema_4(cls, value: object) -> object:
-        return without_fields(value, "text_to_image_prompt")
+    _former = dropping("text_to_image_prompt")

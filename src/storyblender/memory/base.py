@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import hashlib
 import json
-from typing import Annotated
+from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict, Field, StringConstraints
+from pydantic import BaseModel, ConfigDict, Field, StringConstraints, model_validator
 
 Identifier = Annotated[str, StringConstraints(pattern=r"^[a-z][a-z0-9_]{0,63}$")]
 """A snake_case name, safe as a file name and as a Blender name. Never a path."""
@@ -44,6 +44,15 @@ def is_none(value: object) -> bool:
 def without_fields(value: object, *names: str) -> object:
     """Return the data of a model without fields that only older schemas have; anything but a dict as it is."""
     return {key: each for key, each in value.items() if key not in names} if isinstance(value, dict) else value
+
+
+def dropping(*names: str) -> Any:
+    """Return a model's validator that drops fields which only older schemas have; assign it in the class."""
+
+    def drop(cls: type[Frozen], value: object) -> object:
+        return without_fields(value, *names)
+
+    return model_validator(mode="before")(drop)
 
 
 def content_hash(*parts: BaseModel | dict[str, object] | list[object] | str | int | float | None) -> str:

@@ -7,9 +7,9 @@ import textwrap
 from functools import lru_cache
 from typing import Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
-from storyblender.memory.base import Digest, Frozen, SceneId, ShotId, without_fields
+from storyblender.memory.base import Digest, Frozen, SceneId, ShotId, dropping
 
 LINE = 90
 """Characters of a title."""
@@ -61,12 +61,7 @@ class ShotOutline(Frozen):
     lines: tuple[ScriptLine, ...] = ()
     notes: tuple[str, ...] = ()
     """Notes (``[[ ]]``) of the script that stand in this shot's lines or after them, in order, without their marks."""
-
-    @model_validator(mode="before")
-    @classmethod
-    def _from_older_schema(cls, value: object) -> object:
-        """Schemas up to 5 kept a sentence about the shot."""
-        return without_fields(value, "shot_description")
+    _former = dropping("shot_description")
 
 
 class SceneOutline(Frozen):

@@ -7,7 +7,7 @@ from typing import Any, Literal
 from pydantic import Field, model_validator
 
 from storyblender.memory.asset_sheet import ParamValue
-from storyblender.memory.base import Color, Coordinate, Frozen, Identifier, SceneId, Vec3, is_none, without_fields
+from storyblender.memory.base import Color, Coordinate, Frozen, Identifier, SceneId, Vec3, dropping, is_none
 from storyblender.memory.locks import SceneLock
 from storyblender.memory.panorama import PanoramaLight
 from storyblender.memory.vocabulary import (
@@ -76,13 +76,9 @@ class SceneSetup(Frozen):
     """Objects that are the place itself or a part of its set: no prop is added for them."""
     found: dict[Identifier, tuple[str, ...]] = {}
     """States in which things and doors are as the scene opens, left so by earlier scenes: ``broken``, ``open``."""
-
-    @model_validator(mode="before")
-    @classmethod
-    def _from_schema_5(cls, value: object) -> object:
-        """Older projects kept the place in words, and to schema 4 a sentence on its light."""
-        words = ("place_kind", "layout_description", "ground_description", "wall_description", "lighting_description")
-        return without_fields(value, *words)
+    _former = dropping(
+        "place_kind", "layout_description", "ground_description", "wall_description", "lighting_description"
+    )
 
 
 class SceneSize(Frozen):

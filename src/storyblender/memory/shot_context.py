@@ -15,8 +15,8 @@ from storyblender.memory.base import (
     SceneId,
     ShotId,
     Vec3,
+    dropping,
     is_none,
-    without_fields,
 )
 from storyblender.memory.camera_decision import CameraDecision, CameraInstruction, CameraRetake
 from storyblender.memory.locks import ShotLock
@@ -44,12 +44,7 @@ class AssetModification(Frozen):
     modification_type: ModificationType
     state: str = ""
     """For doors, lamps and the like: ``open``, ``closed``, ``on``, ``off``."""
-
-    @model_validator(mode="before")
-    @classmethod
-    def _from_older_schema(cls, value: object) -> object:
-        """Schemas up to 5 kept a sentence about the change."""
-        return without_fields(value, "description")
+    _former = dropping("description")
 
 
 class CharacterAction(Frozen):
@@ -310,12 +305,7 @@ class ShotContext(Frozen):
     """Length in frames that a person gave the shot; it stays with the words of the shot when the script changes."""
     stale: tuple[Literal["motion"], ...] = Field(default=(), exclude_if=lambda value: not value)
     """What an edit made stale and the crew has not made anew yet."""
-
-    @model_validator(mode="before")
-    @classmethod
-    def _from_older_schema(cls, value: object) -> object:
-        """Schemas up to 5 kept the words on a change of the light, too."""
-        return without_fields(value, "new_lighting_description")
+    _former = dropping("new_lighting_description")
 
     @property
     def motions(self) -> set[str]:
