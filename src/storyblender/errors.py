@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 
@@ -59,6 +60,13 @@ class AnswerAwaited(StoryBlenderError):
     def __init__(self, problem: str, *, mend: str, names: tuple[str, ...]) -> None:
         super().__init__(problem, mend=mend)
         self.names = names
+
+    @classmethod
+    def of(cls, awaited: Sequence[AnswerAwaited]) -> AnswerAwaited:
+        """Return several as one; there is at least one."""
+        first, names = awaited[0], tuple(name for each in awaited for name in each.names)
+        more = f", and so do {len(names) - 1} more" if len(names) > 1 else ""
+        return cls(f"{first.problem}{more}", mend=first.mend, names=names)
 
 
 class ProjectLocked(StoryBlenderError):

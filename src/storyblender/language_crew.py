@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, Final
 
 from pydantic import BaseModel
 
 from storyblender.agents.asking import read_answer_as
+from storyblender.agents.concept_artist.language_asset_retriever import ChoiceNotes, language_asset_retriever
 from storyblender.agents.director.annotation import SceneNotes
 from storyblender.agents.director.director import RulesDirector
 from storyblender.agents.director.language_director import LanguageDirector
@@ -26,36 +27,46 @@ from storyblender.agents.visual_effects_artist.language_lighting_arranger import
 from storyblender.crew import Crew
 from storyblender.crew_setting import RoleName
 from storyblender.language.answer_folder import asked
-from storyblender.ports import Answerer, Embedder
+from storyblender.ports import Answerer, AssetSource, Embedder
 from storyblender.reflection import Policy
 
 ANSWERS: Final[Mapping[str, type[BaseModel]]] = {
+    "asset_retriever": ChoiceNotes,
     "director": SceneNotes,
     "environment_designer": SetNotes,
     "spatial_planner": LayoutNotes,
     "lighting_arranger": LightNotes,
 }
 """What each role answers with."""
-_POLICIES: Final[Mapping[RoleName, Callable[[Answerer, Callable[[], Embedder]], Policy[Any, Any]]]] = {
+_Maker = Callable[[Answerer, Callable[[], Embedder]], Policy[Any, Any]]
+_POLICIES: Final[Mapping[RoleName, _Maker]] = {
     "director": lambda answerer, embedder: LanguageDirector(answerer, RulesDirector(embedder), embedder),
     "environment_designer": language_environment_designer,
     "spatial_planner": language_spatial_planner,
     "lighting_arranger": language_lighting_arranger,
 }
-"""Makes the policy of each role that a model can play."""
+"""Makes the policy of each role that a model can play, if it needs no more than these two."""
 
 
-def language_crew(crew: Crew, answerers: Mapping[RoleName, Answerer], embedder: Callable[[], Embedder]) -> Crew:
+def language_crew(
+    crew: Crew,
+    answerers: Mapping[RoleName, Answerer],
+    embedder: Callable[[], Embedder],
+    sources: Sequence[AssetSource],
+) -> Crew:
     """Return a crew whose named roles are played by language models before rules.
 
     Args:
         crew: The crew of rules.
         answerers: Who answers, by role.
         embedder: Loads the sentence model; called once, at the first need.
+        sources: Where assets come from.
     """
     embedder = cache(embedder)
     played: dict[str, Any] = {}
-    for name, make in _POLICIES.items():
+    retriever = partial(language_asset_retriever, sources=sources)
+    makers: dict[RoleName, _Maker] = {**_POLICIES, "asset_retriever": retriever}
+    for name, make in makers.items():
         if (answerer := answerers.get(name)) is not None:
             role = getattr(crew, name)
             played[name] = replace(role, policies=(make(answerer, embedder), *role.policies))

@@ -227,5 +227,5 @@ class Studio:
             from storyblender.language.answerers import answerers
             from storyblender.language_crew import language_crew
 
-            crew = language_crew(crew, answerers(settings.crew, folder, settings.limits), embedder)
+            crew = language_crew(crew, answerers(settings.crew, folder, settings.limits), embedder, sources)
         return Session(Project(folder, build), engine, crew, sources, settings, self._listener)

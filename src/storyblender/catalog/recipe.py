@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Literal
 
+from pydantic import Field
+
 from storyblender.catalog.liquids import liquid_color
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import words_of
@@ -67,6 +69,8 @@ class Recipe(Frozen):
     """Why it fits, for people."""
     provenance: Provenance | None = None
     """Of what a source other than the built-in library offers."""
+    final: bool = Field(default=False, exclude_if=lambda value: not value)
+    """Whether all that there is was weighed: it stands in for the thing, however little it is like it."""
 
     @property
     def dimensions(self) -> Vec3:

@@ -10,7 +10,7 @@ from storyblender.catalog.meanings import WORDS_BY_AGE
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.recipe import Recipe
-from storyblender.errors import EngineError, InputError, StoryBlenderError
+from storyblender.errors import AnswerAwaited, EngineError, InputError, StoryBlenderError
 from storyblender.memory.asset_sheet import Asset, AssetDimension, CanonicalAsset
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure
@@ -30,7 +30,7 @@ def materialize(run: Run, assets: Sequence[Asset] | None = None) -> None:
     if not missing:
         return
     concept = ConceptArtist(run)
-    decided = _sized(run, [concept.decided(asset) for asset in missing])
+    decided = _sized(run, concept.all_decided(missing))
     waiting = [(asset, run.engine.build_asset(AssetJob(asset=asset))) for asset in decided]
     built: list[Asset] = []
     for step, (asset, future) in enumerate(waiting):
@@ -95,6 +95,23 @@ class ConceptArtist:
         self._run.tell(Event(kind="warning", role="asset_formatter", subject=asset.asset_id, message=message))
         self._rejected.add(key)
         return self.decided(asset.model_copy(update={"canonical": None}))
+
+    def all_decided(self, assets: Sequence[Asset]) -> list[Asset]:
+        """Return the assets with what they are made from.
+
+        Raises:
+            AnswerAwaited: Answers have to come from outside first; all questions are asked before the run stops.
+        """
+        found: list[Asset] = []
+        awaited: list[AnswerAwaited] = []
+        for asset in assets:
+            try:
+                found.append(self.decided(asset))
+            except AnswerAwaited as error:
+                awaited.append(error)
+        if awaited:
+            raise AnswerAwaited.of(awaited)
+        return found
 
     def decided(self, asset: Asset) -> Asset:
         """Return the asset with what it is made from, if that is not decided yet."""

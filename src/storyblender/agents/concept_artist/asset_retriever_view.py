@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+import itertools
+from collections.abc import Collection, Iterator, Mapping
 
 from storyblender.catalog.recipe import AssetQuery, Recipe
 from storyblender.catalog.sets import SETS
@@ -13,6 +14,8 @@ from storyblender.reflection import Critique, Fault
 
 RETRIEVAL_THRESHOLD = 7.0
 """tau of the Retriever: under it the Generator takes over (paper, section 3.3)."""
+_LINES = 4
+"""Lines of the script in a view."""
 
 
 class AssetRetrieverView(AssetQuery):
@@ -20,6 +23,10 @@ class AssetRetrieverView(AssetQuery):
 
     rejected: frozenset[str] = frozenset()
     """Keys of recipes that could not be built or fetched."""
+    place: str = ""
+    """Heading of the first place it is in."""
+    lines: tuple[str, ...] = ()
+    """The first lines of the script that have its name."""
 
 
 def asset_retriever_view(
@@ -44,8 +51,17 @@ def asset_retriever_view(
         rejected=refused,
         means={**means, **SETS[setup.kit].meanings},
         weather=setup.weather if setup.scene_type == "outdoor" else "",
+        place=setup.place,
+        lines=tuple(itertools.islice(_lines_with(graph, asset.name.lower()), _LINES)) if asset.name else (),
         state=state_at_first(states) or ("open" if _is_looked_into(graph, asset.asset_id) else ""),
     )
+
+
+def _lines_with(graph: ContinuityMemoryGraph, name: str) -> Iterator[str]:
+    """Yield the lines of the script with a name (small letters)."""
+    for scene in graph.outline:
+        for shot in scene.shots:
+            yield from (line.text for line in shot.lines if name in line.text.lower())
 
 
 def _is_looked_into(graph: ContinuityMemoryGraph, asset_id: str) -> bool:
@@ -61,7 +77,7 @@ class AssetRetrieverCritic:
 
     def judge(self, draft: Recipe, view: AssetRetrieverView) -> Critique:
         """Score the draft 1 to 10."""
-        if draft.source == "stand_in":
+        if draft.source == "stand_in" or draft.final:
             return Critique(score=10.0)
         if draft.score >= RETRIEVAL_THRESHOLD:
             return Critique(score=draft.score)

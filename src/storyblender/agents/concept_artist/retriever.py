@@ -34,11 +34,12 @@ class RulesAssetRetriever:
 
     def search(self, view: AssetRetrieverView, count: int) -> tuple[Recipe, ...]:
         """Return the ``count`` best matches of all sources, best first; by meaning only where no name fits well."""
-        found = self._candidates(view, by_meaning=False)
+        found = self.candidates(view, by_meaning=False)
         if all(recipe.score < HEAD for recipe in found):
-            found = self._candidates(view, by_meaning=True)
+            found = self.candidates(view, by_meaning=True)
         return tuple(found[:count]) or (_NOTHING,)
 
-    def _candidates(self, view: AssetRetrieverView, *, by_meaning: bool) -> list[Recipe]:
+    def candidates(self, view: AssetRetrieverView, *, by_meaning: bool) -> list[Recipe]:
+        """Return all that the sources offer, best first, without what could not be built or fetched."""
         offered = [recipe for source in self._sources for recipe in source.search(view, by_meaning=by_meaning)]
         return sorted((each for each in offered if each.key not in view.rejected), key=lambda each: -each.score)
