@@ -15,6 +15,10 @@ from storyblender.agents.concept_artist.language_asset_retriever import ChoiceNo
 from storyblender.agents.director.annotation import SceneNotes
 from storyblender.agents.director.director import RulesDirector
 from storyblender.agents.director.language_director import LanguageDirector
+from storyblender.agents.layout_artist.language_dimension_estimator import (
+    DimensionNotes,
+    language_dimension_estimator,
+)
 from storyblender.agents.layout_artist.language_spatial_planner import LayoutNotes, language_spatial_planner
 from storyblender.agents.visual_effects_artist.language_environment_designer import (
     SetNotes,
@@ -32,6 +36,7 @@ from storyblender.reflection import Policy
 
 ANSWERS: Final[Mapping[str, type[BaseModel]]] = {
     "asset_retriever": ChoiceNotes,
+    "dimension_estimator": DimensionNotes,
     "director": SceneNotes,
     "environment_designer": SetNotes,
     "spatial_planner": LayoutNotes,
@@ -40,6 +45,7 @@ ANSWERS: Final[Mapping[str, type[BaseModel]]] = {
 """What each role answers with."""
 _Maker = Callable[[Answerer, Callable[[], Embedder]], Policy[Any, Any]]
 _POLICIES: Final[Mapping[RoleName, _Maker]] = {
+    "dimension_estimator": language_dimension_estimator,
     "director": lambda answerer, embedder: LanguageDirector(answerer, RulesDirector(embedder), embedder),
     "environment_designer": language_environment_designer,
     "spatial_planner": language_spatial_planner,

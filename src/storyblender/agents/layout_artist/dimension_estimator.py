@@ -143,9 +143,7 @@ def estimate_dimension(asset: Asset, room: Vec3 | None = None) -> AssetDimension
         asset: The asset, with its geometry if it is decided.
         room: Width, depth and height of its room in metres; None if it is ever outdoors.
     """
-    dimension = _estimate_without_room(asset)
-    keeps = asset.asset_type == "character" or _is_furniture(asset)
-    return dimension if room is None or keeps else _fit_to_room(dimension, asset, room)
+    return fit_to_room(_estimate_without_room(asset), asset, room)
 
 
 def _is_furniture(asset: Asset) -> bool:
@@ -154,8 +152,16 @@ def _is_furniture(asset: Asset) -> bool:
     return made is not None and made.source == "catalog" and PROPS[made.key].category == "furniture"
 
 
-def _fit_to_room(dimension: AssetDimension, asset: Asset, room: Vec3) -> AssetDimension:
-    """Return the dimension at which the thing fits into a room (metres) with space around it."""
+def fit_to_room(dimension: AssetDimension, asset: Asset, room: Vec3 | None) -> AssetDimension:
+    """Return the dimension at which a thing fits into its room with space around it; people and furniture keep theirs.
+
+    Args:
+        dimension: One dimension of the asset.
+        asset: The asset, with its geometry if it is decided.
+        room: Width, depth and height of its room in metres; None if it is ever outdoors.
+    """
+    if room is None or asset.asset_type == "character" or _is_furniture(asset):
+        return dimension
     side = next(side for side in _SIDES if getattr(dimension, side) is not None)
     value: float = getattr(dimension, side)
     shape = asset.canonical.dimensions if asset.canonical is not None else (1.0, 1.0, 1.0)
