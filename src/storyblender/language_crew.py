@@ -20,6 +20,10 @@ from storyblender.agents.layout_artist.language_dimension_estimator import (
     language_dimension_estimator,
 )
 from storyblender.agents.layout_artist.language_spatial_planner import LayoutNotes, language_spatial_planner
+from storyblender.agents.visual_effects_artist.language_animator import (
+    StagingNotes,
+    language_animator,
+)
 from storyblender.agents.visual_effects_artist.language_environment_designer import (
     SetNotes,
     language_environment_designer,
@@ -41,6 +45,7 @@ ANSWERS: Final[Mapping[str, type[BaseModel]]] = {
     "environment_designer": SetNotes,
     "spatial_planner": LayoutNotes,
     "lighting_arranger": LightNotes,
+    "animator": StagingNotes,
 }
 """What each role answers with."""
 _Maker = Callable[[Answerer, Callable[[], Embedder]], Policy[Any, Any]]
@@ -50,6 +55,7 @@ _POLICIES: Final[Mapping[RoleName, _Maker]] = {
     "environment_designer": language_environment_designer,
     "spatial_planner": language_spatial_planner,
     "lighting_arranger": language_lighting_arranger,
+    "animator": language_animator,
 }
 """Makes the policy of each role that a model can play, if it needs no more than these two."""
 

@@ -128,7 +128,9 @@ class Actions:
         if partner is None and not action.target_id:
             partner = self._find_person_met_later(person, later)
         goal, yaw = self.sheet.find_goal(action, person, partner, motion.speed or 0.0)
-        told = None if goes_on else self._station_at_end(person)
+        if person.goal is not None:
+            goal, yaw = self.stage.floor.free_spot(person.goal, person.scale, self.stage.others(person)), None
+        told = None if goes_on or person.goal is not None else self._station_at_end(person)
         if told is not None:
             goal, yaw = (told.x, told.y), told.yaw
         end = self.sheet.walk_to(person, goal, yaw, start, motion.key)

@@ -5,8 +5,10 @@ The end marks of a shot are the start marks of the next one, unless the script c
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from storyblender.agents.visual_effects_artist.floor import Floor
-from storyblender.agents.visual_effects_artist.rehearsal import Rehearsal, ShotStaging
+from storyblender.agents.visual_effects_artist.rehearsal import Rehearsal, ShotDirections, ShotStaging
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import plan_of
 from storyblender.catalog.states import Condition
@@ -70,6 +72,15 @@ class RulesAnimator:
 
     def propose(self, view: AnimatorView) -> AnimatorDraft:
         """Stage every shot of the scene in order."""
+        return self.stage(view)
+
+    def stage(self, view: AnimatorView, directions: Mapping[int, ShotDirections] = {}) -> AnimatorDraft:
+        """Stage every shot of the scene in order.
+
+        Args:
+            view: The scene.
+            directions: Marks, goals of walks and overlaps that are asked for, by shot id.
+        """
         floor = Floor(view.layout, view.assets, view.plan)
         rehearsal = Rehearsal(floor, view.assets, view.layout.objects, view.fps, view.found)
         rehearsal.stage.find_instrument_players(view.shots)
@@ -90,7 +101,8 @@ class RulesAnimator:
                 )
                 continue
             stay = view.shots[index + 1].on_stage if index + 1 < len(view.shots) else shot.on_stage
-            stagings.append(rehearsal.play(shot, lines.get(shot.shot_id, ()), stay))
+            asked = directions.get(shot.shot_id, ShotDirections())
+            stagings.append(rehearsal.play(shot, lines.get(shot.shot_id, ()), stay, asked))
         return AnimatorDraft(shots=tuple(stagings))
 
     def refine(self, draft: AnimatorDraft, critique: Critique, view: AnimatorView) -> AnimatorDraft:

@@ -44,6 +44,8 @@ class StagedPerson:
     pace: str = ""
     """Key of the motion of the next walk, if the script gave it before the goal; empty if not."""
 
+    goal: Vec2 | None = None
+    """Floor point where the next walk is asked to end; None lets its target decide."""
     z: float = 0.0
     """Height of the feet above the floor, metres."""
     spot: Spot | None = None

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from pydantic import Field
 
 from storyblender.agents.visual_effects_artist.action_resolver import PHONE_CALL
 from storyblender.agents.visual_effects_artist.actions import Actions
@@ -11,18 +14,48 @@ from storyblender.agents.visual_effects_artist.animals import Animals
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
 from storyblender.agents.visual_effects_artist.fallen_props import FallenProps
 from storyblender.agents.visual_effects_artist.floor import Floor
+from storyblender.agents.visual_effects_artist.person import StagedPerson
 from storyblender.agents.visual_effects_artist.posture_cues import PostureCues, extend_lasting_cues
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN, Speeches
 from storyblender.agents.visual_effects_artist.stage_state import StageState
 from storyblender.catalog.states import Condition
+from storyblender.geometry.paths import Vec2
 from storyblender.memory.asset_sheet import Asset
-from storyblender.memory.base import Frozen
+from storyblender.memory.base import Frozen, Identifier, is_none
 from storyblender.memory.outline import ScriptLine
-from storyblender.memory.scene_context import LayoutObject
+from storyblender.memory.scene_context import LayoutObject, Spot
 from storyblender.memory.shot_context import Blocking, CharacterAction, Cue, Flaw, PropState, ShotContext
 
 GROUP_DELAY = 0.15
 """Seconds between the starts of two members of a group who do the same thing."""
+
+
+@dataclass(frozen=True)
+class FloorMark:
+    """Where a person stands as a shot begins.
+
+    Attributes:
+        point: Floor point in metres; the nearest free one is taken.
+        facing: What they face, as in ``Spot``; None leaves it open.
+    """
+
+    point: Vec2
+    facing: Identifier | None = None
+
+
+@dataclass(frozen=True)
+class ShotDirections:
+    """What staging of a shot is asked for beyond its actions and states.
+
+    Attributes:
+        marks: Marks of people who stand as the shot begins and do not come in, by asset id.
+        goals: Floor points in metres where walks end, by number of the action.
+        together: Numbers of actions that begin with the action before them, not after it.
+    """
+
+    marks: Mapping[Identifier, FloorMark] = field(default_factory=dict[Identifier, FloorMark])
+    goals: Mapping[int, Vec2] = field(default_factory=dict[int, Vec2])
+    together: frozenset[int] = frozenset()
 
 
 class ShotStaging(Frozen):
@@ -36,10 +69,12 @@ class ShotStaging(Frozen):
     """Frames; the Director's, or longer where the actions need it, within the limit of the cue sheet."""
     flaws: tuple[Flaw, ...] = ()
     """Actions that were cut short or moved so that they fit."""
+    character_actions: tuple[CharacterAction, ...] | None = Field(default=None, exclude_if=is_none)
+    """The actions as they are played, where they are not as the Director read them."""
 
     def applied(self, shot: ShotContext) -> ShotContext:
         """Return the shot with this staging."""
-        return shot.model_copy(update=dict(self))
+        return shot.model_copy(update={name: value for name, value in self if value is not None})
 
 
 class Rehearsal:
@@ -69,18 +104,26 @@ class Rehearsal:
         """Take over the ends of a shot whose blocking the user has locked."""
         self.stage.keep_locked_blocking(shot)
 
-    def play(self, shot: ShotContext, lines: Sequence[ScriptLine], stay: Sequence[str]) -> ShotStaging:
+    def play(
+        self,
+        shot: ShotContext,
+        lines: Sequence[ScriptLine],
+        stay: Sequence[str],
+        directions: ShotDirections = ShotDirections(),
+    ) -> ShotStaging:
         """Stage one shot.
 
         Args:
             shot: The shot with its actions and states.
             lines: Lines of the script that it covers, for the length of speeches.
             stay: Asset ids of people who are on stage in the next shot too.
+            directions: Marks, goals of walks and overlaps that are asked for.
         """
         stage = self.stage
         cast = [stage.people[name] for name in shot.on_stage if name in stage.people]
         stage.bring_on_stage(shot, cast, stay)
         stage.apply_states(shot.states, shot.character_actions)
+        self._take_marks(directions.marks)
         stage.place_loose_props(shot)
         standing = stage.prop_states(shot)
         sheet = CueSheet(
@@ -102,11 +145,17 @@ class Rehearsal:
                 continue
             if number and _is_same_action(action, shot.character_actions[number - 1]):
                 sheet.clock = began + GROUP_DELAY
-            began = sheet.clock
+            latest = sheet.clock
+            if number in directions.together:
+                sheet.clock = began
+            began, person.goal = sheet.clock, directions.goals.get(number)
             if action.motion in SPOKEN:
                 speeches.add_speech(action, person, seconds.get(number, 2.0), cast)
             else:
                 actions.add_action(action, person, shot.character_actions[number + 1 :])
+            if number in directions.together:
+                sheet.clock = max(sheet.clock, latest)
+            person.goal = None
         speeches.add_idle_looks(shot, cast)
         PostureCues(stage, sheet).add_posture_cues(shot)
         duration = shot.duration
@@ -129,6 +178,18 @@ class Rehearsal:
             duration=duration,
             flaws=tuple(sheet.cheats),
         )
+
+    def _take_marks(self, marks: Mapping[Identifier, FloorMark]) -> None:
+        """Put people on their marks, then turn them, so that they can face each other."""
+        stage, there = self.stage, list[tuple[StagedPerson, Spot]]()
+        for asset_id, mark in marks.items():
+            person = stage.people.get(asset_id)
+            if person is not None and person.present and person.upright and not person.entering:
+                person.place = stage.floor.free_spot(mark.point, person.scale, stage.others(person))
+                there.append((person, Spot(facing=mark.facing)))
+        for person, spot in there:
+            station = stage.spot_finder.find_station(person, spot)
+            person.yaw = station.yaw if station is not None else person.yaw
 
 
 def _is_same_action(action: CharacterAction, before: CharacterAction) -> bool:
