@@ -15,6 +15,7 @@ from storyblender.agents.concept_artist.language_asset_retriever import ChoiceNo
 from storyblender.agents.director.annotation import SceneNotes
 from storyblender.agents.director.director import RulesDirector
 from storyblender.agents.director.language_director import LanguageDirector
+from storyblender.agents.layout_artist.language_camera_operator import CameraNotes, language_operator
 from storyblender.agents.layout_artist.language_dimension_estimator import (
     DimensionNotes,
     language_dimension_estimator,
@@ -40,6 +41,7 @@ from storyblender.reflection import Policy
 
 ANSWERS: Final[Mapping[str, type[BaseModel]]] = {
     "asset_retriever": ChoiceNotes,
+    "camera_operator": CameraNotes,
     "dimension_estimator": DimensionNotes,
     "director": SceneNotes,
     "environment_designer": SetNotes,
@@ -82,6 +84,8 @@ def language_crew(
         if (answerer := answerers.get(name)) is not None:
             role = getattr(crew, name)
             played[name] = replace(role, policies=(make(answerer, embedder), *role.policies))
+    if (answerer := answerers.get("camera_operator")) is not None:
+        played["camera_operator"] = language_operator(answerer, crew.camera_operator)
     return replace(crew, **played)
 
 

@@ -67,10 +67,10 @@ class RulesCameraOperator:
 
     def propose(self, view: CameraOperatorView) -> CameraOperatorDraft:
         """Return the scout's first take, or the best of the first few if that is not good enough."""
-        first = self._ranked_takes(view)[0]
+        first = self.ranked_takes(view)[0]
         if self.critic.judge(first, view).score >= CAMERA_THRESHOLD:
             return first
-        best, _ = self._best_take(self._ranked_takes(view)[:_FIRST], view)
+        best, _ = self._best_take(self.ranked_takes(view)[:_FIRST], view)
         return best or first
 
     def refine(self, draft: CameraOperatorDraft, critique: Critique, view: CameraOperatorView) -> CameraOperatorDraft:
@@ -82,9 +82,7 @@ class RulesCameraOperator:
             view: The shot.
         """
         known = self.critic.judged(view)
-        needed = take_with_camera(view, draft.camera).hidden
-        cleared = [node for node in draft.hidden if node not in needed]
-        fixed = [with_hidden(take_with_camera(view, camera), cleared) for camera in _fixed_cameras(draft, critique)]
+        fixed = [with_other_camera(view, draft, camera) for camera in _fixed_cameras(draft, critique)]
         fixed = sorted((other for other in fixed if other not in known), key=lambda other: take_cost(view, other))
         if any(fault.kind in ("hidden", "out_of_frame") for fault in critique.faults) and (over := find_covers(view)):
             bare = with_hidden(draft, over)
@@ -93,10 +91,10 @@ class RulesCameraOperator:
         if best is not None and score > critique.score + 0.1:
             return best
         known = self.critic.judged(view)
-        best, score = self._best_take([other for other in self._ranked_takes(view) if other not in known][:_NEXT], view)
+        best, score = self._best_take([other for other in self.ranked_takes(view) if other not in known][:_NEXT], view)
         return best if best is not None and score > critique.score + 0.02 else draft
 
-    def _ranked_takes(self, view: CameraOperatorView) -> list[CameraOperatorDraft]:
+    def ranked_takes(self, view: CameraOperatorView) -> list[CameraOperatorDraft]:
         """Return the scout's takes of a shot, computed once."""
         key = view.scene_id, view.shot_id
         if key not in self._lists:
@@ -114,6 +112,18 @@ class RulesCameraOperator:
         scores = [critique.score for critique in self.critic.judge_all(takes, view)]
         index = max(range(len(takes)), key=lambda each: (scores[each], -each))
         return takes[index], scores[index]
+
+
+def with_other_camera(view: CameraOperatorView, take: CameraOperatorDraft, camera: Orbit) -> CameraOperatorDraft:
+    """Return a take with another camera; what it hides of its own accord stays hidden.
+
+    Args:
+        view: The shot.
+        take: The take.
+        camera: The camera at the story moment.
+    """
+    needed = take_with_camera(view, take.camera).hidden
+    return with_hidden(take_with_camera(view, camera), [node for node in take.hidden if node not in needed])
 
 
 def _fixed_cameras(draft: CameraOperatorDraft, critique: Critique) -> list[Orbit]:

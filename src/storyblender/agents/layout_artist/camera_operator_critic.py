@@ -81,6 +81,10 @@ class CameraOperatorCritic:
             for take in takes
         ]
 
+    def seen(self, take: CameraOperatorDraft, view: CameraOperatorView) -> CameraView:
+        """Return how a judged take looks at the story moment."""
+        return self._seen[self._key(view, take, view.story_moment.frame)]
+
     @staticmethod
     def _key(
         view: CameraOperatorView, take: CameraOperatorDraft, frame: int

@@ -84,6 +84,7 @@ class CameraOperatorView:
         detail: Box of the part of a person that an insert shows, such as a hand; None for any other shot.
         used: node_ids of the things that people handle; they are never hidden.
         placed: Where a person placed the camera, if they did.
+        lines: The lines that the shot covers.
     """
 
     scene_id: int
@@ -104,6 +105,7 @@ class CameraOperatorView:
     detail: Box | None = None
     used: tuple[str, ...] = ()
     placed: FreeCamera | None = None
+    lines: tuple[str, ...] = ()
 
     def node(self, asset_id: str) -> str:
         """Return the node_id that shows an asset."""

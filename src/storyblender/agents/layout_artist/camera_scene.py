@@ -12,6 +12,7 @@ from storyblender.agents.layout_artist.camera_operator import Operator, operate,
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment, too_far_to_frame
 from storyblender.agents.layout_artist.layout_things import size_of
 from storyblender.agents.layout_artist.story_moment import AT_REST, board_frame
+from storyblender.agents.story_lines import lines_of_shot
 from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box
@@ -194,5 +195,6 @@ def camera_operator_view(
         carried=carried,
         detail=detail_box(shot, moments),
         used=tuple(used),
+        lines=lines_of_shot(graph.outline_of(shot.scene_id), shot.shot_id),
         placed=shot.camera_decision.placed if shot.camera_decision is not None else None,
     )
