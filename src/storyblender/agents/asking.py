@@ -10,10 +10,10 @@ from functools import cache
 from importlib.resources import files
 from typing import Any, Generic, TypeVar
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import BaseModel, ValidationError
 
 from storyblender.errors import NoAnswer
-from storyblender.memory.base import Frozen
+from storyblender.memory.base import Described
 from storyblender.memory.request import Picture, Request
 from storyblender.ports import Answerer
 from storyblender.reflection import Critique, view_digest
@@ -29,10 +29,8 @@ _COMPLAINTS = 12
 _FENCED = re.compile(r"\A\s*```[a-z]*\s*\n(.*?)\n?\s*```\s*\Z", re.DOTALL)
 
 
-class Notes(Frozen):
-    """A part of an answer; the docstrings of its fields are part of the JSON schema that goes with a request."""
-
-    model_config = ConfigDict(use_attribute_docstrings=True)
+class Notes(Described):
+    """A part of an answer."""
 
 
 @cache

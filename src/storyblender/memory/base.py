@@ -36,6 +36,12 @@ class Frozen(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
 
+class Described(Frozen):
+    """A value that a person's program or a model fills in: the docstrings of its fields are in its JSON schema."""
+
+    model_config = ConfigDict(use_attribute_docstrings=True)
+
+
 def is_none(value: object) -> bool:
     """Return whether a field added since older projects is unused; the graph is then written as they have it."""
     return value is None

@@ -7,7 +7,7 @@ from typing import Annotated, Self, get_args
 
 from pydantic import Field, model_validator
 
-from storyblender.memory.base import Coordinate, Frozen, Identifier, Vec3, is_none, without_fields
+from storyblender.memory.base import Coordinate, Described, Frozen, Identifier, Vec3, is_none, without_fields
 from storyblender.memory.shot_sizes import ShotSize
 from storyblender.memory.vocabulary import (
     Angle,
@@ -71,11 +71,11 @@ class CameraInstruction(Frozen):
         return without_fields({"order": order, **value, "through": through}, "description", "distance")
 
 
-class CameraPosition(Frozen):
+class CameraPosition(Described):
     """Where a camera stands and what it looks at."""
 
     location: Vec3
-    """Optical centre."""
+    """Optical centre, metres in the scene, Z up."""
     target: Vec3
     """A point in the middle of the picture; its distance is that of the orbit's pivot."""
     roll: Coordinate = 0.0
@@ -88,31 +88,36 @@ class CameraPosition(Frozen):
         return self
 
 
-class FreeCamera(Frozen):
+class FreeCamera(Described):
     """A camera that a person placed: one position, or two for a camera that travels from the first to the second."""
 
     start: CameraPosition
+    """Where the shot begins."""
     end: CameraPosition | None = None
+    """Where it ends, if the camera travels."""
 
 
-class CameraDecision(Frozen):
+class CameraDecision(Described):
     """What a person decided about the camera of a shot; fields left out are the crew's to choose."""
 
     kind: ShotKind | None = None
-    """Kind of picture."""
+    """Kind of picture: single, two_shot, ots (over a shoulder), pov, insert, establishing ..."""
     focus_on_ids: tuple[Identifier, ...] | None = Field(default=None, min_length=1)
-    """Subjects of the picture."""
+    """Ids of the people or things it shows, the most important first."""
     over_id: Identifier | None = Field(default=None, exclude_if=is_none)
     """Over the shoulder: whose."""
     pov_id: Identifier | None = Field(default=None, exclude_if=is_none)
     """Point of view: whose."""
     size: ShotSize | None = None
+    """How much is seen, from extreme wide (EWS) to extreme close-up (ECU)."""
     angle: Angle | None = None
+    """Height and tilt of the camera."""
     movement: Movement | None = None
+    """What the camera does during the shot."""
     direction: CameraDirection | None = None
     """Where a move goes; it is said with the move, as in ``pan left``."""
     lens: float | None = Field(default=None, ge=4, le=1200)
-    """mm."""
+    """Focal length in mm: 24 is wide, 85 is long."""
     f_number: FNumber | None = None
     """A number blurs what is out of focus, in a shot of any size; 32 keeps nearly everything sharp."""
     focus: Identifier | None = None
