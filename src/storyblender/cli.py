@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from storyblender import __version__, cli_crew, cli_edits
+from storyblender import __version__, cli_crew, cli_edits, cli_mcp
 from storyblender.cli_options import Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
 from storyblender.shell import Commands, shown
 
@@ -185,6 +185,7 @@ def render(
 
 cli_edits.add_to(app)
 cli_crew.add_to(app)
+cli_mcp.add_to(app)
 
 
 @app.command(epilog=examples("check my_film.storyboard"))

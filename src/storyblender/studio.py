@@ -80,7 +80,7 @@ class Studio:
         Raises:
             InputError: The script, the reading or the folder cannot be used.
         """
-        with self._open(script, folder) as session:
+        with self.start(script, folder) as session:
             return session.plan(script, reading, export, why=why)
 
     def make(self, script: Path, folder: Path, reading: Path | None = None) -> Delivery:
@@ -95,8 +95,17 @@ class Studio:
             InputError: The script, the reading or the folder cannot be used.
             EngineError: Blender failed for good.
         """
-        with self._open(script, folder) as session:
+        with self.start(script, folder) as session:
             return session.make(script, reading)
+
+    def start(self, script: Path, folder: Path) -> Session:
+        """Open the project of a script, a new one if there is none, for as many calls as you like.
+
+        Raises:
+            InputError: The script or the folder cannot be used.
+            ProjectLocked: Another session has it open.
+        """
+        return self._open(script, folder)
 
     def open(self, folder: Path) -> Session:
         """Open a project for as many calls as you like; it is locked until the session is closed.

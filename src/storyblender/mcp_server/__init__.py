@@ -1,0 +1,1 @@
+"""A door for agents: a held session as a server of the Model Context Protocol."""

@@ -1,0 +1,203 @@
+"""What the tools of the server return; every field is described in the schema that an agent sees."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Literal
+
+from storyblender.deliver.panel import Panel
+from storyblender.geometry.orbit import Orbit
+from storyblender.memory.base import Described
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.trace import Event
+
+WARNINGS = 30
+"""Most warnings that a status lists."""
+
+
+class Line(Described):
+    """A line of the script that a shot shows."""
+
+    kind: Literal["action", "dialogue"]
+    """Action or speech."""
+    text: str
+    """Its words, verbatim."""
+    speaker: str = ""
+    """Id of who speaks."""
+
+
+class ShotSummary(Described):
+    """A shot in a line."""
+
+    shot: str
+    """Its name, as every tool takes it: SC010_SH020."""
+    heading: str
+    """Heading of its scene in the script."""
+    camera: str
+    """Size, kind, angle, lens and move."""
+    seconds: float
+    """Length of the shot."""
+    shows: tuple[str, ...]
+    """Ids of the characters it is meant to show."""
+    description: str
+    """What happens in it."""
+
+
+class ShotDetails(ShotSummary):
+    """Everything about a shot that an edit may change or a person may ask."""
+
+    size: str
+    """How much is seen: EWS WS FS MWS MS MCU CU ECU."""
+    kind: str
+    """Kind of picture: single, two_shot, ots ..."""
+    angle: str
+    """Height and tilt of the camera."""
+    movement: str
+    """What the camera does."""
+    lens: float
+    """mm."""
+    f_number: float | None
+    """None while the shot has no camera yet."""
+    frames: int
+    """Length of the shot in frames."""
+    on_stage: tuple[str, ...]
+    """Ids of everybody in the place, in the picture or not."""
+    lines: tuple[Line, ...]
+    """Lines of the script that it shows."""
+    camera_location: tuple[float, float, float] | None
+    """Metres in the scene, Z up, as the shot begins; None while it has no camera yet."""
+    camera_looks_at: tuple[float, float, float] | None
+    """The point in the middle of the picture, likewise."""
+    decided: tuple[str, ...]
+    """What a person decided about the camera."""
+    locked: tuple[str, ...]
+    """Parts of the shot that neither the crew nor an edit may change."""
+    problems: tuple[str, ...]
+    """What the crew could not make right."""
+
+
+class Story(Described):
+    """A project."""
+
+    title: str
+    """Of the story."""
+    revision: str
+    """Name it in an edit: the edit is refused if what it touches has changed since."""
+    made: bool
+    """Whether there is something to look at; a project that is only planned has no frames."""
+    cast: dict[str, str]
+    """Id and name of every character."""
+    props: dict[str, str]
+    """Id and name of every object of the script."""
+    shots: tuple[ShotSummary, ...]
+    """All shots in order."""
+
+
+class Status(Described):
+    """How far the work is."""
+
+    busy: bool
+    """Whether work is under way; ask again, or wait with ``wait_seconds``."""
+    work: str
+    """What is done, or was done last."""
+    stage: str
+    """The stage it has come to: ground, materialize, stage, pack, camera, frames, motion, deliver ..."""
+    step: int
+    """Steps of the stage that are done."""
+    total: int
+    """Steps that the stage has."""
+    error: str
+    """Why the last work ended, if it did not come to its end."""
+    warnings: tuple[str, ...]
+    """What the crew could not do as the script says it."""
+    files: tuple[str, ...]
+    """Files of the project that the last work wrote."""
+
+
+class Edited(Described):
+    """What a batch of edits did."""
+
+    revision: str
+    """Of the project now."""
+    done: str
+    """In words; empty where nothing was to be done."""
+    redrawn: tuple[str, ...]
+    """Shots whose frames show something else now."""
+    wrong_cuts: tuple[str, ...] = ()
+    """What is wrong now with cuts to and from the cameras that were changed."""
+
+
+class CheckReport(Described):
+    """What is wrong in a finished project."""
+
+    clean: bool
+    """Whether nothing is wrong."""
+    rows: dict[str, str]
+    """What was checked, and how it stands."""
+    findings: tuple[str, ...]
+    """One sentence for each thing to look at."""
+
+
+def summary_of(panel: Panel) -> ShotSummary:
+    """Return a shot in a line."""
+    return ShotSummary(
+        shot=panel.name,
+        heading=panel.scene.title,
+        camera=panel.facts,
+        seconds=round(panel.seconds, 2),
+        shows=panel.shot.shown,
+        description=panel.description,
+    )
+
+
+def details_of(panel: Panel) -> ShotDetails:
+    """Return everything about a shot."""
+    shot, camera = panel.shot, panel.shot.camera
+    first = camera.poses[0] if camera is not None else None
+    stands = Orbit(first.pivot, first.rotation, first.distance, first.lens).position if first is not None else None
+    return ShotDetails(
+        **summary_of(panel).model_dump(),
+        size=shot.camera_instruction.size,
+        kind=shot.camera_instruction.kind,
+        angle=shot.camera_instruction.angle,
+        movement=panel.movement,
+        lens=round(panel.lens, 1),
+        f_number=camera.f_number if camera is not None else None,
+        frames=shot.duration,
+        on_stage=shot.on_stage,
+        lines=tuple(Line(kind=each.kind, text=each.text, speaker=each.speaker or "") for each in panel.outline.lines),
+        camera_location=stands if stands is None else _rounded(stands),
+        camera_looks_at=first and _rounded(first.pivot),
+        decided=tuple(shot.camera_decision.words.split(", ")) if shot.camera_decision is not None else (),
+        locked=shot.locked,
+        problems=tuple(flaw.message for flaw in (*shot.flaws, *(camera.residual if camera is not None else ()))),
+    )
+
+
+def _rounded(point: Iterable[float]) -> tuple[float, float, float]:
+    x, y, z = (round(float(value), 2) for value in point)
+    return x, y, z
+
+
+def story_of(graph: ContinuityMemoryGraph, revision: str, made: bool, shots: tuple[Panel, ...]) -> Story:
+    """Return a project in short.
+
+    Args:
+        graph: Its graph.
+        revision: Of the graph.
+        made: Whether it is drawn.
+        shots: All shots.
+    """
+    named = {kind: {} for kind in ("character", "object")}
+    for asset in graph.assets:
+        if asset.origin == "script":
+            named[asset.asset_type][asset.asset_id] = asset.name or asset.asset_id
+    return Story(
+        title=graph.title, revision=revision, made=made, cast=named["character"], props=named["object"],
+        shots=tuple(map(summary_of, shots)),
+    )  # fmt: skip
+
+
+def warning_of(event: Event) -> str:
+    """Return a warning of a run as a sentence that names what it is about."""
+    return f"{event.subject}: {event.message}" if event.subject else event.message

@@ -1,0 +1,176 @@
+"""The folder an agent works in: one project is open at a time, and long work runs beside the conversation."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from pathlib import Path
+
+from storyblender.deliver.panel import Panel, panels
+from storyblender.errors import InputError, StoryBlenderError
+from storyblender.folder import Folder
+from storyblender.mcp_server.values import WARNINGS, Status, warning_of
+from storyblender.session import Delivery, Session
+from storyblender.settings import Settings
+from storyblender.studio import Studio
+from storyblender.trace import Event
+
+SCRIPTS = (".fountain", ".fdx", ".txt", ".md")
+_PROJECT = ".storyboard"
+
+
+class Workplace:
+    """Scripts and projects of one folder; nothing outside it is read or written.
+
+    Args:
+        root: The folder.
+    """
+
+    def __init__(self, root: Path) -> None:
+        self._files = Folder(root.resolve())
+        self._session: Session | None = None
+        self._thread: threading.Thread | None = None
+        self._state = threading.Lock()
+        self._status = Status(
+            busy=False, work="", stage="", step=0, total=0, error="", warnings=(), files=()
+        )  # fmt: skip
+
+    @property
+    def session(self) -> Session:
+        """The open project. Raises InputError if there is none."""
+        if self._session is None:
+            raise InputError("no project is open", mend="call open_project or make first")
+        return self._session
+
+    @property
+    def status(self) -> Status:
+        """How far the work is."""
+        with self._state:
+            return self._status
+
+    def names(self) -> tuple[list[str], list[str]]:
+        """Return the scripts and the projects of the folder, by name."""
+        root = self._files.root
+        scripts = [path.name for path in root.iterdir() if path.suffix in SCRIPTS and path.is_file()]
+        projects = [path.name for path in root.iterdir() if path.suffix == _PROJECT and path.is_dir()]
+        return sorted(scripts), sorted(projects)
+
+    def write_script(self, name: str, text: str) -> Path:
+        """Write a script into the folder; one that is there with other words is refused.
+
+        Args:
+            name: File name with its ending.
+            text: Of the script.
+
+        Raises:
+            InputError: The name is no name of a script here, or is taken.
+        """
+        path = self._script(name)
+        if path.exists() and path.read_text(encoding="utf-8") != text:
+            raise InputError("is there already, with other words", mend="give it another name", path=path.name)
+        return self._files.write(name, text)
+
+    def open(self, project: str) -> Session:
+        """Open a finished or planned project of the folder; the one open before is closed.
+
+        Raises:
+            InputError: No such project, or work is under way.
+            ProjectLocked: Another program has it open.
+        """
+        self._refuse_busy()
+        folder = self._files.path(project)
+        self.close()
+        self._session = Studio(Settings.load(project=folder), self._hear).open(folder)
+        return self._session
+
+    def make(self, script: str, settings: dict[str, object]) -> None:
+        """Begin to turn a script of the folder into a storyboard; ``status`` says how far it is.
+
+        Args:
+            script: File name.
+            settings: As on the command line.
+
+        Raises:
+            InputError: No such script, a setting that cannot be, or work is under way.
+        """
+        self._refuse_busy()
+        path = self._script(script)
+        folder = self._files.path(f"{path.stem}{_PROJECT}")
+        studio = Studio(Settings.load(path, folder, **settings), self._hear)
+        self.close()
+        self._session = session = studio.start(path, folder)
+        self.begin(f"make {script}", lambda: session.make(path))
+
+    def begin(self, work: str, call: Callable[[], Delivery]) -> None:
+        """Run a long call beside the conversation. Raises InputError if one is under way.
+
+        Args:
+            work: What it is, in words.
+            call: Returns what it made.
+        """
+        self._refuse_busy()
+        with self._state:
+            self._status = Status(
+                busy=True, work=work, stage="", step=0, total=0, error="", warnings=(), files=()
+            )  # fmt: skip
+
+        def run() -> None:
+            error, files = "", tuple[str, ...]()
+            try:
+                files = tuple(call().files)
+            except StoryBlenderError as problem:
+                error = str(problem)
+            finally:
+                with self._state:
+                    self._status = self._status.model_copy(update={"busy": False, "error": error, "files": files})
+
+        self._thread = threading.Thread(target=run, name=work, daemon=True)
+        self._thread.start()
+
+    def wait(self, seconds: float) -> Status:
+        """Return the status when the work has ended, or after some seconds."""
+        if self._thread is not None:
+            self._thread.join(seconds)
+        return self.status
+
+    def cancel(self) -> Status:
+        """End the work under way before its next step; what is finished is kept."""
+        if self._session is not None and self.status.busy:
+            self._session.cancel()
+        return self.wait(60)
+
+    def panels(self) -> tuple[Panel, ...]:
+        """Return every shot of the open project."""
+        return tuple(panels(self.session.graph))
+
+    def panel(self, shot: str) -> Panel:
+        """Return a shot of the open project by its name. Raises InputError."""
+        found = next((panel for panel in self.panels() if panel.name == shot.upper()), None)
+        if found is None:
+            raise InputError(f"there is no shot {shot!r}", mend="open_project lists the shots")
+        return found
+
+    def close(self) -> None:
+        """Close the open project, if there is one."""
+        if self._session is not None:
+            self._session.close()
+            self._session = None
+
+    def _script(self, name: str) -> Path:
+        path = self._files.path(name)
+        if path.suffix not in SCRIPTS or path.name != name:
+            raise InputError(f"{name!r} is no name of a script here", mend=f"it ends in {', '.join(SCRIPTS)}")
+        return path
+
+    def _refuse_busy(self) -> None:
+        if self.status.busy:
+            raise InputError(f"work is under way: {self.status.work}", mend="wait for it with status, or cancel it")
+
+    def _hear(self, event: Event) -> None:
+        with self._state:
+            update: dict[str, object] = {}
+            if event.kind == "stage":
+                update = {"stage": event.role, "step": event.step or 0, "total": event.total or 0}
+            elif event.kind == "warning" and len(self._status.warnings) < WARNINGS:
+                update = {"warnings": (*self._status.warnings, warning_of(event))}
+            self._status = self._status.model_copy(update=update)
