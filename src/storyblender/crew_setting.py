@@ -22,7 +22,7 @@ LIMITS: Final[dict[LimitName, float]] = {"requests": 2000, "tokens": 20_000_000,
 """The most that a run asks of models in all: requests, tokens in and out, US dollars for models of a known price."""
 
 PROVIDERS: Final = (
-    "anthropic", "google", "google-cloud", "litellm", "ollama", "openai", "openai-chat", "openrouter", "vllm",
+    "anthropic", "google", "google-cloud", "ollama", "openai", "openai-chat", "openrouter", "vllm",
 )  # fmt: skip
 """Providers by pydantic-ai's names; ``openai-chat`` is every server that speaks OpenAI's chat wire."""
 _STRONG, _LIGHT = "strong", "light"
@@ -35,7 +35,7 @@ _MODELS: Final = {
     "google": {_STRONG: "gemini-3-pro-preview", _LIGHT: "gemini-3-flash-preview"},
 }
 """Models of a provider that was named without one."""
-_PLAYER = re.compile(r"(rules)|(ask|replay):(.+)|([a-z-]+)(?::([^@\s]+)(?:@(https?://\S+))?)?", re.DOTALL)
+_PLAYER = re.compile(r"(rules)|(ask|replay):(.+)|([a-z-]+)(?::([^@\s]+)(?:@(https?://[^\s@?#]+))?)?", re.DOTALL)
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,8 @@ class Player:
         kind: ``rules``, ``ask`` (a folder), ``replay`` (a recording) or ``model``.
         where: Path of the folder; for a model its provider.
         model: Name of the model.
-        address: URL of the server, if it is not the provider's own.
+        address: URL of the server, if it is not the provider's own. It has no password or key in it, because a project
+            remembers it.
     """
 
     kind: Literal["rules", "ask", "replay", "model"]

@@ -78,6 +78,7 @@ class Session:
         sources: Where assets come from.
         settings: Of every call.
         listener: Hears every event, on the thread that causes it; one at a time.
+        cancelled: Set by ``cancel``, for what a role waits for outside of Blender.
     """
 
     def __init__(
@@ -88,6 +89,7 @@ class Session:
         sources: Sequence[AssetSource],
         settings: Settings,
         listener: Listener,
+        cancelled: Signal | None = None,
     ) -> None:
         self._project, self._crew, self._sources, self._settings = project, crew, sources, settings
         self._make_engine = make_engine
@@ -95,7 +97,7 @@ class Session:
         self._held = ExitStack()
         self._held.enter_context(project)
         self._busy, self._telling = RLock(), Lock()
-        self._cancelled = Signal()
+        self._cancelled = cancelled or Signal()
         self._closed = False
         for sentence in project.notices:
             self._tell(Event(kind="warning", role="project", subject=project.folder.name, message=sentence))
@@ -321,7 +323,7 @@ class Session:
     def _call(self) -> Iterator[Run]:
         """Make one call: alone, told apart from those before it, and ended by ``cancel``."""
         with self._alone():
-            self._cancelled = Signal()
+            self._cancelled.clear()
             first = "_engine" not in self.__dict__
             parts = self._project, self._engine, self._crew, self._settings, self._tell, self._sources
             run = Run(*parts, self._cancelled)

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from threading import Event as Signal
 
 from storyblender import samples
 from storyblender.build_folder import check_build_folder
@@ -231,10 +232,11 @@ class Studio:
 
         embedder = cache(load_embedder)
         sources = asset_sources(settings, embedder)
-        crew = rules_crew(settings, embedder, sources)
+        crew, cancelled = rules_crew(settings, embedder, sources), Signal()
         if settings.language_roles:
             from storyblender.language.answerers import answerers
             from storyblender.language_crew import language_crew
 
-            crew = language_crew(crew, answerers(settings.crew, folder, settings.limits), embedder, sources)
-        return Session(Project(folder, build), engine, crew, sources, settings, self._listener)
+            by_role = answerers(settings.crew, folder, settings.limits, cancelled)
+            crew = language_crew(crew, by_role, embedder, sources)
+        return Session(Project(folder, build), engine, crew, sources, settings, self._listener, cancelled)

@@ -19,7 +19,7 @@ from storyblender.memory.request import Request
 from storyblender.ports import Answerer
 
 REQUEST, ANSWER = ".request.md", ".answer.json"
-_LONGEST = 5_000_000
+LONGEST = 5_000_000
 """Bytes of an answer; a longer one is refused."""
 
 
@@ -106,7 +106,7 @@ def read_answer(files: Folder, name: str) -> str | None:
     """
     path = files.path(f"{name}{ANSWER}")
     try:
-        if path.stat().st_size > _LONGEST:
+        if path.stat().st_size > LONGEST:
             raise InputError("is too long for an answer", mend="give a shorter one", path=path)
         return path.read_text(encoding="utf-8")
     except FileNotFoundError:

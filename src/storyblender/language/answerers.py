@@ -3,42 +3,63 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
+from threading import Event as Signal
 
-from storyblender.crew_setting import LIMITS, LimitName, Player, RoleName, players
+from storyblender.crew_setting import LimitName, Player, RoleName, players
+from storyblender.errors import InputError
 from storyblender.folder import Folder
 from storyblender.language.answer_folder import AnswerFolder, Mailbox, Replay
+from storyblender.language.budget import Budget
 from storyblender.ports import Answerer
 
 ANSWERS = "answers"
 """Folder in the project where the answers of models are kept; it can be replayed."""
 
 
-def answerers(crew: str, project: Path, limits: Mapping[LimitName, float]) -> Mapping[RoleName, Answerer]:
+def answerers(
+    crew: str, project: Path, limits: Mapping[LimitName, float], cancelled: Signal
+) -> Mapping[RoleName, Answerer]:
     """Return who answers, by role; a role that is not in it is played by rules.
 
     Args:
         crew: The setting.
         project: The project folder; what models answer is kept in it, so that a run that goes on asks nothing twice.
         limits: The most that a run asks of models in all, where it is not the usual.
+        cancelled: Set to end the request under way.
 
     Raises:
-        InputError: A recording is no folder, or the extra ``crew`` is not installed.
+        InputError: There is no such model, its key is missing, or the extra ``crew`` is not installed.
     """
-    found: dict[Player, Answerer] = {}
-    chosen: dict[RoleName, Player] = {role: player for role, player in players(crew).items() if player.kind != "rules"}
-    for player in chosen.values():
-        if player not in found:
-            found[player] = _answerer(player, project, limits)
-    return {role: found[player] for role, player in chosen.items()}
+    budget = Budget(limits)
+
+    @cache
+    def answerer(player: Player) -> Answerer:
+        folder = Path(player.where)
+        if player.kind == "ask":
+            return AnswerFolder(Folder(folder), Mailbox(folder))
+        if player.kind == "replay":
+            return AnswerFolder(Folder(folder), Replay(folder))
+        return AnswerFolder(Folder(project / ANSWERS), model_answerer(player, budget, cancelled))
+
+    return {role: answerer(player) for role, player in players(crew).items() if player.kind != "rules"}
 
 
-def _answerer(player: Player, project: Path, limits: Mapping[LimitName, float]) -> Answerer:
-    folder = Path(player.where)
-    if player.kind == "ask":
-        return AnswerFolder(Folder(folder), Mailbox(folder))
-    if player.kind == "replay":
-        return AnswerFolder(Folder(folder), Replay(folder))
-    from storyblender.language.provider import Provider
+def model_answerer(player: Player, budget: Budget, cancelled: Signal) -> Answerer:
+    """Return what asks a model.
 
-    return AnswerFolder(Folder(project / ANSWERS), Provider(player, {**LIMITS, **limits}))
+    Args:
+        player: The model.
+        budget: What the run may use.
+        cancelled: Set to end the request under way.
+
+    Raises:
+        InputError: There is no such model, its key is missing, or the extra ``crew`` is not installed.
+    """
+    try:
+        from storyblender.language.provider import Provider
+    except ModuleNotFoundError as error:
+        mend = 'run `make crew`, or `pip install "storyblender[crew]"`'
+        raise InputError(f"models need the extra `crew`, and {error.name} is not installed", mend=mend) from error
+    return Provider(player, budget, cancelled)

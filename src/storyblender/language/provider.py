@@ -1,57 +1,36 @@
-"""A model behind a provider's API, by pydantic-ai: the only module that knows it.
+"""A model behind a provider's API that answers requests, for as long as it can be reached and may be paid for.
 
-The form of the answer is asked for by the best means that the model has: its provider's structured output, then a tool
-call, then words. Transient failures are tried again with growing pauses; everything else is told in a sentence, and the
-role hands over. Keys come from the environment or the keyring of the operating system, and go nowhere else.
+The form of the answer is asked for by the best means that the model has, and the next one where the server refuses it.
+What may pass by itself is tried again with growing pauses. Everything else is one sentence, and the role hands over.
 """
 # pyright: reportMissingImports=false
 # the extra ``crew`` is not installed where nobody uses a model
 
 from __future__ import annotations
 
-import json
-import os
-from collections.abc import Callable, Mapping
-from decimal import Decimal
+import asyncio
+from collections.abc import Coroutine
+from concurrent.futures import wait
+from functools import cache
+from threading import Event as Signal
+from threading import Thread
 from typing import Any, Final
 
 import tenacity
-from pydantic_ai import Agent, BinaryContent, NativeOutput, PromptedOutput, StructuredDict, ToolOutput
-from pydantic_ai.exceptions import (
-    AgentRunError,
-    ModelAPIError,
-    ModelConnectionError,
-    ModelRateLimitError,
-    ModelServerError,
-    ModelUnavailableError,
-    UnexpectedModelBehavior,
-    UsageLimitExceeded,
-    UserError,
-)
-from pydantic_ai.models import Model, infer_model
-from pydantic_ai.providers import infer_provider_class
-from pydantic_ai.usage import RunUsage, UsageLimits
 
-from storyblender.crew_setting import LimitName, Player
-from storyblender.errors import InputError, NoAnswer
-from storyblender.language.answer_folder import repair_parts
+from storyblender.crew_setting import Player
+from storyblender.errors import Cancelled, NoAnswer
+from storyblender.language.budget import Budget
+from storyblender.language.model_api import FORMS, ModelApi
+from storyblender.language.model_failure import ModelFailure
 from storyblender.memory.request import Request
 
-_KEYS: Final = {
-    "anthropic": "ANTHROPIC_API_KEY", "google": "GOOGLE_API_KEY", "openai": "OPENAI_API_KEY",
-    "openai-chat": "OPENAI_API_KEY", "openrouter": "OPENROUTER_API_KEY",
-}  # fmt: skip
-"""Provider -> the environment variable of its key, and the name under which the keyring has it."""
-FORMS: Final[dict[str, Callable[[Any], Any]]] = {
-    "native": lambda schema: NativeOutput(schema, strict=False),
-    "tool": lambda schema: ToolOutput(schema, name="answer", strict=False),
-    "prompted": PromptedOutput,
-}
-"""How an answer of a schema is asked for, the best first."""
-_TRANSIENT: Final = (ModelRateLimitError, ModelServerError, ModelUnavailableError, ModelConnectionError)
-_TRIES: Final = 4
 _LONGEST_PAUSE: Final = 30.0
-"""Seconds."""
+_TIMEOUT: Final = 600.0
+_GLANCE: Final = 0.05
+"""Seconds between two looks at whether the run was cancelled; so are the two above."""
+_FAILURES: Final = 3
+"""After so many requests in a row without an answer a model is not asked again in this run."""
 
 
 class Provider:
@@ -59,109 +38,102 @@ class Provider:
 
     Args:
         player: Provider, model, address.
-        limits: What a run may use in all.
+        budget: What the run may use.
+        cancelled: Set from any thread to end the request under way.
         pause: Longest pause in seconds before a failed request is sent again.
+        timeout: Seconds until a request is given up.
 
     Attributes:
-        usage: What was used so far.
-        form: How answers are asked for, a key of ``FORMS``; falls to the next where the model cannot.
+        form: How answers are asked for, one of ``FORMS``; falls to the next where the model cannot.
 
     Raises:
         InputError: There is no such model, or its key is missing.
     """
 
-    def __init__(self, player: Player, limits: Mapping[LimitName, float], pause: float = _LONGEST_PAUSE) -> None:
+    def __init__(
+        self,
+        player: Player,
+        budget: Budget,
+        cancelled: Signal,
+        pause: float = _LONGEST_PAUSE,
+        timeout: float = _TIMEOUT,
+    ) -> None:
         self._name = f"{player.where}:{player.model}"
-        self._model = _model(player)
-        self._limits = UsageLimits(
-            request_limit=int(limits["requests"]),
-            total_tokens_limit=int(limits["tokens"]),
-            cost_limit=Decimal(str(limits["dollars"])),
-        )
-        self._pause = pause
-        self.usage = RunUsage()
-        self.form = next(iter(FORMS))
+        self._api = ModelApi(player, budget, timeout)
+        self._cancelled, self._pause = cancelled, pause
+        self.form = FORMS[0]
+        self._failures, self._reason = 0, ""
 
     def answer(self, request: Request) -> str:
-        """Return the model's answer as JSON. Raises NoAnswer."""
-        forms, reason = list(FORMS), ""
-        for form in forms[forms.index(self.form) :]:
-            try:
-                answer = self._asked(request, form)
-            except (UnexpectedModelBehavior, UserError) as error:
-                reason = _reason(error)
-                continue
-            except UsageLimitExceeded as error:
-                raise self._failed(_reason(error), "raise the limits of the crew") from error
-            except ModelAPIError as error:
-                if _is_refusal_of_form(error):
-                    reason = _reason(error)
-                    continue
-                raise self._failed(_reason(error), "rules take over") from error
-            except AgentRunError as error:
-                raise self._failed(_reason(error), "rules take over") from error
-            self.form = form
-            return answer
-        raise self._failed(f"no answer in any form, the last time: {reason}", "rules take over")
+        """Return the model's answer as it was given.
 
-    def _asked(self, request: Request, form: str) -> str:
-        """Return one answer in a form; what may pass by itself is tried again."""
-        schema = StructuredDict(json.loads(request.answer_schema), name="answer")
-        agent = Agent(self._model, output_type=FORMS[form](schema), instructions=request.instructions, retries=1)
-        prompt = [_words(request), *(BinaryContent(each.png, media_type="image/png") for each in request.pictures)]
-        again = tenacity.Retrying(
-            retry=tenacity.retry_if_exception_type(_TRANSIENT),
-            wait=tenacity.wait_exponential_jitter(max=self._pause, initial=min(1.0, self._pause)),
-            stop=tenacity.stop_after_attempt(_TRIES),
+        Raises:
+            NoAnswer: It failed for good, or nothing more may be asked.
+            Cancelled: ``cancelled`` was set.
+        """
+        if self._failures >= _FAILURES:
+            raise self._silent(f"it failed {_FAILURES} times and is not asked again ({self._reason})")
+        try:
+            answer = self._waited_for(self._in_any_form(request))
+        except ModelFailure as failure:
+            self._failures, self._reason = self._failures + 1, str(failure)
+            raise self._silent(self._reason) from failure
+        self._failures = 0
+        return answer
+
+    async def _in_any_form(self, request: Request) -> str:
+        """Return an answer in the first form in which the model gives one, and keep to that form."""
+        forms = FORMS[FORMS.index(self.form) :]
+        for form in forms:
+            try:
+                answer = await self._again(request, form)
+            except ModelFailure as failure:
+                if not failure.other_form or form == forms[-1]:
+                    raise
+            else:
+                self.form = form
+                return answer
+        raise AssertionError("the last form returns or raises")
+
+    async def _again(self, request: Request, form: str) -> str:
+        """Return an answer in one form; what may pass by itself is tried again."""
+        again = tenacity.AsyncRetrying(
+            retry=tenacity.retry_if_exception_type(ModelFailure),
+            wait=self._wait,
+            stop=lambda state: state.attempt_number >= _failure_of(state).tries,
             reraise=True,
         )
-        result = again(agent.run_sync, prompt, usage_limits=self._limits, usage=self.usage)
-        return json.dumps(result.output, ensure_ascii=False)
+        return await again(self._api.ask, request, form)
 
-    def _failed(self, reason: str, mend: str) -> NoAnswer:
-        return NoAnswer(f"{self._name} did not answer: {reason}", mend=mend)
+    def _wait(self, state: tenacity.RetryCallState) -> float:
+        """Return the seconds until the next try: what the server asks for, else twice as long each time."""
+        return min(self._pause, _failure_of(state).retry_after or 2.0 ** (state.attempt_number - 1))
 
+    def _waited_for(self, work: Coroutine[Any, Any, str]) -> str:
+        """Return the result of work on the loop of all models, unless the run is cancelled first."""
+        future = asyncio.run_coroutine_threadsafe(work, _loop())
+        try:
+            while not wait([future], timeout=_GLANCE).done:
+                if self._cancelled.is_set():
+                    raise Cancelled
+            return future.result()
+        finally:
+            future.cancel()
 
-def _words(request: Request) -> str:
-    """Return what a model is told besides its instructions."""
-    return "\n\n".join(["## What you know", f"```json\n{request.view}\n```", *repair_parts(request)])
-
-
-def _model(player: Player) -> Model:
-    """Return pydantic-ai's model of a player. Raises InputError."""
-    name = _KEYS.get(player.where)
-    key = _key(name) if name else None
-    if name and not key and not player.address:
-        mend = f"set {name}, or `keyring set storyblender {name}`"
-        raise InputError(f"there is no key for {player.where}", mend=mend)
-    options = {"api_key": key or "none"} if name else {}
-    if player.address:
-        options["base_url"] = player.address
-    try:
-        return infer_model(f"{player.where}:{player.model}", lambda name: infer_provider_class(name)(**options))
-    except (UserError, ValueError, TypeError, ImportError) as error:
-        problem = f"{player.where}:{player.model} cannot be used: {_reason(error)}"
-        raise InputError(problem, mend="see docs/crew.md") from error
+    def _silent(self, reason: str) -> NoAnswer:
+        return NoAnswer(f"{self._name} did not answer: {reason}", mend="rules take over")
 
 
-def _key(name: str) -> str | None:
-    """Return a key from the environment, else from the keyring of the operating system."""
-    if os.environ.get(name):
-        return os.environ[name]
-    import keyring
-    from keyring.errors import KeyringError
-
-    try:
-        return keyring.get_password("storyblender", name)
-    except KeyringError:
-        return None
+def _failure_of(state: tenacity.RetryCallState) -> ModelFailure:
+    """Return why the last try failed."""
+    failure = state.outcome.exception() if state.outcome else None
+    assert isinstance(failure, ModelFailure)
+    return failure
 
 
-def _is_refusal_of_form(error: ModelAPIError) -> bool:
-    """Return whether a server refused how the answer was asked for, not the request itself."""
-    return getattr(error, "status_code", None) in (400, 404, 422, 500, 501) and not isinstance(error, _TRANSIENT[:1])
-
-
-def _reason(error: Exception) -> str:
-    """Return the first line of an error, shortened."""
-    return (str(error).strip() or type(error).__name__).splitlines()[0][:300]
+@cache
+def _loop() -> asyncio.AbstractEventLoop:
+    """Return the event loop of all models, in a thread of its own: their connections belong to one loop."""
+    loop = asyncio.new_event_loop()
+    Thread(target=loop.run_forever, name="models", daemon=True).start()
+    return loop
