@@ -5,7 +5,9 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: storyboard test test-all check bench clean
+CREW := $(VENV)/.crew
+
+.PHONY: storyboard test test-all crew test-crew check bench clean
 
 storyboard: $(READY)  ## Make the example storyboard into out/casablanca.storyboard
 	$(BIN)/storyblender make examples/casablanca.fountain --out out/casablanca.storyboard
@@ -15,6 +17,11 @@ test: $(READY)  ## Run the tests that CI runs
 
 test-all: $(READY)  ## Run every test, the slow ones too
 	$(BIN)/python -m pytest -n 2
+
+crew: $(CREW)  ## Install what language models in the crew need
+
+test-crew: $(CREW)  ## Run the tests of language models, against servers on this machine
+	$(BIN)/python -m pytest -n 0 tests/wire
 
 check: $(READY)  ## Lint, types, layers
 	$(BIN)/ruff check .
@@ -31,6 +38,10 @@ $(READY): requirements.lock pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
 	$(BIN)/python -m storyblender.library.body_data
 	$(BIN)/storyblender doctor
+	@touch $@
+
+$(CREW): $(READY) requirements-crew.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-crew.lock
 	@touch $@
 
 clean:  ## Remove what was made, not the environment
