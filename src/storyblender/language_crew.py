@@ -13,8 +13,9 @@ from pydantic import BaseModel
 from storyblender.agents.asking import read_answer_as
 from storyblender.agents.concept_artist.language_asset_retriever import ChoiceNotes, language_asset_retriever
 from storyblender.agents.director.annotation import SceneNotes
-from storyblender.agents.director.director import RulesDirector
+from storyblender.agents.director.director import RulesDirector, RulesShotDirector
 from storyblender.agents.director.language_director import LanguageDirector
+from storyblender.agents.director.language_shot_director import CutNotes, LanguageShotDirector
 from storyblender.agents.layout_artist.language_camera_operator import CameraNotes, language_operator
 from storyblender.agents.layout_artist.language_dimension_estimator import (
     DimensionNotes,
@@ -44,6 +45,7 @@ ANSWERS: Final[Mapping[str, type[BaseModel]]] = {
     "camera_operator": CameraNotes,
     "dimension_estimator": DimensionNotes,
     "director": SceneNotes,
+    "shot_director": CutNotes,
     "environment_designer": SetNotes,
     "spatial_planner": LayoutNotes,
     "lighting_arranger": LightNotes,
@@ -54,6 +56,7 @@ _Maker = Callable[[Answerer, Callable[[], Embedder]], Policy[Any, Any]]
 _POLICIES: Final[Mapping[RoleName, _Maker]] = {
     "dimension_estimator": language_dimension_estimator,
     "director": lambda answerer, embedder: LanguageDirector(answerer, RulesDirector(embedder), embedder),
+    "shot_director": lambda answerer, embedder: LanguageShotDirector(answerer, RulesShotDirector()),
     "environment_designer": language_environment_designer,
     "spatial_planner": language_spatial_planner,
     "lighting_arranger": language_lighting_arranger,

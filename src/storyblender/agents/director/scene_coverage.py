@@ -150,6 +150,8 @@ class SceneCoverage:
         if draft.kind in ("ots", "two_shot"):
             pair = [draft.over, *draft.focus] if draft.over else draft.focus
             draft.axis = self._axis(*pair[:2]) if len(pair) > 1 else None
+        elif not note.phrase and unit.kind == "dialogue" and unit.speaker in draft.focus:
+            draft.axis = self._axis(unit.speaker, listener_of(unit, unit.speaker))
         alone = draft.kind == "insert" and not draft.detail and does_more_than_handle(unit, draft.focus)
         if alone:
             draft.before = unit
