@@ -34,6 +34,7 @@ from storyblender.agents.visual_effects_artist.language_lighting_arranger import
     LightNotes,
     language_lighting_arranger,
 )
+from storyblender.agents.visual_effects_artist.language_set_dresser import DressingNotes, language_set_dresser
 from storyblender.crew import Crew
 from storyblender.crew_setting import RoleName
 from storyblender.language.answer_folder import asked
@@ -50,6 +51,7 @@ ANSWERS: Final[Mapping[str, type[BaseModel]]] = {
     "spatial_planner": LayoutNotes,
     "lighting_arranger": LightNotes,
     "animator": StagingNotes,
+    "set_dresser": DressingNotes,
 }
 """What each role answers with."""
 _Maker = Callable[[Answerer, Callable[[], Embedder]], Policy[Any, Any]]
@@ -61,6 +63,7 @@ _POLICIES: Final[Mapping[RoleName, _Maker]] = {
     "spatial_planner": language_spatial_planner,
     "lighting_arranger": language_lighting_arranger,
     "animator": language_animator,
+    "set_dresser": language_set_dresser,
 }
 """Makes the policy of each role that a model can play, if it needs no more than these two."""
 

@@ -119,11 +119,12 @@ def drop_dressing(
 
     Args:
         objects: Furniture as the Set Dresser placed it.
-        plan: The set; it knows which furniture is required.
+        plan: The set; it knows which furniture is required. All other furniture of the set is optional.
         spots: Floor points of the faults.
         reach: Metres around them.
     """
-    optional = {item.node_id for item in plan.furnishings if not item.required}
+    required = {item.node_id for item in plan.furnishings if item.required}
+    optional = {item.node_id for item in objects if item.node_id.startswith("set_")} - required
     near = {
         item.node_id
         for item in objects

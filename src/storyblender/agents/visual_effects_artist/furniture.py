@@ -202,14 +202,14 @@ def drop_clutter(
                 gone.add(item.item.node_id)
                 continue
         kept.append(item)
-    floating = [item for item in kept if _has_lost_support(item, standing, gone)]
+    floating = [item for item in kept if has_lost_support(item, standing, gone)]
     gone |= {item.item.node_id for item in floating}
     order = {item.item.node_id: index for index, item in enumerate(standing)}
     kept = sorted((item for item in kept if item.item.node_id not in gone), key=lambda item: order[item.item.node_id])
     return kept, sorted(gone, key=lambda node_id: order[node_id])
 
 
-def _has_lost_support(item: PlacedFurnishing, standing: list[PlacedFurnishing], gone: set[str]) -> bool:
+def has_lost_support(item: PlacedFurnishing, standing: list[PlacedFurnishing], gone: set[str]) -> bool:
     """Return whether a small thing stood on something that was left out."""
     x, y, z = item.item.location
     return any(

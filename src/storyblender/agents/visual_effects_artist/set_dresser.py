@@ -26,11 +26,13 @@ from storyblender.agents.visual_effects_artist.furniture import (
 from storyblender.catalog.props.prop_families import family_of
 from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.set_plan import Furnishing, SetPlan
-from storyblender.catalog.sets import plan_of
+from storyblender.catalog.sets import furnished_in, plan_of
+from storyblender.catalog.sets.drawing import Period
 from storyblender.geometry.boxes import penetration
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen, Identifier, Vec2
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.outline import SceneOutline
 from storyblender.memory.scene_context import LayoutObject, SceneSetup
 from storyblender.reflection import Critique, Fault
 
@@ -56,12 +58,18 @@ class SetDresserView:
         plan: The set.
         objects: The script's own objects in this scene, with their geometry (``canonical``) if known.
         people: Number of people on stage at once.
+        period: When the place was furnished.
+        before: The dressing of the earlier scene in the same place; empty if there is none.
+        outline: The words of the scene, which only a language model reads.
     """
 
     setup: SceneSetup
     plan: SetPlan
     objects: tuple[Asset, ...] = ()
     people: int = 2
+    period: Period = "classic"
+    before: tuple[LayoutObject, ...] = ()
+    outline: SceneOutline | None = None
 
 
 class SetDresserDraft(Frozen):
@@ -86,12 +94,16 @@ def set_dresser_view(graph: ContinuityMemoryGraph, scene_id: int) -> SetDresserV
     """
     scene = graph.scene(scene_id)
     assert scene.environment is not None, "the set comes before its dressing"
-    told = scripted_relations(scene.setup, graph.shots_of(scene_id))
+    told, reference = scripted_relations(scene.setup, graph.shots_of(scene_id)), scene.setup.reference_scene_id
+    layout = graph.scene(reference).layout if reference is not None else None
     return SetDresserView(
         setup=scene.setup.model_copy(update={"relations": told}),
         plan=plan_of(scene.environment),
         objects=tuple(asset for asset in graph.assets_of(scene_id) if asset.asset_type == "object"),
         people=graph.people_in(scene_id),
+        period=furnished_in(scene.environment),
+        before=tuple(item for item in layout.objects if item.node_id.startswith("set_")) if layout is not None else (),
+        outline=graph.outline_of(scene_id),
     )
 
 

@@ -92,7 +92,7 @@ from storyblender.catalog.sets.snow import under_snow
 from storyblender.errors import InputError
 from storyblender.memory.scene_context import Environment
 
-__all__ = ["SETS", "SetKit", "Span", "plan_of"]
+__all__ = ["SETS", "SetKit", "Span", "furnished_in", "plan_of"]
 
 SETS: Catalog[SetKit] = Catalog(
     "set",
@@ -124,6 +124,12 @@ def plan_of(environment: Environment) -> SetPlan:
         InputError: No such kit, or no such parameter.
     """
     return _plan(environment.model_dump_json())
+
+
+def furnished_in(environment: Environment) -> Period:
+    """Return the period in which a set is furnished. Raises InputError for a period that does not exist."""
+    kit = SETS[environment.kit]
+    return _params(kit, environment.params).period
 
 
 @lru_cache(maxsize=64)

@@ -57,6 +57,11 @@ def period_of(kit: SetKit, age: Age | None) -> Period:
     return kit.period if age is None else _OF_AGE[age]
 
 
+def existed_in(prop: str, period: Period) -> bool:
+    """Return whether there were props of a catalog key in a period."""
+    return prop not in _INSTEAD[period]
+
+
 def fit_to_period(plan: SetPlan, period: Period) -> SetPlan:
     """Return a plan without what did not exist in its period, such as lamps and cars of today.
 
