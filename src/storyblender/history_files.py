@@ -180,7 +180,8 @@ def load(folder: Path) -> Saved:
         notices.append("the commits in history/ are missing; what was done before cannot be undone")
     if head is None:
         revision, digest = _last_reached(folder, start.revision, revisions), ""
-        notices.append(f"history/HEAD was missing; the project is at its last change, number {revision}")
+        if revision:  # a run that ended before its first commit has none
+            notices.append(f"history/HEAD was missing; the project is at its last change, number {revision}")
     else:
         revision, digest = head
         _refuse_missing_end(folder, start.revision, revision, revisions)

@@ -89,6 +89,15 @@ class DeedNotes(Notes):
     mood: Mood = "neutral"
 
 
+class HeldNotes(Notes):
+    """A thing that a person carries."""
+
+    id: Identifier
+    """Of the thing."""
+    grip: Grip | None = None
+    """How it is carried; left out, the crew chooses."""
+
+
 class StateNotes(Notes):
     """What is new about a person or a thing when a unit ends; a field that is left out stays as it was."""
 
@@ -96,10 +105,8 @@ class StateNotes(Notes):
     posture: Posture | None = None
     on: Identifier | None = None
     """What they sit, lie or lean on."""
-    holds: tuple[Identifier, ...] | None = None
-    """Everything in their hands; empty for nothing."""
-    grip: Grip | None = None
-    """How the first of them is carried."""
+    holds: tuple[HeldNotes, ...] | None = None
+    """Everything they carry; empty for nothing."""
     looks_at: Identifier | None = None
     """Id of a person or thing, or ``left``, ``right``, ``up``, ``down``, ``camera``, ``closed``."""
     face: Expression | None = None
@@ -175,13 +182,17 @@ def annotated_unit(unit: Unit, notes: UnitNotes, picture: int) -> Unit:
         on_stage=[*notes.on_stage], entering=[*notes.entering], leaving=[*notes.leaving],
         people=[*dict.fromkeys(each.actor for each in notes.deeds)], things=[*notes.things],
         posture={each.id: (each.posture, each.on) for each in states if each.posture is not None},
-        held={each.id: [*each.holds] for each in states if each.holds is not None},
+        held={each.id: [thing.id for thing in each.holds] for each in states if each.holds is not None},
         camera=unit.camera,
         changes=[StateChange(each.subject, each.state, unit.start) for each in notes.changes],
         sounds=unit.sounds,
         expressions={each.id: each.face for each in states if each.face is not None},
         gaze={each.id: each.looks_at for each in states if each.looks_at is not None},
-        grips={each.id: {each.holds[0]: each.grip} for each in states if each.holds and each.grip is not None},
+        grips={
+            each.id: {thing.id: thing.grip for thing in each.holds or () if thing.grip is not None}
+            for each in states
+            if any(thing.grip is not None for thing in each.holds or ())
+        },
         activities={each.id: each.activity for each in states if each.activity is not None},
         spots={each.id: each.spot for each in states if each.spot is not None},
         absent=[*notes.absent], moment=notes.moment,

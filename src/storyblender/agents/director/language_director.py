@@ -26,7 +26,7 @@ from storyblender.agents.director.reading import Person, Reading, Thing, Unit
 from storyblender.agents.director.reading_file import reading_with_fixtures, unknown_names
 from storyblender.agents.director.second_opinion import differences
 from storyblender.agents.nearest import nearest_entries
-from storyblender.catalog.motions import MOTIONS
+from storyblender.catalog.motions import MOTION_KEYS
 from storyblender.catalog.sets import SETS
 from storyblender.ports import Answerer, Embedder
 from storyblender.reflection import Critique
@@ -34,8 +34,10 @@ from storyblender.screenplay.model import Screenplay
 
 _MOST_UNITS = 40
 """Units in one request; a longer scene is read in parts."""
-_KITS, _MOTIONS = 16, 90
-"""Entries of the catalogues that a request offers."""
+_KITS_OF_HEADING, _KITS_OF_ACTION = 6, 6
+"""Set kits nearest to the heading and to the action that a request describes; of the others it has the keys."""
+_COMING = 6
+"""Units of the next scene that a request shows, so that nothing is staged that they contradict."""
 _PICTURES = 1000
 """Numbers of pictures that a part of a scene may have."""
 _FIXTURES = ("door", "window")
@@ -121,28 +123,36 @@ class LanguageDirector:
     def _shown(self, part: _Part, page: Reading, so_far: Reading) -> dict[str, Any]:
         """Return what the model is shown of a part."""
         scene = page.scenes[part.scene]
-        texts = [f"{scene.heading or scene.place}", *(unit.text for unit in part.units if unit.kind == "action")]
-        embedder = self._embedder()
+        heading = scene.heading or scene.place
+        action = [unit.text for unit in part.units if unit.kind == "action"]
+        kits = {
+            scene.kit,
+            *self._nearest_kits([heading], _KITS_OF_HEADING),
+            *self._nearest_kits(action, _KITS_OF_ACTION),
+        }
+        after = part.first - 1 + len(part.units)
         earlier = so_far.units[-1] if so_far.units and so_far.units[-1].scene == part.scene else None
         return {
             "title": page.screenplay.title,
-            "scene": {"number": scene.id, "heading": scene.heading or scene.place},
+            "scene": {"number": scene.id, "heading": heading},
+            "script": page.screenplay.text[part.units[0].start : part.units[-1].end],
             "on_stage_before": earlier.on_stage if earlier is not None else [],
             "units": [_shown_unit(number, unit) for number, unit in enumerate(part.units, start=part.first)],
+            "coming": [unit.text for unit in page.units[after : after + _COMING]],
             "cast_so_far": [_shown_person(person) for person in so_far.people],
             "things_so_far": {thing.id: thing.name for thing in so_far.things},
             "places_so_far": [
                 {"number": each.id, "heading": each.heading or each.place, "kit": each.kit} for each in so_far.scenes
             ],
             "parts_of_any_set": _FIXTURES,
-            "kits": {
-                kit.key: f"{kit.name}. {kit.description}".strip()
-                for kit in nearest_entries(SETS.values(), texts, embedder, _KITS)
-            },
-            "motions": {
-                motion.key: motion.name for motion in nearest_entries(MOTIONS.values(), texts, embedder, _MOTIONS)
-            },
+            "kits": {kit.key: f"{kit.name}. {kit.description}".strip() for kit in SETS.values() if kit.key in kits},
+            "other_kits": [key for key in SETS if key not in kits],
+            "motions": sorted(MOTION_KEYS),
         }  # fmt: skip
+
+    def _nearest_kits(self, texts: list[str], most: int) -> list[str]:
+        """Return the keys of the set kits nearest in meaning to some texts."""
+        return [kit.key for kit in nearest_entries(SETS.values(), texts, self._embedder(), most)]
 
 
 def _parts(page: Reading) -> list[_Part]:
@@ -180,10 +190,13 @@ def _wrong(notes: SceneNotes, part: _Part, so_far: Reading) -> Iterator[str]:
         yield f"units must be numbered {wanted[0]} to {wanted[-1]}, each once and in order; they are {given}"
         return
     if notes.place.kit not in SETS:
-        yield f"there is no kit {notes.place.kit!r}; take one of `kits`"
-    earlier = {scene.id for scene in so_far.scenes}
-    if notes.place.same_place_as is not None and notes.place.same_place_as not in earlier:
-        yield f"same_place_as {notes.place.same_place_as} is no scene of `places_so_far`; leave it out"
+        yield f"there is no kit {notes.place.kit!r}; take one of `kits` or `other_kits`"
+    earlier = {scene.id: scene.kit for scene in so_far.scenes}
+    same = notes.place.same_place_as
+    if same is not None and same not in earlier:
+        yield f"same_place_as {same} is no scene of `places_so_far`; leave it out"
+    elif same is not None and earlier[same] != notes.place.kit:
+        yield f"scene {same} has the kit {earlier[same]!r}; take the same kit, or leave same_place_as out"
     people = {each.id for each in (*so_far.people, *notes.people)}
     known = people | {each.id for each in (*so_far.things, *notes.things)} | {*_FIXTURES}
     for relation in notes.relations:
@@ -193,7 +206,8 @@ def _wrong(notes: SceneNotes, part: _Part, so_far: Reading) -> Iterator[str]:
     for unit, noted in zip(part.units, notes.units, strict=True):
         name = f"unit {noted.number}"
         for kind, unknown in dict.fromkeys(unknown_names(annotated_unit(unit, noted, 0), people, known)):
-            yield f"{name} names the {kind} {unknown!r}, which does not exist; add it or take another"
+            mend = "take one of `motions`" if kind == "motion" else "add it to `people` or `things`, or take another"
+            yield f"{name} names the {kind} {unknown!r}, which does not exist; {mend}"
         done_to = (each for deed in noted.deeds for each in (deed.target, deed.prop))
         for each in dict.fromkeys(each for each in done_to if each is not None and each not in known):
             yield f"a deed of {name} names {each!r}, which is neither in `people` nor in `things`; add it"

@@ -12,6 +12,7 @@ from tests.answering import Alike, Answering, Scripted
 from storyblender.agents.director.director import DirectorCritic, RulesDirector
 from storyblender.agents.director.language_director import LanguageDirector
 from storyblender.agents.director.reading import Reading
+from storyblender.catalog.sets import SETS
 from storyblender.errors import NoAnswer
 from storyblender.ports import Answerer
 from storyblender.reflection import Critique, Fault
@@ -56,7 +57,9 @@ def noted(view: dict[str, Any]) -> dict[str, Any]:
             "number": unit["number"],
             "on_stage": ["mira", "otto"],
             "deeds": [{"actor": "mira", "motion": "wave", "target": "otto"}],
-            "states": [{"id": "mira", "looks_at": "otto", "face": "smile", "holds": ["parcel"], "grip": "both"}],
+            "states": [
+                {"id": "mira", "looks_at": "otto", "face": "smile", "holds": [{"id": "parcel", "grip": "both"}]}
+            ],
             "picture": unit["number"],
         }
         | ({"speaker": "otto", "to": "mira"} if unit["kind"] == "dialogue" else {})
@@ -155,6 +158,28 @@ def test_a_door_of_the_set_needs_no_entry_among_the_things() -> None:
     reading = director(opened).propose(SCRIPT)
     assert "door" in {thing.id for thing in reading.things}
     assert not [request for request in opened.asked if request.feedback]
+
+
+def test_a_request_offers_the_kit_that_the_rules_would_take_and_every_motion(told: tuple[Reading, Answering]) -> None:
+    views = [json.loads(request.view) for request in told[1].asked]
+    rules = RulesDirector(cache(Alike)).propose(SCRIPT)
+    for view, scene in zip(views, rules.scenes, strict=True):
+        assert scene.kit in view["kits"]
+        assert {*view["kits"], *view["other_kits"]} == {*SETS}
+        assert "give" in view["motions"]
+
+
+def test_a_place_that_is_known_keeps_its_kit() -> None:
+    def moved(view: dict[str, Any]) -> dict[str, Any]:
+        answer = noted(view)
+        if view["scene"]["number"] == 3 and not model.asked[-1].feedback:
+            answer["place"]["kit"] = "church"
+        return answer
+
+    model = Answering(moved)
+    reading = director(model).propose(SCRIPT)
+    assert "has the kit 'shop'" in model.asked[-1].feedback[0]
+    assert reading.scenes[2].kit == "shop"
 
 
 def test_only_the_scene_with_a_fault_is_read_again() -> None:
