@@ -22,6 +22,7 @@ from storyblender.agents.director.annotation import (
     thing_of,
 )
 from storyblender.agents.director.director import RulesDirector
+from storyblender.agents.director.kit_choice import choose_kit
 from storyblender.agents.director.reading import Person, Reading, Thing, Unit
 from storyblender.agents.director.reading_file import reading_with_fixtures, unknown_names
 from storyblender.agents.director.second_opinion import differences
@@ -34,8 +35,8 @@ from storyblender.screenplay.model import Screenplay
 
 _MOST_UNITS = 40
 """Units in one request; a longer scene is read in parts."""
-_KITS_OF_HEADING, _KITS_OF_ACTION = 6, 6
-"""Set kits nearest to the heading and to the action that a request describes; of the others it has the keys."""
+_KITS = 6
+"""Set kits nearest to the heading, and to the action, that a request describes; of the others it has the keys."""
 _COMING = 6
 """Units of the next scene that a request shows, so that nothing is staged that they contradict."""
 _PICTURES = 1000
@@ -125,11 +126,7 @@ class LanguageDirector:
         scene = page.scenes[part.scene]
         heading = scene.heading or scene.place
         action = [unit.text for unit in part.units if unit.kind == "action"]
-        kits = {
-            scene.kit,
-            *self._nearest_kits([heading], _KITS_OF_HEADING),
-            *self._nearest_kits(action, _KITS_OF_ACTION),
-        }
+        kits = {choose_kit(scene, (), "", page.age), *self._nearest_kits([heading]), *self._nearest_kits(action)}
         after = part.first - 1 + len(part.units)
         earlier = so_far.units[-1] if so_far.units and so_far.units[-1].scene == part.scene else None
         return {
@@ -150,9 +147,9 @@ class LanguageDirector:
             "motions": sorted(MOTION_KEYS),
         }  # fmt: skip
 
-    def _nearest_kits(self, texts: list[str], most: int) -> list[str]:
+    def _nearest_kits(self, texts: list[str]) -> list[str]:
         """Return the keys of the set kits nearest in meaning to some texts."""
-        return [kit.key for kit in nearest_entries(SETS.values(), texts, self._embedder(), most)]
+        return [kit.key for kit in nearest_entries(SETS.values(), texts, self._embedder(), _KITS)]
 
 
 def _parts(page: Reading) -> list[_Part]:

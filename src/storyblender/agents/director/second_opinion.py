@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from storyblender.agents.director.kit_choice import choose_kit
 from storyblender.agents.director.reading import Person, Reading
 from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.sets import SETS
@@ -25,10 +26,9 @@ def differences(reading: Reading, other: Reading) -> Iterator[Flag]:
         if scene.scene_type != second.scene_type:
             reason = f"scene {scene.id} plays {scene.scene_type}; by its words it plays {second.scene_type}"
             yield Flag(topic="place", choice=scene.scene_type, reason=reason, start=scene.start, end=scene.end)
-        if second.kit and scene.kit != second.kit:
-            reason = (
-                f"{SETS[scene.kit].name} is the set of scene {scene.id}; by its words it is {SETS[second.kit].name}"
-            )
+        kit = choose_kit(second, (), "", other.age)
+        if scene.kit != kit:
+            reason = f"{SETS[scene.kit].name} is the set of scene {scene.id}; by its words it is {SETS[kit].name}"
             yield Flag(topic="place", choice=scene.kit, reason=reason, start=scene.start, end=scene.end)
 
 
