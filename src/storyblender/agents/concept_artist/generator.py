@@ -49,12 +49,12 @@ class RulesAssetGenerator:
         words, kind = noun_words(view.phrase), view.kind
         found = near_kind(words)
         if found is not None:
-            return _prop(view, found[0], CLOSE, f"of a kind with {found[1]!r}")
+            return prop_recipe(view, found[0], CLOSE, f"of a kind with {found[1]!r}")
         head = prop_named(" ".join(words))
         if head is not None:
-            return _prop(view, head.key, CLOSE, f"a kind of {head.name}")
+            return prop_recipe(view, head.key, CLOSE, f"a kind of {head.name}")
         if view.asset.writing.strip():
-            return _prop(view, "letter" if kind == "prop" else "poster", PLAIN, "it bears writing")
+            return prop_recipe(view, "letter" if kind == "prop" else "poster", PLAIN, "it bears writing")
         return self._by_meaning(view, kind) or self._shape(view, kind)
 
     def refine(self, draft: Recipe, critique: Critique, view: AssetRetrieverView) -> Recipe:
@@ -70,7 +70,7 @@ class RulesAssetGenerator:
         (key, name), cosine = entries[best], float(likeness[best])
         if cosine < ALIKE and kind not in ("animal", "vehicle"):
             return None
-        return _prop(view, key, LIKE, f"like {name!r} ({cosine:.2f})")
+        return prop_recipe(view, key, LIKE, f"like {name!r} ({cosine:.2f})")
 
     def _shape(self, view: AssetRetrieverView, kind: str) -> Recipe:
         """Return a plain shape with the typical size of the thing's class."""
@@ -101,8 +101,15 @@ class RulesAssetGenerator:
         return words, self._model.embed([tag for _, tag in words])
 
 
-def _prop(view: AssetRetrieverView, key: str, score: float, reason: str) -> Recipe:
-    """Return a catalog prop in the colour, material and state that the script gives."""
+def prop_recipe(view: AssetRetrieverView, key: str, score: float, reason: str) -> Recipe:
+    """Return a catalog prop in the colour, material and state that the script gives.
+
+    Args:
+        view: The object.
+        key: Of the prop.
+        score: How well it fits, 1 to 10.
+        reason: Why, for people.
+    """
     params = read_variant(PROPS[key], view.told)
     return Recipe(source="catalog", key=key, params=params, score=score, reason=reason)
 
@@ -110,7 +117,7 @@ def _prop(view: AssetRetrieverView, key: str, score: float, reason: str) -> Reci
 def _plain(view: AssetRetrieverView, entry: StandIn, reason: str) -> Recipe:
     """Return the recipe for a class of things: its prop, or its plain shape."""
     if entry.prop is not None:
-        return _prop(view, entry.prop, PLAIN, reason)
+        return prop_recipe(view, entry.prop, PLAIN, reason)
     return Recipe(source="stand_in", key=entry.key, score=PLAIN, reason=reason)
 
 

@@ -14,8 +14,9 @@ from pydantic import Field
 
 from storyblender.agents.asking import Asker, Notes
 from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD, AssetRetrieverView
-from storyblender.agents.concept_artist.generator import RulesAssetGenerator
+from storyblender.agents.concept_artist.generator import LIKE, RulesAssetGenerator, prop_recipe
 from storyblender.agents.concept_artist.retriever import RulesAssetRetriever
+from storyblender.agents.nearest import nearest_entries
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.recipe import Recipe
 from storyblender.ports import Answerer, AssetSource, Embedder
@@ -44,11 +45,13 @@ class LanguageAssetRetriever:
         asker: Asks for the choice.
         retriever: Searches the sources.
         generator: Knows a stand-in for everything.
+        embedder: Likeness of meaning, where few things have such a name.
     """
 
     asker: Asker[ChoiceNotes]
     retriever: RulesAssetRetriever
     generator: RulesAssetGenerator
+    embedder: Callable[[], Embedder]
 
     def propose(self, view: AssetRetrieverView) -> Recipe:
         """Return the model's choice. Raises NoAnswer or AnswerAwaited."""
@@ -72,6 +75,8 @@ class LanguageAssetRetriever:
         for each in self.retriever.candidates(called, by_meaning=True):
             found.setdefault(each.key, each)
         near, stand_in = [*found.values()][:_OFFERED], self.generator.propose(view)
+        alike = nearest_entries(PROPS.values(), [called.phrase], self.embedder(), _OFFERED - len(near))
+        near += [prop_recipe(view, each.key, LIKE, "alike") for each in alike if each.key not in found]
         return near if any(each.key == stand_in.key for each in near) else [*near, stand_in]
 
     def _asked(self, view: AssetRetrieverView, offered: Sequence[Recipe], searched: str) -> ChoiceNotes:
@@ -93,11 +98,11 @@ def language_asset_retriever(
 
     Args:
         answerer: The model, or a person in its place.
-        embedder: Likeness of meaning, for stand-ins.
+        embedder: Likeness of meaning.
         sources: Where assets come from.
     """
     asker = Asker(answerer, "asset_retriever", ChoiceNotes)
-    return LanguageAssetRetriever(asker, RulesAssetRetriever(sources), RulesAssetGenerator(embedder))
+    return LanguageAssetRetriever(asker, RulesAssetRetriever(sources), RulesAssetGenerator(embedder), embedder)
 
 
 def _called(view: AssetRetrieverView, words: str) -> AssetRetrieverView:

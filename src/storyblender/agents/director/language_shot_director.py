@@ -174,7 +174,7 @@ def _shown(part: _Part, view: ShotDirectorView, written: Mapping[int, CameraNote
         "title": reading.screenplay.title,
         "scene": {"number": scene.id, "heading": scene.heading or scene.place, "seen_before": scene.place in earlier},
         "aim": {
-            "pictures": view.settings.shots_per_scene,
+            "pictures_of_a_short_scene": view.settings.shots_per_scene,
             "longest_talk_seconds": view.settings.longest_talk,
             "longest_action_seconds": view.settings.longest_action,
         },
@@ -194,7 +194,7 @@ def _shown_unit(number: int, unit: Unit, written: CameraNote | None) -> dict[str
         "off_screen": unit.off_screen,
         "seconds": round(speech_seconds(unit.text, unit.parenthetical) if talk else action_seconds(unit.text), 1),
         "on_stage": unit.on_stage,
-        "does": [" ".join(filter(None, (d.actor, d.motion, d.target, d.prop))) for d in unit.deeds],
+        "does": [" ".join(dict.fromkeys(filter(None, (d.actor, d.motion, d.target, d.prop)))) for d in unit.deeds],
         "panel": unit.picture,
         "camera_in_script": written.phrase if written is not None else None,
     }
