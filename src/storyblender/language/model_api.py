@@ -12,6 +12,8 @@ import asyncio
 import json
 import os
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any, Final
 from urllib.parse import urlsplit
 
@@ -65,10 +67,7 @@ class ModelApi:
     def __init__(self, player: Player, budget: Budget, timeout: float) -> None:
         self._budget, self._key = budget, _key(player)
         guarded = _Guarded(_model(player, self._key), self._key, timeout)
-        configured = not isinstance(get_tracer_provider(), ProxyTracerProvider)
-        content = os.environ.get(_TELEMETRY_CONTENT, "").lower() == "true"
-        spans = InstrumentationSettings(include_content=content, include_binary_content=False)
-        self._model: Model = InstrumentedModel(guarded, spans) if configured else guarded
+        self._model = _traced(guarded)
 
     async def ask(self, request: Request, form: str) -> str:
         """Return one answer, as it was given.
@@ -84,14 +83,26 @@ class ModelApi:
         self._budget.check()
         self._budget.spend(requests=1)
         settings = ModelSettings(max_retries=0)
-        response = await model_request(
-            self._model,
-            [_message(request, form)],
-            model_settings=settings,
-            model_request_parameters=_form(request, form),
-        )
+        messages, parameters = [_message(request, form)], _form(request, form)
+        with _failures(self._key):
+            response = await model_request(
+                self._model, messages, model_settings=settings, model_request_parameters=parameters
+            )
         self._budget.spend(tokens=response.usage.total_tokens, dollars=_dollars(response))
-        return _without(self._key, _answer(response))
+        return _answer(response, self._key)
+
+
+def _traced(model: Model) -> Model:
+    """Return a model whose requests are OpenTelemetry spans, if an SDK is configured; else the model."""
+    tracers = get_tracer_provider()
+    if isinstance(tracers, ProxyTracerProvider):
+        return model
+    content = os.environ.get(_TELEMETRY_CONTENT, "").lower() == "true"
+    settings = InstrumentationSettings(
+        tracer_provider=tracers, include_content=content, include_binary_content=False,
+        include_model_request_parameters=content,
+    )  # fmt: skip
+    return InstrumentedModel(model, settings)
 
 
 class _Guarded(WrapperModel):
@@ -108,13 +119,23 @@ class _Guarded(WrapperModel):
         model_request_parameters: ModelRequestParameters,
     ) -> ModelResponse:
         """Return the model's response. Raises ModelFailure, without what caused it."""
-        try:
-            async with asyncio.timeout(self._timeout):
-                return await self.wrapped.request(messages, model_settings, model_request_parameters)
-        except TimeoutError:
-            raise ModelFailure(f"it gave no answer in {self._timeout:g} seconds", tries=2) from None
-        except Exception as error:  # noqa: BLE001 - four SDKs and what reads their responses have no error in common
-            raise _failure(error, self._key) from None
+        with _failures(self._key):
+            try:
+                async with asyncio.timeout(self._timeout):
+                    return await self.wrapped.request(messages, model_settings, model_request_parameters)
+            except TimeoutError:
+                raise ModelFailure(f"it gave no answer in {self._timeout:g} seconds", tries=2) from None
+
+
+@contextmanager
+def _failures(key: str) -> Iterator[None]:
+    """Turn every error inside into a ModelFailure without the key, and without the error."""
+    try:
+        yield
+    except ModelFailure:
+        raise
+    except Exception as error:  # noqa: BLE001 - four SDKs and what reads their responses have no error in common
+        raise _failure(error, key) from None
 
 
 _CAUSES: Final[tuple[tuple[type[Exception], str, int, bool], ...]] = (
@@ -140,8 +161,9 @@ def _failure(error: Exception, key: str) -> ModelFailure:
     if found is None:
         return ModelFailure("its response cannot be read", 2, other_form=True)
     _, meaning, tries, other_form = found
-    reason = _without(key, f"{meaning} ({_said(error)})")
-    return ModelFailure(reason, tries, other_form, getattr(error, "retry_after", None) or 0.0)
+    return ModelFailure(
+        f"{meaning} ({_said(error, key)})", tries, other_form, getattr(error, "retry_after", None) or 0.0
+    )
 
 
 def _without(key: str, text: str) -> str:
@@ -149,12 +171,12 @@ def _without(key: str, text: str) -> str:
     return text.replace(key, "***") if len(key) >= _SHORTEST_KEY else text
 
 
-def _said(error: Exception) -> str:
-    """Return the first line of what a server said in an error, shortened."""
+def _said(error: Exception, key: str) -> str:
+    """Return the first line of what a server said in an error, shortened, without the key."""
     status, body = getattr(error, "status_code", ""), getattr(error, "body", None)
     inner = body.get("error", body) if isinstance(body, dict) else body
     said = inner.get("message") if isinstance(inner, dict) else inner
-    lines = str(said or error).strip().splitlines()
+    lines = _without(key, str(said or error)).strip().splitlines()
     return " ".join(part for part in (str(status), lines[0][:160] if lines else "") if part)
 
 
@@ -181,15 +203,17 @@ def _form(request: Request, form: str) -> ModelRequestParameters:
     return ModelRequestParameters(output_mode="text")
 
 
-def _answer(response: ModelResponse) -> str:
-    """Return the text of a response, or the arguments of its tool call. Raises ModelFailure."""
+def _answer(response: ModelResponse, key: str) -> str:
+    """Return the text of a response, or the arguments of its tool call, without the key. Raises ModelFailure."""
     details = response.provider_details or {}
     if response.finish_reason == "content_filter" or "refusal" in details:
-        said = str(details.get("refusal", "")).strip()[:160]
+        said = _without(key, str(details.get("refusal", ""))).strip()[:160]
         raise ModelFailure(f"it refuses to answer ({said})" if said else "it refuses to answer")
     given = next((part.args for part in response.parts if isinstance(part, ToolCallPart)), None) or response.text or ""
     text = given if isinstance(given, str) else json.dumps(given, ensure_ascii=False)
-    text = text.encode(errors="replace").decode()  # JSON can escape half a surrogate pair, which no file can hold
+    text = (
+        _without(key, text).encode(errors="replace").decode()
+    )  # JSON can escape half a surrogate pair, which no file can hold
     if not text.strip():
         cut = response.finish_reason == "length"
         raise ModelFailure("its limit of tokens was reached" if cut else "its answer is empty", 2, other_form=True)
@@ -214,8 +238,8 @@ def _model(player: Player, key: str) -> Model:
     try:
         return infer_model(f"{player.where}:{player.model}", lambda name: infer_provider_class(name)(**options))
     except Exception as error:  # noqa: BLE001 - as above
-        reason = _without(key, _said(error))
-        raise InputError(f"{player.where}:{player.model} cannot be used ({reason})", mend="see docs/crew.md") from None
+        problem = f"{player.where}:{player.model} cannot be used ({_said(error, key)})"
+        raise InputError(problem, mend="see docs/crew.md") from None
 
 
 def _address(player: Player) -> str:
@@ -232,7 +256,7 @@ def _key(player: Player) -> str:
     """
     if player.address:
         host = re.sub(r"[^A-Z0-9]+", "_", urlsplit(player.address).netloc.upper())
-        return _known_key(f"{host}_API_KEY")
+        return _known_key(f"STORYBLENDER_KEY_{host}")
     name = _KEYS.get(player.where)
     key = _known_key(name) if name else ""
     if name and not key:
