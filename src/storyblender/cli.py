@@ -229,13 +229,18 @@ def export(
         terminal.files(delivery.folder, delivery.files)
 
 
-@app.command(name="doctor")
-def examine(json_lines: Json = False) -> None:
-    """Say whether this machine can run StoryBlender, and the line that mends it if not."""
+@app.command(name="doctor", epilog=examples("doctor", "doctor --crew rules,director=ollama:qwen3:14b"))
+def examine(
+    crew: Annotated[
+        str | None, typer.Option(help="Ask every model of this crew for something small instead; see `make --crew`.")
+    ] = None,
+    json_lines: Json = False,
+) -> None:
+    """Say whether this machine can run StoryBlender, and the line that mends it if not. Exits 1 if not."""
     from storyblender import doctor
 
-    findings = doctor.examine()
     with shown(quiet=False, json_lines=json_lines) as terminal:
+        findings = doctor.examine() if crew is None else doctor.examine_crew(crew)
         terminal.findings(findings)
     raise typer.Exit(0 if all(finding.healthy for finding in findings) else 1)
 

@@ -1,4 +1,4 @@
-"""The doctor: is this machine able to run StoryBlender, and if not, which line mends it."""
+"""The doctor: is this machine able to run StoryBlender, do the models of a crew answer, and if not, what mends it."""
 
 from __future__ import annotations
 
@@ -9,12 +9,27 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from io import BytesIO
 from pathlib import Path
+from threading import Event as Signal
+from typing import TYPE_CHECKING, Final
 
+from pydantic import BaseModel
+
+from storyblender.agents.asking import Asker
 from storyblender.catalog.bodies import body_pack_path
+from storyblender.crew_setting import Player, players
 from storyblender.deliver.fonts import font_file
+from storyblender.errors import InputError, NoAnswer
+from storyblender.language.answerers import provider_class
+from storyblender.language.budget import Budget
+from storyblender.memory.request import Picture
+
+if TYPE_CHECKING:
+    from storyblender.language.provider import Provider
 
 SYSTEM_LIBRARIES = {
     "libX11.so.6": ("libx11-6", "libX11"),
@@ -64,6 +79,83 @@ def examine(folder: Path | None = None) -> list[Finding]:
         findings.append(check_blender())
         findings.append(check_drawing())
     return [*findings, check_people(), check_fonts(), check_disk(folder or Path.cwd())]
+
+
+def examine_crew(setting: str) -> list[Finding]:
+    """Ask every player of a crew for something small.
+
+    Args:
+        setting: As ``--crew`` has it.
+
+    Raises:
+        InputError: It is no such setting, or the extra ``crew`` is not installed.
+    """
+    try:
+        found = players(setting)
+    except ValueError as error:
+        raise InputError(f"--crew cannot be {setting!r}", mend=str(error)) from error
+    return [check_player(player) for player in dict.fromkeys(found.values())]
+
+
+def check_player(player: Player) -> Finding:
+    """Whether a player answers; of a model also in which form, how fast, for how many tokens, and if it can see.
+
+    Raises:
+        InputError: The extra ``crew`` is not installed.
+    """
+    name = ":".join(part for part in (player.kind, player.where) if part)
+    if player.kind == "rules":
+        return Finding(name, True, "play without a model")
+    if player.kind == "ask":
+        return Finding(name, True, f"`storyblender answer {player.where}` will list what waits for an answer")
+    if player.kind == "replay":
+        there = Path(player.where).is_dir()
+        return Finding(name, there, "the recording is there" if there else "there is no such folder")
+    make, budget, name = provider_class(), Budget({}), f"{player.where}:{player.model}"
+    try:
+        provider = make(player, budget, Signal(), pause=2.0, timeout=120.0)
+        began = time.monotonic()
+        _asked_for_color(provider, ())
+        took, tokens = time.monotonic() - began, budget.spent["tokens"]
+    except (InputError, NoAnswer) as error:
+        mend = "" if isinstance(error, NoAnswer) else error.mend
+        return Finding(name, False, error.problem.removeprefix(f"{name} did not answer: "), mend)
+    says = f"answers in the {provider.form} form, {took:.1f} s, {tokens:.0f} tokens"
+    return Finding(name, True, f"{says}, {'sees' if _sees(provider) else 'does not see'} pictures")
+
+
+_COLORS: Final = {"teal": (0, 128, 128), "orange": (255, 140, 0)}
+"""What pictures show a model that may be able to see."""
+
+
+class _Counted(BaseModel):
+    """What a model is asked for."""
+
+    number: int
+    color: str = ""
+    """Of the picture: teal, orange, violet, black, white or none."""
+
+
+def _asked_for_color(provider: Provider, pictures: tuple[Picture, ...]) -> str:
+    """Return the colour that a model sees. Raises NoAnswer."""
+    question = {"question": "A house has two doors and a shed has one. How many doors are there?"}
+    return Asker(provider, "doctor", _Counted).ask("question", question, pictures=pictures).color.lower()
+
+
+def _sees(provider: Provider) -> bool:
+    """Whether a model knows the colours of pictures."""
+    from PIL import Image
+
+    for name, color in _COLORS.items():
+        png = BytesIO()
+        Image.new("RGB", (64, 64), color).save(png, "PNG")
+        try:
+            seen = _asked_for_color(provider, (Picture(name="picture", png=png.getvalue()),))
+        except NoAnswer:
+            return False
+        if name not in seen:
+            return False
+    return True
 
 
 def check_python(version: tuple[int, int] = sys.version_info[:2]) -> Finding:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from threading import Event as Signal
+from typing import TYPE_CHECKING
 
 from storyblender.crew_setting import LimitName, Player, RoleName, players
 from storyblender.errors import InputError
@@ -13,6 +14,9 @@ from storyblender.folder import Folder
 from storyblender.language.answer_folder import AnswerFolder, Mailbox, Replay
 from storyblender.language.budget import Budget
 from storyblender.ports import Answerer
+
+if TYPE_CHECKING:
+    from storyblender.language.provider import Provider
 
 ANSWERS = "answers"
 """Folder in the project where the answers of models are kept; it can be replayed."""
@@ -41,25 +45,20 @@ def answerers(
             return AnswerFolder(Folder(folder), Mailbox(folder))
         if player.kind == "replay":
             return AnswerFolder(Folder(folder), Replay(folder))
-        return AnswerFolder(Folder(project / ANSWERS), model_answerer(player, budget, cancelled))
+        return AnswerFolder(Folder(project / ANSWERS), provider_class()(player, budget, cancelled))
 
     return {role: answerer(player) for role, player in players(crew).items() if player.kind != "rules"}
 
 
-def model_answerer(player: Player, budget: Budget, cancelled: Signal) -> Answerer:
-    """Return what asks a model.
-
-    Args:
-        player: The model.
-        budget: What the run may use.
-        cancelled: Set to end the request under way.
+def provider_class() -> type[Provider]:
+    """Return what asks models.
 
     Raises:
-        InputError: There is no such model, its key is missing, or the extra ``crew`` is not installed.
+        InputError: The extra ``crew`` is not installed.
     """
     try:
         from storyblender.language.provider import Provider
     except ModuleNotFoundError as error:
         mend = 'run `make crew`, or `pip install "storyblender[crew]"`'
         raise InputError(f"models need the extra `crew`, and {error.name} is not installed", mend=mend) from error
-    return Provider(player, budget, cancelled)
+    return Provider
