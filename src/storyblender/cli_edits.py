@@ -46,6 +46,13 @@ def add_to(app: typer.Typer) -> None:
         )
     )(edit)
     app.command(
+        epilog=examples(
+            'instruct my_film.storyboard "SC010_SH020: closer, shallow focus"',
+            'instruct my_film.storyboard "SC010: 35 mm, low angle"',
+            'instruct my_film.storyboard "SC010_SH020: lonelier, as if the room had grown" --crew google',
+        )
+    )(instruct)
+    app.command(
         epilog=examples("lock my_film.storyboard SC010_SH020 --part camera", "lock my_film.storyboard SC010 rick")
     )(lock)
     app.command(epilog=examples("unlock my_film.storyboard SC010_SH020 --part camera"))(unlock)
@@ -112,6 +119,40 @@ def edit(
         settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
         studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
         applied, delivery = studio.edit(folder, edits, revision, draw=draw)
+        terminal.applied(applied)
+        if delivery is not None:
+            terminal.files(delivery.folder, delivery.files)
+
+
+def instruct(
+    context: typer.Context,
+    folder: Folder,
+    words: Annotated[
+        str,
+        typer.Argument(
+            metavar="WORDS",
+            help='Shots or scenes, a colon, and what you want: "SC010_SH020: closer".',
+            show_default=False,
+        ),
+    ],
+    crew: Annotated[str | None, typer.Option(help="Who understands it: rules, or a model as for `make`.")] = None,
+    revision: Annotated[
+        str | None, typer.Option(help="What you looked at, as --json told it; refused if that changed since.")
+    ] = None,
+    draw: Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")] = True,
+    look: LookOption = None,
+    jobs: Jobs = None,
+    quiet: Quiet = False,
+    json_lines: Json = False,
+) -> None:
+    """Say in words what to change about cameras and lengths; the words become edits, and only those are drawn.
+
+    Rules know the words that film people use (docs/edits.md lists them); a language model knows the rest.
+    """
+    with shown(quiet, json_lines) as terminal:
+        settings: dict[str, Any] = dict(crew=crew, look=look, jobs=jobs, animatic=False)
+        studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
+        applied, delivery = studio.instruct(folder, words, revision, draw=draw)
         terminal.applied(applied)
         if delivery is not None:
             terminal.files(delivery.folder, delivery.files)

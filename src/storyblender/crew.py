@@ -26,6 +26,13 @@ from storyblender.agents.director.director import (
 )
 from storyblender.agents.director.reading import Reading
 from storyblender.agents.director.settings import DirectorSettings
+from storyblender.agents.instructor.instructor import (
+    Instruction,
+    InstructorCritic,
+    InstructorView,
+    RulesInstructor,
+    instructor_view,
+)
 from storyblender.agents.layout_artist.camera_operator import CAMERA_HORIZON, CAMERA_THRESHOLD, Operator, rules_operator
 from storyblender.agents.layout_artist.dimension_estimator import (
     DimensionEstimatorCritic,
@@ -88,6 +95,8 @@ class Crew:
     animator: Role[[ContinuityMemoryGraph, int], AnimatorView, AnimatorDraft]
     lighting_arranger: Role[..., LightingArrangerView, Lighting]
     camera_operator: Operator
+    instructor: Role[[ContinuityMemoryGraph, str], InstructorView, Instruction]
+    """Turns a person's words into edits."""
 
 
 def rules_crew(settings: Settings, embedder: Callable[[], Embedder], sources: Sequence[AssetSource]) -> Crew:
@@ -137,6 +146,7 @@ def rules_crew(settings: Settings, embedder: Callable[[], Embedder], sources: Se
             "lighting_arranger", lighting_arranger_view, [RulesLightingArranger()], LightingArrangerCritic(), Lighting
         ),
         lambda viewfinder: rules_operator(viewfinder, *camera),
+        role("instructor", instructor_view, [RulesInstructor()], InstructorCritic(), Instruction),
     )  # fmt: skip
 
 

@@ -13,7 +13,7 @@ from typing import Final, Literal, get_args
 
 RoleName = Literal[
     "director", "shot_director", "asset_retriever", "dimension_estimator", "environment_designer", "set_dresser",
-    "spatial_planner", "animator", "lighting_arranger", "camera_operator",
+    "spatial_planner", "animator", "lighting_arranger", "camera_operator", "instructor",
 ]  # fmt: skip
 """The members of the crew."""
 

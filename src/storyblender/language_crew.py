@@ -16,6 +16,8 @@ from storyblender.agents.director.annotation import SceneNotes
 from storyblender.agents.director.director import RulesDirector, RulesShotDirector
 from storyblender.agents.director.language_director import LanguageDirector
 from storyblender.agents.director.language_shot_director import CutNotes, LanguageShotDirector
+from storyblender.agents.instructor.instructor import Instruction
+from storyblender.agents.instructor.language_instructor import language_instructor
 from storyblender.agents.layout_artist.language_camera_operator import CameraNotes, language_operator
 from storyblender.agents.layout_artist.language_dimension_estimator import (
     DimensionNotes,
@@ -52,6 +54,7 @@ ANSWERS: Final[Mapping[str, type[BaseModel]]] = {
     "lighting_arranger": LightNotes,
     "animator": StagingNotes,
     "set_dresser": DressingNotes,
+    "instructor": Instruction,
 }
 """What each role answers with."""
 _Maker = Callable[[Answerer, Callable[[], Embedder]], Policy[Any, Any]]
@@ -64,6 +67,7 @@ _POLICIES: Final[Mapping[RoleName, _Maker]] = {
     "lighting_arranger": language_lighting_arranger,
     "animator": language_animator,
     "set_dresser": language_set_dresser,
+    "instructor": language_instructor,
 }
 """Makes the policy of each role that a model can play, if it needs no more than these two."""
 

@@ -200,6 +200,25 @@ class Session:
             self._tell(Event(kind="commit", role="user", message=applied.words, turn=self._project.revision))
             return applied
 
+    def instruct(self, words: str, revision: str | None = None) -> Applied:
+        """Let the Instructor turn words into edits and commit them, as ``apply``.
+
+        Args:
+            words: Shots or scenes, a colon, and what is wanted: ``SC020_SH010: closer, shallow focus``.
+            revision: What they were said of; None for the present one.
+
+        Raises:
+            InputError: A word is not understood, so nothing is done; or an edit cannot be.
+            StaleEdit: What they touch has changed since that revision.
+        """
+        with self._call() as run:
+            meant = run.reflect(run.crew.instructor, words.partition(":")[0], run.graph, words)
+            if meant.draft.unclear or not meant.accepted:
+                said = meant.draft.unclear or tuple(fault.message for fault in meant.critique.faults)
+                mend = "say it in other words (docs/edits.md), or let a language model understand it with --crew"
+                raise InputError(f"not understood: {'; '.join(said)}", mend=mend)
+            return self.apply(meant.draft.edits, revision)
+
     def render(self, names: Sequence[str] = (), edits: Sequence[Edit] = ()) -> Delivery:
         """Draw again what changed.
 

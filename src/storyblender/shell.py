@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 CLOSED_PIPE = 141
 """Exit code after a closed pipe: 128 plus the number of SIGPIPE, as shells report it."""
-_NEED_BLENDER = ("render", "edit", "check", "export")
+_NEED_BLENDER = ("render", "edit", "instruct", "check", "export")
 """Commands on finished projects that Blender answers."""
 
 

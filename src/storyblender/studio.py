@@ -142,6 +142,25 @@ class Studio:
             applied = session.apply(edits, revision)
             return applied, session.render(applied.stale) if draw and applied.stale and session.made else None
 
+    def instruct(
+        self, folder: Path, words: str, revision: str | None = None, *, draw: bool = True
+    ) -> tuple[Applied, Delivery | None]:
+        """Open a project, turn words into edits, apply them, and draw what they made stale.
+
+        Args:
+            folder: The project.
+            words: Shots or scenes, a colon, and what is wanted.
+            revision: What they were said of; None for the present one.
+            draw: Whether to draw at once.
+
+        Raises:
+            InputError: No such project, or words that are not understood.
+            StaleEdit: What they touch has changed since that revision.
+        """
+        with self.open(folder) as session:
+            applied = session.instruct(words, revision)
+            return applied, session.render(applied.stale) if draw and applied.stale and session.made else None
+
     def undo(self, folder: Path) -> list[Commit]:
         """Open a project for one call of ``Session.undo``."""
         with self.open(folder) as session:

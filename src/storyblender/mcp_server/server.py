@@ -203,6 +203,22 @@ def _add_changing(server: FastMCP[None], place: Workplace) -> None:
             return Edited(revision=applied.version, done=applied.words, redrawn=applied.stale, wrong_cuts=cuts)
 
     @_tool(server, CHANGES)
+    def instruct(
+        words: Annotated[
+            str, Field(description="Shots or scenes, a colon, and what is wanted: 'SC010_SH020: closer, low angle'.")
+        ],
+        revision: Annotated[
+            str | None, Field(description="What they were said of; refused if what they touch has changed since.")
+        ] = None,
+    ) -> Edited:
+        """Change cameras and lengths in the words of film people; edit does the same with values."""
+        with _sentences():
+            session = place.session
+            applied = session.instruct(words, revision)
+            cuts = tuple(flaw.message for flaw in session.render(applied.stale).wrong_cuts) if applied.stale else ()
+            return Edited(revision=applied.version, done=applied.words, redrawn=applied.stale, wrong_cuts=cuts)
+
+    @_tool(server, CHANGES)
     def undo() -> Edited:
         """Take back the last change with all that followed from it; render then draws what that changes."""
         with _sentences():
