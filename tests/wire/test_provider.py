@@ -6,6 +6,7 @@ import base64
 import threading
 import time
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
@@ -181,6 +182,15 @@ def test_a_cancelled_run_does_not_wait_for_the_model(service: Service, provider:
         with pytest.raises(Cancelled):
             asks.answer(request_of())
     assert time.monotonic() - began < 30
+
+
+def test_several_threads_ask_at_once(provider: Make) -> None:
+    service = SERVICES["openai_chat"]
+    with serving(service.wire, Fail(400, "no such form", NATIVE), GOOD) as server:
+        asks = provider(service, server)
+        with ThreadPoolExecutor(8) as threads:
+            answers = list(threads.map(lambda number: asks.answer(request_of(subject=f"SC{number}")), range(24)))
+    assert answers == [GOOD.text] * 24 and asks.form == "tool"
 
 
 def test_the_pause_grows_to_the_longest_and_listens_to_the_server(provider: Make) -> None:

@@ -68,11 +68,12 @@ def test_the_span_of_a_failure_has_no_key(
 ) -> None:
     service = SERVICES[name]
     monkeypatch.setenv("OTEL_INSTRUMENTATION_GENAI_CAPTURE_MESSAGE_CONTENT", content)
-    with serving(service.wire, Fail(401, "bad key in "), gossips=True) as server:
-        monkeypatch.setenv(key_name(server), KEY)
-        with pytest.raises(NoAnswer):
-            provider(service, server).answer(request_of())
-    *_, span = spans.get_finished_spans()
-    assert not span.status.is_ok and "ModelFailure" in span.to_json()
-    assert ("does not accept the key" in span.to_json()) == bool(content)
-    assert KEY not in span.to_json()
+    for act, said in ((Fail(401, "bad key in "), "does not accept the key"), (Say(KEY), "repeats the key")):
+        with serving(service.wire, act, gossips=True) as server:
+            monkeypatch.setenv(key_name(server), KEY)
+            with pytest.raises(NoAnswer):
+                provider(service, server).answer(request_of())
+        *_, span = spans.get_finished_spans()
+        assert not span.status.is_ok and "ModelFailure" in span.to_json()
+        assert (said in span.to_json()) == bool(content)
+        assert KEY not in span.to_json()

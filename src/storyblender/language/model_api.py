@@ -89,7 +89,7 @@ class ModelApi:
                 self._model, messages, model_settings=settings, model_request_parameters=parameters
             )
         self._budget.spend(tokens=response.usage.total_tokens, dollars=_dollars(response))
-        return _answer(response, self._key)
+        return _answer(response)
 
 
 def _traced(model: Model) -> Model:
@@ -122,9 +122,13 @@ class _Guarded(WrapperModel):
         with _failures(self._key):
             try:
                 async with asyncio.timeout(self._timeout):
-                    return await self.wrapped.request(messages, model_settings, model_request_parameters)
+                    response = await self.wrapped.request(messages, model_settings, model_request_parameters)
             except TimeoutError:
                 raise ModelFailure(f"it gave no answer in {self._timeout:g} seconds", tries=2) from None
+        said = f"{response.parts} {response.provider_details}"
+        if _without(self._key, said) != said:
+            raise ModelFailure("its answer repeats the key")
+        return response
 
 
 @contextmanager
@@ -203,17 +207,15 @@ def _form(request: Request, form: str) -> ModelRequestParameters:
     return ModelRequestParameters(output_mode="text")
 
 
-def _answer(response: ModelResponse, key: str) -> str:
-    """Return the text of a response, or the arguments of its tool call, without the key. Raises ModelFailure."""
+def _answer(response: ModelResponse) -> str:
+    """Return the text of a response, or the arguments of its tool call. Raises ModelFailure."""
     details = response.provider_details or {}
     if response.finish_reason == "content_filter" or "refusal" in details:
-        said = _without(key, str(details.get("refusal", ""))).strip()[:160]
+        said = str(details.get("refusal", "")).strip()[:160]
         raise ModelFailure(f"it refuses to answer ({said})" if said else "it refuses to answer")
     given = next((part.args for part in response.parts if isinstance(part, ToolCallPart)), None) or response.text or ""
     text = given if isinstance(given, str) else json.dumps(given, ensure_ascii=False)
-    text = (
-        _without(key, text).encode(errors="replace").decode()
-    )  # JSON can escape half a surrogate pair, which no file can hold
+    text = text.encode(errors="replace").decode()  # JSON can escape half a surrogate pair, which no file can hold
     if not text.strip():
         cut = response.finish_reason == "length"
         raise ModelFailure("its limit of tokens was reached" if cut else "its answer is empty", 2, other_form=True)
