@@ -86,6 +86,11 @@ class ContinuityMemoryGraph(Frozen):
         wanted = placed | set(scene.setup.asset_ids)
         return tuple(asset for asset in self.assets if asset.asset_id in wanted)
 
+    def own_objects_of(self, scene_id: int) -> tuple[Asset, ...]:
+        """Return the objects of a scene that are the story's own, without its dressing."""
+        objects = (asset for asset in self.assets_of(scene_id) if asset.asset_type == "object")
+        return tuple(asset for asset in objects if asset.origin != "dressing")
+
     def shots_of(self, scene_id: int) -> tuple[ShotContext, ...]:
         """Return the shots of a scene in order."""
         return tuple(shot for shot in self.shots if shot.scene_id == scene_id)

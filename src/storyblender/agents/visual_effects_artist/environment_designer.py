@@ -59,7 +59,7 @@ def environment_designer_view(graph: ContinuityMemoryGraph, scene_id: int) -> En
     """
     scene = graph.scene(scene_id)
     reference = scene.setup.reference_scene_id
-    things = (asset for asset in graph.assets_of(scene_id) if asset.asset_type == "object")
+    things = graph.own_objects_of(scene_id)
     walks = (action.distance or 0.0 for shot in graph.shots_of(scene_id) for action in shot.character_actions)
     return EnvironmentDesignerView(
         setup=scene.setup,

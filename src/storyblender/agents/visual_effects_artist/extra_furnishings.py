@@ -34,8 +34,8 @@ _LANE, _MARK = 0.5, 0.55
 """Metres that stay free on each side of the ways from the entrances to the middle, and around marks."""
 _GRID = 0.3
 """Metres between the places that are tried."""
-_ASIDE = 0.15
-"""Cost of a metre away from the wanted side; places at the back are seen best."""
+_ASIDE, _OUTWARD = 0.15, 0.03
+"""Cost of a metre away from the wanted side (places at the back are seen best), and of one away from the middle."""
 
 
 class Standing(NamedTuple):
@@ -152,6 +152,7 @@ def _is_in_lane(box: Box, start: Vec2, end: Vec2) -> bool:
 
 
 def _cost(box: Box, near: Box | None, side: PictureSide | None) -> float:
-    """Return how far a place is from where it is wanted, in metres."""
+    """Return how far a place is from where it is wanted, in metres; of equal ones the middle is best."""
     toward = {"left": box.x, "right": -box.x, "front": box.y, "back": -box.y, None: -0.2 * box.y}[side]
-    return _ASIDE * toward + (math.dist((box.x, box.y), (near.x, near.y)) if near is not None else 0.0)
+    away = math.dist((box.x, box.y), (near.x, near.y)) if near is not None else _OUTWARD * math.hypot(box.x, box.y)
+    return _ASIDE * toward + away

@@ -13,6 +13,7 @@ from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.agents.visual_effects_artist.rehearsal import FloorMark, ShotDirections, ShotStaging
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN
 from storyblender.catalog.motions import MOTIONS
+from storyblender.catalog.set_plan import Piece
 from storyblender.memory.base import Coordinate, Identifier, scene_name
 from storyblender.memory.shot_context import BodyState, CharacterAction, ShotContext
 from storyblender.ports import Answerer, Embedder
@@ -163,7 +164,9 @@ def _wrong(answer: StagingNotes, view: AnimatorView, motions: Collection[str]) -
     shots = {shot.shot_id: shot for shot in view.shots}
     before = {shot.shot_id: earlier for earlier, shot in zip(view.shots, view.shots[1:], strict=False)}
     things = {name for item in view.layout.objects for name in (item.node_id, item.asset_id)}
-    known = {*things, *(asset.asset_id for asset in view.assets), *_OPENINGS, *(mark.name for mark in view.plan.marks)}
+    known = {*things, *_OPENINGS, *(asset.asset_id for asset in view.assets)}
+    known |= {*(mark.name for mark in view.plan.marks), *(piece.node_id for piece in _pieces(view))}
+    known |= {hole.name for wall in view.plan.walls for hole in wall.openings}
     size = view.layout.scene_size
     if len({notes.shot for notes in answer.shots}) < len(answer.shots):
         yield "each shot may be listed once"
@@ -234,10 +237,21 @@ def _shown(view: AnimatorView, planned: AnimatorDraft) -> dict[str, Any]:
             }
             for thing in solid
         ],
+        "parts_of_the_set": {piece.node_id: [round(each, 1) for each in piece.location[:2]] for piece in _pieces(view)},
         "places": {mark.name: [round(each, 1) for each in mark.location[:2]] for mark in view.plan.marks},
         "openings": {each.node_id: [round(at, 1) for at in each.location[:2]] for each in floor.openings},
         "shots": [_shown_shot(shot, lines.get(shot.shot_id, []), stagings[shot.shot_id], view) for shot in view.shots],
     }
+
+
+def _pieces(view: AnimatorView) -> list[Piece]:
+    """Return the solid parts of the set that are in the playing area."""
+    size = view.layout.scene_size
+    return [
+        piece for piece in view.plan.pieces
+        if piece.solid and piece.footprint is not None
+        and size.x_negative <= piece.location[0] <= size.x and size.y_negative <= piece.location[1] <= size.y
+    ]  # fmt: skip
 
 
 def _shown_shot(shot: ShotContext, lines: list[str], planned: ShotStaging, view: AnimatorView) -> dict[str, Any]:

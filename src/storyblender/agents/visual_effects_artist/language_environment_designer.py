@@ -25,7 +25,7 @@ from storyblender.memory.scene_context import Environment
 from storyblender.ports import Answerer, Embedder
 from storyblender.reflection import Policy
 
-_KITS = 12
+_KITS = 10
 """Kits of the catalogue that a request offers."""
 
 
@@ -118,7 +118,6 @@ def _shown(view: EnvironmentDesignerView, kits: dict[str, SetKit], planned: Envi
         "age_of_the_story": view.age or "not told",
         "people_at_once": view.people,
         "longest_walk": view.travel,
-        "footprints_of_things": [list(size) for size in view.footprints],
         "story": story_lines(view.outline),
         "planned": {
             "kit": planned.kit,
@@ -132,15 +131,13 @@ def _shown(view: EnvironmentDesignerView, kits: dict[str, SetKit], planned: Envi
 
 
 def _shown_kit(kit: SetKit) -> dict[str, Any]:
-    """Return a kit as a model is shown it; spans are the least, usual and most metres."""
+    """Return a kit as a model is shown it."""
 
-    def span(each: Span) -> list[float]:
-        return [each.least, each.usual, each.most]
+    def metres(span: Span) -> str:
+        return f"{span.least} to {span.most}, usually {span.usual}"
 
-    shown = {
-        "key": kit.key,
-        "looks": kit.description or ", ".join((kit.name, *kit.tags[:6])),
-        "options": [*kit.options],
-    }
-    size = {"width": span(kit.width), "depth": span(kit.depth)} | ({"height": span(kit.height)} if kit.indoor else {})
-    return {**shown, **size, "period": kit.period}
+    words = dict.fromkeys((kit.name.lower(), *kit.tags[:6]))
+    size = {"width": metres(kit.width), "depth": metres(kit.depth)}
+    size |= {"height": metres(kit.height)} if kit.indoor else {}
+    options = {"options": list(kit.options)} if kit.options else {}
+    return {"key": kit.key, "looks": kit.description or ", ".join(words), "period": kit.period, **options, **size}

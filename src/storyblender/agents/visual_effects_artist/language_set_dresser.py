@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, Final
 
 from pydantic import Field
 
@@ -20,16 +20,24 @@ from storyblender.agents.visual_effects_artist.furniture import (
 )
 from storyblender.agents.visual_effects_artist.set_dresser import RulesSetDresser, SetDresserDraft, SetDresserView
 from storyblender.catalog.props import PROPS, PropEntry
+from storyblender.catalog.props.prop_families import family_of
 from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.set_plan import Furnishing, SetPlan
 from storyblender.catalog.sets import SETS
+from storyblender.catalog.sets.belongings import ROOMS, STANDING
 from storyblender.catalog.sets.period import existed_in
 from storyblender.memory.base import Identifier, scene_name
 from storyblender.ports import Answerer, Embedder
 from storyblender.reflection import Policy
 
 _PROPS = 60
-"""Props of the catalogue that a request offers."""
+"""Props near the place in meaning that a request offers, besides those that any place may have."""
+_EVERYDAY: Final = {prop for prop, _ in STANDING.values()} | {
+    key.rpartition(":")[2] for room in ROOMS.values() for key in room.tops
+}
+"""Props that people have anywhere."""
+_LARGEST = 2.4
+"""Metres of the largest prop that is added."""
 _MOST = 8
 """Props that an answer may add."""
 _ADDED = "set_added_"
@@ -42,7 +50,7 @@ class ExtraProp(Notes):
     """A prop that the set gets beyond its plan."""
 
     prop: Identifier
-    """Key of a prop in `props`."""
+    """Key of a prop in `props`, which has them by what they stand or hang on."""
     at: At
     anchor: Identifier | None = None
     """Id of the furnishing that it is on, next to, in front of or behind."""
@@ -71,17 +79,17 @@ def language_set_dresser(
     """
     rules = RulesSetDresser()
 
-    def offered(view: SetDresserView) -> dict[str, PropEntry]:
+    def offered(view: SetDresserView) -> list[PropEntry]:
         kit = SETS[view.plan.kit]
-        lines = [line for shot in story_lines(view.outline) for line in shot["lines"]]
-        texts = [f"{view.setup.place.lower()}, {kit.name}", kit.description or ", ".join(kit.tags), *lines]
-        entries = nearest_entries(_dressing(view), texts, embedder(), _PROPS)
-        return {entry.key: entry for entry in entries}
+        texts = [view.setup.place.lower(), kit.name, kit.description or ", ".join(kit.tags)]
+        able = _dressing(view)
+        near = {entry.key for entry in nearest_entries(able, texts, embedder(), _PROPS)}
+        return [entry for entry in able if entry.key in near | _EVERYDAY]
 
     return LanguagePolicy(
         Asker(answerer, "set_dresser", DressingNotes),
-        show=lambda view: _shown(view, rules.propose(view), offered(view).values()),
-        check=lambda answer, view: _wrong(answer, view, rules.propose(view), offered(view)),
+        show=lambda view: _shown(view, rules.propose(view), offered(view)),
+        check=lambda answer, view: _wrong(answer, view, rules.propose(view), {entry.key for entry in offered(view)}),
         draft_of=lambda answer, view: _dressed(answer, view, rules),
         subject=lambda view: scene_name(view.outline.scene_id) if view.outline is not None else "",
         mend=rules.refine,
@@ -90,10 +98,13 @@ def language_set_dresser(
 
 
 def _dressing(view: SetDresserView) -> list[PropEntry]:
-    """Return the props that can dress a set: no creatures, vehicles and ceilings, nothing of a later period."""
+    """Return the props that can dress a set: no creatures or vehicles, nothing that the script brings."""
+    told = {prop for asset in view.objects for prop in (prop_of(asset), *family_of(prop_of(asset)))}
+    outdoors = () if not view.plan.indoor else ("nature", "street")
     return [
         entry for entry in PROPS.values()
-        if not entry.life_size and entry.placement != "ceiling" and existed_in(entry.key, view.period)
+        if entry.key not in told and entry.category not in outdoors and not entry.life_size
+        and entry.placement != "ceiling" and max(entry.size) < _LARGEST and existed_in(entry.key, view.period)
     ]  # fmt: skip
 
 
@@ -191,14 +202,19 @@ def _shown(view: SetDresserView, planned: SetDresserDraft, offered: Collection[P
         "period": view.period,
         "people_at_once": view.people,
         "story": story_lines(view.outline),
-        "things_of_the_script": {asset.asset_id: asset.name or asset.description for asset in view.objects},
+        "things_of_the_script": [
+            asset.name or asset.asset_id for asset in view.objects if asset.asset_id not in view.setup.scenery
+        ],
         "furnishings": [
             {"id": node_id, "prop": each.prop, "where": _where(each, view.plan)}
             | ({"needed": True} if node_id in needed or not node_id.startswith("set_") else {})
             | ({"top": True} if each.prop in TOPS else {})
             for node_id, each in _standing(planned, view).items()
         ],
-        "props": {entry.key: {"name": entry.name, "stands_on": entry.placement} for entry in offered},
+        "props": {
+            place: [entry.key for entry in offered if entry.placement == place]
+            for place in ("floor", "surface", "wall")
+        },
     }
 
 

@@ -99,7 +99,7 @@ def set_dresser_view(graph: ContinuityMemoryGraph, scene_id: int) -> SetDresserV
     return SetDresserView(
         setup=scene.setup.model_copy(update={"relations": told}),
         plan=plan_of(scene.environment),
-        objects=tuple(asset for asset in graph.assets_of(scene_id) if asset.asset_type == "object"),
+        objects=graph.own_objects_of(scene_id),
         people=graph.people_in(scene_id),
         period=furnished_in(scene.environment),
         before=tuple(item for item in layout.objects if item.node_id.startswith("set_")) if layout is not None else (),
