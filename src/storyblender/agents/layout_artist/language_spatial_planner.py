@@ -20,16 +20,18 @@ from storyblender.agents.layout_artist.spatial_planner import RulesSpatialPlanne
 from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView
 from storyblender.agents.story_lines import story_lines
 from storyblender.catalog.fixtures import Fixture, fixtures_called, fixtures_of
-from storyblender.geometry.boxes import Box, distance_to_point, yaw_along
+from storyblender.geometry.boxes import Box, distance_to_point, footprint_gap, yaw_along
 from storyblender.memory.base import Identifier, scene_name
 from storyblender.memory.scene_context import Layout, LayoutObject, Relation, Spot
 from storyblender.memory.shot_context import BodyState
 from storyblender.memory.vocabulary import RelationKind, Side
 from storyblender.ports import Answerer, Embedder
-from storyblender.reflection import Critique, Policy
+from storyblender.reflection import Critique, Policy, view_digest
 
 _NEAR = 2.5
 """Metres from the playing area within which a part of the set is offered."""
+_REACH = 1.0
+"""Metres from its anchor, beyond the wished distance, at which something is not in its place."""
 _PARTS = 24
 """Most parts of the set in one request."""
 
@@ -68,15 +70,24 @@ def language_spatial_planner(
         embedder: Not used: there is no long vocabulary to choose from.
     """
     rules = RulesSpatialPlanner()
+    told = set[str]()
 
     def mend(draft: Layout, critique: Critique, view: SpatialPlannerView) -> Layout:
         return rules.refine(draft, critique, view) if any(fault.fix for fault in critique.faults) else draft
+
+    def check(answer: LayoutNotes, view: SpatialPlannerView) -> Iterator[str]:
+        """Yield what cannot be, and once for a view what the solver found no room for."""
+        wrong = [*_wrong(answer, view)]
+        yield from wrong
+        if not wrong and (seen := view_digest(view)) not in told:
+            told.add(seen)
+            yield from _unmet(answer, _laid_out(answer, view, rules), view)
 
     return LanguagePolicy(
         Asker(answerer, "spatial_planner", LayoutNotes),
         show=_shown,
         draft_of=lambda answer, view: _laid_out(answer, view, rules),
-        check=_wrong,
+        check=check,
         subject=lambda view: scene_name(view.scene_id),
         mend=mend,
         settled=lambda view: None if view.states or view.found_later or view.pending else rules.propose(view),
@@ -109,9 +120,9 @@ def _shown_thing(asset_id: str, view: SpatialPlannerView) -> dict[str, Any]:
     told = {
         "id": asset_id,
         "is": view.props.get(asset_id),
-        "size": _rounded(*view.measures[asset_id].dimensions) if asset_id in view.measures else None,
+        "size": _size(*view.measures[asset_id].dimensions) if asset_id in view.measures else None,
         "goes_on": view.placements.get(asset_id),
-        "taken_by": view.handlers.get(asset_id),
+        "taken_by": [*dict.fromkeys(view.handlers.get(asset_id, ()))],
         "script_says": _shown_spot(view.scripted_spots.get(asset_id)),
     }
     return {name: value for name, value in told.items() if value}
@@ -143,7 +154,7 @@ def _shown_furniture(name: str, stage: LayoutStage) -> dict[str, Any]:
         "id": name,
         "is": stage.view.props.get(asset_id, asset_id),
         "at": _rounded(box.x, box.y),
-        "size": _rounded(box.width, box.depth, box.height),
+        "size": _size(box.width, box.depth, box.height),
         "faces_degrees": round(math.degrees(box.yaw)),
         "seats": len(anchors_of(stage.measure(asset_id), "seat")),
         "on": stage.things[name].anchor if stage.things[name].relationship == "on_top_of" else None,
@@ -153,6 +164,10 @@ def _shown_furniture(name: str, stage: LayoutStage) -> dict[str, Any]:
 
 def _rounded(*metres: float) -> list[float]:
     return [round(each, 1) for each in metres]
+
+
+def _size(*metres: float) -> list[float]:
+    return [round(each, 2) for each in metres]
 
 
 def _parts(view: SpatialPlannerView) -> list[Fixture]:
@@ -194,6 +209,23 @@ def _circles(places: Sequence[Placement]) -> Iterator[str]:
             chain.append(following)
         if following == start and start == min(chain):
             yield f"{' is placed by '.join([*chain, start])}; give one of them a place by something else"
+
+
+def _unmet(answer: LayoutNotes, layout: Layout, view: SpatialPlannerView) -> Iterator[str]:
+    """Yield each placement that the solved layout does not have."""
+    stage = LayoutStage(view)
+    for item in layout.objects:
+        if item.node_id not in stage.things:
+            stage.add_object(item, fixed=True)
+    for each in answer.places:
+        thing, anchor = stage.find(each.id), stage.find_anchor(each.anchor)
+        if thing is None or anchor is None:
+            yield f"there is no room for {each.id} {each.relation} {each.anchor}; give it another place"
+            continue
+        gap = footprint_gap(thing.box, anchor.box)[0] - (each.distance or 0.0)
+        if gap > _REACH or (each.relation == "on" and anchor.name in stage.things and gap > 0):
+            where = f"it came {max(gap, 0.1):.1f} m from there"
+            yield f"there is no room for {each.id} {each.relation} {each.anchor}, {where}; give it another place"
 
 
 def _laid_out(answer: LayoutNotes, view: SpatialPlannerView, rules: RulesSpatialPlanner) -> Layout:

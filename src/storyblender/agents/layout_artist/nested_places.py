@@ -98,4 +98,5 @@ def place_at_wall(
             return True
     if spot.height is not None or (fixture is not None and fixture.kind == "wall" and spot.relation == "on"):
         return hang(stage, asset_id, near=near, height=spot.height)
-    return spot.relation in ("against", "at" if part is not None else "") and stand_against(stage, asset_id, near=near)
+    walls = part is not None and fixture is not None and fixture.kind != "mark"
+    return spot.relation in ("against", "at" if walls else "") and stand_against(stage, asset_id, near=near)

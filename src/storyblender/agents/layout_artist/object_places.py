@@ -38,6 +38,8 @@ _SLEEPER = 0.66
 _HOT, _COOKED_IN = frozenset({"stove", "wood_stove", "fireplace"}), frozenset({"pot", "pan", "frying_pan", "kettle"})
 _FLAT = 0.05
 """Metres of height up to which a thing lies under people's feet."""
+_POINT = 0.1
+"""Metres: a smaller part of the set is a mark, which is a point of the floor."""
 _AT_HAND = 0.6
 """Metres from a person to a thing on the floor beside them."""
 
@@ -107,6 +109,9 @@ def _place_at_spot(stage: LayoutStage, asset_id: str, spot: Spot, anchor: Layout
     kind = "in" if spot.relation == "inside" else "over" if spot.relation == "above" else spot.relation
     base, part = anchor.box, anchor.name not in stage.things
     if part and place_at_wall(stage, asset_id, spot, (base.x, base.y), anchor):
+        return True
+    if part and kind in ("at", "on", "in") and max(base.width, base.height) < _POINT:
+        stage.place(asset_id, stage.box(asset_id, *stage.free_spot((base.x, base.y), _BESIDE), 0.0, base.yaw))
         return True
     flat = anchor.walks and kind in ("on", "under") and size_of(stage.measure(asset_id))[2] < _FLAT
     if flat:

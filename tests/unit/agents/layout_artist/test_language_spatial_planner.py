@@ -89,6 +89,24 @@ def test_a_thing_faces_what_the_model_says(facing: str, degrees: float | None) -
     assert math.cos(math.radians(at["crate"].rotation[2] - (to_wardrobe if degrees is None else degrees))) > 0.9
 
 
+def test_a_thing_stands_on_a_mark_of_the_floor() -> None:
+    mark = next(mark for mark in VIEW.plan.marks if "centre" in mark.tags)
+    clear = replace(VIEW, dressed=())
+    answer = {"places": [{"id": "crate", "relation": "at", "anchor": mark.name}]}
+    layout = planner(Scripted([json.dumps(answer)])).propose(clear)
+    crate = next(item for item in layout.objects if item.asset_id == "crate")
+    assert math.dist(crate.location[:2], mark.location[:2]) < 0.5
+
+
+def test_where_there_is_no_room_the_model_is_told_once() -> None:
+    """A wardrobe does not go on a table; what the model says then is taken as far as it goes."""
+    answer = json.dumps({"places": [{"id": "crate", "relation": "on", "anchor": "vase"}]})
+    model = Scripted([answer, answer])
+    layout = planner(model).propose(VIEW)
+    assert any("no room for crate on vase" in sentence for sentence in model.asked[1].feedback)
+    assert "crate" in {item.asset_id for item in layout.objects}
+
+
 def test_what_is_left_out_is_the_rules() -> None:
     assert planner(Scripted(["{}"])).propose(VIEW) == RulesSpatialPlanner().propose(VIEW)
 
