@@ -22,7 +22,7 @@ from storyblender.memory.base import shot_name
 from storyblender.memory.shot_context import CameraState, Flaw
 from storyblender.memory.shot_sizes import SIZES
 from storyblender.ports import Viewfinder
-from storyblender.reflection import Critique, Role, Typed, reflect
+from storyblender.reflection import Critique, Fault, Role, Typed, reflect
 from storyblender.trace import Listener, silent
 
 _ORBIT, _RISE, _PAN, _ROLL = 15.0, 10.0, 0.08, 4.0
@@ -131,10 +131,9 @@ def _fixed_cameras(draft: CameraOperatorDraft, critique: Critique) -> list[Orbit
     cameras: dict[Orbit, None] = {}
     together = draft.camera
     for fault in sorted(critique.faults, key=lambda fault: -fault.severity)[:_ANSWERED]:
-        numbers = {name: value for name, value in fault.fix.items() if isinstance(value, float | int)}
-        if numbers:
-            cameras[_apply_numbers(draft.camera, numbers)] = None
-            together = _apply_numbers(together, numbers)
+        if numbers := numbers_of(fault):
+            cameras[apply_numbers(draft.camera, numbers)] = None
+            together = apply_numbers(together, numbers)
         for name in str(fault.fix.get("ops", "")).split():
             cameras[OPERATIONS[name](draft.camera)] = None
             cameras[OPERATIONS[name](together)] = None
@@ -143,8 +142,19 @@ def _fixed_cameras(draft: CameraOperatorDraft, critique: Critique) -> list[Orbit
     return list(cameras)
 
 
-def _apply_numbers(camera: Orbit, numbers: Mapping[str, float]) -> Orbit:
-    """Return a camera changed by a fix's numbers: degrees, dolly steps, and pans in heights of the picture."""
+def numbers_of(fault: Fault) -> dict[str, float]:
+    """Return the numbers of a fault's fix."""
+    return {name: value for name, value in fault.fix.items() if isinstance(value, float | int)}
+
+
+def apply_numbers(camera: Orbit, numbers: Mapping[str, float]) -> Orbit:
+    """Return a camera changed by the numbers of a fix.
+
+    Args:
+        camera: The camera.
+        numbers: ``azimuth`` and ``elevation`` in degrees, ``dolly`` in steps, ``pan_x`` and ``pan_y`` in heights of the
+            picture.
+    """
     camera = orbit(camera, numbers.get("azimuth", 0.0), numbers.get("elevation", 0.0))
     camera = dolly(camera, numbers.get("dolly", 0.0))
     return pan(camera, numbers.get("pan_x", 0.0), numbers.get("pan_y", 0.0))

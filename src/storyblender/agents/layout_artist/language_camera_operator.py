@@ -18,6 +18,8 @@ from storyblender.agents.layout_artist.camera_operator import (
     CameraRole,
     Operator,
     RulesCameraOperator,
+    apply_numbers,
+    numbers_of,
     with_other_camera,
 )
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorDraft, CameraOperatorView
@@ -84,7 +86,7 @@ class LanguageCameraOperator:
         return _moved(views[(answer.view or 1) - 1], answer.operations, view)
 
     def refine(self, draft: CameraOperatorDraft, critique: Critique, view: CameraOperatorView) -> CameraOperatorDraft:
-        """Return the take after the model's next operations; the draft itself where it wants none.
+        """Return the take with the critic's numbers, else after the model's next operations if it wants any.
 
         Args:
             draft: The take so far.
@@ -93,6 +95,9 @@ class LanguageCameraOperator:
         """
         if len(_spread(self.rules.ranked_takes(view))) == 1:
             return draft
+        mended = _with_numbers(draft, critique, view)
+        if mended not in self.rules.critic.judged(view):
+            return mended
         answer = self._asked(view, {"now": self._shown(draft, critique, view), "tried": self._tried}, lambda answer: ())
         self._tried.append({"operations": answer.operations, "score_before": round(critique.score, 1)})
         return _moved(draft, answer.operations, view)
@@ -149,6 +154,15 @@ def _moved(take: CameraOperatorDraft, operations: Iterable[Operation], view: Cam
     camera = take.camera
     for name in operations:
         camera = OPERATIONS[name](camera)
+    return take if camera == take.camera else with_other_camera(view, take, camera)
+
+
+def _with_numbers(take: CameraOperatorDraft, critique: Critique, view: CameraOperatorView) -> CameraOperatorDraft:
+    """Return a take with the numbers of all faults that have nothing else to try."""
+    camera = take.camera
+    for fault in critique.faults:
+        if not fault.fix.get("ops"):
+            camera = apply_numbers(camera, numbers_of(fault))
     return take if camera == take.camera else with_other_camera(view, take, camera)
 
 

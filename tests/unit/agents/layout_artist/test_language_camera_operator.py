@@ -92,6 +92,13 @@ def test_each_turn_moves_on_from_the_take_before() -> None:
     assert [len(json.loads(request.view)["tried"]) for request in model.asked[1:]] == [0, 1, 2]
 
 
+def test_numbers_of_the_critic_are_applied_without_asking() -> None:
+    model = Scripted([camera(view=1, operations=["zoom_in"] * 3)])
+    state = operated(model, threshold=9.25)
+    assert state.residual == ()
+    assert len(model.asked) == 1
+
+
 def test_a_worse_take_is_never_kept() -> None:
     away = camera(view=1, operations=["pan_left"] * 6)
     model = Scripted([away, "{}"])
