@@ -96,6 +96,7 @@ class Server:
         address: Its URL, without a path.
         asked: Every request so far.
         headers: Their headers.
+        bodies: Their bodies.
     """
 
     wire: Wire
@@ -104,6 +105,7 @@ class Server:
     address: str = ""
     asked: list[Asked] = field(default_factory=list)
     headers: list[dict[str, str]] = field(default_factory=list)
+    bodies: list[dict[str, Any]] = field(default_factory=list)
     arrived: threading.Event = field(default_factory=threading.Event)
     closing: threading.Event = field(default_factory=threading.Event)
 
@@ -134,6 +136,7 @@ def serving(wire: Wire, *acts: Act, gossips: bool = False) -> Iterator[Server]:
             body = json.loads(self.rfile.read(int(self.headers["content-length"])))
             asked = wire.read(body)
             server.asked.append(asked)
+            server.bodies.append(body)
             server.headers.append(dict(self.headers))
             server.arrived.set()
             act = server.act(asked)

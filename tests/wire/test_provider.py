@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import json
 import threading
 import time
 from collections.abc import Callable, Sequence
@@ -102,6 +103,16 @@ def test_what_may_pass_is_tried_again_and_answered(service: Service, act: Act, p
     with serving(service.wire, act, GOOD) as server:
         assert provider(service, server, **_hurry(act)).answer(request_of()) == GOOD.text
     assert server.forms == [service.forms[0]] * 2, "it is asked in the same form"
+
+
+@pytest.mark.parametrize("kind", ["overloaded_error", "api_error", "rate_limit_error"])
+def test_an_error_inside_a_stream_is_tried_again(kind: str, provider: Make) -> None:
+    error = {"type": "error", "error": {"type": kind, "message": "later"}}
+    act = Raw(f"event: error\ndata: {json.dumps(error)}\n\n".encode(), "text/event-stream")
+    service = SERVICES["anthropic"]
+    with serving(service.wire, act, GOOD) as server:
+        assert provider(service, server).answer(request_of()) == GOOD.text
+    assert server.forms == ["native"] * 2
 
 
 REFUSED: dict[str, tuple[Act, str]] = {

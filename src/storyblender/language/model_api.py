@@ -14,7 +14,7 @@ import os
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any, Final
+from typing import Any, Final, cast
 from urllib.parse import urlsplit
 
 from opentelemetry.trace import ProxyTracerProvider, get_tracer_provider
@@ -48,6 +48,10 @@ _LOCAL: Final = {
 }  # fmt: skip
 """Provider -> the environment variable of its address, and the usual one."""
 _SHORTEST_KEY: Final = 8
+_ONCE: Final[dict[str, Any]] = {"max_retries": 0}
+"""The SDKs try nothing again themselves."""
+_PRIVATE: Final = _ONCE | {"openai_store": False}
+"""OpenAI keeps what it was asked and what it answered, unless it is told not to."""
 _TELEMETRY_CONTENT: Final = "OTEL_INSTRUMENTATION_GENAI_CAPTURE_MESSAGE_CONTENT"
 """OpenTelemetry's own switch; unless it is ``true``, spans have no words of the script."""
 
@@ -68,6 +72,7 @@ class ModelApi:
         self._budget, self._key = budget, _key(player)
         guarded = _Guarded(_model(player, self._key), self._key, timeout)
         self._model = _traced(guarded)
+        self._settings = _PRIVATE if player.where == "openai" else _ONCE
 
     async def ask(self, request: Request, form: str) -> str:
         """Return one answer, as it was given.
@@ -82,11 +87,13 @@ class ModelApi:
         """
         self._budget.check()
         self._budget.spend(requests=1)
-        settings = ModelSettings(max_retries=0)
         messages, parameters = [_message(request, form)], _form(request, form)
         with _failures(self._key):
             response = await model_request(
-                self._model, messages, model_settings=settings, model_request_parameters=parameters
+                self._model,
+                messages,
+                model_settings=cast(ModelSettings, self._settings),
+                model_request_parameters=parameters,
             )
         self._budget.spend(tokens=response.usage.total_tokens, dollars=_dollars(response))
         return _answer(response)
