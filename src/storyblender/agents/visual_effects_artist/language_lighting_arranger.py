@@ -81,7 +81,7 @@ def language_lighting_arranger(
     return LanguagePolicy(
         Asker(answerer, "lighting_arranger", LightNotes),
         show=lambda view: _shown(view, rules.propose(view)),
-        check=lambda answer, view: _unknown_lamps(answer, view, rules),
+        check=lambda answer, view: _wrong_lamps(answer, view, rules),
         draft_of=lambda answer, view: _lighting(answer, view, rules),
         subject=_subject,
         mend=rules.refine,
@@ -102,12 +102,16 @@ def _lamps(view: LightingArrangerView) -> dict[str, Light]:
     return {light.name: light for light in burning_lamps(replace(view, burning=dict.fromkeys(lit, True)), 1.0)}
 
 
-def _unknown_lamps(answer: LightNotes, view: LightingArrangerView, rules: RulesLightingArranger) -> Iterator[str]:
-    """Yield a sentence for every lamp of an answer that does not exist."""
-    known = {*_lamps(view), *(light.name for light in rules.propose(view).lights)}
+def _wrong_lamps(answer: LightNotes, view: LightingArrangerView, rules: RulesLightingArranger) -> Iterator[str]:
+    """Yield a sentence for every lamp of an answer that does not exist, or that the story has just put out."""
+    planned = {light.name for light in rules.propose(view).lights}
+    known = planned | {*_lamps(view)}
+    dark = view.change is not None and view.change.lamps == "off"
     for lamp in answer.lamps:
         if lamp.name not in known:
             yield f"there is no light {lamp.name!r}; take one of `lights` or `lamps_off`, or leave it out"
+        elif dark and lamp.on and lamp.name not in planned:
+            yield f"the story puts the lamps out in this shot; {lamp.name!r} cannot burn"
 
 
 def _lighting(answer: LightNotes, view: LightingArrangerView, rules: RulesLightingArranger) -> Lighting:
@@ -165,6 +169,7 @@ def _shown(view: LightingArrangerView, planned: Lighting) -> dict[str, Any]:
         "hour": view.setup.time_of_day,
         "weather": view.setup.weather,
         "size": {"left": size.x_negative, "right": size.x, "front": size.y_negative, "back": size.y},
+        "people_at_first": _people(view),
         "story": story_lines(view.outline),
     }
     if view.change is not None:
@@ -177,10 +182,19 @@ def _shown(view: LightingArrangerView, planned: Lighting) -> dict[str, Any]:
     }
 
 
+def _people(view: LightingArrangerView) -> dict[str, list[float]]:
+    """Return where people are as the scene opens."""
+    people = {asset.asset_id for asset in view.assets if asset.asset_type == "character"}
+    objects = view.layout.objects if view.layout is not None else ()
+    placed = (item for item in objects if item.asset_id in people)
+    return {item.asset_id: [round(each, 1) for each in item.location[:2]] for item in placed}
+
+
 def _shown_levels(plan: Lighting) -> dict[str, Any]:
     """Return the levels of a plan; luminances are shares of white."""
     colors = {name: hex_code(getattr(plan, name)) for name in ("key_color", "fill_color", "rim_color")}
     levels = {"set": plan.set_luminance, "faces": plan.face_luminance, "key_to_fill": plan.key_fill_ratio}
+    levels = {name: round(level, 3) for name, level in levels.items()}
     return {**levels, **colors, "key_side": plan.key_side or "as the camera wants"}
 
 

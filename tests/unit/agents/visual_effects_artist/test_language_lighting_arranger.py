@@ -109,6 +109,14 @@ def test_a_change_of_the_light_starts_from_the_light_so_far() -> None:
     assert not any(light.role == "practical" for light in plan.lights)
 
 
+def test_lamps_that_the_story_puts_out_stay_out() -> None:
+    dark = replace(CAFE, current=RULES_PLAN, change=LightChange(lamps="off"), shot_id=3)
+    lamp = next(light.name for light in RULES_PLAN.lights if light.role == "practical")
+    model = Scripted([json.dumps({"lamps": [{"name": lamp}]}), "{}"])
+    assert not any(light.role == "practical" for light in arranger(model).propose(dark).lights)
+    assert "the story puts the lamps out" in model.asked[1].feedback[0]
+
+
 @pytest.mark.parametrize(
     ("notes", "why"),
     [
