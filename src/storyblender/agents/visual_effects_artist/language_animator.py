@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Sequence
+from itertools import pairwise
 from typing import Any
 
 from storyblender.agents.asking import Asker, LanguagePolicy, Notes
@@ -68,7 +69,7 @@ class ShotMoves(Notes):
     moves: tuple[MoveNotes, ...] = ()
     """In the order in which they begin; an action that was read and is not listed keeps its place."""
     marks: tuple[MarkNotes, ...] = ()
-    """Only of people who stand, do not come in, and were not on stage in the shot before."""
+    """Only of people who stand, do not come in, and are not where the shot before left them."""
 
 
 class StagingNotes(Notes):
@@ -96,7 +97,7 @@ def language_animator(answerer: Answerer, embedder: Callable[[], Embedder]) -> P
     return LanguagePolicy(
         Asker(answerer, "animator", StagingNotes),
         show=lambda view: _shown(view, rules.propose(view)) | {"motions": motions(view)},
-        check=lambda answer, view: _wrong(answer, view, motions(view)),
+        check=lambda answer, view: _wrong(answer, view, rules.propose(view), motions(view)),
         draft_of=lambda answer, view: _staged(answer, view, rules),
         subject=lambda view: scene_name(view.scene_id),
         mend=rules.refine,
@@ -159,10 +160,10 @@ def _played(notes: ShotMoves, shot: ShotContext) -> list[tuple[CharacterAction, 
     return played + [(action, None) for _, action in waiting]
 
 
-def _wrong(answer: StagingNotes, view: AnimatorView, motions: Collection[str]) -> Iterator[str]:
+def _wrong(answer: StagingNotes, view: AnimatorView, planned: AnimatorDraft, motions: Collection[str]) -> Iterator[str]:
     """Yield what no schema can say of an answer: unknown shots, people, motions and things; marks that cannot be."""
     shots = {shot.shot_id: shot for shot in view.shots}
-    before = {shot.shot_id: earlier for earlier, shot in zip(view.shots, view.shots[1:], strict=False)}
+    stays = _stays(planned)
     things = {name for item in view.layout.objects for name in (item.node_id, item.asset_id)}
     known = {*things, *_OPENINGS, *(asset.asset_id for asset in view.assets)}
     known |= {*(mark.name for mark in view.plan.marks), *(piece.node_id for piece in _pieces(view))}
@@ -178,17 +179,27 @@ def _wrong(answer: StagingNotes, view: AnimatorView, motions: Collection[str]) -
         yield from (f"{name}: {sentence}" for sentence in _wrong_moves(notes, shot, motions, known))
         states = {state.asset_id: state for state in shot.states}
         for mark in notes.marks:
-            state, past = states.get(mark.person), before.get(notes.shot)
+            state = states.get(mark.person)
             if mark.person not in shot.on_stage:
                 yield f"{name}: {mark.person} is not on stage"
-            elif past is not None and mark.person in past.on_stage:
-                yield f"{name}: {mark.person} was on stage in the shot before; let them walk, or leave the mark out"
+            elif (notes.shot, mark.person) in stays:
+                yield f"{name}: {mark.person} is where the shot before left them; let them walk, or leave the mark out"
             elif state is not None and state.posture != "stand":
                 yield f"{name}: {mark.person} does not stand ({state.posture}); leave the mark out"
             if mark.facing is not None and mark.facing not in known | {*_AHEAD}:
                 yield f"{name}: there is no {mark.facing!r} to face"
             if not (size.x_negative <= mark.x <= size.x and size.y_negative <= mark.y <= size.y):
                 yield f"{name}: ({mark.x}, {mark.y}) is outside the playing area"
+
+
+def _stays(planned: AnimatorDraft) -> set[tuple[int, str]]:
+    """Return the shots, with people, that begin where the planned shot before has left these people."""
+    stays = set[tuple[int, str]]()
+    for before, shot in pairwise(planned.shots):
+        ends = {each.end.asset_id: each.end.location for each in before.blocking}
+        starts = (each.start for each in shot.blocking if each.start.asset_id in ends)
+        stays |= {(shot.shot_id, start.asset_id) for start in starts if start.location == ends[start.asset_id]}
+    return stays
 
 
 def _wrong_moves(
