@@ -27,11 +27,11 @@ from storyblender.catalog.fixtures import fixtures_called
 from storyblender.catalog.openings import openings_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import plan_of
-from storyblender.catalog.states import Condition
 from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.jobs import PlayedCue, SceneJob
 from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import Flaw, ShotContext
+from storyblender.memory.thing_states import Condition
 
 MOTION_STEP = 1
 """Frames between solved poses; on twos, linear in-betweens make feet slide (notes: motion, section 6)."""
@@ -176,7 +176,7 @@ def _left_open(plan: SetPlan, name: str, found: Mapping[str, Condition]) -> bool
     """Return whether an earlier scene left a door open (True) or shut (False); None if it did not touch it."""
     for thing, states in found.items():
         if any(fixture.name == name for fixture in fixtures_called(plan, thing)[:1]):
-            return next((state == "open" for state in reversed(states) if state in ("open", "closed")), None)
+            return next((state == "open" for state in reversed(states.states) if state in ("open", "closed")), None)
     return None
 
 

@@ -9,10 +9,10 @@ import bpy
 
 from storyblender.blender.asset_store import AssetStore
 from storyblender.blender.tags import surface_of, tag
-from storyblender.catalog.states import GONE, Condition, condition_after
 from storyblender.look.surface import Surface
 from storyblender.memory.jobs import AssetInState, PlayedCue, SceneJob
 from storyblender.memory.shot_context import ShotContext
+from storyblender.memory.thing_states import Condition
 
 Shown = list[tuple[int, bool]]
 Part = tuple[bpy.types.Object, AssetInState]
@@ -59,10 +59,10 @@ class StateParts:
             parts = self._parts.get(thing.name, {})
             there: Shown = []
             of_part: dict[str, Shown] = {}
-            now, visible = self._found.get(asset_id, ()), True
+            now, visible = self._found.get(asset_id, Condition()), True
             for frame in frames:
                 visible, now = seen.get(frame, visible), changes.get(frame, now)
-                here = visible and GONE not in now
+                here = visible and "gone" not in now.states
                 replaced = any(not each.added for _, each in parts.get(now, ()))
                 there.append((frame, here and not replaced))
                 for condition, objects in parts.items():
@@ -76,11 +76,11 @@ class StateParts:
         self, asset_id: str, starts: Sequence[int], timing: Sequence[PlayedCue]
     ) -> Iterator[tuple[int, Condition]]:
         """Yield (frame, condition) for each change of a thing, in the middle of the action that causes it."""
-        now = self._found.get(asset_id, ())
+        now = self._found.get(asset_id, Condition())
         for start, shot in zip(starts, self._job.shots, strict=True):
             for change in shot.asset_modifications:
                 if change.asset_id == asset_id and change.state:
-                    now = condition_after(now, change.state)
+                    now = now.after(change.state, change.writing, change.doors)
                     yield start + self._moment(shot, asset_id, timing), now
 
     def _moment(self, shot: ShotContext, asset_id: str, timing: Sequence[PlayedCue]) -> int:
@@ -99,7 +99,7 @@ class StateParts:
 
 def _part(thing: bpy.types.Object, each: AssetInState, store: AssetStore) -> bpy.types.Object:
     """Return a new object for a state of a thing; level parts are turned back under a thing on its side."""
-    name = f"{thing.name}.{'_'.join(each.condition).replace(' ', '_')[:30]}"
+    name = f"{thing.name}.{'_'.join(each.condition.labels).replace(' ', '_')[:30]}"
     part = bpy.data.objects.new(name, store.append_mesh(each.asset))
     part.parent = thing
     x, y, z = each.location

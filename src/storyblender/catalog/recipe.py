@@ -15,6 +15,7 @@ from storyblender.catalog.states import state_look
 from storyblender.catalog.writing import CALL_WORDS, MAX_LETTERS, SCREENS, WRITING
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset, Provenance
 from storyblender.memory.base import Frozen, Vec3, content_hash
+from storyblender.memory.vocabulary import ThingState
 
 EXACT, HEAD, LEAST = 10.0, 8.5, 1.0
 """Match scores: the name itself, its head noun, nothing alike. From ``HEAD`` on nothing is looked for by meaning."""
@@ -30,7 +31,7 @@ class AssetQuery(Frozen):
     """What plain words mean in the place it is first seen in, prop for prop."""
     weather: str = ""
     """In the place it is first seen in, where that is outdoors: umbrellas are up in the rain."""
-    state: str = ""
+    state: ThingState | Literal[""] = ""
     """The state it is in at first, as far as the story tells: ``open``, ``lit``."""
 
     @property
@@ -91,7 +92,7 @@ class Recipe(Frozen):
             return self
         return self.model_copy(update={"params": {**self.params, "text": words.strip()[:MAX_LETTERS]}})
 
-    def in_state(self, state: str) -> Recipe:
+    def in_state(self, state: ThingState | Literal[""]) -> Recipe:
         """Return the recipe of the thing in the state that it is in at first: a candle that is lit later is out."""
         look = state_look(self.key, self.params, state) if self.source == "catalog" and state else None
         return self if look is None or look.key != self.key else self.model_copy(update={"params": look.params})

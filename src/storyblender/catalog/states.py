@@ -3,35 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from storyblender.catalog.liquids import SPOUTS, filling_of, is_vessel, liquid_color, spill_width
 from storyblender.catalog.props import PROPS
-from storyblender.catalog.props.variants import read_variant, words_of
+from storyblender.catalog.props.variants import words_of
 from storyblender.catalog.writing import MAX_LETTERS, WRITING
 from storyblender.memory.asset_sheet import ParamValue
 from storyblender.memory.base import Vec3
+from storyblender.memory.thing_states import LYING_STATES, OF_LAMPS, OFF_STATES, Condition
+from storyblender.memory.vocabulary import ThingState
 
-STATE_BEFORE: Mapping[str, str] = {
-    "closed": "open", "shut": "open", "off": "on", "out": "lit", "on": "off", "lit": "unlit", "open": "closed",
-    "running": "off", "burning": "unlit", "there": "gone", "empty": "full", "spilled": "full", "full": "empty",
+STATE_BEFORE: Mapping[str, ThingState] = {
+    "closed": "open", "off": "on", "unlit": "lit", "on": "off", "lit": "unlit", "open": "closed", "running": "off",
+    "burning": "unlit", "there": "gone", "empty": "full", "spilled": "full", "full": "empty",
 }  # fmt: skip
 """State -> the state of a thing before it changed to that one for the first time."""
-OFF_STATES = frozenset({"off", "out", "unlit", "dead"})
-ON_STATES = frozenset({"on", "lit", "burning"})
-GONE = "gone"
-READS_PREFIX = "reads "
-"""Start of a state that changes the lettering of a thing; the new words follow."""
-DOOR_OPEN_SUFFIX, DOORS_CLOSED = " door open", "doors closed"
-"""End of the state of a vehicle with open doors, after the names of the doors; and its state with all doors closed."""
-_BROKEN = frozenset({"broken", "smashed", "shattered", "cracked"})
-LYING_STATES = frozenset(
-    {"tipped", "spilled", "fallen", "overturned", "knocked over", "toppled", "on its side", "upturned"}
-)
-"""States in which a thing lies on its side."""
-SEEN_AGAIN = LYING_STATES | _BROKEN | {"burning", "on fire", "smoking"}
+SEEN_AGAIN = LYING_STATES | {"broken", "burning", "smoking"}
 """States in which a thing still is when its place is seen again, though the script does not mention it."""
-UPRIGHT_STATES = frozenset({"upright", "standing", "righted"})
 _FLAT = 0.35
 """Ratio of height to width below which a thing is too flat to fall over."""
 _FRAGILE = frozenset({
@@ -39,21 +28,16 @@ _FRAGILE = frozenset({
     "hourglass", "light_bulb", "beaker", "picture", "aquarium", "test_tubes", "pumpkin", "egg", "balloon", "statue",
     "window", "mug", "water_bottle",
 })  # fmt: skip
-_ADDED = {"burning": "flames", "on fire": "flames", "in flames": "flames", "smoking": "smoke", "steaming": "smoke"}
-_RUNNING = frozenset({"running", "on", "leaking", "spraying", "overflowing"})
-_KINDS: tuple[frozenset[str], ...] = (
-    frozenset({"open", "closed", "shut", "locked", "ajar"}),
-    OFF_STATES | ON_STATES | _RUNNING | {"flickering", "dim", "stopped", *_ADDED},
-    _BROKEN | {"mended", "torn"},
-    LYING_STATES | UPRIGHT_STATES,
-    frozenset({"full", "filled", "empty", "emptied"}),
-    frozenset({"wet", "dry", "dirty", "clean", "bloody"}),
-    frozenset({GONE, "there"}),
-)
-"""States that exclude each other: a later one replaces an earlier one of the same set."""
-
-Condition = tuple[str, ...]
-"""The states of a thing at one time, the oldest first; at most one of each set that excludes another."""
+_ADDED: Mapping[str, str] = {"burning": "flames", "smoking": "smoke", "steaming": "smoke"}
+_RUNNING = frozenset({"running", "on", "overflowing"})
+_SWITCHES: Mapping[str, Mapping[str, bool]] = {
+    "open": {"open": True, "up": True}, "closed": {"open": False, "up": False}, "lit": {"lit": True},
+    "unlit": {"lit": False}, "burning": {"lit": True}, "on": {"lit": True, "on": True},
+    "off": {"lit": False, "on": False}, "running": {"on": True}, "flickering": {"on": True}, "empty": {"food": False},
+}  # fmt: skip
+"""State -> the switches of a prop's builder that it sets, where the prop has them."""
+_LEVELS = {"full": 0.9, "empty": 0.0, "spilled": 0.0}
+"""How full a glass is in a state."""
 
 
 class StateLook(NamedTuple):
@@ -76,26 +60,6 @@ class StateLook(NamedTuple):
     lying: bool = False
 
 
-def condition_after(condition: Condition, state: str) -> Condition:
-    """Return the condition of a thing after a change.
-
-    Args:
-        condition: Its states before.
-        state: The new state, such as ``open``; it replaces an earlier one of the same kind.
-    """
-    kind = _kind_of(state)
-    return (*(each for each in condition if _kind_of(each) != kind), state)
-
-
-def _kind_of(state: str) -> frozenset[str]:
-    """Return the states that exclude each other with a state, itself included."""
-    if state.startswith(READS_PREFIX):
-        return frozenset({READS_PREFIX})
-    if state.endswith((DOOR_OPEN_SUFFIX, DOORS_CLOSED)):
-        return frozenset({DOOR_OPEN_SUFFIX})
-    return next((kind for kind in _KINDS if state in kind), frozenset({state}))
-
-
 def topples(size: Vec3) -> bool:
     """Return whether a thing of this (width, depth, height) can fall over and lie on its side."""
     return size[2] > _FLAT * max(size[:2])
@@ -109,7 +73,7 @@ def state_looks(
     Args:
         key: Prop key of the thing.
         params: Parameters it was built with at first.
-        condition: Its states.
+        condition: Its states, with what is written on it and its open doors.
         size: Its width, depth and height in metres.
         words: What the script calls it.
     """
@@ -117,8 +81,8 @@ def state_looks(
         return ()
     now, changed = key, dict(params)
     added: list[StateLook] = []
-    for state in condition:
-        look = state_look(now, changed, state)
+    for state in condition.states:
+        look = state_look(now, changed, state, condition.writing, condition.doors)
         if look is not None and look.added:
             added.append(look._replace(width=max(0.25, max(size) * 0.7)))
         elif look is not None:
@@ -126,7 +90,7 @@ def state_looks(
         added += _liquid(key, state, condition, size, words)
     was = {**PROPS[key].params, **params}
     if now != key:
-        lies = bool(LYING_STATES & {*condition}) and topples(size)
+        lies = bool(LYING_STATES & {*condition.states}) and topples(size)
         pieces = StateLook(now, changed, width=max(0.25, max(size) * 1.1), lying=lies)
         pieces = pieces._replace(location=(0.0, 0.0, -size[1] / 2)) if lies else pieces
         return pieces, *(each for each in added if each.key == "puddle")
@@ -134,31 +98,40 @@ def state_looks(
     return (*(() if as_it_was else (StateLook(key, changed),)), *added)
 
 
-def state_look(key: str, params: Mapping[str, ParamValue], state: str) -> StateLook | None:
+def state_look(
+    key: str,
+    params: Mapping[str, ParamValue],
+    state: ThingState,
+    writing: str = "",
+    doors: Sequence[str] | None = None,
+) -> StateLook | None:
     """Return how a prop is built in one state; None where the state does not change its look.
 
     Args:
         key: Prop key of the thing.
         params: Parameters it was built with at first.
-        state: Such as ``open``, ``off``, ``broken``, ``reads CLOSED``.
+        state: The state.
+        writing: The words on it, where it is ``lettered``.
+        doors: Names of its open doors; None for what has none with a name.
     """
     entry = PROPS.get(key)
     if entry is None:
         return None
-    if state in _BROKEN and key in _FRAGILE:
+    if state == "broken" and key in _FRAGILE:
         material = str(params.get("material", "")) or next(iter(entry.materials.values()))
         color = {"color": params["color"]} if "color" in params else {}
         return StateLook("shards", {"material": material, **color})
     if state in _ADDED and "lit" not in entry.params and entry.lamp is None:
         return StateLook(_ADDED[state], {}, added=True)
-    if state.startswith(READS_PREFIX):
-        text = state.removeprefix(READS_PREFIX).strip()[:MAX_LETTERS]
+    if state == "lettered":
+        text = writing.strip()[:MAX_LETTERS]
         return StateLook(key, {**params, "text": text}) if key in WRITING and params.get("text") != text else None
-    changed = {**params, **read_variant(entry, state)}
-    if state in _KINDS[1]:
+    switches = _SWITCHES.get(state, {}).items()
+    changed = {**params, **{name: on for name, on in switches if isinstance(entry.params.get(name), bool)}}
+    if state in OF_LAMPS:
         changed.pop("unlit", None)
-    if state.endswith((DOOR_OPEN_SUFFIX, DOORS_CLOSED)) and isinstance(entry.params.get("open"), str):
-        changed["open"] = state.removesuffix(DOOR_OPEN_SUFFIX) if state.endswith(DOOR_OPEN_SUFFIX) else ""
+    if doors is not None and state in ("open", "closed") and isinstance(entry.params.get("open"), str):
+        changed["open"] = " ".join(doors) if state == "open" else ""
     if state in OFF_STATES and entry.lights:
         changed["unlit"] = True
     if "fill" in entry.params and state in _LEVELS:
@@ -167,11 +140,7 @@ def state_look(key: str, params: Mapping[str, ParamValue], state: str) -> StateL
     return StateLook(key, changed) if {**entry.params, **changed} != was else None
 
 
-_LEVELS = {"full": 0.9, "filled": 0.9, "empty": 0.0, "emptied": 0.0, "spilled": 0.0}
-"""How full a glass is in a state."""
-
-
-def _liquid(key: str, state: str, condition: Condition, size: Vec3, words: str) -> Iterator[StateLook]:
+def _liquid(key: str, state: ThingState, condition: Condition, size: Vec3, words: str) -> Iterator[StateLook]:
     """Yield the stream, the puddle or the filling that a state adds to a thing of ``size``."""
     width, depth, height = size
     if state in _RUNNING and key in SPOUTS:
@@ -186,13 +155,13 @@ def _liquid(key: str, state: str, condition: Condition, size: Vec3, words: str) 
             yield StateLook("running_water", built, added=True, location=at)
     told = liquid_color(key, words, named_only=True)
     spills = state == "spilled" and is_vessel(key, words_of(words))
-    if spills or (state in LYING_STATES and told and "empty" not in condition):
+    if spills or (state in LYING_STATES and told and "empty" not in condition.states):
         wide, color = spill_width(size), told or liquid_color(key, words)
         puddle: dict[str, ParamValue] = {"width": wide, "depth": 0.85 * wide, "color": color}
         fallen = topples(size)
         at = (0.0, -height - 0.36 * wide, 0.003 - depth / 2) if fallen else (0.0, -depth / 2 - 0.3 * wide, 0.003)
         yield StateLook("puddle", puddle, added=True, location=at, lying=fallen)
-    filling = filling_of(key, size) if state in ("full", "filled", "overflowing") else None
+    filling = filling_of(key, size) if state in ("full", "overflowing") else None
     if filling is not None and "fill" not in PROPS[key].params:
         (w, d, h), z, oblong = filling
         surface: dict[str, ParamValue] = {"width": w, "depth": d, "height": h, "oblong": oblong}
@@ -201,6 +170,6 @@ def _liquid(key: str, state: str, condition: Condition, size: Vec3, words: str) 
         )
 
 
-def state_at_first(changes: Sequence[str]) -> str:
+def state_at_first(changes: Sequence[str]) -> ThingState | Literal[""]:
     """Return the state of a thing before the first of its changes; empty where it cannot be concluded."""
     return STATE_BEFORE.get(changes[0], "") if changes else ""

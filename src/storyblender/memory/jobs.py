@@ -14,6 +14,7 @@ from storyblender.memory.graph import ProjectFormat
 from storyblender.memory.outline import SceneOutline
 from storyblender.memory.scene_context import Light, Lighting, SceneContext
 from storyblender.memory.shot_context import Flaw, ShotContext
+from storyblender.memory.thing_states import Condition
 
 Look = Literal["board", "fast", "pencil", "render"]
 
@@ -61,7 +62,7 @@ class AssetJob(Frozen):
 class AssetInState(Frozen):
     """An asset as it looks in some states, or something that is seen with it."""
 
-    condition: tuple[str, ...]
+    condition: Condition
     """All states that it is in."""
     asset: Asset
     added: bool = False
@@ -95,12 +96,12 @@ class SceneJob(Frozen):
         ]
         geometry = [asset.canonical.digest if asset.canonical else asset.asset_id for asset in self.assets]
         geometry += [
-            f"{' + '.join(each.condition)}:{each.asset.canonical.digest}:{each.location}"
+            f"{' + '.join(each.condition.labels)}:{each.asset.canonical.digest}:{each.location}"
             for each in self.in_states
             if each.asset.canonical
         ]
-        found: list[dict[str, object]] = [{**self.scene.setup.found}] if self.scene.setup.found else []
-        return content_hash(GEOMETRY_VERSION, scene, list(shots), list(geometry), self.fps, *found)
+        found: dict[str, object] = {name: [*each.labels] for name, each in self.scene.setup.found.items()}
+        return content_hash(GEOMETRY_VERSION, scene, list(shots), list(geometry), self.fps, *([found] if found else []))
 
     @property
     def out(self) -> str:

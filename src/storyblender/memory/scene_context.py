@@ -10,6 +10,7 @@ from storyblender.memory.asset_sheet import ParamValue
 from storyblender.memory.base import Color, Coordinate, Frozen, Identifier, SceneId, Vec3, dropping, is_none
 from storyblender.memory.locks import SceneLock
 from storyblender.memory.panorama import PanoramaLight
+from storyblender.memory.thing_states import Condition
 from storyblender.memory.vocabulary import (
     Crowd,
     Facing,
@@ -74,7 +75,7 @@ class SceneSetup(Frozen):
     relations: tuple[Relation, ...] = ()
     scenery: tuple[Identifier, ...] = ()
     """Objects that are the place itself or a part of its set: no prop is added for them."""
-    found: dict[Identifier, tuple[str, ...]] = {}
+    found: dict[Identifier, Condition] = {}
     """States in which things and doors are as the scene opens, left so by earlier scenes: ``broken``, ``open``."""
     _former = dropping(
         "place_kind", "layout_description", "ground_description", "wall_description", "lighting_description"

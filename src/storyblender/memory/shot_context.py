@@ -21,6 +21,7 @@ from storyblender.memory.base import (
 from storyblender.memory.camera_decision import CameraDecision, CameraInstruction, CameraRetake
 from storyblender.memory.locks import ShotLock
 from storyblender.memory.scene_context import Light, Lighting, Spot
+from storyblender.memory.thing_states import THING_STATES, state_values
 from storyblender.memory.vocabulary import (
     BodyPlace,
     Expression,
@@ -33,6 +34,7 @@ from storyblender.memory.vocabulary import (
     Mood,
     Posture,
     TetherKind,
+    ThingState,
     TimeOfDay,
 )
 
@@ -42,9 +44,21 @@ class AssetModification(Frozen):
 
     asset_id: Identifier
     modification_type: ModificationType
-    state: str = ""
-    """For doors, lamps and the like: ``open``, ``closed``, ``on``, ``off``."""
+    state: ThingState | Literal[""] = ""
+    """Empty where it does not look otherwise."""
+    writing: str = Field(default="", exclude_if=lambda value: not value)
+    """The words on it, where it is ``lettered``."""
+    doors: tuple[str, ...] | None = Field(default=None, exclude_if=is_none)
+    """Names of the doors of a vehicle that are open from now on; None where it is not about doors with a name."""
     _former = dropping("description")
+
+    @model_validator(mode="before")
+    @classmethod
+    def _from_words(cls, value: object) -> object:
+        """Older projects have words for a state, with the writing and the doors in them."""
+        if not isinstance(value, dict) or value.get("state", "") in ("", *THING_STATES):
+            return value
+        return {**value, **state_values(str(value["state"]))._asdict()}
 
 
 class CharacterAction(Frozen):

@@ -73,4 +73,10 @@ LightQuality = Literal["dim", "bright", "harsh", "soft", "candlelight", "cold", 
 Weather = Literal["clear", "cloudy", "fog", "rain", "storm", "snow"]
 Crowd = Literal["busy", "full"]
 """How full of background people a place is."""
+ThingState = Literal[
+    "open", "closed", "on", "off", "lit", "unlit", "running", "overflowing", "flickering", "dim", "burning", "smoking",
+    "steaming", "broken", "mended", "torn", "tipped", "spilled", "upright", "full", "empty", "wet", "dry", "dirty",
+    "clean", "bloody", "gone", "there", "lettered",
+]  # fmt: skip
+"""What the story changes about a thing; ``lettered``: other words are written on it."""
 Gender = Literal["female", "male", "unknown"]

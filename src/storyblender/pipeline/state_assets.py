@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from storyblender.catalog.states import Condition, StateLook, condition_after, state_looks
+from storyblender.catalog.states import StateLook, state_looks
 from storyblender.memory.asset_sheet import Asset, AssetDimension
 from storyblender.memory.jobs import AssetInState, AssetJob, SceneJob
 from storyblender.memory.shot_context import ShotContext
+from storyblender.memory.thing_states import Condition
 from storyblender.pipeline.asset_files import files_whole, note_asset
 from storyblender.pipeline.run import Run
 
@@ -59,7 +60,8 @@ def _conditions(shots: Sequence[ShotContext], found: Mapping[str, Condition]) ->
     now: dict[str, Condition] = dict(found)
     yield from now.items()
     for change in (change for shot in shots for change in shot.asset_modifications if change.state):
-        now[change.asset_id] = condition_after(now.get(change.asset_id, ()), change.state)
+        before = now.get(change.asset_id, Condition())
+        now[change.asset_id] = before.after(change.state, change.writing, change.doors)
         yield change.asset_id, now[change.asset_id]
 
 

@@ -7,23 +7,26 @@ import pytest
 from storyblender.catalog.liquids import LIQUIDS, SPOUTS, VESSELS, filling_of, liquid_color, spill_width
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.states import state_looks, topples
+from storyblender.memory.thing_states import THING_STATES, Condition
+
+_IS = {state: Condition(states=(state,)) for state in THING_STATES}
 
 
 @pytest.mark.parametrize("key", sorted(SPOUTS))
 def test_a_stream_leaves_by_the_spout_and_stops_when_it_is_turned_off(key: str) -> None:
     size = PROPS[key].size
-    (stream,) = state_looks(key, {}, ("running",), size)
+    (stream,) = state_looks(key, {}, _IS["running"], size)
     assert stream.added and stream.key in ("running_water", "water_jet")
     mouth, end, _ = SPOUTS[key]
     assert stream.location[2] == pytest.approx(end * size[2])
     assert stream.location[2] + float(stream.params["height"]) == pytest.approx(max(mouth[2] * size[2], 0.03), abs=0.02)
-    assert all(look.key != stream.key for look in state_looks(key, {}, ("off",), size))
+    assert all(look.key != stream.key for look in state_looks(key, {}, _IS["off"], size))
 
 
 @pytest.mark.parametrize("key", sorted(VESSELS))
 def test_what_is_spilled_lies_outside_what_held_it_in_its_own_colour(key: str) -> None:
     size = PROPS[key].size
-    puddles = [look for look in state_looks(key, {}, ("spilled",), size, f"{key} of milk") if look.key == "puddle"]
+    puddles = [look for look in state_looks(key, {}, _IS["spilled"], size, f"{key} of milk") if look.key == "puddle"]
     assert len(puddles) == 1 and puddles[0].params["color"] == LIQUIDS["milk"] and puddles[0].added
     reach = float(puddles[0].params["depth"]) / 2 - puddles[0].location[1]
     assert reach > (size[2] if topples(size) else size[1] / 2)
@@ -31,9 +34,9 @@ def test_what_is_spilled_lies_outside_what_held_it_in_its_own_colour(key: str) -
 
 
 def test_nothing_runs_out_of_what_holds_nothing() -> None:
-    assert not [look for look in state_looks("chair", {}, ("tipped",), PROPS["chair"].size, "a chair") if look.added]
-    assert not [look for look in state_looks("glass", {}, ("tipped",), PROPS["glass"].size, "a glass") if look.added]
-    poured = ("empty", "tipped")
+    assert not [look for look in state_looks("chair", {}, _IS["tipped"], PROPS["chair"].size, "a chair") if look.added]
+    assert not [look for look in state_looks("glass", {}, _IS["tipped"], PROPS["glass"].size, "a glass") if look.added]
+    poured = Condition(states=("empty", "tipped"))
     assert not [look for look in state_looks("glass", {}, poured, PROPS["glass"].size, "a glass of milk") if look.added]
 
 

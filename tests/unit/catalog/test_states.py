@@ -6,8 +6,9 @@ import pytest
 from tests.every import every
 
 from storyblender.catalog.props import PROPS
-from storyblender.catalog.states import condition_after, state_at_first, state_look, state_looks
+from storyblender.catalog.states import state_at_first, state_look, state_looks
 from storyblender.catalog.writing import WRITING
+from storyblender.memory.thing_states import Condition
 
 
 @every("key", sorted(key for key, entry in PROPS.items() if entry.params.get("open") is False))
@@ -47,27 +48,24 @@ def test_what_was_out_at_first_shines_once_it_is_lit() -> None:
     assert state_look("candle", {"unlit": True}, "off") is None
 
 
-def test_a_later_state_ends_one_of_its_kind_only() -> None:
-    assert condition_after(condition_after(("off",), "tipped"), "on") == ("tipped", "on")
-    assert condition_after(("open",), "closed") == ("closed",)
-    assert condition_after(("reads HELLO", "broken"), "reads GO") == ("broken", "reads GO")
-
-
 def test_a_lamp_that_is_off_stays_dark_whatever_else_happens_to_it() -> None:
     size = PROPS["table_lamp"].size
     for more in ("tipped", "dirty", "wet", "open"):
-        (look,) = [look for look in state_looks("table_lamp", {}, ("off", more), size) if not look.added]
+        (look,) = [
+            look for look in state_looks("table_lamp", {}, Condition(states=("off", more)), size) if not look.added
+        ]
         assert look.params.get("unlit") is True
 
 
 @pytest.mark.parametrize("key", sorted(WRITING))
 def test_other_words_are_read_where_the_story_says_so(key: str) -> None:
-    (look,) = state_looks(key, {"text": "COME HOME"}, ("reads TOO LATE",), PROPS[key].size)
+    condition = Condition().after("lettered", "TOO LATE")
+    (look,) = state_looks(key, {"text": "COME HOME"}, condition, PROPS[key].size)
     assert look.params["text"] == "TOO LATE" and not look.added
-    assert state_looks(key, {"text": "TOO LATE"}, ("reads TOO LATE",), PROPS[key].size) == ()
+    assert state_looks(key, {"text": "TOO LATE"}, condition, PROPS[key].size) == ()
 
 
 def test_what_is_broken_lies_on_the_floor_even_if_it_was_tipped_over() -> None:
     size = PROPS["vase"].size
-    pieces = state_looks("vase", {}, ("tipped", "broken"), size)[0]
+    pieces = state_looks("vase", {}, Condition(states=("tipped", "broken")), size)[0]
     assert pieces.key == "shards" and pieces.lying and pieces.location[2] == -size[1] / 2

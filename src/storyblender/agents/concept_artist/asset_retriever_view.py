@@ -44,7 +44,7 @@ def asset_retriever_view(
     setup = next((scene.setup for scene in graph.scenes if asset.asset_id in scene.setup.asset_ids), None)
     if setup is None:
         return AssetRetrieverView(asset=asset, rejected=refused)
-    changes = [change for shot in graph.shots for change in shot.asset_modifications]
+    changes = [change for shot in graph.shots for change in shot.asset_modifications if change.doors is None]
     states = [change.state for change in changes if change.asset_id == asset.asset_id and change.state]
     return AssetRetrieverView(
         asset=asset,

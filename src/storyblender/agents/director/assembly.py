@@ -26,7 +26,7 @@ from storyblender.agents.director.writing import writing_on
 from storyblender.catalog.homelands import homeland_of
 from storyblender.catalog.props.prop_names import kind_named
 from storyblender.catalog.sets import SETS
-from storyblender.catalog.states import GONE, SEEN_AGAIN
+from storyblender.catalog.states import SEEN_AGAIN
 from storyblender.memory.asset_sheet import Asset, CharacterLook, Garment
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline, SourceSpan
 from storyblender.memory.scene_context import Relation, SceneContext, SceneSetup
@@ -205,9 +205,8 @@ class Assembly:
 
     def _inherited_relations(self, scene: SceneReading) -> Iterator[Relation]:
         """Yield the positions of things that an earlier scene in this place left broken, tipped or burning."""
-        left = {
-            thing for thing, states in self.inherited[scene.id].items() if SEEN_AGAIN & {*states} and GONE not in states
-        }
+        inherited = self.inherited[scene.id].items()
+        left = {thing for thing, found in inherited if SEEN_AGAIN & {*found.states} and "gone" not in found.states}
         for earlier in self.reading.scenes:
             same = scene.reference is not None and scene.reference in (earlier.id, earlier.reference)
             if earlier.id < scene.id and same:

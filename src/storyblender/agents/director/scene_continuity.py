@@ -10,10 +10,10 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.fixtures import is_fixture
 from storyblender.agents.director.lighting import light_change
 from storyblender.agents.director.reading import Reading, SceneReading, StateChange, Unit
-from storyblender.catalog.states import GONE, Condition, condition_after
 from storyblender.memory.scene_context import Relation
+from storyblender.memory.thing_states import THING_STATES, Condition, StateValues, state_values
 
-_LASTING = frozenset({"broken", "smashed", "shattered", "cracked", "torn", "burnt", GONE})
+_LASTING = frozenset({"broken", "torn", "gone"})
 """States that time does not undo."""
 _LATER_DAY = re.compile(
     r"\b(next|following|morning after|days?|weeks?|months?|years?) (later|after|day|morning|night|evening|week)\b"
@@ -36,29 +36,29 @@ def inherited_states(reading: Reading) -> dict[int, dict[str, Condition]]:
     before: SceneReading | None = None
     found: dict[int, dict[str, Condition]] = {}
     for _, scene, root, units in _visits(reading):
-        here = _things_in_action(units)
+        used = _things_in_action(units)
         for key in list(now):
             since = before if key[0] is None else last.get(root)
             if key[0] in (None, root) and since is not None and _time_passes(since, scene):
-                now[key] = tuple(state for state in now[key] if state in _LASTING)
-            if key[0] == root and key[1] in here:
-                now[key] = tuple(state for state in now[key] if state != GONE)
-        found[scene.id] = {thing: states for (place, thing), states in now.items() if place in (None, root) and states}
+                now[key] = now[key].only(_LASTING)
+            if key[0] == root and key[1] in used:
+                now[key] = now[key].only({*THING_STATES} - {"gone"})
+        here = {thing: condition for (place, thing), condition in now.items() if place in (None, root)}
+        found[scene.id] = {thing: condition for thing, condition in here.items() if condition.states}
         for change in (change for unit in units for change in unit.changes):
-            gone = change.state == GONE
-            key = root if change.subject in bound or gone else None, change.subject
-            if (state := _state(change)) is not None:
-                now[key] = condition_after(now.get(key, ()), state)
+            told = _state_values(change)
+            key = root if change.subject in bound or told.state == "gone" else None, change.subject
+            now[key] = now.get(key, Condition()).after(*told)
         last[root] = before = scene
     return found
 
 
-def _state(change: StateChange) -> str | None:
-    """Return the state that a change leaves; of the light of a place ``on`` or ``off``, None if its lamps stay."""
+def _state_values(change: StateChange) -> StateValues:
+    """Return the state that a change leaves; of the light of a place ``on`` or ``off``, none if its lamps stay."""
     if change.subject != LIGHT:
-        return change.state
+        return state_values(change.state)
     light = light_change(change.state)
-    return light.lamps if light is not None else None
+    return StateValues(light.lamps or "" if light is not None else "")
 
 
 def _visits(reading: Reading) -> Iterator[tuple[int, SceneReading, int, list[Unit]]]:

@@ -33,6 +33,7 @@ from storyblender.memory.shot_context import (
     Tether,
 )
 from storyblender.memory.shot_sizes import TIGHT
+from storyblender.memory.thing_states import state_values
 
 _OUT_OF = (
     r"(?:draws?|drew|produces?d?|fish(?:es|ed)?)\b|(?:pulls?|pulled|takes?|took)\b.*\b(?:out"
@@ -212,14 +213,10 @@ class ShotDetails:
                     found.append(AssetModification(asset_id=deed.prop, modification_type="add"))
             for change in unit.changes:
                 subject = self.story.visible_id(change.subject)
-                if subject in self.story.assets or subject in self.story.fixtures:
-                    found.append(
-                        AssetModification(
-                            asset_id=subject,
-                            modification_type="remove" if change.state == "gone" else "transform",
-                            state=change.state,
-                        )
-                    )
+                told = state_values(change.state)
+                if told.state and subject in self.story.assets | self.story.fixtures:
+                    kind = "remove" if told.state == "gone" else "transform"
+                    found.append(AssetModification(asset_id=subject, modification_type=kind, **told._asdict()))
             self.seen.update(unit.things)
             self.seen.update(deed.prop for deed in unit.deeds if deed.prop)
         return found

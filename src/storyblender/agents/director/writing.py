@@ -7,7 +7,6 @@ from dataclasses import replace
 from typing import Final
 
 from storyblender.agents.director.reading import Reading, StateChange, Unit
-from storyblender.catalog.states import READS_PREFIX
 
 _READING_VERBS: Final = (
     r"(?:reads?|reading|says?|saying|marked|labell?ed|titled|entitled|bearing|spells?(?: out)?|spelling|written|printed"
@@ -20,6 +19,8 @@ _WRITTEN: Final = re.compile(
     rf"^[^.!?\n\"“”]{{0,60}}?\b{_READING_VERBS}\b[^.!?\n\"“”‘]{{0,24}}?[:,]?\s*(?:{_QUOTED}|{_CAPITALS})"
     rf"|^[^.!?\n\"“”,;]{{0,30}}?(?::|—|--)\s*(?:{_QUOTED_AFTER_COLON}|{_CAPITALS_AFTER_COLON})"
 )
+READS_PREFIX: Final = "reads "
+"""Start of a change that gives a thing other words; they follow."""
 _REACH: Final = 170
 """Characters after a thing's name that are searched for its writing."""
 

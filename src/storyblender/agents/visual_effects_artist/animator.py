@@ -11,13 +11,13 @@ from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.agents.visual_effects_artist.rehearsal import Rehearsal, ShotDirections, ShotStaging
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import plan_of
-from storyblender.catalog.states import Condition
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen, Identifier
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline
 from storyblender.memory.scene_context import Layout
 from storyblender.memory.shot_context import Mark, ShotContext
+from storyblender.memory.thing_states import Condition
 from storyblender.reflection import Critique
 
 __all__ = ["AnimatorDraft", "AnimatorView", "RulesAnimator", "ShotStaging"]

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from storyblender.catalog.states import LYING_STATES, UPRIGHT_STATES, Condition, topples
+from storyblender.catalog.states import topples
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import PropState, ShotContext
+from storyblender.memory.thing_states import LYING_STATES, Condition
 
 
 class FallenProps:
@@ -29,7 +30,7 @@ class FallenProps:
             if asset.asset_type == "object" and asset.canonical is not None
         }
         self._homes = {item.asset_id: (item.location, item.rotation) for item in reversed(objects)}
-        down = (name for name, states in found.items() if LYING_STATES & {*states})
+        down = (name for name, states in found.items() if LYING_STATES & {*states.states})
         self._down: dict[str, None] = {name: None for name in down if self._can_fall(name)}
 
     def add_fallen(
@@ -45,7 +46,7 @@ class FallenProps:
         for change in shot.asset_modifications:
             if change.state in LYING_STATES and self._can_fall(change.asset_id):
                 self._down[change.asset_id] = None
-            elif change.state in UPRIGHT_STATES:
+            elif change.state == "upright":
                 self._down.pop(change.asset_id, None)
         kept = {state.asset_id: state for state in states}
         for name in self._down:

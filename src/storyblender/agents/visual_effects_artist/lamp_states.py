@@ -18,10 +18,10 @@ from storyblender.agents.visual_effects_artist.lighting_arranger_view import (
 from storyblender.catalog.fixtures import fixtures_called
 from storyblender.catalog.light_recipes import HOURS, LAMPS
 from storyblender.catalog.props.prop_names import prop_of, props_of
-from storyblender.catalog.states import GONE, OFF_STATES, ON_STATES, Condition
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Light, Lighting
 from storyblender.memory.shot_context import AssetModification, Mark, ShotContext
+from storyblender.memory.thing_states import OFF_STATES, ON_STATES, Condition
 
 LIGHT = "light"
 """Asset id in a scene's found states for the light of the whole place."""
@@ -64,9 +64,9 @@ class LampStates:
 
     def __post_init__(self) -> None:
         for asset_id, states in self.found.items():
-            for state in states:
+            for state in states.states:
                 self._note_state(asset_id, state)
-        for state in self.found.get(LIGHT, ()):
+        for state in self.found.get(LIGHT, Condition()).states:
             if state in OFF_STATES | ON_STATES:
                 self.dark_at_first = tuple(self._switch_lamps("off" if state in OFF_STATES else "on", ()))
 
@@ -97,7 +97,7 @@ class LampStates:
 
     def _note_state(self, asset_id: str, state: str) -> None:
         """Note whether a state of an asset lights or darkens it."""
-        if state in OFF_STATES or state == GONE:
+        if state in OFF_STATES or state == "gone":
             self.burning[asset_id] = False
         elif state in ON_STATES:
             self.burning[asset_id] = True
@@ -149,7 +149,7 @@ def light_shots(
         now = plan_with_lamps(plan, seen, dark=lamps.dark)
         lit.append(shot.model_copy(update={"lighting": now}) if now != current else shot)
         current = now
-    out = {each.asset_id: (each.state,) for each in lamps.dark_at_first}
+    out = {each.asset_id: Condition().after(each.state) for each in lamps.dark_at_first}
     return first, tuple(lit), {**found, **out}
 
 
@@ -242,5 +242,5 @@ def _rounded(place: Vec3) -> Vec3:
     return (round(place[0], 3), round(place[1], 3), round(place[2], 3))
 
 
-def _lamp_change(asset_id: str, state: str) -> AssetModification:
+def _lamp_change(asset_id: str, state: Literal["on", "off"]) -> AssetModification:
     return AssetModification(asset_id=asset_id, modification_type="transform", state=state)

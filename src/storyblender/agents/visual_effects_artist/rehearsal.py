@@ -18,13 +18,13 @@ from storyblender.agents.visual_effects_artist.person import StagedPerson
 from storyblender.agents.visual_effects_artist.posture_cues import PostureCues, extend_lasting_cues
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN, Speeches
 from storyblender.agents.visual_effects_artist.stage_state import StageState
-from storyblender.catalog.states import Condition
 from storyblender.geometry.paths import Vec2
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen, Identifier, is_none
 from storyblender.memory.outline import ScriptLine
 from storyblender.memory.scene_context import LayoutObject, Spot
 from storyblender.memory.shot_context import Blocking, CharacterAction, Cue, Flaw, PropState, ShotContext
+from storyblender.memory.thing_states import Condition
 
 GROUP_DELAY = 0.15
 """Seconds between the starts of two members of a group who do the same thing."""

@@ -12,7 +12,6 @@ from storyblender.agents.visual_effects_artist.floor import facing
 from storyblender.agents.visual_effects_artist.person import StagedPerson
 from storyblender.agents.visual_effects_artist.placed_objects import PlacedObject
 from storyblender.agents.visual_effects_artist.stage_state import StageState
-from storyblender.catalog.states import DOOR_OPEN_SUFFIX, DOORS_CLOSED
 from storyblender.geometry.solids import transform
 from storyblender.geometry.stations import Station
 from storyblender.memory.asset_sheet import Anchor, Asset
@@ -91,12 +90,13 @@ def add_open_doors(
         for item in vehicles:
             doors = sorted({*_doors_in_use(shot, before, after, item, made[item.asset_id].anchors)})
             if doors != open_now.get(item.node_id, []):
-                state = f"{' '.join(doors)}{DOOR_OPEN_SUFFIX}" if doors else DOORS_CLOSED
-                changes.append(AssetModification(asset_id=item.asset_id, modification_type="transform", state=state))
+                state = "open" if doors else "closed"
+                change = AssetModification(
+                    asset_id=item.asset_id, modification_type="transform", state=state, doors=tuple(doors)
+                )
+                changes.append(change)
                 open_now[item.node_id] = doors
-        kept = tuple(
-            each for each in shot.asset_modifications if not each.state.endswith((DOOR_OPEN_SUFFIX, DOORS_CLOSED))
-        )
+        kept = tuple(each for each in shot.asset_modifications if each.doors is None)
         fresh = (*kept, *changes)
         done.append(
             shot if fresh == shot.asset_modifications else shot.model_copy(update={"asset_modifications": fresh})

@@ -5,7 +5,10 @@ from __future__ import annotations
 from storyblender.agents.director.reading import Deed, Reading, SceneReading, StateChange, Thing, Unit
 from storyblender.agents.director.scene_continuity import absent_until_brought, inherited_states
 from storyblender.agents.director.writing import add_writing_changes
+from storyblender.memory.thing_states import THING_STATES, Condition
 from storyblender.screenplay.model import Screenplay
+
+_IS = {state: Condition(states=(state,)) for state in THING_STATES}
 
 
 def _unit(number: int, scene: int = 0, text: str = "words", **fields: object) -> Unit:
@@ -49,21 +52,25 @@ def test_the_broken_stays_broken_and_a_door_is_as_it_was_left_until_the_hour_cha
     left = [("vase", "broken"), ("door", "open"), ("lamp", "off")]
     found = inherited_states(_reading("night", "night", "day", places=(None, 1, 1), in_1=left))
     assert found[1] == {}
-    assert found[2] == {"vase": ("broken",), "door": ("open",), "lamp": ("off",)}
-    assert found[3] == {"vase": ("broken",)}
+    assert found[2] == {
+        "vase": _IS["broken"],
+        "door": _IS["open"],
+        "lamp": _IS["off"],
+    }
+    assert found[3] == {"vase": _IS["broken"]}
 
 
 def test_a_door_of_another_place_is_another_door_and_a_mended_vase_is_whole() -> None:
     left = [("vase", "broken"), ("door", "open")]
     reading = _reading("night", "night", "night", places=(None, None, 1), in_1=left, in_2=[("vase", "mended")])
     found = inherited_states(reading)
-    assert found[2] == {"vase": ("broken",)}
-    assert found[3] == {"vase": ("mended",), "door": ("open",)}
+    assert found[2] == {"vase": _IS["broken"]}
+    assert found[3] == {"vase": _IS["mended"], "door": _IS["open"]}
 
 
 def test_what_was_taken_away_stays_away_from_that_place() -> None:
     found = inherited_states(_reading("night", "night", "day", places=(None, None, 1), in_1=[("vase", "gone")]))
-    assert "vase" not in found[2] and found[3] == {"vase": ("gone",)}
+    assert "vase" not in found[2] and found[3] == {"vase": _IS["gone"]}
 
 
 def test_another_message_on_a_screen_is_a_change_and_the_same_one_is_none() -> None:

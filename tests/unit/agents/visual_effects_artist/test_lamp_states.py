@@ -22,6 +22,8 @@ from storyblender.memory.shot_context import (
     PropState,
     ShotContext,
 )
+from storyblender.memory.thing_states import Condition
+from storyblender.memory.vocabulary import ThingState
 
 _KEYS = sorted(key for key in LAMPS if key in PROPS and PROPS[key].placement != "ceiling")
 
@@ -60,10 +62,11 @@ def _changed(current: Lighting, shot: ShotContext) -> Lighting:
 
 
 def _plans(
-    view: LightingArrangerView, *shots: ShotContext, **found: tuple[str, ...]
+    view: LightingArrangerView, *shots: ShotContext, **found: tuple[ThingState, ...]
 ) -> tuple[list[Lighting], list[ShotContext]]:
     usual = RulesLightingArranger().propose(view)
-    current, lit, _ = light_shots(usual, view, shots, found, _changed)
+    conditions = {name: Condition(states=states) for name, states in found.items()}
+    current, lit, _ = light_shots(usual, view, shots, conditions, _changed)
     plans: list[Lighting] = []
     for shot in lit:
         current = shot.lighting or current

@@ -7,10 +7,11 @@ import math
 import pytest
 
 from storyblender.agents.visual_effects_artist.vehicle_doors import add_open_doors
-from storyblender.catalog.states import DOORS_CLOSED, condition_after, state_looks
+from storyblender.catalog.states import state_looks
 from storyblender.memory.asset_sheet import Anchor, Asset, CanonicalAsset
 from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import Blocking, BodyState, CameraInstruction, Mark, ShotContext
+from storyblender.memory.thing_states import Condition
 
 _SIDES = {"driver": 1.4, "passenger": -1.4}
 _ANCHORS = tuple(
@@ -34,22 +35,23 @@ def _shot(number: int, door: str | None, *, boards: bool = False, aboard: bool =
     )  # fmt: skip
 
 
-def _states(*shots: ShotContext) -> list[list[str]]:
+def _states(*shots: ShotContext) -> list[list[tuple[str, tuple[str, ...] | None]]]:
     done = add_open_doors(shots, (_PLACE,), (_CAR,))
     assert add_open_doors(done, (_PLACE,), (_CAR,)) == done, "staged again, it is the same"
-    return [[change.state for change in shot.asset_modifications] for shot in done]
+    return [[(change.state, change.doors) for change in shot.asset_modifications] for shot in done]
 
 
 @pytest.mark.parametrize("door", sorted(_SIDES))
 def test_the_door_of_who_gets_in_is_open_and_shut_behind_them(door: str) -> None:
     inside = _shot(3, door, aboard=True)
-    assert _states(_shot(1, None), _shot(2, door, boards=True), inside) == [[], [f"{door} door open"], [DOORS_CLOSED]]
+    states = _states(_shot(1, None), _shot(2, door, boards=True), inside)
+    assert states == [[], [("open", (door,))], [("closed", ())]]
 
 
 @pytest.mark.parametrize("door", sorted(_SIDES))
 def test_the_door_of_who_gets_out_is_open(door: str) -> None:
     assert _states(_shot(1, door, aboard=True), _shot(2, door), _shot(3, None)) == [
-        [], [f"{door} door open"], [DOORS_CLOSED],
+        [], [("open", (door,))], [("closed", ())],
     ]  # fmt: skip
 
 
@@ -58,6 +60,7 @@ def test_who_only_stands_by_a_car_opens_no_door() -> None:
 
 
 def test_an_open_door_is_built_open_and_the_others_are_not() -> None:
-    (look,) = state_looks("car", {}, condition_after((), "driver door open"))
+    opened = Condition().after("open", doors=("driver",))
+    (look,) = state_looks("car", {}, opened)
     assert look.params["open"] == "driver"
-    assert state_looks("car", {}, condition_after(("driver door open",), DOORS_CLOSED)) == ()
+    assert state_looks("car", {}, opened.after("closed", doors=())) == ()
