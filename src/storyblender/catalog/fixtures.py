@@ -57,6 +57,9 @@ def fixtures_called(plan: SetPlan, name: str | None) -> list[Fixture]:
         plan: The set.
         name: An id or words: ``doorway``, ``kitchen_window``, ``the back wall``.
     """
+    exact = [fixture for fixture in fixtures_of(plan) if fixture.kind == "piece" and fixture.name == name]
+    if exact:
+        return exact
     words = [noun_key(word) for word in words_of((name or "").replace("_", " "))]
     if not words:
         return []

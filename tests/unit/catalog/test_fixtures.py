@@ -22,6 +22,13 @@ def test_the_side_that_is_told_counts() -> None:
     assert fixtures_called(KITCHEN, "back wall")[0].box.y > 0.9 * size.y
 
 
+@every("kit", SETS)
+def test_a_piece_is_found_by_its_id(kit: str) -> None:
+    plan = plan_of(Environment(kit=kit))
+    for piece in plan.pieces:
+        assert [fixture.name for fixture in fixtures_called(plan, piece.node_id)] == [piece.node_id]
+
+
 def test_what_is_no_part_of_the_set_is_not_found() -> None:
     assert fixtures_called(KITCHEN, "submarine") == []
     assert fixtures_called(KITCHEN, None) == []

@@ -32,7 +32,7 @@ _NEAR = 2.5
 """Metres from the playing area within which a part of the set is offered."""
 _REACH = 1.0
 """Metres from its anchor, beyond the wished distance, at which something is not in its place."""
-_PARTS = 24
+_PARTS = 32
 """Most parts of the set in one request."""
 
 
