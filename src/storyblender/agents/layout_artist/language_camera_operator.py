@@ -64,8 +64,10 @@ class LanguageCameraOperator:
 
     asker: Asker[CameraNotes]
     rules: RulesCameraOperator
+    _takes: list[tuple[CameraOperatorDraft, Critique]] = field(default_factory=list)
+    """The takes so far, with what the critic said of them."""
     _tried: list[dict[str, Any]] = field(default_factory=list)
-    """Operations of each turn with the score that they led to."""
+    """Operations of each turn, with the score that they led to."""
 
     def propose(self, view: CameraOperatorView) -> CameraOperatorDraft:
         """Return the view that the model chose, with its first operations. Raises NoAnswer or AnswerAwaited."""
@@ -86,21 +88,26 @@ class LanguageCameraOperator:
         return _moved(views[(answer.view or 1) - 1], answer.operations, view)
 
     def refine(self, draft: CameraOperatorDraft, critique: Critique, view: CameraOperatorView) -> CameraOperatorDraft:
-        """Return the take with the critic's numbers, else after the model's next operations if it wants any.
+        """Return the best take so far with the critic's numbers if they help, else after the model's next operations.
 
         Args:
-            draft: The take so far.
+            draft: The latest take.
             critique: Its faults.
             view: The shot.
         """
         if len(_spread(self.rules.ranked_takes(view))) == 1:
             return draft
-        mended = _with_numbers(draft, critique, view)
-        if mended not in self.rules.critic.judged(view):
+        if self._tried and "score" not in self._tried[-1]:
+            self._tried[-1]["score"] = round(critique.score, 1)
+        self._takes.append((draft, critique))
+        best, judged = max(self._takes, key=lambda pair: pair[1].score)
+        mended = _with_numbers(best, judged, view)
+        if self.rules.critic.judge(mended, view).score > judged.score:
             return mended
-        answer = self._asked(view, {"now": self._shown(draft, critique, view), "tried": self._tried}, lambda answer: ())
-        self._tried.append({"operations": answer.operations, "score_before": round(critique.score, 1)})
-        return _moved(draft, answer.operations, view)
+        answer = self._asked(view, {"now": self._shown(best, judged, view), "tried": self._tried}, lambda answer: ())
+        if answer.operations:
+            self._tried.append({"operations": answer.operations})
+        return _moved(best, answer.operations, view)
 
     def _asked(self, view: CameraOperatorView, shown: dict[str, Any], wrong: Any) -> CameraNotes:
         return self.asker.ask(shot_name(view.scene_id, view.shot_id), {"shot": _shown_shot(view), **shown}, wrong)

@@ -84,12 +84,16 @@ def test_views_look_from_different_sides() -> None:
     assert len({*sides}) == len(sides)
 
 
-def test_each_turn_moves_on_from_the_take_before() -> None:
-    model = Scripted([camera(view=1), camera(operations=["zoom_out"]), camera(operations=["zoom_out"]), "{}"])
+def test_each_turn_goes_on_from_the_best_take_so_far() -> None:
+    turns = [["roll_left"], ["zoom_out"], ["pan_left", "pan_up"]]
+    model = Scripted([camera(view=1), *(camera(operations=each) for each in turns)])
     operated(model)
-    distances = [json.loads(request.view)["now"]["camera"]["distance"] for request in model.asked[1:]]
-    assert distances[0] < distances[1] < distances[2]
-    assert [len(json.loads(request.view)["tried"]) for request in model.asked[1:]] == [0, 1, 2]
+    shown = [json.loads(request.view) for request in model.asked[1:]]
+    scores = [each["now"]["score"] for each in shown]
+    assert scores == sorted(scores)
+    tried = shown[-1]["tried"]
+    assert [each["operations"] for each in tried] == turns[: len(tried)]
+    assert all(each["score"] <= scores[-1] for each in tried)
 
 
 def test_numbers_of_the_critic_are_applied_without_asking() -> None:
