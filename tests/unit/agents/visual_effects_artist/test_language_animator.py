@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import random
 from dataclasses import replace
 from functools import cache
 from typing import Any
@@ -11,11 +12,14 @@ from typing import Any
 import pytest
 from tests.answering import Alike, Scripted
 from tests.crew import RULES
+from tests.every import every
 from tests.unit.agents.visual_effects_artist.test_animator import _do, _shot, _view
 
 from storyblender.agents.visual_effects_artist.animator import AnimatorDraft, AnimatorView, RulesAnimator
 from storyblender.agents.visual_effects_artist.animator_critic import AnimatorCritic
 from storyblender.agents.visual_effects_artist.language_animator import language_animator
+from storyblender.agents.visual_effects_artist.speeches import SPOKEN
+from storyblender.catalog.motions import MOTIONS
 from storyblender.errors import NoAnswer
 from storyblender.language.answer_folder import as_markdown
 from storyblender.memory.outline import ScriptLine, SourceSpan
@@ -31,6 +35,13 @@ VIEW = _view(
     lines={1: (LINE,)},
 )
 RULES_DRAFT = RulesAnimator().propose(VIEW)
+
+
+def _offered() -> list[str]:
+    """Return the motions that a request about the scene offers, without speeches."""
+    model = Scripted(["{}"])
+    animator(model).propose(VIEW)
+    return [key for key in json.loads(model.asked[0].view)["motions"] if key not in SPOKEN]
 
 
 def animator(answerer: Answerer) -> Policy[AnimatorView, AnimatorDraft]:
@@ -111,6 +122,30 @@ def test_what_cannot_be_is_sent_back_with_the_reason(notes: dict[str, Any], why:
     model = Scripted([json.dumps({"shots": [notes]}), "{}"])
     assert animator(model).propose(VIEW) == RULES_DRAFT
     assert any(why in sentence for sentence in model.asked[1].feedback)
+
+
+OFFERED = _offered()
+
+
+@every("seed", range(30))
+def test_any_order_overlap_and_motion_can_be_staged(seed: int) -> None:
+    rng = random.Random(seed)
+    shots: list[dict[str, Any]] = []
+    for shot in VIEW.shots:
+        moves: list[dict[str, Any]] = []
+        for number, action in rng.sample([*enumerate(shot.character_actions, start=1)], len(shot.character_actions)):
+            move: dict[str, Any] = {"action": number, "with_previous": rng.random() < 0.5}
+            if action.motion not in SPOKEN:
+                move["motion"] = rng.choice(OFFERED)
+                move["target"] = rng.choice(["table", "cup", "rick", "ilsa", "chair_l"])
+            moves.append(move)
+        shots.append({"shot": shot.shot_id, "moves": moves})
+    model = language_animator(Scripted([json.dumps({"shots": shots})]), cache(Alike))
+    draft = model.propose(VIEW)
+    assert [staging.shot_id for staging in draft.shots] == [1, 2]
+    assert {cue.clip for staging in draft.shots for cue in staging.cues} <= {*MOTIONS}
+    talk = next(each for each in draft.shots[0].cues if (each.asset_id, each.clip) == ("rick", "talk"))
+    assert talk.duration is not None and talk.start + talk.duration <= draft.shots[0].duration
 
 
 def test_a_mark_is_for_people_who_stand() -> None:
