@@ -30,7 +30,8 @@ _EXCLUSIVE: Final[tuple[frozenset[str], ...]] = (
     frozenset({"gone", "there"}),
 )
 """States that exclude each other: a later one replaces an earlier one of the same set."""
-_SYNONYMS: Final[dict[str, ThingState]] = {
+_NAMED: Final[dict[str, ThingState]] = {
+    **{state: state for state in THING_STATES if state != "lettered"},
     "shut": "closed", "locked": "closed", "ajar": "open", "out": "unlit", "dead": "off", "stopped": "off",
     "on fire": "burning", "in flames": "burning", "leaking": "running", "spraying": "running", "smashed": "broken",
     "shattered": "broken", "cracked": "broken", "fallen": "tipped", "overturned": "tipped", "toppled": "tipped",
@@ -38,7 +39,7 @@ _SYNONYMS: Final[dict[str, ThingState]] = {
     "righted": "upright", "filled": "full", "emptied": "empty",
 }  # fmt: skip
 _LETTERED: Final = re.compile(r"reads (?P<writing>.+)", re.DOTALL)
-_DOORS: Final = re.compile(r"(?P<doors>.+) door (?P<state>open)|doors (?P<closed>closed)")
+_DOORS: Final = re.compile(r"(?P<doors>.+) door open|doors closed")
 
 
 class StateValues(NamedTuple):
@@ -65,13 +66,9 @@ def state_values(words: str) -> StateValues:
     if found := _LETTERED.fullmatch(words):
         return StateValues("lettered", found["writing"].strip())
     if found := _DOORS.fullmatch(words):
-        return StateValues("open", doors=tuple(found["doors"].split())) if found["doors"] else _DOORS_CLOSED
-    word = words.lower().partition(",")[0].strip()
-    named: dict[str, ThingState] = {**_SYNONYMS, **{state: state for state in THING_STATES}}
-    return StateValues(named.get(word, "") if word != "lettered" else "")
-
-
-_DOORS_CLOSED: Final = StateValues("closed", doors=())
+        doors = tuple((found["doors"] or "").split())
+        return StateValues("open" if doors else "closed", doors=doors)
+    return StateValues(_NAMED.get(words.lower().partition(",")[0].strip(), ""))
 
 
 class Condition(Frozen):

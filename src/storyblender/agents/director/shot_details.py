@@ -17,7 +17,7 @@ from storyblender.agents.director.fine_motions import UNREAD, fine_motion
 from storyblender.agents.director.lighting import light_change
 from storyblender.agents.director.motion_families import GETTING, SPOKEN, TRAVEL
 from storyblender.agents.director.reading import Deed, Unit
-from storyblender.agents.director.scene_continuity import absent_until_brought
+from storyblender.agents.director.scene_continuity import LIGHT, absent_until_brought
 from storyblender.agents.director.staging import Staging
 from storyblender.agents.director.story_assets import StoryAssets, unique
 from storyblender.agents.director.wording import deed_words, one_line
@@ -143,6 +143,11 @@ class ShotDetails:
             unit, what = draft.beats[0].unit, draft.note.kind.replace("_", " ")
             reason = f"{what} is recognised but not staged"
             found.append(Flag(topic="camera", choice="plain shot", reason=reason, start=unit.start, end=unit.end))
+        for unit in units:
+            for change in unit.changes:
+                if change.subject != LIGHT and not state_values(change.state).state:
+                    what, reason = change.subject, f"{change.state!r} is no state that can be shown"
+                    found.append(Flag(topic=what, choice="unchanged", reason=reason, start=unit.start, end=unit.end))
         return found
 
     def _in_frame(self, draft: ShotDraft, on_stage: Sequence[str]) -> list[str]:

@@ -159,6 +159,16 @@ def test_changes_sounds_and_light_reach_the_shot() -> None:
     assert "thunder" in [shot.sound_effect for shot in shots]
 
 
+def test_a_change_with_no_known_state_is_flagged_and_other_words_are_kept() -> None:
+    script = Script("Ann", things=("sign", "door"))
+    changes = [StateChange("sign", "reads GO"), StateChange("door", "a little wiser"), StateChange("light", "green")]
+    script.action("The sign turns, and the door too.", changes=changes)
+    shots = board_of(script).shot_details
+    modifications = [m for shot in shots for m in shot.asset_modifications]
+    assert [(m.asset_id, m.state, m.writing) for m in modifications] == [("sign", "lettered", "GO")]
+    assert [flag.topic for shot in shots for flag in shot.flags] == ["door"]
+
+
 def test_everybody_in_frame_has_something_to_do() -> None:
     script = Script("Ann", "Bob").say("ann", "I have something to tell you.", "bob", parenthetical="angrily")
     shot = board_of(script).shot_details[-1]
