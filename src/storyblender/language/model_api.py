@@ -11,11 +11,9 @@ from __future__ import annotations
 import asyncio
 import json
 import os
-import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any, Final, cast
-from urllib.parse import urlsplit
 
 from opentelemetry.trace import ProxyTracerProvider, get_tracer_provider
 from pydantic_ai import exceptions
@@ -31,6 +29,7 @@ from pydantic_ai.tools import ToolDefinition
 
 from storyblender.crew_setting import Player
 from storyblender.errors import InputError
+from storyblender.language.access import address_of, key_of
 from storyblender.language.answer_folder import LONGEST, fenced, repair_parts
 from storyblender.language.budget import Budget
 from storyblender.language.model_failure import ModelFailure
@@ -38,15 +37,6 @@ from storyblender.memory.request import Request
 
 FORMS: Final = ("native", "tool", "prompted")
 """How the form of an answer is asked for, the best first: the provider's structured output, a tool call, words."""
-_KEYS: Final = {
-    "anthropic": "ANTHROPIC_API_KEY", "google": "GOOGLE_API_KEY", "openai": "OPENAI_API_KEY",
-    "openai-chat": "OPENAI_API_KEY", "openrouter": "OPENROUTER_API_KEY",
-}  # fmt: skip
-"""Provider -> the environment variable of its key, and the name under which the keyring has it."""
-_LOCAL: Final = {
-    "ollama": ("OLLAMA_BASE_URL", "http://127.0.0.1:11434/v1"), "vllm": ("VLLM_BASE_URL", "http://127.0.0.1:8000/v1"),
-}  # fmt: skip
-"""Provider -> the environment variable of its address, and the usual one."""
 _SHORTEST_KEY: Final = 8
 _ONCE: Final[dict[str, Any]] = {"max_retries": 0}
 """The SDKs try nothing again themselves."""
@@ -69,7 +59,7 @@ class ModelApi:
     """
 
     def __init__(self, player: Player, budget: Budget, timeout: float) -> None:
-        self._budget, self._key = budget, _key(player)
+        self._budget, self._key = budget, key_of(player)
         guarded = _Guarded(_model(player, self._key), self._key, timeout)
         self._model = _traced(guarded)
         self._settings = _PRIVATE if player.where == "openai" else _ONCE
@@ -242,46 +232,10 @@ def _dollars(response: ModelResponse) -> float:
 def _model(player: Player, key: str) -> Model:
     """Return pydantic-ai's model of a player. Raises InputError."""
     options = {"api_key": key or "none"} if player.where != "google-cloud" else {}
-    if address := _address(player):
+    if address := address_of(player):
         options["base_url"] = address
     try:
         return infer_model(f"{player.where}:{player.model}", lambda name: infer_provider_class(name)(**options))
     except Exception as error:  # noqa: BLE001 - as above
         problem = f"{player.where}:{player.model} cannot be used ({_said(error, key)})"
         raise InputError(problem, mend="see docs/crew.md") from None
-
-
-def _address(player: Player) -> str:
-    """Return the address of a player's server; empty for the provider's own."""
-    name, usual = _LOCAL.get(player.where, ("", ""))
-    return player.address or (os.environ.get(name) or usual if name else "")
-
-
-def _key(player: Player) -> str:
-    """Return the key of a player, empty if none is needed; a provider's key is for its own servers only.
-
-    Raises:
-        InputError: It is missing.
-    """
-    if player.address:
-        host = re.sub(r"[^A-Z0-9]+", "_", urlsplit(player.address).netloc.upper())
-        return _known_key(f"STORYBLENDER_KEY_{host}")
-    name = _KEYS.get(player.where)
-    key = _known_key(name) if name else ""
-    if name and not key:
-        mend = f"set {name} in the environment, or `keyring set storyblender {name}`"
-        raise InputError(f"there is no key for {player.where}", mend=mend)
-    return key
-
-
-def _known_key(name: str) -> str:
-    """Return a key from the environment, else from the keyring of the operating system; empty if neither has it."""
-    if os.environ.get(name):
-        return os.environ[name].strip()
-    import keyring
-    from keyring.errors import KeyringError
-
-    try:
-        return (keyring.get_password("storyblender", name) or "").strip()
-    except KeyringError:
-        return ""
