@@ -101,9 +101,10 @@ class LanguageCameraOperator:
             self._tried[-1]["score"] = round(critique.score, 1)
         self._takes.append((draft, critique))
         best, judged = max(self._takes, key=lambda pair: pair[1].score)
-        mended = _with_numbers(best, judged, view)
-        if self.rules.critic.judge(mended, view).score > judged.score:
-            return mended
+        for take, found in ((draft, critique), (best, judged)):
+            mended = _with_numbers(take, found, view)
+            if self.rules.critic.judge(mended, view).score > judged.score:
+                return mended
         answer = self._asked(view, {"now": self._shown(best, judged, view), "tried": self._tried}, lambda answer: ())
         if answer.operations:
             self._tried.append({"operations": answer.operations})
