@@ -19,6 +19,7 @@ from typing import Any
 from pydantic import ValidationError
 from pydantic_core import from_json
 
+from storyblender.catalog.liquids import liquid_named
 from storyblender.catalog.motions import motion_called
 from storyblender.errors import InputError
 from storyblender.memory.gatekeeper import faults_of
@@ -39,11 +40,18 @@ UPGRADES: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {
     2: lambda body: body | {"schema_version": 3},
     3: lambda body: body | {"schema_version": 4},
     4: lambda body: body | {"schema_version": 5},
-    5: lambda body: body | {"schema_version": 6, "shots": _with_motion_keys(body["shots"])},
+    5: lambda body: (
+        body
+        | {
+            "schema_version": 6,
+            "shots": _with_motion_keys(body["shots"]),
+            "assets": [_with_liquid(asset) for asset in body["assets"]],
+        }
+    ),
 }
 """From schema version n to n + 1; kept forever, so that every saved project opens. 2, 3 and 4 added fields only;
 the fields that 5 and 6 took away are dropped by the models, in old commits too; 6 has keys of the motion catalogue
-where earlier ones have words, in old commits see ``read_commit``."""
+where earlier ones have words, and the liquids that words name; in old commits see ``read_commit``."""
 
 
 @dataclass(frozen=True)
@@ -98,6 +106,17 @@ def _with_motion_keys(value: Any) -> Any:
     }
 
 
+def _with_liquid(asset: Any) -> Any:
+    """Return the data of an asset with the liquid that its words name, where an earlier schema has the words only."""
+    if not isinstance(asset, dict) or "kind" in asset or asset.get("asset_type") != "object":
+        return asset  # one of schema 6 has a kind
+    liquid = liquid_named(f"{asset.get('description')} {asset.get('name')}")
+    return {"liquid": liquid, **asset} if liquid else asset
+
+
+_UPGRADED_LAYERS: dict[str, Callable[[Any], Any]] = {"shots": _with_motion_keys, "assets": _with_liquid}
+
+
 def graph_text(saved: Saved) -> str:
     """Return the content of ``graph.json``: the digest of the rest, then the rest."""
     body = {"revision": saved.revision, "commit": saved.digest, **saved.graph.model_dump(mode="json")}
@@ -121,8 +140,8 @@ def read_commit(folder: Path, revision: int) -> Commit:
     if commit.revision != revision or not commit.intact:
         raise InputError("the history is damaged here: this is not what was written", mend=FROM_COPY, path=path)
     changes = tuple(
-        each.model_copy(update={"before": _with_motion_keys(each.before), "after": _with_motion_keys(each.after)})
-        if each.layer == "shots"
+        each.model_copy(update={"before": upgrade(each.before), "after": upgrade(each.after)})
+        if (upgrade := _UPGRADED_LAYERS.get(each.layer))
         else each
         for each in commit.changes
     )

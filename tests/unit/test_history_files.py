@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from storyblender.catalog.liquids import LIQUIDS
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -238,7 +239,7 @@ def test_the_order_of_the_cast_comes_back(tmp_path: Path) -> None:
     assert names_at(tmp_path / "p") == ("pen", "new", "cup")
 
 
-def test_words_for_motions_of_schema_5_become_keys_in_graph_and_commits(
+def test_words_for_motions_and_liquids_of_schema_5_become_values_in_graph_and_commits(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     words = ("stand_up", "leaning over", "photosynthesise", "walk")
@@ -251,10 +252,11 @@ def test_words_for_motions_of_schema_5_become_keys_in_graph_and_commits(
         camera_instruction=CameraInstruction(),
     )
     ada = Asset(asset_id="ada", asset_type="character", description="")
+    glass = asset("glass", "a glass of milk")
     with monkeypatch.context() as old, Project(tmp_path / "p") as project:
         old.setattr("storyblender.project.MOTIONS", None)
         project.commit(
-            ContinuityMemoryGraph(assets=(ada,), scenes=(SceneContext(scene_id=1, setup=SceneSetup()),)),
+            ContinuityMemoryGraph(assets=(ada, glass), scenes=(SceneContext(scene_id=1, setup=SceneSetup()),)),
             "director",
             "plans",
         )
@@ -266,8 +268,10 @@ def test_words_for_motions_of_schema_5_become_keys_in_graph_and_commits(
         found = project.graph.shot(1, 1)
         assert [action.motion for action in found.character_actions] == ["rise", "lean_over", "idle", "walk"]
         assert [state.activity for state in found.states] == ["play_piano", ""]
+        assert [each.liquid for each in project.graph.assets] == ["", LIQUIDS["milk"]]
+        latest = project.graph
         project.go_to(1)
         project.go_to(2)
-        assert project.graph.shot(1, 1) == found
+        assert project.graph == latest
     (tmp_path / "p" / "graph.json").unlink()
-    assert read_project_graph(tmp_path / "p").shot(1, 1) == found
+    assert read_project_graph(tmp_path / "p") == latest

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 from storyblender.catalog.hollows import HOLLOWS
 from storyblender.catalog.props.variants import COLORS, words_of
@@ -43,20 +42,17 @@ _LEVEL = 0.82
 """Share of its height up to which a full vessel is filled."""
 
 
-def liquid_color(key: str, words: str, *, named_only: bool = False) -> str:
-    """Return the hex colour of the liquid in a thing.
-
-    Args:
-        key: Prop key of the thing.
-        words: What the script calls it: ``a glass of milk``.
-        named_only: Return an empty string unless the words name a liquid, instead of what the thing usually holds.
-    """
+def liquid_named(words: str) -> str:
+    """Return the hex colour of the liquid that words name: ``a glass of milk``; empty if they name none."""
     spoken = words_of(words)
     named = next((word for word in reversed(spoken) if word in LIQUIDS), "")
-    if named in ("paint", "ink", "wine", "slime"):
-        paint = next((COLORS[word] for word in spoken if word in COLORS and word != "red"), "")
-        return paint or LIQUIDS[named]
-    return LIQUIDS.get(named, "" if named_only else LIQUIDS[_USUAL.get(key, "water")])
+    paint = next((COLORS[word] for word in spoken if word in COLORS and word != "red"), "")
+    return paint if paint and named in ("paint", "ink", "wine", "slime") else LIQUIDS.get(named, "")
+
+
+def usual_liquid(key: str) -> str:
+    """Return the hex colour of the liquid in a prop with this key, where the script does not name one."""
+    return LIQUIDS[_USUAL.get(key, "water")]
 
 
 def filling_of(key: str, size: Vec3) -> tuple[Vec3, float, bool] | None:
@@ -79,13 +75,3 @@ def spill_width(size: Vec3) -> float:
     """Return the width in metres of the puddle from a vessel of this (width, depth, height)."""
     held = size[0] * size[1] * size[2] * 0.5
     return min(max(math.sqrt(held / 0.004), 0.16), 1.8)
-
-
-def is_vessel(key: str, words: Sequence[str]) -> bool:
-    """Return whether a thing holds a liquid.
-
-    Args:
-        key: Prop key of the thing.
-        words: Words of what the script calls it, in lower case; a liquid among them is enough.
-    """
-    return key in VESSELS or bool({*words} & LIQUIDS.keys())

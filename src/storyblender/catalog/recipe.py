@@ -6,7 +6,6 @@ from typing import Literal
 
 from pydantic import Field
 
-from storyblender.catalog.liquids import liquid_color
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import words_of
 from storyblender.catalog.registry import ParamValue
@@ -97,9 +96,8 @@ class Recipe(Frozen):
         look = state_look(self.key, self.params, state) if self.source == "catalog" and state else None
         return self if look is None or look.key != self.key else self.model_copy(update={"params": look.params})
 
-    def filled_with(self, told: str) -> Recipe:
-        """Return the recipe with the drink that its name tells of: a glass of milk is white."""
-        color = liquid_color(self.key, told, named_only=True)
+    def filled_with(self, color: str) -> Recipe:
+        """Return the recipe with a drink of a hex colour, if it is a thing that is drunk from: a glass of milk."""
         if self.source != "catalog" or not color or "drink" not in PROPS[self.key].params:
             return self
         return self.model_copy(update={"params": {**self.params, "drink": color}})

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Literal, NamedTuple
 
-from storyblender.catalog.liquids import SPOUTS, filling_of, is_vessel, liquid_color, spill_width
+from storyblender.catalog.liquids import SPOUTS, VESSELS, filling_of, spill_width, usual_liquid
 from storyblender.catalog.props import PROPS
-from storyblender.catalog.props.variants import words_of
 from storyblender.catalog.writing import MAX_LETTERS, WRITING
 from storyblender.memory.asset_sheet import ParamValue
 from storyblender.memory.base import Vec3
@@ -66,7 +65,7 @@ def topples(size: Vec3) -> bool:
 
 
 def state_looks(
-    key: str, params: Mapping[str, ParamValue], condition: Condition, size: Vec3 = (0.2, 0.2, 0.2), words: str = ""
+    key: str, params: Mapping[str, ParamValue], condition: Condition, size: Vec3 = (0.2, 0.2, 0.2), liquid: str = ""
 ) -> tuple[StateLook, ...]:
     """Return how a thing is built in its condition, and what is seen beside it; empty where it looks as at first.
 
@@ -75,7 +74,7 @@ def state_looks(
         params: Parameters it was built with at first.
         condition: Its states, with what is written on it and its open doors.
         size: Its width, depth and height in metres.
-        words: What the script calls it.
+        liquid: Hex colour of the liquid that the script says it holds; empty if it names none.
     """
     if key not in PROPS:
         return ()
@@ -87,7 +86,7 @@ def state_looks(
             added.append(look._replace(width=max(0.25, max(size) * 0.7)))
         elif look is not None:
             now, changed = look.key, look.params
-        added += _liquid(key, state, condition, size, words)
+        added += _liquid(key, state, condition, size, liquid)
     was = {**PROPS[key].params, **params}
     if now != key:
         lies = bool(LYING_STATES & {*condition.states}) and topples(size)
@@ -140,23 +139,23 @@ def state_look(
     return StateLook(key, changed) if {**entry.params, **changed} != was else None
 
 
-def _liquid(key: str, state: ThingState, condition: Condition, size: Vec3, words: str) -> Iterator[StateLook]:
+def _liquid(key: str, state: ThingState, condition: Condition, size: Vec3, named: str) -> Iterator[StateLook]:
     """Yield the stream, the puddle or the filling that a state adds to a thing of ``size``."""
     width, depth, height = size
+    color = named or usual_liquid(key)
     if state in _RUNNING and key in SPOUTS:
         mouth, end, thrown = SPOUTS[key]
         at = (mouth[0] * width, mouth[1] * depth, end * height)
         fall = (mouth[2] - end) * height
-        built: dict[str, ParamValue] = {"color": liquid_color(key, words), "height": max(fall, 0.03)}
+        built: dict[str, ParamValue] = {"color": color, "height": max(fall, 0.03)}
         if thrown:
             out = (at[0], at[1] - thrown / 2, at[2])  # what is built has its origin in its middle
             yield StateLook("water_jet", {**built, "depth": thrown}, added=True, location=out)
         elif fall > 0:
             yield StateLook("running_water", built, added=True, location=at)
-    told = liquid_color(key, words, named_only=True)
-    spills = state == "spilled" and is_vessel(key, words_of(words))
-    if spills or (state in LYING_STATES and told and "empty" not in condition.states):
-        wide, color = spill_width(size), told or liquid_color(key, words)
+    spills = state == "spilled" and (named or key in VESSELS)
+    if spills or (state in LYING_STATES and named and "empty" not in condition.states):
+        wide = spill_width(size)
         puddle: dict[str, ParamValue] = {"width": wide, "depth": 0.85 * wide, "color": color}
         fallen = topples(size)
         at = (0.0, -height - 0.36 * wide, 0.003 - depth / 2) if fallen else (0.0, -depth / 2 - 0.3 * wide, 0.003)
@@ -165,9 +164,7 @@ def _liquid(key: str, state: ThingState, condition: Condition, size: Vec3, words
     if filling is not None and "fill" not in PROPS[key].params:
         (w, d, h), z, oblong = filling
         surface: dict[str, ParamValue] = {"width": w, "depth": d, "height": h, "oblong": oblong}
-        yield StateLook(
-            "liquid", {**surface, "color": liquid_color(key, words)}, added=True, location=(0.0, 0.0, z - h)
-        )
+        yield StateLook("liquid", {**surface, "color": color}, added=True, location=(0.0, 0.0, z - h))
 
 
 def state_at_first(changes: Sequence[str]) -> ThingState | Literal[""]:

@@ -159,6 +159,8 @@ class Asset(Frozen):
     origin: Literal["script", "dressing", "user"] = "script"
     writing: str = ""
     """Legible text on the asset: a sign, a letter, a screen."""
+    liquid: str = Field(default="", exclude_if=lambda value: not value)
+    """Colour in hex of the liquid that the script says it holds: a glass of milk."""
     part_of: Identifier | None = None
     """Id of the asset that this one is a part of; a part is shown on the whole asset."""
     look: CharacterLook | None = None

@@ -132,7 +132,7 @@ class ConceptArtist:
                 f"the library has no {asset.name or asset.asset_id}; the {name} stands in for it ({recipe.reason})"
             )
             self._run.tell(Event(kind="warning", role="asset_generator", subject=asset.asset_id, message=message))
-        recipe = recipe.in_state(outcome.view.state).filled_with(outcome.view.phrase).with_caller(asset.description)
+        recipe = recipe.in_state(outcome.view.state).filled_with(asset.liquid).with_caller(asset.description)
         recipe = recipe.written(asset.writing)
         return asset.model_copy(update={"canonical": recipe.canonical()})
 

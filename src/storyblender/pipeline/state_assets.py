@@ -30,8 +30,7 @@ def assets_in_states(
         if asset is None or asset.canonical is None or asset.canonical.source != "catalog":
             continue
         made = asset.canonical
-        words = f"{asset.description} {asset.name}"
-        told = state_looks(made.key, made.params, condition, made.dimensions, words)
+        told = state_looks(made.key, made.params, condition, made.dimensions, asset.liquid)
         looks[asset_id, condition] = tuple(
             AssetInState(
                 condition=condition,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from storyblender.catalog.liquids import LIQUIDS, SPOUTS, VESSELS, filling_of, liquid_color, spill_width
+from storyblender.catalog.liquids import LIQUIDS, SPOUTS, VESSELS, filling_of, liquid_named, spill_width
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.states import state_looks, topples
 from storyblender.memory.thing_states import THING_STATES, Condition
@@ -26,7 +26,7 @@ def test_a_stream_leaves_by_the_spout_and_stops_when_it_is_turned_off(key: str) 
 @pytest.mark.parametrize("key", sorted(VESSELS))
 def test_what_is_spilled_lies_outside_what_held_it_in_its_own_colour(key: str) -> None:
     size = PROPS[key].size
-    puddles = [look for look in state_looks(key, {}, _IS["spilled"], size, f"{key} of milk") if look.key == "puddle"]
+    puddles = [look for look in state_looks(key, {}, _IS["spilled"], size, LIQUIDS["milk"]) if look.key == "puddle"]
     assert len(puddles) == 1 and puddles[0].params["color"] == LIQUIDS["milk"] and puddles[0].added
     reach = float(puddles[0].params["depth"]) / 2 - puddles[0].location[1]
     assert reach > (size[2] if topples(size) else size[1] / 2)
@@ -34,18 +34,19 @@ def test_what_is_spilled_lies_outside_what_held_it_in_its_own_colour(key: str) -
 
 
 def test_nothing_runs_out_of_what_holds_nothing() -> None:
-    assert not [look for look in state_looks("chair", {}, _IS["tipped"], PROPS["chair"].size, "a chair") if look.added]
-    assert not [look for look in state_looks("glass", {}, _IS["tipped"], PROPS["glass"].size, "a glass") if look.added]
+    assert not [look for look in state_looks("chair", {}, _IS["tipped"], PROPS["chair"].size) if look.added]
+    assert not [look for look in state_looks("glass", {}, _IS["tipped"], PROPS["glass"].size) if look.added]
     poured = Condition(states=("empty", "tipped"))
-    assert not [look for look in state_looks("glass", {}, poured, PROPS["glass"].size, "a glass of milk") if look.added]
+    assert not [look for look in state_looks("glass", {}, poured, PROPS["glass"].size, LIQUIDS["milk"]) if look.added]
 
 
 @pytest.mark.parametrize(
     ("words", "color"), [("a bucket of red paint", LIQUIDS["paint"]), ("a bottle of ink", LIQUIDS["ink"])]
 )
 def test_liquids_have_the_colour_of_their_name(words: str, color: str) -> None:
-    assert liquid_color("bucket", words) == color
-    assert liquid_color("bucket", "a bucket of blue paint") not in (color, LIQUIDS["water"])
+    assert liquid_named(words) == color
+    assert liquid_named("a bucket of blue paint") not in (color, "")
+    assert liquid_named("a bucket") == ""
 
 
 def test_a_filling_lies_within_its_vessel_and_a_larger_one_spills_farther() -> None:

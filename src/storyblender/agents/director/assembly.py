@@ -24,6 +24,7 @@ from storyblender.agents.director.story_assets import StoryAssets, unique
 from storyblender.agents.director.wording import modifiers_of, one_line
 from storyblender.agents.director.writing import writing_on
 from storyblender.catalog.homelands import homeland_of
+from storyblender.catalog.liquids import liquid_named
 from storyblender.catalog.props.prop_names import kind_named
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.states import SEEN_AGAIN
@@ -107,6 +108,7 @@ class Assembly:
             kind=kind_named(name),
             stated_size=stated_size(name, description, person=False),
             writing=thing.writing or writing_on(thing.name, thing.first, self.text),
+            liquid=liquid_named(f"{description} {name}"),
             part_of=thing.part_of if thing.part_of in self.story.assets else None,
             tags=(thing.kind, *(("handled",) if thing.handled else ())),
         )

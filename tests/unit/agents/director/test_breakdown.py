@@ -18,6 +18,7 @@ from storyblender.agents.director.fixtures import FIXTURES
 from storyblender.agents.director.reader import read_script
 from storyblender.agents.director.reading import CameraNote, Person, Reading, StateChange
 from storyblender.agents.director.settings import DirectorSettings
+from storyblender.catalog.liquids import LIQUIDS
 from storyblender.memory.graph import Storyboard
 from storyblender.memory.scene_context import Relation
 from storyblender.screenplay.source import load, read
@@ -157,6 +158,12 @@ def test_changes_sounds_and_light_reach_the_shot() -> None:
     ]
     assert [shot.light_change.lamps for shot in shots if shot.light_change is not None] == ["off"]
     assert "thunder" in [shot.sound_effect for shot in shots]
+
+
+def test_the_liquid_that_a_thing_is_named_for_is_on_the_sheet() -> None:
+    script = Script("Ann", things=("milk", "glass")).action("Ann has a glass and milk.", things=["milk", "glass"])
+    liquids = {asset.asset_id: asset.liquid for asset in board_of(script).asset_sheet}
+    assert liquids == {"ann": "", "milk": LIQUIDS["milk"], "glass": ""}
 
 
 def test_a_change_with_no_known_state_is_flagged_and_other_words_are_kept() -> None:
