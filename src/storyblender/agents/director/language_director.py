@@ -72,6 +72,7 @@ class LanguageDirector:
 
     def propose(self, view: Screenplay) -> Reading:
         """Return the reading of a script. Raises NoAnswer or AnswerAwaited."""
+        self._notes.clear()
         return self._read(view, {})
 
     def refine(self, draft: Reading, critique: Critique, view: Screenplay) -> Reading:

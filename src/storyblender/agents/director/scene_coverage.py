@@ -85,7 +85,7 @@ class SceneCoverage:
                 self._continue_direction(unit)
             else:
                 self.open_direction = None
-                self._cover(index, unit)
+                (self._action if unit.kind == "action" else self._speech)(index, unit)
             if self.waiting and len(self.drafts) > before:
                 self.drafts[before].beats[:0] = [Beat.whole(each) for each in self.waiting]
                 self.waiting = []
@@ -95,13 +95,6 @@ class SceneCoverage:
             if draft.kind == "action" and not draft.focus:
                 draft.add_focus(*draft.on_stage[:2])
         return self.drafts
-
-    def _cover(self, index: int, unit: Unit) -> None:
-        """Add the shots of a unit of action or speech."""
-        if unit.kind == "action":
-            self._action(index, unit)
-        else:
-            self._speech(index, unit)
 
     def _attach(self, unit: Unit) -> None:
         """Attach on-screen text, a sound or an aside to the shot before, or to the next first shot."""
