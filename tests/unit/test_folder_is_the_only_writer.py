@@ -24,6 +24,8 @@ ALWAYS = {
 """Names of functions that write or delete, whoever owns them."""
 
 ELSEWHERE = {
+    ("doctor.py", "save"): "into memory",
+    ("mcp_server/server.py", "save"): "into memory",
     ("library/body_data.py", "mkdir"): "data of the program, in no project",
     ("library/body_data.py", "NamedTemporaryFile"): "data of the program, in no project",
     ("library/body_data.py", "replace"): "data of the program, in no project",
