@@ -111,7 +111,15 @@ class Asker(Generic[Answer]):
 
 
 def read_answer_as(kind: type[Answer], given: str) -> tuple[Answer | None, list[str]]:
-    """Return an answer as a value, or what is wrong with its form; a Markdown fence around it is taken off."""
+    """Return an answer as a value, or what is wrong with its form.
+
+    Args:
+        kind: Type of the answer.
+        given: The answer as JSON; a Markdown fence around it is taken off.
+
+    Returns:
+        The value and no sentences, or None and a sentence for each fault.
+    """
     inside = _FENCED.match(given)
     try:
         return kind.model_validate_json(inside[1] if inside else given), []

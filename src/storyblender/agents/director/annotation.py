@@ -203,10 +203,10 @@ def annotated_unit(unit: Unit, notes: UnitNotes, picture: int) -> Unit:
 
 
 def person_of(notes: PersonNotes, first: int) -> Person:
-    """Return a person as a reading has them; ``first`` is the character of the script where they first appear."""
+    """Return a person as a reading has them; ``first`` is the offset in the script where they first appear."""
     return Person(**notes.model_dump(), first=first)
 
 
 def thing_of(notes: ThingNotes, first: int) -> Thing:
-    """Return a thing as a reading has it; ``first`` is the character of the script where it first appears."""
+    """Return a thing as a reading has it; ``first`` is the offset in the script where it first appears."""
     return Thing(**notes.model_dump(), first=first)

@@ -221,7 +221,15 @@ def _with_focus(sentence: str, note: CameraNote, left: Span) -> tuple[CameraNote
 
 
 def both_directions(first: CameraNote, second: CameraNote) -> CameraNote | None:
-    """Return two directions as one, where one of them is about the focus alone: ``CLOSE ON ANA. Rack focus to Ben.``"""
+    """Return two directions as one, if one of them is about the focus alone: ``CLOSE ON ANA. Rack focus to Ben.``
+
+    Args:
+        first: The direction that the script has first.
+        second: The direction after it.
+
+    Returns:
+        None if neither is about the focus alone, or both name a focus.
+    """
     for camera, other in ((first, second), (second, first)):
         if other.focus and not (other.size or other.kind or other.angle or other.movement or camera.focus):
             phrase = ", ".join(filter(None, (first.phrase, second.phrase)))

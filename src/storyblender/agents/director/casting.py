@@ -216,7 +216,7 @@ def animal_species(person: Person) -> Species | None:
 
 
 def age_in_years(person: Person, seed: int = 0) -> float:
-    """Return the age of a person in years: ``late 30s`` is 38, ``old`` is 72; 30 to 44 by ``seed`` if untold."""
+    """Return the age of a person in years: ``late 30s`` is 38, ``old`` is 72; if not said, 30 to 44 by ``seed``."""
     words = person.age.lower()
     if number := re.search(r"\d{1,3}", words):
         part = 2 if "early" in words else 5 if "mid" in words else 8 if "late" in words else 5 if "s" in words else 0

@@ -91,7 +91,7 @@ def avoid_jump_cuts(drafts: list[ShotDraft]) -> None:
 
 
 def push_in_on_long_speeches(drafts: list[ShotDraft], text: str) -> None:
-    """Push in slowly while one person speaks at length; ``text`` is the script."""
+    """Let the camera of drafts in which one person speaks at length push in; ``text`` is the script."""
     for draft in drafts:
         still = draft.movement == "static" and not draft.has_note and draft.kind in ("single", "ots")
         if (

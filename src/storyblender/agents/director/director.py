@@ -46,7 +46,13 @@ class RulesDirector:
         return reading
 
     def refine(self, draft: Reading, critique: Critique, view: Screenplay) -> Reading:
-        """Return the draft: rules read a script in one way only."""
+        """Return the draft: rules read a script in one way only.
+
+        Args:
+            draft: The reading.
+            critique: Its faults.
+            view: The script.
+        """
         return draft
 
 
@@ -54,7 +60,12 @@ class DirectorCritic:
     """Checks a reading against the script, its own ids and the vocabulary."""
 
     def judge(self, draft: Reading, view: Screenplay) -> Critique:
-        """Score ten less one for each unit or element that is wrong."""
+        """Score ten less one for each unit or element that is wrong.
+
+        Args:
+            draft: The reading.
+            view: The script.
+        """
         return Critique.of(
             (*_uncovered_lines(draft, view), *(fault for unit in _faults_of_units(draft) for fault in unit))
         )
@@ -115,7 +126,13 @@ class RulesShotDirector:
         return storyboard(view.reading, view.settings)
 
     def refine(self, draft: Storyboard, critique: Critique, view: ShotDirectorView) -> Storyboard:
-        """Return the draft: rules cut a script in one way only."""
+        """Return the draft: rules cut a script in one way only.
+
+        Args:
+            draft: The storyboard.
+            critique: Its faults.
+            view: The reading and how finely to cut it.
+        """
         return draft
 
 
@@ -123,7 +140,12 @@ class ShotDirectorCritic:
     """Checks that shots cover the script once and in order, show who speaks, obey directions; props and sets exist."""
 
     def judge(self, draft: Storyboard, view: ShotDirectorView) -> Critique:
-        """Score ten less one for each fault."""
+        """Score ten less one for each fault.
+
+        Args:
+            draft: The storyboard.
+            view: The reading and how finely to cut it.
+        """
         return Critique.of(
             (
                 *_uncovered_units(draft, view.reading),

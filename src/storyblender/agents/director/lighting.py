@@ -44,7 +44,7 @@ _BY_HOUR: Final[dict[TimeOfDay, tuple[tuple[LightQuality, ...], tuple[LightQuali
 
 
 def usual_light(scene_type: SceneType, time: TimeOfDay) -> tuple[LightQuality, ...]:
-    """Return the qualities that the light of a place has by its hour."""
+    """Return the qualities that light usually has at an hour, indoors or outdoors; empty if none in particular."""
     indoor, outdoor = _BY_HOUR[time]
     return indoor if scene_type == "indoor" else outdoor
 

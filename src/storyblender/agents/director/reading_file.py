@@ -175,7 +175,7 @@ def is_reading_of(path: Path, screenplay: Screenplay) -> bool:
     """Whether the file at ``path`` is a reading of the text of ``screenplay``.
 
     Raises:
-        InputError: The file is no reading.
+        InputError: The file cannot be read or is no reading.
     """
     return _is_of(_parsed(path), screenplay)
 

@@ -28,6 +28,10 @@ def modifiers_of(thing: Thing, text: str) -> str:
     """Return what a thing is called besides its name where it is first named: ``small round`` of a table.
 
     A single word after an article belongs to the noun whatever it is; of more words only those that describe.
+
+    Args:
+        thing: ``first`` is the offset of the first mention.
+        text: The script.
     """
     phrase = re.split(r"[.;:!?()\n]", text[max(0, thing.first - 60) : thing.first])[-1].lower()
     listed = phrase.rpartition(",")
@@ -46,7 +50,13 @@ def modifiers_of(thing: Thing, text: str) -> str:
 
 
 def deed_words(deed: Deed, unit: Unit, text: str) -> str:
-    """Return what a person does in the script's own words, from the verb to the next deed."""
+    """Return what a person does in the script's own words, from the verb to the next deed.
+
+    Args:
+        deed: The deed; in a speech, or if it is outside its unit, the words are those of its motion.
+        unit: The unit with the deed.
+        text: The script.
+    """
     if unit.kind == "dialogue" or not unit.start <= deed.at < unit.end:
         return _MOTION_WORDS.get(deed.motion, deed.motion.replace("_", " "))
     later = [other.at for other in unit.deeds if deed.at < other.at < unit.end]

@@ -107,7 +107,13 @@ class RulesInstructor:
         return Instruction(edits=_joined(edits), unclear=tuple(unclear))
 
     def refine(self, draft: Instruction, critique: Critique, view: InstructorView) -> Instruction:
-        """Return the draft: rules know a word or do not."""
+        """Return the draft: rules know a word or do not.
+
+        Args:
+            draft: The edits and the words that are unclear.
+            critique: Its faults.
+            view: The request, the shots it names and the names of the story.
+        """
         return draft
 
 
@@ -140,7 +146,12 @@ class InstructorCritic:
     """Checks that edits are of the shots in question and name people and things of the story."""
 
     def judge(self, draft: Instruction, view: InstructorView) -> Critique:
-        """Return the critique; a draft with an edit that cannot be is never accepted."""
+        """Return the critique; a draft with an edit that cannot be is never accepted.
+
+        Args:
+            draft: The edits and the words that are unclear.
+            view: The request, the shots it names and the names of the story.
+        """
         shots = {shot.name for shot in view.shots}
         faults: list[Fault] = []
         if not draft.edits and not draft.unclear:

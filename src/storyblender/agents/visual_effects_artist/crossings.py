@@ -94,7 +94,7 @@ def is_vessel(thing: PlacedObject) -> bool:
 
 
 def vessel_at(floor: Floor, place: Vec2) -> PlacedObject | None:
-    """Return the boat that contains a floor point; None if there is none."""
+    """Return the boat on a floor that contains a floor point (metres in the set); None if there is none."""
     for thing in floor.things.values():
         x, y = thing.to_local(place)
         if abs(x) < thing.size[0] / 2 and abs(y) < thing.size[1] / 2 and is_vessel(thing):
@@ -124,5 +124,5 @@ def find_boarding_way(floor: Floor, vessel: PlacedObject, inside: Vec2, outside:
 
 
 def is_seat_in_vessel(floor: Floor, seat: SeatPlace) -> bool:
-    """Tell whether a seat is in a vessel."""
+    """Tell whether a seat of a thing on the floor is in a vessel."""
     return is_vessel(floor.things[seat.node_id])

@@ -1,7 +1,7 @@
 """The cue sheet of one shot: its cues, and the walks of people in the time there is. Pure.
 
-Times are seconds of the shot. Places are in metres in the set; yaws are in radians, counter-clockwise, and 0 faces the
-audience at -Y.
+Times are seconds of the shot: ``now`` is when a person is ready, a returned time when they are done. Places are in
+metres in the set; yaws are in radians, counter-clockwise, and 0 faces the audience at -Y.
 """
 
 from __future__ import annotations
@@ -197,7 +197,7 @@ class CueSheet:
         return end
 
     def raise_arrival(self, person: StagedPerson, height: float, now: float) -> float:
-        """End a person's last walk at a height in metres, such as on steps or a stage; return its end time."""
+        """End a person's last walk at a height in metres, such as on steps or a stage; return its end, ``now``."""
         person.z = height
         for index in range(len(self.cues) - 1, -1, -1):
             cue = self.cues[index]
@@ -209,9 +209,9 @@ class CueSheet:
         return now
 
     def cross_obstacle(self, person: StagedPerson, way: Crossing, now: float, clip: str, thing: str) -> float:
-        """Let a person leap or climb (``clip``) over a thing (node id), from the near end of a way to its far end.
+        """Let a person leap or climb over a thing (node id), from the near end of a way to its far end.
 
-        ``now`` and the return value are the seconds at which that starts and ends."""
+        ``clip`` is the key of the motion, ``now`` and the return value the seconds at which it starts and ends."""
         person.place, person.yaw, person.acted = way.far, facing(way.near, way.far), True
         return self.add_cue(person, clip, now, natural_seconds(MOTIONS[clip]), mark=person.mark(), target_id=thing)
 
@@ -232,7 +232,7 @@ class CueSheet:
         return now
 
     def place_by_cut(self, person: StagedPerson, goal: Vec2, yaw: float | None, now: float) -> float:
-        """Place a person without a walk, at the start of the shot if they have stayed so far, else at its end."""
+        """Cut a person to a goal and yaw (None keeps it), at the shot's start if they have stayed, else its end."""
         if not person.acted:
             self.move_start_mark(person, goal, person.yaw if yaw is None else yaw)
             self.note_cheat(person, "is there when the shot begins: there is no way to walk")
@@ -266,7 +266,7 @@ class CueSheet:
         self.starts[person.asset_id] = person.mark(held=self.starts[person.asset_id].held)
 
     def turn_to_yaw(self, person: StagedPerson, yaw: float | None, now: float) -> float:
-        """Turn a standing person on the spot, if by 30 degrees or more; return the second at which the turn ends."""
+        """Turn a standing person to a yaw, if by 30 degrees or more (None: not at all); return the second it ends."""
         if yaw is None or abs(shortest_turn(person.yaw, yaw)) < math.radians(30) or not person.upright:
             return now
         seconds = turning_seconds(math.degrees(shortest_turn(person.yaw, yaw)), 1.7 * person.scale)
@@ -322,7 +322,7 @@ class CueSheet:
         self.start_props = (*kept, PropState(asset_id=prop, held_by=person.asset_id))
 
     def find_spot_beside(self, person: StagedPerson, partner: StagedPerson, distance: float) -> tuple[Vec2, float]:
-        """Return the free spot ``distance`` metres from a partner that shows both best, and the yaw there."""
+        """Return a person's free spot ``distance`` metres from a partner that shows both best, and the yaw there."""
         others = [spot for spot in self.stage.others(person) if spot != partner.place]
         x, y = partner.place
         best: tuple[float, Vec2] | None = None
@@ -354,8 +354,8 @@ class CueSheet:
     ) -> tuple[Vec2, float | None]:
         """Return the goal and the final yaw of a walk to a partner, a thing, an exit, a point ahead or the own place.
 
-        ``speed``, in m/s, limits the length of a walk without a goal in the script.
-        """
+        ``action`` has the thing, the exit or the metres ahead; ``speed``, in m/s, limits a walk without any of them.
+        A yaw of None keeps the heading."""
         others = self.stage.others(person)
         if partner is not None:
             return self.find_spot_beside(person, partner, TALK_DISTANCE)

@@ -135,7 +135,12 @@ class EnvironmentDesignerCritic:
 
 
 def needed_size(view: EnvironmentDesignerView, kit: SetKit) -> Vec2:
-    """Return the width and depth in metres that the people, things and walks of a scene need in a kit."""
+    """Return the width and depth in metres that the people, things and walks of a scene need in a kit.
+
+    Args:
+        view: The scene.
+        kit: The kit, for its usual size; the result may be beyond its limits.
+    """
     usual = kit.width.usual * kit.depth.usual
     extra = _ROOM_FOR_ONE * max(0, view.people - _CROWD)
     extra += max(0.0, 1.5 * sum(width * depth for width, depth in view.footprints) - _SPARE)

@@ -269,7 +269,12 @@ class Floor:
         return [seat for seat in seats if all(math.dist(seat.edge, spot) > 0.4 for spot in taken)]
 
     def seat_access(self, seat: SeatPlace, scale: float) -> Vec2:
-        """Return the floor point from which a person of a scale sits down: in front, or beside a seat at a table."""
+        """Return the floor point from which a person sits down: in front, or beside a seat at a table.
+
+        Args:
+            seat: A seat of a thing on the floor.
+            scale: Stature of the person over 1.7 m.
+        """
         thing = self.things[seat.node_id]
         return find_seat_access(seat.edge, seat.yaw, thing.size[0], scale, self.obstacles(), seat.node_id)
 
@@ -329,7 +334,7 @@ def _share_back_turned(spot: Vec2, point: Vec2) -> float:
 
 
 def facing(start: Vec2, goal: Vec2) -> float:
-    """Return the yaw in radians from one floor point towards another; 0 is -Y, towards the audience."""
+    """Return the yaw (radians, counter-clockwise) from one floor point to another; 0 is -Y, towards the audience."""
     return math.atan2(goal[0] - start[0], start[1] - goal[1])
 
 

@@ -54,7 +54,12 @@ def dressing_asset(prop: str, params: dict[str, float | str | bool]) -> Asset:
 
 
 def prop_size(prop: str, params: dict[str, float | str | bool]) -> Vec3:
-    """Return the width, depth and height of a prop in metres, with ``params`` before its usual size."""
+    """Return the width, depth and height of a prop in metres.
+
+    Args:
+        prop: Catalog key; a prop that the catalog lacks is 0.6 x 0.6 x 0.8 m.
+        params: Parameters of the prop; its ``width``, ``depth`` and ``height`` go before the usual ones.
+    """
     entry = PROPS.get(prop)
     usual = entry.size if entry is not None else (0.6, 0.6, 0.8)
     width, depth, height = (
@@ -81,7 +86,7 @@ class PlacedFurnishing:
 
     @classmethod
     def of(cls, item: Furnishing, taken_by: Asset | None) -> PlacedFurnishing:
-        """Return a furnishing as planned, or the script's thing ``taken_by`` in its place."""
+        """Return a furnishing as planned, or ``taken_by``, a thing of the script, in its place if it is not None."""
         if taken_by is None:
             asset = dressing_asset(item.prop, item.params)
             return cls(item, asset, prop_size(item.prop, item.params), item.location)
@@ -126,7 +131,13 @@ class PlacedFurnishing:
 
 
 def box_at(location: Vec3, yaw: float, size: Vec3) -> Box:
-    """Return the box of a size in metres at a bottom centre; yaw in degrees."""
+    """Return the box of a thing in the set.
+
+    Args:
+        location: Bottom centre, metres in the set.
+        yaw: Degrees, counter-clockwise; 0 faces -Y.
+        size: Width, depth and height in metres.
+    """
     return Box(*location, *size, math.radians(yaw))
 
 
@@ -210,7 +221,13 @@ def drop_clutter(
 
 
 def has_lost_support(item: PlacedFurnishing, standing: list[PlacedFurnishing], gone: set[str]) -> bool:
-    """Return whether a small thing stood on something that was left out."""
+    """Return whether a small thing stood, as planned, on something that was left out.
+
+    Args:
+        item: The small thing.
+        standing: All furnishings of the set.
+        gone: Node ids of the furnishings left out.
+    """
     x, y, z = item.item.location
     return any(
         base.item.node_id in gone

@@ -359,7 +359,7 @@ class Handling:
         return Release(now, _prop_mark(person, prop, spot), hand)
 
     def turn_to_spot(self, person: StagedPerson, spot: Vec3, now: float) -> float:
-        """Turn a person to a spot that is far to their side; return the second of the shot at which the turn ends."""
+        """Turn a person, from second ``now`` on, to a world point far to their side; return the second it ends."""
         if math.dist(spot[:2], person.place) < 0.2:
             return now
         yaw = facing(person.place, spot[:2])

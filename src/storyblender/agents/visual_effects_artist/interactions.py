@@ -197,7 +197,7 @@ class Interactions:
         return max(ends)
 
     def kneeling_place(self, person: StagedPerson, partner: StagedPerson) -> tuple[Vec2, Vec2]:
-        """Return the floor point at which a person kneels to a partner, and the floor point they face."""
+        """Return the floor points, metres in the set, at which a person kneels to a partner and to which they face."""
         if partner.posture in ("lie", "asleep") and partner.support is None:
             return self._place_beside_lying(partner, person)
         return self.sheet.find_spot_beside(person, partner, KNEELING_DISTANCE)[0], partner.place

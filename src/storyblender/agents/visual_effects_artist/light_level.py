@@ -73,5 +73,5 @@ def scale_lamps_to_level(
 
 
 def scale_color(color: Color, gain: float) -> Color:
-    """Return a colour ``gain`` times as bright."""
+    """Return a colour (scene-linear RGB) ``gain`` times as bright."""
     return (color[0] * gain, color[1] * gain, color[2] * gain)

@@ -85,7 +85,7 @@ class StagedPerson:
         self.on_body.pop(prop, None)
 
     def set_grip(self, prop: str, grip: Grip | None) -> None:
-        """Move a prop (asset id) to the hands or the body part of a grip; nothing changes if a hand is not free."""
+        """Move a prop (asset id) to the hands or body part of a grip; it stays if that is None or a hand is taken."""
         kept: dict[Hand, str] = {hand: held for hand, held in self.held.items() if held != prop}
         wish: dict[str, tuple[Hand, ...]] = {"left": ("L",), "right": ("R",), "both": ("L", "R")}
         if grip is not None and grip not in wish:

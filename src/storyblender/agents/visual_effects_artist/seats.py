@@ -47,7 +47,12 @@ class Seats:
         }
 
     def own_seat(self, person: StagedPerson, state: BodyState) -> SeatPlace | None:
-        """Return a person's seat in the layout, if they are near it and the state names no other support."""
+        """Return a person's seat in the layout, if they stand near it and the state names no other support.
+
+        Args:
+            person: The person, as of the cue written last.
+            state: The state that has them sit.
+        """
         node, home = self.seated_on.get(person.asset_id), self.home.get(person.asset_id, (0.0, 0.0))
         support = self.floor.thing(state.support_id)
         told = support is None or node in (support.node_id, *(seat.node_id for seat in self.seats_at(support.node_id)))
@@ -58,7 +63,12 @@ class Seats:
         return min(seats, key=lambda seat: math.dist(seat.edge, home), default=None)
 
     def with_layout_seat(self, person: StagedPerson, state: BodyState) -> BodyState:
-        """Return the state of a crowd member without a state in the script, seated if the layout has seated them."""
+        """Return a state, seated if the script says nothing of a person and the layout has seated them.
+
+        Args:
+            person: The person, as of the cue written last.
+            state: Their state at the start of the shot.
+        """
         node = self.seated_on.get(person.asset_id)
         told = state.posture != "stand" or state.spot is not None or person.posture != "stand"
         if node is None or told or math.dist(self.home[person.asset_id], person.place) > OWN_SEAT_DISTANCE:

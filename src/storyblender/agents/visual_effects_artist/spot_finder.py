@@ -101,7 +101,7 @@ class SpotFinder:
         return True
 
     def seat_of_spot(self, person: StagedPerson, state: BodyState) -> SeatPlace | None:
-        """Return the seat at the spot of a seated person, or in a vehicle; None if the spot has no seat."""
+        """Return the seat at the spot of a person's state, if they sit there or board it; None if it has no seat."""
         spot = state.spot
         if spot is None or state.posture in _LIE or (state.posture != "sit" and not self._is_boarded(spot)):
             return None

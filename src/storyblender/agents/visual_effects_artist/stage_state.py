@@ -246,7 +246,7 @@ class StageState:
         person.support, person.anchor = seat.node_id, seat.anchor
 
     def lie_by_cut(self, person: StagedPerson, name: str | None, posture: Posture) -> None:
-        """Let a person lie on the bed ``name``, on the side with more room; on the floor if there is no bed."""
+        """Let a person lie or sleep on the bed ``name`` (id), on the roomier side; on the floor if there is no bed."""
         beds = self.floor.bed_edges(name)
         if beds:
             edge, _ = max(
@@ -322,7 +322,7 @@ class StageState:
         return next((p for p in self.people.values() if p.hand_of(prop) or prop in p.on_body), None)
 
     def find_bag(self, person: StagedPerson, prop: str) -> str | None:
-        """Return the held or opened prop out of which a person can take a smaller ``prop``; None if there is none."""
+        """Return the held or opened prop out of which a person can take a smaller one (asset ids), or None."""
         size = self.size_of(prop)
         if person.free_hand() is None or size is None:
             return None
@@ -343,7 +343,7 @@ class StageState:
         return person.free_hand() is None or any(one and two_handed(one.dimensions, one.anchors) for one in held)
 
     def put_in_hand(self, person: StagedPerson, prop: str, wish: Hand = "R") -> Hand | None:
-        """Put a prop into a person's hand, ``wish`` if it is free; the person who held it before lets go.
+        """Put a prop (asset id) into a person's hand, ``wish`` if it is free; the person who held it before lets go.
 
         Returns:
             The hand that holds it; None if no hand is free.
@@ -364,7 +364,7 @@ class StageState:
         return hand
 
     def carry_as(self, person: StagedPerson, prop: str, grip: Grip | None) -> None:
-        """Let a person carry a prop with a grip of the script; without a grip it is in a hand."""
+        """Let a person carry a prop (asset id) with a grip of the script; without a grip it is in a hand."""
         if grip in ON_BODY:
             self.put_on(prop)
         elif not self.put_in_hand(person, prop):
@@ -372,7 +372,7 @@ class StageState:
         person.set_grip(prop, grip)
 
     def lay_down(self, prop: str, place: Vec3) -> None:
-        """Lay a prop at a position in metres; nobody holds it any more."""
+        """Lay a prop (asset id) at a world point in metres; nobody holds it any more."""
         self.players = {name: held for name, held in self.players.items() if held != prop}
         for each in self.people.values():
             each.let_go(prop)

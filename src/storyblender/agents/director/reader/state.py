@@ -59,7 +59,7 @@ class Discourse:
     last_listener: Person | None = None
 
     def raise_salience(self, person: Person, weight: float) -> None:
-        """Note that a person is mentioned: raise their salience by ``weight``."""
+        """Note that a person is mentioned: raise their salience by ``weight``, from 0 to 1."""
         self.salience[person.id] = max(self.salience.get(person.id, 0.0), 0.0) + weight
         self.clock += 1
         self.last_named[person.id] = self.clock
@@ -206,7 +206,7 @@ class ReaderState:
             self.scene.off_screen.discard(person.id)
 
     def mention(self, person: Person, weight: float) -> None:
-        """Note that a person is mentioned in this scene; ``weight`` is added to their salience."""
+        """Note that a person is mentioned in this scene; ``weight``, from 0 to 1, is added to their salience."""
         self.discourse.raise_salience(person, weight)
         self.scene.named.add(person.id)
 
@@ -258,7 +258,7 @@ class ReaderState:
             self.inventory.note(anchor, "placed" if kind in ("in", "on") else "related")
 
     def record_pronoun(self, at: int, word: str, who: Iterable[str]) -> None:
-        """Record that the pronoun ``word`` at offset ``at`` means the people ``who``."""
+        """Record that the pronoun ``word`` at offset ``at`` of the script means the people with the ids ``who``."""
         self.reading.pronouns.append((at, word, tuple(who)))
 
     def flag(self, topic: str, choice: str, reason: str, start: int, end: int) -> None:
