@@ -76,7 +76,12 @@ class AssetRetrieverCritic:
     """Judges a recipe by how well it fits: the Retriever's is held against its threshold, the Generator's is final."""
 
     def judge(self, draft: Recipe, view: AssetRetrieverView) -> Critique:
-        """Score the draft 1 to 10."""
+        """Score the draft 1 to 10.
+
+        Args:
+            draft: Recipe with the score of its fit.
+            view: The object that it is for.
+        """
         if draft.source == "stand_in" or draft.final:
             return Critique(score=10.0)
         if draft.score >= RETRIEVAL_THRESHOLD:

@@ -58,7 +58,13 @@ class RulesAssetGenerator:
         return self._by_meaning(view, kind) or self._shape(view, kind)
 
     def refine(self, draft: Recipe, critique: Critique, view: AssetRetrieverView) -> Recipe:
-        """Return the draft: a stand-in cannot be improved by criticism."""
+        """Return the draft: a stand-in cannot be improved by criticism.
+
+        Args:
+            draft: The stand-in that was proposed.
+            critique: Not used.
+            view: Not used.
+        """
         return draft
 
     def _by_meaning(self, view: AssetRetrieverView, kind: str) -> Recipe | None:

@@ -66,7 +66,13 @@ class LanguageAssetRetriever:
         return _chosen(offered[answer.choice - 1], float(answer.fit))
 
     def refine(self, draft: Recipe, critique: Critique, view: AssetRetrieverView) -> Recipe:
-        """Return the draft: everything that there is was offered."""
+        """Return the draft: everything that there is was offered.
+
+        Args:
+            draft: The model's choice.
+            critique: Not used.
+            view: Not used.
+        """
         return draft
 
     def _offered(self, called: AssetRetrieverView, view: AssetRetrieverView) -> list[Recipe]:

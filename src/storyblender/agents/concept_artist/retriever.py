@@ -27,19 +27,35 @@ class RulesAssetRetriever:
         return self.search(view, 1)[0]
 
     def refine(self, draft: Recipe, critique: Critique, view: AssetRetrieverView) -> Recipe:
-        """Return the next best match after ``draft``; no source grows by asking again."""
+        """Return the next best match after ``draft``; no source grows by asking again.
+
+        Args:
+            draft: The match so far.
+            critique: Not used.
+            view: The object.
+        """
         ranked = self.search(view, 6)
         place = next((i for i, recipe in enumerate(ranked) if recipe.key == draft.key), -1)
         return ranked[min(place + 1, len(ranked) - 1)]
 
     def search(self, view: AssetRetrieverView, count: int) -> tuple[Recipe, ...]:
-        """Return the ``count`` best matches of all sources, best first; by meaning only where no name fits well."""
+        """Return the ``count`` best matches of all sources, best first; by meaning only where no name fits well.
+
+        Args:
+            view: The object.
+            count: Most matches to return; if nothing is found, one with the lowest score is returned.
+        """
         found = self.candidates(view, by_meaning=False)
         if all(recipe.score < HEAD for recipe in found):
             found = self.candidates(view, by_meaning=True)
         return tuple(found[:count]) or (_NOTHING,)
 
     def candidates(self, view: AssetRetrieverView, *, by_meaning: bool) -> list[Recipe]:
-        """Return all that the sources offer, best first, without what could not be built or fetched."""
+        """Return all that the sources offer, best first, without what could not be built or fetched.
+
+        Args:
+            view: The object, and the keys of recipes that were rejected for it.
+            by_meaning: Also return what is only similar in meaning.
+        """
         offered = [recipe for source in self._sources for recipe in source.search(view, by_meaning=by_meaning)]
         return sorted((each for each in offered if each.key not in view.rejected), key=lambda each: -each.score)

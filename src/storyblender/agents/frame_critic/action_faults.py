@@ -17,7 +17,14 @@ _TURNED_AWAY = 112.0
 
 
 def fault(kind: str, subject: str, severity: float, message: str) -> Fault:
-    """Return a fault of a frame; severity in points of ten, message for the user."""
+    """Return a fault of a frame.
+
+    Args:
+        kind: The critic's word for it, such as ``not_done``.
+        subject: asset_id or node_id that it is about; empty for the whole frame.
+        severity: Points of ten, rounded to hundredths.
+        message: Sentence for the user.
+    """
     return Fault(kind=kind, subject=subject, severity=round(severity, 2), message=message)
 
 

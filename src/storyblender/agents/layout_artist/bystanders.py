@@ -61,7 +61,12 @@ class Bystander:
 
 
 def crowd_size(crowd: Crowd | None, area: float) -> int:
-    """Return the number of people in a place with a floor of ``area`` square metres, those of the story included."""
+    """Return the number of people in a place, those of the story included; 0 if the script wants no crowd.
+
+    Args:
+        crowd: How full the script says the place is; None if it does not say.
+        area: Square metres of floor.
+    """
     return _CROWDS[crowd] + (_LARGE_EXTRA if area > _LARGE_AREA else 0) if crowd else 0
 
 

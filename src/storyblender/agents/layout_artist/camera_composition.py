@@ -31,7 +31,16 @@ _PAST_SIDES = 30.0
 
 
 def fault(kind: str, subject: str, severity: float, message: str, **fix: float | str) -> Fault:
-    """Return a camera fault with its fix; severity in points of ten, message for the user."""
+    """Return a camera fault with its fix.
+
+    Args:
+        kind: The critic's word for it, such as ``headroom``.
+        subject: node_id that it is about, or name of the shot for a cut; empty for the whole picture.
+        severity: Points of ten, rounded to thousandths.
+        message: Sentence for the user.
+        **fix: ``pan_x`` and ``pan_y`` in heights of the picture, ``dolly`` in steps, ``azimuth`` and ``elevation`` in
+            degrees; ``ops``: names of operations to try, separated by spaces.
+    """
     return Fault(kind=kind, subject=subject, severity=round(severity, 3), message=message, fix=fix)
 
 

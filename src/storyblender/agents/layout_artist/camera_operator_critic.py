@@ -54,7 +54,12 @@ class CameraOperatorCritic:
         self._seen: dict[tuple[int, int, int, CameraOperatorDraft], CameraView] = {}
 
     def judge(self, draft: CameraOperatorDraft, view: CameraOperatorView) -> Critique:
-        """Score one take."""
+        """Score one take.
+
+        Args:
+            draft: The take.
+            view: Its shot.
+        """
         return self.judge_all([draft], view)[0]
 
     @property
@@ -67,7 +72,15 @@ class CameraOperatorCritic:
         return {take for scene, shot, _, take in self._seen if (scene, shot) == (view.scene_id, view.shot_id)}
 
     def judge_all(self, takes: Sequence[CameraOperatorDraft], view: CameraOperatorView) -> list[Critique]:
-        """Return the critiques of several takes of a shot, with one batch of looks."""
+        """Return the critiques of several takes of a shot, with one batch of looks.
+
+        Args:
+            takes: In any order; those looked at before cost nothing.
+            view: Their shot.
+
+        Returns:
+            One critique for each take, in the same order.
+        """
         moments = moments_to_judge(view, takes)
         wanted = [(take, moment) for take in takes for moment in moments]
         fresh = [pair for pair in dict.fromkeys((take, moment.frame) for take, moment in wanted)
@@ -82,7 +95,12 @@ class CameraOperatorCritic:
         ]
 
     def seen(self, take: CameraOperatorDraft, view: CameraOperatorView) -> CameraView:
-        """Return how a judged take looks at the story moment."""
+        """Return how a judged take looks at the story moment.
+
+        Args:
+            take: One that was judged.
+            view: Its shot.
+        """
         return self._seen[self._key(view, take, view.story_moment.frame)]
 
     @staticmethod

@@ -328,7 +328,7 @@ def too_far_to_frame(instruction: CameraInstruction, drawn: Moment, nodes: Seque
 
 
 def time_share(view: CameraOperatorView, frame: int) -> float:
-    """Return how much of the shot's time is over at a frame, 0 to 1."""
+    """Return how much of the shot's time is over, 0 to 1, at a frame counted from the shot's start."""
     return min(frame / max(view.duration - 1, 1), 1.0)
 
 
@@ -384,7 +384,7 @@ class CameraOperatorDraft:
 
 
 def pose_of(camera: Orbit, frame: int = 0) -> CameraPose:
-    """Return an orbit camera as the graph's pose at a frame."""
+    """Return a world camera as the graph's pose at a frame counted from the shot's start."""
     return CameraPose(
         frame=frame, pivot=camera.pivot, rotation=camera.rotation, distance=camera.distance, lens=camera.lens
     )

@@ -72,7 +72,12 @@ def fit_lens_to_room(plan: SetPlan | None, camera: Orbit, size: ShotSize) -> Orb
 
 
 def move_into_room(plan: SetPlan | None, camera: Orbit) -> Orbit:
-    """Return the camera moved along its axis into the room, whatever that does to sizes."""
+    """Return the camera moved along its axis into the room, whatever that does to sizes.
+
+    Args:
+        plan: The set; None on an empty stage, where the camera stays.
+        camera: As composed; only its distance from the pivot changes.
+    """
     if plan is None or not plan.indoor:
         return camera
     return replace(camera, distance=min(camera.distance, reach_back(plan, camera)))
@@ -109,7 +114,13 @@ def _room_height(plan: SetPlan) -> float:
 
 
 def rays(camera: Orbit, columns: int, rows: int) -> Floats:
-    """Return (columns * rows, 3) world vectors through the picture, row by row, one metre deep."""
+    """Return (columns * rows, 3) world vectors through the picture, row by row, one metre deep.
+
+    Args:
+        camera: Its position is where the vectors start.
+        columns: Number of rays across the picture, one in the middle of each column.
+        rows: Number of rays down the picture, the top row first.
+    """
     x = ((np.arange(columns) + 0.5) / columns - 0.5) * 2 * camera.tangent * camera.aspect
     y = (0.5 - (np.arange(rows) + 0.5) / rows) * 2 * camera.tangent
     across, up = (grid.ravel() for grid in np.meshgrid(x, y))

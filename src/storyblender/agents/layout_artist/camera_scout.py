@@ -154,17 +154,22 @@ def _without_strangers(view: CameraOperatorView, take: CameraOperatorDraft) -> C
 
 
 def with_carried_things(view: CameraOperatorView, people: Iterable[str]) -> list[str]:
-    """Return the node_ids of people (node_ids) and of the things they carry."""
+    """Return the node_ids of people and, after each, of the things they carry in the shot."""
     return [each for node in people for each in (node, *view.carried.get(node, ()))]
 
 
 def with_hidden(take: CameraOperatorDraft, nodes: Iterable[str]) -> CameraOperatorDraft:
-    """Return the take with further node_ids hidden."""
+    """Return the take with further nodes (node_ids) hidden for the whole shot; the given take stays."""
     return replace(take, hidden=tuple(dict.fromkeys((*take.hidden, *nodes))))
 
 
 def take_cost(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
-    """Return about how many points (of ten) the critic would take off a take, from boxes and faces alone."""
+    """Return about how many points (of ten) the critic would take off a take, from boxes and faces alone.
+
+    Args:
+        view: The shot.
+        take: What it hides is not in the way, but costs a little.
+    """
     points = sum(fault.severity for fault in find_cut_faults(view, take)) + _camera_place_cost(view, take)
     if view.plan is not None:
         points += void_points(share_outside(view.plan, take.camera, take.hidden))

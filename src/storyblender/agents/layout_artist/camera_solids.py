@@ -54,19 +54,34 @@ def body_boxes(figure: Figure) -> list[Box]:
 
 
 def contains_person(box: Box, figure: Figure) -> bool:
-    """Return whether a person is inside a thing such as a boat or a carriage."""
+    """Return whether a person is inside a thing such as a boat or a carriage.
+
+    Args:
+        box: Of the thing, world metres.
+        figure: The person at one moment.
+    """
     x, y = box.to_local(figure.base[0], figure.base[1])
     aboard = min(box.width / 2 - abs(x), box.depth / 2 - abs(y)) > _ABOARD
     return aboard and box.z < (figure.base[2] + figure.crown[2]) / 2 < box.top
 
 
 def is_anyone_aboard(boxes: Iterable[Box], people: Sequence[Figure]) -> bool:
-    """Return whether any of the people is inside one of the things."""
+    """Return whether any of the people is inside one of the things.
+
+    Args:
+        boxes: Of the things, world metres.
+        people: All at the same moment.
+    """
     return any(contains_person(box, figure) for box in boxes for figure in people)
 
 
 def open_vessels(boxes: Sequence[Box], figure: Figure) -> list[Box]:
-    """Return the boxes with every one that contains the person replaced by its four sides."""
+    """Return the boxes with every one that contains the person replaced by its four sides.
+
+    Args:
+        boxes: Of things and parts of the set, world metres.
+        figure: The person at one moment.
+    """
     found: list[Box] = []
     for box in boxes:
         found += _side_boxes(box) if contains_person(box, figure) else [box]

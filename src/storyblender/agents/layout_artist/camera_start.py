@@ -94,7 +94,12 @@ def compose_take(view: CameraOperatorView, turn: float = 0.0, rise: float = 0.0)
 
 
 def take_with_camera(view: CameraOperatorView, camera: Orbit) -> CameraOperatorDraft:
-    """Return the take around a composition: its camera move, centred on it, and the wild walls it needs."""
+    """Return the take around a composition: its camera move, centred on it, and the wild walls it needs.
+
+    Args:
+        view: The shot; its instruction names the move.
+        camera: As composed for the story moment.
+    """
     instruction = view.instruction
     first = last = camera
     span, still = (0.0, 1.0), _holds_all_walks(view)
@@ -369,7 +374,16 @@ def _reverse_azimuth(view: CameraOperatorView, figure: Figure) -> float | None:
 
 
 def line_side(view: CameraOperatorView, focus: Figure, over: Figure) -> float:
-    """Return the side of the line from ``over`` to ``focus``, 1.0 or -1.0: the scene's, else the audience's."""
+    """Return the side of the line between two people on which the camera stays: the scene's, else the audience's.
+
+    Args:
+        view: The shot, with the side that the scene has used so far.
+        focus: The subject.
+        over: The partner, at the start of the line.
+
+    Returns:
+        1.0 for the left of the line from ``over`` to ``focus`` as seen from above, -1.0 for its right.
+    """
     if (axis := view.axis) is not None and view.side:
         return view.side if over.node_id == axis[0].node_id else -view.side
     ahead = np.subtract(focus.face, over.face)

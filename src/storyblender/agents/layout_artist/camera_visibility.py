@@ -23,13 +23,24 @@ OWN_SPACE = 0.3
 
 
 def is_face_framed(camera: Orbit, figure: Figure) -> bool:
-    """Return whether a person's face is in the picture, inside its margin."""
+    """Return whether a person's face is in the picture, inside its margin.
+
+    Args:
+        camera: World camera.
+        figure: The person at the same moment.
+    """
     screen, depth = project(camera, [figure.face])
     return bool(depth[0] > 0.1 and ((screen > MARGIN) & (screen < 1 - MARGIN)).all())
 
 
 def hidden_share(camera: Orbit, figure: Figure, boxes: Sequence[Box]) -> float:
-    """Return the share of a person's points in the picture that boxes hide; 1 if none of them is in the picture."""
+    """Return the share of a person's points in the picture that boxes hide; 1 if none of them is in the picture.
+
+    Args:
+        camera: World camera.
+        figure: The person at the same moment.
+        boxes: What may hide the person, world metres; without the person's own body.
+    """
     spots = _body_points(camera, figure)
     screen, depth = project(camera, spots)
     framed = ((screen > 0) & (screen < 1)).all(1) & (depth > 0.1)
@@ -37,7 +48,13 @@ def hidden_share(camera: Orbit, figure: Figure, boxes: Sequence[Box]) -> float:
 
 
 def share_of_points_hidden(camera: Orbit, spots: ArrayLike, boxes: Sequence[Box]) -> float:
-    """Return the share of (n, 3) world points that boxes hide from the camera."""
+    """Return the share of points that boxes hide from the camera.
+
+    Args:
+        camera: World camera.
+        spots: (n, 3) world metres, n at least 1.
+        boxes: What may hide them, world metres; what is within ``OWN_SPACE`` before a point does not.
+    """
     return float(find_hidden(boxes, camera.position, spots, OWN_SPACE).mean())
 
 
@@ -50,6 +67,11 @@ def _body_points(camera: Orbit, figure: Figure) -> Floats:
 
 
 def is_in_picture(camera: Orbit, figure: Figure) -> bool:
-    """Return whether any point of a person is in the picture, margin included."""
+    """Return whether any point of a person is in the picture, margin included.
+
+    Args:
+        camera: World camera.
+        figure: The person at the same moment; counts from the crown to the knees.
+    """
     screen, depth = project(camera, _body_points(camera, figure))
     return bool((((screen > -MARGIN) & (screen < 1 + MARGIN)).all(1) & (depth > 0.1)).any())

@@ -71,7 +71,12 @@ def place_crowd(stage: LayoutStage, members: Sequence[str]) -> None:
 
 
 def is_public_seat(stage: LayoutStage, name: str) -> bool:
-    """Return whether the thing ``name`` is a seat for anyone: not a throne or a place of work."""
+    """Return whether a placed thing is a seat for anyone: not a throne or a place of work.
+
+    Args:
+        stage: What stands in the set; not changed.
+        name: node_id of a thing on the stage.
+    """
     return stage.view.props.get(stage.assets[name]) in _SEATS
 
 

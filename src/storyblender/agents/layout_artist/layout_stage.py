@@ -79,7 +79,12 @@ class LayoutStage:
         return asked
 
     def add_object(self, item: LayoutObject, fixed: bool) -> None:
-        """Place an object of a layout; ``fixed`` keeps the solver from moving it."""
+        """Place an object of a layout; one whose asset has no measure is left out.
+
+        Args:
+            item: Location in world metres, rotation in degrees.
+            fixed: Keep the solver from moving it; things that hang are never moved.
+        """
         thing = thing_of(item, self.view.measures, self.view.plan)
         if thing is not None:
             thing.fixed = fixed or thing.floats
@@ -87,12 +92,23 @@ class LayoutStage:
             assign_surfaces([thing, *self.things.values()], self.assets, self.view.measures)
 
     def add(self, thing: LayoutThing, asset_id: str) -> None:
-        """Add a thing that shows an asset (asset id)."""
+        """Add a thing, in place of any of the same name.
+
+        Args:
+            thing: Its name is its node_id; its box is in world metres.
+            asset_id: The asset that it shows.
+        """
         self.things[thing.name], self.assets[thing.name] = thing, asset_id
         self._dressed = None
 
     def place(self, asset_id: str, box: Box, **asked: object) -> None:
-        """Place a thing of the script (asset id) in a box; ``asked`` are further fields of its ``Thing``."""
+        """Place a thing of the script; its asset_id becomes its name.
+
+        Args:
+            asset_id: The thing.
+            box: Where it stands, world metres.
+            **asked: Further fields of its ``LayoutThing``, such as ``anchor`` or ``fixed``.
+        """
         mass = mass_of((box.width, box.depth, box.height))
         self.add(LayoutThing(asset_id, box, mass=mass, **asked), asset_id)  # pyright: ignore[reportArgumentType]
 
@@ -110,7 +126,12 @@ class LayoutStage:
         return known or AssetMeasure(asset_id=asset_id, digest="", geometry_hash="", dimensions=(0.4, 0.4, 0.4))
 
     def find(self, asset_id: str | None, near: tuple[float, float] = (0.0, 0.0)) -> LayoutThing | None:
-        """Return the thing with that name, else the thing that shows the asset and is nearest to a floor point."""
+        """Return the thing with that name, else the thing that shows the asset and is nearest to a floor point.
+
+        Args:
+            asset_id: A node_id or an asset_id; None finds nothing.
+            near: Floor point, metres.
+        """
         if asset_id is None:
             return None
         if asset_id in self.things:
@@ -119,7 +140,12 @@ class LayoutStage:
         return min(shown, key=lambda thing: math.dist((thing.box.x, thing.box.y), near), default=None)
 
     def find_anchor(self, asset_id: str | None, near: tuple[float, float] | None = None) -> LayoutThing | None:
-        """Return the thing for an anchor id: the thing itself, a related prop, or a part of the set; else None."""
+        """Return the thing for an anchor id: the thing itself, a related prop, or a part of the set; else None.
+
+        Args:
+            asset_id: A node_id, an asset_id or a name of a part of the set; None finds nothing.
+            near: Floor point, metres; the nearest of several is returned. None takes ``middle``.
+        """
         near = near or self.middle
         thing = self.find(asset_id, near)
         if thing is not None or asset_id is None or asset_id in self.view.pending:
@@ -133,14 +159,27 @@ class LayoutStage:
         return LayoutThing(fixture.name, fixture.box, fixed=True, floats=True) if fixture is not None else None
 
     def find_fixture(self, name: str | None, near: tuple[float, float] | None = None) -> Fixture | None:
-        """Return the part of the set with a name; the one nearest to a floor point if several match equally."""
+        """Return the part of the set with a name; None if the set has none.
+
+        Args:
+            name: An id or words, such as ``doorway`` or ``the back wall``; None finds nothing.
+            near: Floor point, metres; the nearest of equal matches is returned. None takes ``middle``.
+        """
         found = fixtures_called(self.view.plan, name)
         near = near or self.middle
         sure = [fixture for fixture in found if fixture.kind == found[0].kind and fixture.tags == found[0].tags]
         return min(sure, key=lambda each: math.dist((each.box.x, each.box.y), near), default=None)
 
     def box(self, asset_id: str, x: float, y: float, z: float = 0.0, yaw: float = 0.0) -> Box:
-        """Return the box of an asset at a position in metres; yaw in radians."""
+        """Return the box of an asset at a place in the set.
+
+        Args:
+            asset_id: The asset; without a measure it counts as a cube of 0.4 m.
+            x: Metres, of its middle.
+            y: Metres, of its middle.
+            z: Metres, of its lower face.
+            yaw: Radians, counter-clockwise; 0 faces -Y.
+        """
         return Box(x, y, z, *size_of(self.measure(asset_id)), yaw)
 
     def free_spot(

@@ -35,7 +35,12 @@ def room_of(size: SceneSize) -> PlayingArea:
 
 
 def anchors_of(measure: AssetMeasure, kind: str) -> list[Anchor]:
-    """Return the anchors of one kind, such as ``seat`` or ``top``, in their order."""
+    """Return the anchors of one kind, such as ``seat`` or ``top``, in their order.
+
+    Args:
+        measure: Of an asset; anchors are in metres in the asset's own frame.
+        kind: A kind of `Anchor`.
+    """
     return [anchor for anchor in measure.anchors if anchor.kind == kind]
 
 
@@ -106,7 +111,12 @@ def mass_of(size: tuple[float, float, float]) -> float:
 
 
 def is_hanging(box: Box, plan: SetPlan) -> bool:
-    """Return whether a box touches a wall or a ceiling of the set."""
+    """Return whether a box touches a wall or a ceiling of the set.
+
+    Args:
+        box: Of the thing, world metres.
+        plan: The set.
+    """
     ceilings = [slab.z for slab in plan.slabs if slab.role == "ceiling"]
     if any(abs(height - box.top) < 2 * _HUNG for height in ceilings):
         return True
@@ -125,7 +135,12 @@ def walls_of(plan: SetPlan) -> list[LayoutThing]:
 
 
 def layout_object_of(thing: LayoutThing, asset_id: str) -> LayoutObject:
-    """Return a solved thing as the graph stores it, rounded to a millimetre and a tenth of a degree."""
+    """Return a solved thing as the graph stores it, rounded to a millimetre and a tenth of a degree.
+
+    Args:
+        thing: Its box is in world metres; a sitter is stored at the seat's front edge.
+        asset_id: The asset that it shows.
+    """
     box = thing.box
     x, y, z = box.x, box.y, box.z
     if thing.walks and thing.anchor is not None and thing.relationship is None and thing.direction is None:
@@ -144,7 +159,7 @@ def layout_object_of(thing: LayoutThing, asset_id: str) -> LayoutObject:
 
 
 def seat_box(x: float, y: float, z: float, yaw: float) -> Box:
-    """Return the trunk of a person who sits with the seat's front edge at (x, y, z) metres, facing ``yaw`` radians."""
+    """Return the trunk of a sitter, world metres: seat's front edge at (x, y, z), facing ``yaw`` radians (0 is -Y)."""
     return Box(x - math.sin(yaw) * _SEATED_BEHIND, y + math.cos(yaw) * _SEATED_BEHIND, z, *_TRUNK, yaw)
 
 

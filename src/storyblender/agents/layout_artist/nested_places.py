@@ -70,7 +70,14 @@ def place_outside(stage: LayoutStage, asset_id: str, spot: Spot, anchor: LayoutT
 
 
 def box_under(stage: LayoutStage, asset_id: str, base: Box, peeps: bool) -> Box:
-    """Return the box of a thing under another: in its middle, or with a quarter of it in front if it ``peeps`` out."""
+    """Return the box of a thing under another.
+
+    Args:
+        stage: What stands in the set; not changed.
+        asset_id: The lower thing.
+        base: Box of the upper one, world metres.
+        peeps: Let a quarter of its depth stand out in front, if it is smaller than ``base``; else it is in the middle.
+    """
     width, depth, _ = size_of(stage.measure(asset_id))
     ahead = max(0.0, base.depth / 2 - depth / 4) if peeps and depth < base.depth and width < base.width else 0.0
     x, y = base.to_world(0.0, -ahead)

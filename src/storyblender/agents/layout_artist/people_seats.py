@@ -75,7 +75,13 @@ def free_seats(stage: LayoutStage) -> list[Seat]:
 
 
 def put_on_seat(stage: LayoutStage, person: str, seat: Seat) -> None:
-    """Place a person (asset id) on a seat."""
+    """Place a person on a seat.
+
+    Args:
+        stage: What stands in the set; changed.
+        person: asset_id.
+        seat: node_id of furniture on the stage, and one of its seats.
+    """
     name, anchor = seat
     base = stage.things[name].box
     x, y = base.to_world(*anchor.location[:2])

@@ -64,7 +64,12 @@ def wanted_places(stage: LayoutStage) -> dict[str, WantedPlace]:
 
 
 def find_workplace(stage: LayoutStage, state: BodyState) -> LayoutThing | None:
-    """Return the thing at which a person does their first actions, if the script names none; None if there is none."""
+    """Return the thing at which a person does their first actions, if the script names none; None if there is none.
+
+    Args:
+        stage: What stands in the set; its view has each person's first actions.
+        state: Its asset_id names the person.
+    """
     for motion, prop in stage.view.first_actions.get(state.asset_id, ()):
         for wanted in workplaces_of(motion, prop):
             found = [t for name, t in stage.things.items() if stage.view.props.get(stage.assets[name]) == wanted]
@@ -74,7 +79,12 @@ def find_workplace(stage: LayoutStage, state: BodyState) -> LayoutThing | None:
 
 
 def sort_of(stage: LayoutStage, anchor: LayoutThing) -> Sort:
-    """Return the sort of an anchor, as `geometry.stations` has them."""
+    """Return the sort of an anchor, as `geometry.stations` has them.
+
+    Args:
+        stage: What stands in the set; not changed.
+        anchor: A person, a thing on the stage, or a part of the set as `LayoutStage.find_anchor` returns it.
+    """
     if anchor.walks:
         return "person"
     if anchor.name in stage.things:
@@ -117,7 +127,12 @@ def stand_person_at(stage: LayoutStage, asset_id: str, anchor: LayoutThing, want
 
 
 def is_reachable(stage: LayoutStage, anchor: LayoutThing) -> bool:
-    """Return whether people can walk to a thing; not to distant scenery such as a plane in the sky."""
+    """Return whether people can walk to a thing; not to distant scenery such as a plane in the sky.
+
+    Args:
+        stage: Its playing area is where people walk.
+        anchor: Its box is in world metres.
+    """
     room, box = stage.room, anchor.box
     dx = max(room.x_min - box.x, box.x - room.x_max, 0.0) - box.reach((1.0, 0.0))
     dy = max(room.y_min - box.y, box.y - room.y_max, 0.0) - box.reach((0.0, 1.0))

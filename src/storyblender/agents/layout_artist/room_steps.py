@@ -103,7 +103,12 @@ def find_fitting_room(
 
 
 def enlarge_set(environment: Environment, set_scale: float) -> Environment:
-    """Return a set with its width and depth times ``set_scale``, within the limits of its kit; the same set up to 1."""
+    """Return a larger set, within the limits of its kit.
+
+    Args:
+        environment: As designed.
+        set_scale: Factor on its width and depth; up to 1 the set stays as it is.
+    """
     if set_scale <= 1.0:
         return environment
     kit, size = SETS[environment.kit], plan_of(environment).size

@@ -34,7 +34,12 @@ def find_scripted_spots(setup: SceneSetup, shots: Sequence[ShotContext]) -> dict
 
 
 def scripted_relations(setup: SceneSetup, shots: Sequence[ShotContext]) -> tuple[Relation, ...]:
-    """Return the spots of things and people as relations, for the Set Dresser; arguments as `find_scripted_spots`."""
+    """Return the spots of things and people as relations, for the Set Dresser.
+
+    Args:
+        setup: Has the relations as the scene opens.
+        shots: The shots of the scene, in order; a person's first spot counts.
+    """
     own = {asset_id: relation for relation in reversed(setup.relations) for asset_id in (relation.asset_id,)}
     people = {state.asset_id: state.spot for shot in reversed(shots) for state in shot.states if state.spot is not None}
     for asset_id, spot in {**people, **find_scripted_spots(setup, shots)}.items():

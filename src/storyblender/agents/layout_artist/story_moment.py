@@ -33,7 +33,12 @@ _BEGUN = 0.45
 
 
 def board_frame(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> int:
-    """Return the frame from the start of a shot that the storyboard shows: the stored one, else its story moment."""
+    """Return the frame from the start of a shot that the storyboard shows: the stored one, else its story moment.
+
+    Args:
+        shot: The shot with its cues.
+        played: The cues as the engine played them; needed only where no frame is stored.
+    """
     return shot.frame if shot.frame is not None else story_moment(shot, played)
 
 
