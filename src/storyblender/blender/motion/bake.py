@@ -71,9 +71,12 @@ def remove(name: str) -> None:
 
 
 def reduce_keys(frames: Floats, values: Floats, tolerance: float) -> NDArray[np.int_]:
-    """Return the indices of the samples to keep (Ramer-Douglas-Peucker).
+    """Return the indices of the samples to keep for linear interpolation (Ramer-Douglas-Peucker).
 
-    Linear interpolation between them stays within ``tolerance`` of all ``values`` (N, C) at the ``frames`` (N,).
+    Args:
+        frames: (N,) numbers of the samples, increasing.
+        values: (N, C) sampled values.
+        tolerance: Largest error of the interpolation in any column, in the unit of the values.
     """
     keep = np.zeros(len(frames), bool)
     keep[[0, -1]] = True

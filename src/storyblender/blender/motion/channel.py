@@ -63,7 +63,7 @@ class ChannelKey:
 
 
 def linear(a: Floats, b: Floats, w: float) -> Floats:
-    """Return the linear blend of two arrays; ``w`` is the share of ``b``, 0..1."""
+    """Return the linear blend of two arrays of one shape; ``w`` is the share of ``b``, 0..1."""
     return a * (1 - w) + b * w
 
 
@@ -83,8 +83,12 @@ class Channel:
     ) -> float:
         """Add a key and return the second at which its target is reached.
 
-        The blend begins at ``start`` and takes ``duration`` seconds. ``bump`` is added to the first three values along
-        a half sine, so that a hand goes around something.
+        Args:
+            start: Second at which the blend begins.
+            duration: Seconds of the blend.
+            target: Values to reach, or a function from seconds to them.
+            ease: Maps the elapsed share of the blend, 0..1, to the share of the target.
+            bump: (3,) added to the first three values along a half sine, so that a hand goes around something.
         """
         key = ChannelKey(start, duration, target, ease, None if bump is None else np.asarray(bump, float))
         insort(self.keys, key, key=lambda each: each.start)

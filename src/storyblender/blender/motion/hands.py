@@ -40,7 +40,7 @@ def hand(palm: Vector, fingers: Vector, normal: Vector, pole: Vector, curl: Trip
 
 
 def blend_hands(a: Floats, b: Floats, w: float) -> Floats:
-    """Return the blend of two hand targets (15,), ``w`` of ``b``; hand and elbow take the shorter turn."""
+    """Return the blend of two hand targets (15,), ``w`` of ``b``, 0..1; hand and elbow take the shorter turn."""
     mixed = a * (1 - w) + b * w
     if w <= 0 or w >= 1:
         return mixed
@@ -54,7 +54,12 @@ def blend_hands(a: Floats, b: Floats, w: float) -> Floats:
 
 
 def hanging(who: Performer, side: str) -> TargetOf:
-    """Return the target of an arm at the body's side: it swings with the gait and follows only the chest's yaw."""
+    """Return the target of an arm at the body's side: it swings with the gait and follows only the chest's yaw.
+
+    Args:
+        who: The person.
+        side: ``L`` or ``R``.
+    """
 
     def target(t: float) -> Floats:
         swing, phase, gait = who.gait_at(t)
@@ -89,7 +94,12 @@ def chest_yaw(who: Performer) -> float:
 
 
 def shoulder_rest(who: Performer, side: str) -> Vector:
-    """Return the shoulder joint of the posed body before the clavicle moves, metres in armature space."""
+    """Return the shoulder joint of the posed body before the clavicle moves, metres in armature space.
+
+    Args:
+        who: The person.
+        side: ``L`` or ``R``.
+    """
     bones = who.bones
     return bones.point("upper_chest", bones.head[f"upper_arm.{side}"] - bones.head["upper_chest"])
 
@@ -163,7 +173,12 @@ def _mirrored(side: str, vector: Triple) -> Vector:
 
 
 def on_thigh(who: Performer, side: str) -> TargetOf:
-    """Return the target of a palm on the person's own thigh, near the knee."""
+    """Return the target of a palm on the person's own thigh, near the knee.
+
+    Args:
+        who: The person.
+        side: ``L`` or ``R``.
+    """
 
     def target(t: float) -> Floats:
         s, k = sign(side), who.scale
@@ -181,7 +196,12 @@ def on_thigh(who: Performer, side: str) -> TargetOf:
 
 
 def on_knee(who: Performer, side: str) -> TargetOf:
-    """Return the target of a palm on the person's own raised knee."""
+    """Return the target of a palm on the person's own raised knee.
+
+    Args:
+        who: The person.
+        side: ``L`` or ``R``.
+    """
 
     def target(t: float) -> Floats:
         s, k, turn = sign(side), who.scale, who.facing
@@ -195,7 +215,13 @@ def on_knee(who: Performer, side: str) -> TargetOf:
 
 
 def beside_body(who: Performer, side: str, height: float) -> TargetOf:
-    """Return the target of a palm beside a lying person's hip, on a surface at ``height`` metres (world)."""
+    """Return the target of a palm beside a lying person's hip, on the surface they lie on.
+
+    Args:
+        who: The person.
+        side: ``L`` or ``R``.
+        height: Of the surface, world metres.
+    """
 
     def target(t: float) -> Floats:
         s, k = sign(side), who.scale

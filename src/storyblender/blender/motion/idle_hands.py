@@ -24,7 +24,12 @@ def habit_of(who: Performer) -> str:
 
 
 def idle_hand(who: Performer, side: str) -> TargetOf:
-    """Return the target of a standing person's free hand: their habit at rest, hanging at the side while walking."""
+    """Return the target of a standing person's free hand: their habit at rest, hanging at the side while walking.
+
+    Args:
+        who: The person.
+        side: ``L`` or ``R``.
+    """
     swinging, habit = hanging(who, side), habit_of(who)
     if habit == "hanging":
         return swinging

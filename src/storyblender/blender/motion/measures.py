@@ -132,7 +132,13 @@ def measure(body: RiggedBody) -> Measures:
 
 
 def skin_of(body: RiggedBody, bones: Skeleton, rows: NDArray[np.intp] | slice = slice(None)) -> Floats:
-    """Return the skin of ``rows`` in the skeleton's pose, (V, 3) metres in armature space, linearly blended."""
+    """Return the skin in the skeleton's pose, (V, 3) metres in armature space, linearly blended.
+
+    Args:
+        body: Resting skin and its weights.
+        bones: Skeleton of this body, in the wanted pose.
+        rows: Which vertices; all if not given.
+    """
     move = np.zeros((len(bones.names), 3, 4))
     for index, name in enumerate(bones.names):
         orient = bones.orient[name]

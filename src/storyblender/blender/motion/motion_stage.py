@@ -135,11 +135,26 @@ class MotionStage:
         return next((each for each in self.plan.furniture.values() if each.asset_id == name), None)
 
     def report(self, kind: str, who: Performer, cue: StagedCue, message: str, amount: float = 0.0) -> None:
-        """Record that a cue cannot be staged: kind of ``Problem``, sentence for the director, metres or seconds."""
+        """Record that a cue cannot be staged as planned.
+
+        Args:
+            kind: As in ``Problem``.
+            who: The person concerned.
+            cue: Gives the frame.
+            message: One sentence for the director.
+            amount: Metres or seconds, where there is a number.
+        """
         self.problems.append(Problem(kind, who.asset_id, cue.frame, message, amount))
 
     def expect_contact(self, who: Performer, side: str, t: float, cue: StagedCue) -> None:
-        """Check at ``t`` seconds that the hand ``side`` reached its target; report a miss on the cue."""
+        """Have a hand checked against its target when the shot is posed.
+
+        Args:
+            who: The person.
+            side: ``L`` or ``R``.
+            t: Second at which the hand must be at its target.
+            cue: A miss is reported on it.
+        """
         self.contacts.append((t, who, side, cue))
 
     def look_point(self, subject: Performer | StagedProp | StageFurniture) -> PointOf:
@@ -170,7 +185,13 @@ class MotionStage:
         return found if isinstance(found, StageFurniture) else None
 
     def find_anchor(self, furniture: StageFurniture, kinds: tuple[str, ...], mark: Mark | None) -> Anchor | None:
-        """Return the anchor of ``kinds`` that a mark names, else the nearest to it; None if there is none."""
+        """Return the anchor that a mark names, else the nearest to it; None if none fits.
+
+        Args:
+            furniture: Has the anchors, in its own frame.
+            kinds: Kinds of anchors that fit, such as ``seat``.
+            mark: Its anchor name, else its place, decides; None for the first that fits.
+        """
         fitting = [a for a in furniture.anchors if a.kind in kinds]
         if mark is not None and mark.anchor_name:
             fitting = [a for a in fitting if a.name == mark.anchor_name] or fitting
@@ -183,7 +204,12 @@ class MotionStage:
         return min(fitting, key=lambda a: ((world @ Vector(a.location)).xy - spot).length)
 
     def find_seat(self, node_id: str | None, mark: Mark | None) -> Seat | None:
-        """Return the seat on furniture (node or asset id), at the mark's place along its edge; None if it has none."""
+        """Return the seat on a piece of furniture: its seat, the edge of its bed, or its top; None if it has none.
+
+        Args:
+            node_id: Node id or asset id of the furniture.
+            mark: Its place tells which seat, and where along the edge; None for the middle of the first.
+        """
         furniture = self.find_furniture(node_id)
         anchor = None
         if furniture is not None:
@@ -219,15 +245,17 @@ class MotionStage:
         return next((name for name, each in self.plan.furniture.items() if each is furniture), "")
 
     def seat_access(self, who: Performer, seat: Seat) -> Vector:
-        """Return the position (x, y) where a person stands before sitting down on a seat."""
+        """Return the position (world x, y in metres) where a person stands before sitting down on a seat."""
         boxes = [box for box in self.footprints(who) if box.name not in self.people]
         return Vector(find_seat_access(tuple(seat.edge), seat.yaw, seat.width, who.scale, boxes, seat.node_id))
 
     def footprints(self, who: Performer, skip: tuple[str, ...] = (), girth: float = GIRTH) -> list[Footprint]:
         """Return the boxes and people that a walker goes around.
 
-        ``skip`` has node ids and asset ids to leave out; ``girth`` is the share of their radius that other people take
-        up.
+        Args:
+            who: The walker.
+            skip: Node ids and asset ids to leave out.
+            girth: Share of their radius that other people take up.
         """
         boxes = [
             Footprint(box.centre[:2], box.size[:2], box.yaw, name=box.node_id)
@@ -244,9 +272,14 @@ class MotionStage:
         return boxes + others
 
     def path_to(self, who: Performer, goal: Vec2, skip: tuple[str, ...] = ()) -> list[Vec2] | None:
-        """Return a path from the planned position to ``goal`` around obstacles but ``skip``; None if there is none.
+        """Return a path from the planned position to a goal around obstacles; None if there is none.
 
         Narrow gaps are only used where needed.
+
+        Args:
+            who: The walker.
+            goal: World x and y, metres.
+            skip: Obstacles to ignore, by node id or asset id.
         """
         start = tuple(who.position)
         ways = (
@@ -267,9 +300,12 @@ class MotionStage:
         return None
 
     def tracks_of_others(self, who: Performer, partner: Performer | None, goal: Vec2) -> list[tuple[Track, float]]:
-        """Return the planned tracks of everybody but the walker and a ``partner``, with the metres to keep from each.
+        """Return the planned tracks of the other people, with the metres to keep from each.
 
-        People beside the ``goal`` of the walk may be nearer.
+        Args:
+            who: The walker.
+            partner: The person walked to, who is left out.
+            goal: World x and y, metres; people beside it may be nearer.
         """
         tracks = []
         for each in self.people.values():
@@ -289,7 +325,7 @@ class MotionStage:
         return drops
 
     def pose(self, t: float, drops: dict[str, float]) -> None:
-        """Pose everybody at ``t`` seconds, pelvises lowered by ``drops`` metres; hands that follow others come last."""
+        """Pose all people at ``t`` seconds, pelvises lower by ``drops`` (metres by asset id); following hands last."""
         for name, who in self.people.items():
             who.pose_trunk(t, drops.get(name, 0.0))
             who.pose_legs(t)

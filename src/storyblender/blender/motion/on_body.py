@@ -20,7 +20,14 @@ OVER = Matrix.Rotation(math.radians(-62), 3, "X")
 
 
 def attach_to_body(who: Performer, prop: StagedProp, place: BodyPlace, t: float) -> None:
-    """Let a prop follow a ``place`` on a body from ``t`` seconds on; an arm presses it to the side if it would fall."""
+    """Let a prop follow a place on a body; an arm presses it to the side if it would fall.
+
+    Args:
+        who: The person.
+        prop: What they wear.
+        place: Where on the body.
+        t: Second from which it follows.
+    """
     prop.follow(t, _follower(who, prop.size, place), 0.0)
     if place == "under_arm":
         who.home["L"] = _clamped(who, "L")

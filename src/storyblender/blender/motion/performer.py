@@ -151,9 +151,9 @@ class Performer:
     ) -> Floats:
         """Return the target of a standing foot: (9,) ankle x, y, z, yaw, pitch, toe pitch, knee direction.
 
-        The person is at ``place``, facing ``yaw`` (radians). ``width`` is a factor on the normal distance of the feet,
-        ``splay`` the degrees that the toes point outwards, ``back`` the metres that the foot is behind its normal
-        place.
+        The person is at ``place``, facing ``yaw`` (radians); the foot is ``side``, ``L`` or ``R``. ``width`` is a
+        factor on the normal distance of the feet, ``splay`` the degrees that the toes point outwards, ``back`` the
+        metres that the foot is behind its normal place. The target has its yaw in radians, its pitches in degrees.
         """
         (x, y), cos, sin = place[:2], math.cos(yaw), math.sin(yaw)
         aside, behind = sign(side) * self.measures.stance * width, self.measures.foot_y + back
@@ -162,7 +162,7 @@ class Performer:
         return np.array([*ankle, turned, 0, 0, math.sin(turned), -math.cos(turned), 0])
 
     def rolled_ankle(self, side: str, ankle: Floats, yaw: float, pitch: float) -> Vector:
-        """Return the ankle of a flat foot after a roll by ``pitch`` degrees: > 0 on the heel, < 0 on the toes."""
+        """Return the ``ankle`` of a flat foot at ``yaw`` radians after a roll by ``pitch`` degrees, > 0 on the heel."""
         flat = about("Z", math.degrees(yaw - self.measures.toe_out[side]))
         tilted = flat @ self.bones.pitch(side, pitch)
         along = self.bones.head[f"toe.{side}"] - self.bones.head[f"foot.{side}"]
@@ -208,7 +208,7 @@ class Performer:
         return self.facing @ (self.bones.orient[bone] @ vector)
 
     def palm_offset(self, fingers: Vector, palm: Vector) -> Vector:
-        """Return the vector from wrist to palm centre of a hand with these finger and palm directions."""
+        """Return wrist to palm centre (metres) of a hand with these directions, in the frame they are given in."""
         along = fingers.normalized()
         out = (palm - along * palm.dot(along)).normalized()
         return along * (0.72 * self.measures.hand) + out * (0.022 * self.scale)
@@ -306,7 +306,7 @@ class Performer:
             bones.update(f"toe.{side}")
 
     def pose_arms(self, t: float, sides: str = "LR") -> None:
-        """Solve the arms of ``sides`` to their targets at ``t`` seconds; the trunk leans once if one falls short."""
+        """Solve the arms of ``sides`` (``LR``: both) at ``t`` seconds; the trunk leans once if a hand falls short."""
         for attempt in (0, 1):
             worst, missing = 0.0, Vector((0, 0, 0))
             for side in sides:

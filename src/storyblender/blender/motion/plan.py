@@ -175,7 +175,7 @@ class Performance:
 
 
 def box_of(node_id: str, furniture: StageFurniture) -> Obstacle:
-    """Return the bounding box of upright furniture as an obstacle."""
+    """Return the bounding box of upright furniture as an obstacle that bears its ``node_id``."""
     width, depth, height = furniture.dimensions
     x, y, z = (float(value) for value in furniture.world[:3, 3])
     yaw = math.atan2(furniture.world[1, 0], furniture.world[0, 0])

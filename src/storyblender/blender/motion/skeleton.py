@@ -24,7 +24,7 @@ TWIST = 0.45
 
 
 def about(axis: str | Vector, degrees: float) -> Matrix:
-    """Return the 3x3 rotation by ``degrees`` about an axis."""
+    """Return the 3x3 rotation by ``degrees`` about an axis: ``X``, ``Y``, ``Z`` or a direction."""
     return Matrix.Rotation(math.radians(degrees), 3, axis)
 
 
@@ -34,14 +34,14 @@ def swing(a: Vector, b: Vector) -> Matrix:
 
 
 def frame(direction: Vector, normal: Vector) -> Matrix:
-    """Return the orthonormal 3x3 frame of ``direction``, ``normal`` made square to it, and their cross product."""
+    """Return the orthonormal 3x3 matrix of columns ``direction``, ``normal`` made square to it, their cross product."""
     along = direction.normalized()
     square = (normal - along * normal.dot(along)).normalized()
     return Matrix((along, square, along.cross(square))).transposed()
 
 
 def rigid_matrix(turn: Matrix, place: Vector) -> Matrix:
-    """Return the 4x4 matrix of a 3x3 rotation followed by a translation."""
+    """Return the 4x4 matrix of the 3x3 rotation ``turn`` followed by a translation to ``place``, metres."""
     matrix = turn.to_4x4()
     matrix.translation = place
     return matrix
@@ -116,7 +116,7 @@ class Skeleton:
         self.update("upper_arm.L", "upper_arm.R", "eye.L", "eye.R")
 
     def rotate(self, bone: str, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> None:
-        """Turn a bone further by degrees about the armature's axes, X first, then Y, then Z."""
+        """Turn a bone further by ``x``, ``y``, ``z`` degrees about the armature's axes, in this order."""
         self.turn[bone] = about("Z", z) @ about("Y", y) @ about("X", x) @ self.turn[bone]
 
     def set_orient(self, bone: str, orient: Matrix) -> None:
@@ -126,7 +126,7 @@ class Skeleton:
         self.update(bone)
 
     def point(self, bone: str, offset: Vector) -> Vector:
-        """Return the point (armature space) at ``offset`` from a bone's joint in rest axes, moving with the bone."""
+        """Return the point (armature space) ``offset`` metres from a bone's joint (rest axes), moving with the bone."""
         return self.joint[bone] + self.orient[bone] @ offset
 
     def reach(self, upper: str, lower: str, end: str, target: Vector, pole: Vector) -> float:
@@ -193,7 +193,14 @@ class Skeleton:
         self.set_orient(f"hand.{side}", frame(fingers, palm) @ frame(rest_fingers, rest_palm).transposed())
 
     def curl(self, side: str, index: float, fingers: float, thumb: float) -> None:
-        """Close the fingers of a hand by degrees: each joint of ``index`` and other ``fingers``, and the thumb."""
+        """Close the fingers of a hand; at 0 degrees they are stretched.
+
+        Args:
+            side: ``L`` or ``R``.
+            index: Degrees of the first joint of the index finger; the second takes 1.2 times as many.
+            fingers: The same for the other fingers.
+            thumb: Degrees of the thumb.
+        """
         across = (self.head[f"fingers1.{side}"] - self.head[f"index1.{side}"]).normalized() * sign(side)
         for bone, degrees in (("index", index), ("fingers", fingers)):
             self.turn[f"{bone}1.{side}"] = about(across, degrees)
@@ -203,7 +210,7 @@ class Skeleton:
         self.update(*(f"{bone}.{side}" for bone in ("thumb", "index1", "index2", "fingers1", "fingers2")))
 
     def pitch(self, side: str, degrees: float) -> Matrix:
-        """Return the 3x3 rotation of a foot about its lateral axis by ``degrees``, toes up."""
+        """Return the 3x3 rotation of the foot ``side`` about its lateral axis by ``degrees``, toes up."""
         return about(self._feet_across[side], -degrees)
 
     def _foot_across(self, side: str) -> Vector:

@@ -73,7 +73,13 @@ def solve_shot(plan: StagePlan, fps: int, step: int = 1) -> Performance:
 
 
 def take_start_mark(stage: MotionStage, who: Performer, mark: Mark) -> None:
-    """Put a person into place, posture and held props of a ``mark``, from long before the shot."""
+    """Put a person into place, posture and held props of a mark, from long before the shot.
+
+    Args:
+        stage: The stage of the shot.
+        who: The person.
+        mark: World place in metres and yaw in degrees, posture, what each hand holds.
+    """
     x, y, z = mark.location
     who.place_at_start(x, y, math.radians(mark.yaw), z)
     staged = StagedCue(LONG_BEFORE, mark=mark)

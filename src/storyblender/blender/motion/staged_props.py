@@ -58,7 +58,7 @@ class Grip:
         return Grip(self.palm * flip, self.fingers * flip, self.normal * flip, self.curl)
 
     def hand_target(self, prop: Matrix, pole: Vector) -> Floats:
-        """Return the hand target for a prop at world matrix ``prop``; ``pole`` is the direction of the elbow."""
+        """Return the hand target for a prop at world matrix ``prop``; ``pole`` is the world direction of the elbow."""
         turn = prop.to_3x3()
         return hand(prop @ self.palm, turn @ self.fingers, turn @ self.normal, pole, self.curl)
 
@@ -114,7 +114,12 @@ class StagedProp:
         return self.matrix @ Vector((0, 0, self.size.z / 2))
 
     def grip(self, side: str, name: str = "") -> Grip:
-        """Return the grip of a hand, at the anchor ``name`` if given; on a sheet the fingers lie flat."""
+        """Return the grip of a hand, at an anchor or on the side of the bounding box; on a sheet the fingers lie flat.
+
+        Args:
+            side: ``L`` or ``R``.
+            name: Anchor to hold it by; empty for the hand's own or the first, and for none on a two-handed prop.
+        """
         grip = self._grip(side, name)
         flat = self.is_sheet and grip.normal.z > 0.7
         return replace(grip, curl=(1.0, 2.0, min(grip.curl[2], 0.0))) if flat else grip
@@ -146,11 +151,25 @@ class StagedProp:
         insort(self._events, (t, _still(matrix), 0.12), key=lambda event: event[0])
 
     def follow(self, t: float, matrix: MatrixOf, settle: float = SETTLE) -> None:
-        """Follow a ``matrix`` by seconds from ``t`` on, blending from the former movement for ``settle`` seconds."""
+        """Follow a movement given as its world matrix over time.
+
+        Args:
+            t: Second at which it begins to follow.
+            matrix: Function from seconds to its world matrix.
+            settle: Seconds of blending from its former movement.
+        """
         insort(self._events, (t, matrix, settle), key=lambda event: event[0])
 
     def hold(self, t: float, who: Performer, side: str, grip: Grip, settle: float = SETTLE) -> None:
-        """Follow the hand ``side`` of ``who`` from ``t`` seconds on, after ``settle`` seconds of blending."""
+        """Follow the hand that holds it.
+
+        Args:
+            t: Second at which it begins to follow.
+            who: Its holder from then on.
+            side: ``L`` or ``R``.
+            grip: How the hand holds it.
+            settle: Seconds of blending from its former movement.
+        """
         self.holder = who
         self.follow(t, lambda _: matrix_in_hand(who, side, grip), settle)
 
@@ -167,7 +186,13 @@ class StagedProp:
 
 
 def matrix_in_hand(who: Performer, side: str, grip: Grip) -> Matrix:
-    """Return the world matrix of a prop held by the posed hand ``side`` with ``grip``."""
+    """Return the world matrix of a prop in a posed hand.
+
+    Args:
+        who: The person.
+        side: ``L`` or ``R``.
+        grip: How the hand holds it.
+    """
     axes, palm = who.hand_matrix(side)
     turn = axes @ frame(grip.fingers, grip.normal).transposed()
     return rigid_matrix(turn, palm - turn @ grip.palm)
@@ -178,6 +203,11 @@ def carrying_hand(who: Performer, side: str, prop: StagedProp) -> TargetOf:
 
     Upright before the body; bags from a straight arm; large props in both hands; a person who sits at a table has a cup
     stand on it, and holds a letter above it.
+
+    Args:
+        who: The person.
+        side: ``L`` or ``R``.
+        prop: What the hand holds.
     """
     grip = prop.grip(side)
     s, m = sign(side), who.measures
@@ -228,7 +258,16 @@ def carrying_hand(who: Performer, side: str, prop: StagedProp) -> TargetOf:
 def gripping_hand(
     who: Performer, side: str, prop: StagedProp, grip: Grip, opening: float = 1.0, lift: float = 0.0
 ) -> TargetOf:
-    """Return the target of a hand on a moving prop: curl times ``opening``, palm ``lift`` metres above the grip."""
+    """Return the target of a hand on a moving prop.
+
+    Args:
+        who: The person.
+        side: ``L`` or ``R``.
+        prop: Followed as it moves.
+        grip: How the hand holds it.
+        opening: Factor on the curl of the fingers; less is more open.
+        lift: Metres of the palm above the grip.
+    """
 
     def target(t: float) -> Floats:
         values = grip.hand_target(prop.matrix, who.facing @ Vector((sign(side) * 0.5, 0.4, -0.85)))
@@ -246,7 +285,7 @@ def blend_matrices(a: Matrix, b: Matrix, w: float) -> Matrix:
 
 
 def upright_matrix(place: Vector, yaw: float) -> Matrix:
-    """Return the world matrix of something upright at ``place`` (metres) with ``yaw`` in radians."""
+    """Return the world matrix of something upright at ``place`` (world metres) with ``yaw`` in radians."""
     return Matrix.Translation(place) @ Matrix.Rotation(yaw, 4, "Z")
 
 

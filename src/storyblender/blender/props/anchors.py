@@ -148,12 +148,22 @@ def grips_under(depth: float, curl: Vec3 = (0.12, 0.15, 0.0)) -> Anchors:
 
 
 def grips_at_side(x: float, z: float) -> Anchors:
-    """Return the grips of hands flat against the side of a thing: ``x`` is its side at -X, ``z`` how high."""
+    """Return the grips of hands flat against the sides of a thing.
+
+    Args:
+        x: Of its side at -X, metres.
+        z: Height of the palms, metres.
+    """
     return two_hands((x, 0.0, z), (0.1, -0.8, -0.5), (1, 0.1, 0.1), (0.3, 0.35, 0.25))
 
 
 def grips_pinching(y: float, z: float) -> Anchors:
-    """Return the grips of fingertips on a small thing at ``y`` and ``z``."""
+    """Return the grips of fingertips on a small thing, on its middle line.
+
+    Args:
+        y: Metres behind the middle of the thing.
+        z: Height above its foot, metres.
+    """
     return two_hands((-0.03, y + 0.03, z + 0.01), (0.5, -0.85, -0.15), (0.8, 0.4, -0.4), PINCH)
 
 

@@ -41,7 +41,13 @@ def lie_down(mesh: bpy.types.Mesh) -> None:
 
 
 def curled_cat(b: MeshBuilder, coat: MaterialRef, dark: MaterialRef) -> None:
-    """Add a cat asleep in a ring, its nose by its tail; about 0.4 m across."""
+    """Add a cat asleep in a ring, its nose by its tail; about 0.4 m across.
+
+    Args:
+        b: Receives the cat.
+        coat: Material of the fur.
+        dark: Of nose and closed eyes.
+    """
     turns = np.radians(np.linspace(-30, 250, 15))
     ring = np.c_[0.105 * np.cos(turns), 0.105 * np.sin(turns), np.full(15, 0.075)]
     thick = np.interp(np.linspace(0, 1, 15), (0, 0.25, 0.6, 0.85, 1), (0.06, 0.085, 0.09, 0.06, 0.045))

@@ -94,6 +94,10 @@ def build_from_file(
 def read_model(path: Path, folder: Path) -> PlainModel:
     """Read the surface of a model.
 
+    Args:
+        path: A .glb, .gltf, .obj or .blend file.
+        folder: The folder of models; the file and what it names must be in it.
+
     Raises:
         InputError: It cannot be used; one sentence.
     """

@@ -13,7 +13,13 @@ from storyblender.blender.props.registry import PropSpec, prop
 
 
 def ring_of(radius: float, count: int = 20, height: float = 0.0) -> Floats:
-    """Return (count, 3) points of a flat circle about the z axis, for a closed tube."""
+    """Return (count, 3) points of a flat circle about the z axis, for a closed tube.
+
+    Args:
+        radius: Metres.
+        count: How many points.
+        height: z of all of them, metres.
+    """
     return np.c_[circle(radius, count), np.full(count, height)]
 
 

@@ -44,7 +44,7 @@ def four_legs(
 
 
 def square(center: ArrayLike, half: float) -> Floats:
-    """Return the (4, 3) corners of a level square about ``center`` with sides of twice ``half``."""
+    """Return the (4, 3) corners of a level square about ``center`` (3,) with sides of twice ``half``, metres."""
     corners = np.array([(-half, -half, 0), (half, -half, 0), (half, half, 0), (-half, half, 0)])
     return np.add(center, corners)
 

@@ -20,6 +20,10 @@ from storyblender.memory.base import Vec3
 
 Anchors = tuple[Anchor, ...]
 Builder = Callable[[MeshBuilder, "PropSpec"], Anchors]
+"""A recipe: adds the parts of a prop to the mesh builder, as the spec wants it, and returns its anchors.
+
+Both are in one frame: metres, front -Y, up +Z; afterwards the prop's bottom centre becomes the origin.
+"""
 
 _BUILDERS: dict[str, Builder] = {}
 

@@ -77,7 +77,7 @@ def aim(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def wide_stance(who: Performer, t: float, lead: str) -> None:
-    """Put the ``lead`` foot forward and the other back, knees soft, from ``t`` seconds on."""
+    """Put the foot ``lead`` (``L`` or ``R``) forward and the other back, knees soft, from ``t`` seconds on."""
     k = who.scale
     for side, ahead, splay, delay in ((lead, 0.16, 10, 0.0), (other(lead), -0.14, 24, 0.3)):
         spot = who.position + who.forward * (ahead * k)

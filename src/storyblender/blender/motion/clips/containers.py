@@ -32,7 +32,14 @@ RAISED = 0.26
 
 
 def open_held_bag(stage: MotionStage, who: Performer, cue: StagedCue, bag: StagedProp) -> float:
-    """Hold a bag in front and open it with the other hand; return the end in seconds."""
+    """Hold a bag in front and open it with the other hand; return the end in seconds.
+
+    Args:
+        stage: The stage of the shot.
+        who: The person.
+        cue: Gives the start.
+        bag: The bag, in one of their hands.
+    """
     t, side = cue.start, _holding(who, bag)
     free = other(side)
     _raise(stage, who, side, bag, t)
@@ -44,7 +51,17 @@ def open_held_bag(stage: MotionStage, who: Performer, cue: StagedCue, bag: Stage
 
 
 def take_from_bag(stage: MotionStage, who: Performer, cue: StagedCue, prop: StagedProp, bag: StagedProp) -> float:
-    """Take a prop, hidden until then, out of a held bag or a standing box; return the end in seconds."""
+    """Take a prop, hidden until then, out of a held bag or a standing box; return the end in seconds.
+
+    Without a free hand nothing happens, and the stage reports it.
+
+    Args:
+        stage: The stage of the shot.
+        who: The person.
+        cue: Gives the start, and the hand for a box that stands.
+        prop: What they take out.
+        bag: The bag or box, in their hand or standing.
+    """
     t, side, held = cue.start, _holding(who, bag), bag.holder is who
     free = other(side) if held else cue.side
     if free in who.held:
@@ -68,7 +85,14 @@ def take_from_bag(stage: MotionStage, who: Performer, cue: StagedCue, prop: Stag
 
 
 def draw_from_clothes(stage: MotionStage, who: Performer, cue: StagedCue, prop: StagedProp) -> float:
-    """Take a prop, hidden until then, out of a jacket's breast, else from behind the hip; return the end."""
+    """Take a prop, hidden until then, out of a jacket's breast, else from behind the hip; return the end in seconds.
+
+    Args:
+        stage: The stage of the shot.
+        who: The person.
+        cue: Gives the start and the hand.
+        prop: What they take out.
+    """
     t, side = cue.start, cue.side
     breast = stage.plan.people[who.asset_id].jacket
     bone, ways = ("upper_chest", _BREAST) if breast else ("hips", _HIP)

@@ -58,10 +58,13 @@ class CrawlPath:
         return place.x, place.y, self.way.heading(gone) + self.base_yaw
 
     def limb(self, t: float, phase: float, ahead: float, aside: float) -> tuple[Vector, float, float]:
-        """Return position (x, y) and yaw of a limb at ``t`` seconds, and how far it is lifted, 0..1.
+        """Return position (world x, y) and yaw (radians) of a limb, and how far it is lifted, 0..1.
 
-        ``phase`` is its place in the cycle, 0..1; ``ahead`` and ``aside`` are metres from the body's middle, forwards
-        and left.
+        Args:
+            t: Seconds.
+            phase: Place of the limb in the cycle, 0..1.
+            ahead: Metres from the body's middle forwards.
+            aside: Metres from the body's middle to the left.
         """
         turns = (t - self.start) / CYCLE + phase
         swing = turns - math.floor(turns)

@@ -78,7 +78,11 @@ def kiss(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 def embrace(stage: MotionStage, who: Performer, partner: Performer, cue: StagedCue) -> Embrace:
     """Bring two people together in an embrace: the taller over the shoulders and bent, the shorter around the ribs.
 
-    The cue gives start, duration and the mark to step back to.
+    Args:
+        stage: The stage of the shot.
+        who: The person who walks.
+        partner: The person embraced.
+        cue: Gives start, duration and the mark to step back to.
     """
     distance = who.measures.front + partner.measures.front + 0.035 * (who.scale + partner.scale) / 2
     t = meet(stage, who, partner, cue, distance, 0.03)

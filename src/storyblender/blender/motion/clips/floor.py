@@ -21,7 +21,13 @@ from storyblender.geometry.boxes import shortest_turn
 
 
 def go_to_mark(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Go to the cue's mark, if it has one; before the shot starts, stand there. Return the second of arrival."""
+    """Go to the cue's mark, if it has one; before the shot starts, stand there. Return the second of arrival.
+
+    Args:
+        stage: The stage of the shot.
+        who: The person.
+        cue: Gives the mark, the start and, if it has one, the duration of the walk.
+    """
     if cue.mark is None:
         return cue.start
     x, y, _ = cue.mark.location

@@ -15,7 +15,14 @@ from storyblender.catalog.expressions import EXPRESSIONS, OF_MOOD, values_of
 
 
 def look_at(who: Performer, t: float, point: Target, duration: float = 0.4) -> float:
-    """Look at a world ``point`` from ``t`` on: eyes, a blink, then the head in ``duration`` seconds; return the end."""
+    """Look at a point: eyes, a blink, then the head; return the end in seconds.
+
+    Args:
+        who: The person.
+        t: Second at which the eyes move.
+        point: World point in metres, or a function from seconds to it.
+        duration: Seconds in which the head follows.
+    """
     who.eyes.set(t, 0.08, point)
     who.gaze.set(t + 0.06, duration, point)
     who.blinks.append(t + 0.05)
@@ -23,18 +30,39 @@ def look_at(who: Performer, t: float, point: Target, duration: float = 0.4) -> f
 
 
 def show_expression(who: Performer, t: float, duration: float, **units: float) -> None:
-    """Blend in ``duration`` seconds to amounts of ``FACE`` units; without any, to the person's base expression."""
+    """Blend to amounts of ``FACE`` units; without any, to the person's base expression.
+
+    Args:
+        who: The person.
+        t: Second at which the blend begins.
+        duration: Seconds of the blend.
+        **units: Amounts of ``FACE`` units, 0..1.
+    """
     who.face.set(t, duration, values_of(units or EXPRESSIONS[who.expression]))
 
 
 def show_mood(who: Performer, t: float, name: str, duration: float = 0.3) -> None:
-    """Blend in ``duration`` seconds to a mood's or expression's face; ``neutral`` is the person's base expression."""
+    """Blend to the face of a mood or an expression.
+
+    Args:
+        who: The person.
+        t: Second at which the blend begins.
+        name: A mood or a key of ``EXPRESSIONS``; ``neutral`` is the person's base expression.
+        duration: Seconds of the blend.
+    """
     expression = next((face for each, face in OF_MOOD.items() if each == name), name)
     show_expression(who, t, duration, **EXPRESSIONS[expression])
 
 
 def look_at_subject(stage: MotionStage, who: Performer, t: float, cue: StagedCue) -> float:
-    """Look at the cue's target, else at its prop, else ahead, from ``t`` seconds on; return the end."""
+    """Look at the cue's target, else at its prop, else ahead; return the end in seconds.
+
+    Args:
+        stage: The stage of the shot.
+        who: The person.
+        t: Second at which the eyes move.
+        cue: Gives target and prop.
+    """
     subject = cue.target or cue.prop
     if subject is None:
         return look_at(who, t, who.ahead)
@@ -42,7 +70,14 @@ def look_at_subject(stage: MotionStage, who: Performer, t: float, cue: StagedCue
 
 
 def look_at_target(stage: MotionStage, who: Performer, t: float, cue: StagedCue) -> None:
-    """Look at the cue's target from ``t`` seconds on, if it has one."""
+    """Look at the cue's target, if it has one.
+
+    Args:
+        stage: The stage of the shot.
+        who: The person.
+        t: Second at which the eyes move.
+        cue: Gives the target.
+    """
     if cue.target is not None:
         look_at(who, t, stage.look_point(cue.target))
 
@@ -154,7 +189,13 @@ def think(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def point_aside(who: Performer, degrees: float, height: float = 0.95) -> PointOf:
-    """Return a point 5 m away by seconds, turned left by ``degrees``, at a share ``height`` of the eyes' height."""
+    """Return a function from seconds to the world point 5 m away, aside of where the person faces.
+
+    Args:
+        who: The person.
+        degrees: Turn to the left, from straight ahead.
+        height: Share of the eyes' height above the ground.
+    """
 
     def point(t: float) -> Vector:
         x, y, yaw = who.root(t)

@@ -44,9 +44,16 @@ def prop_of(cue: StagedCue) -> StagedProp | None:
 
 
 def approach(stage: MotionStage, who: Performer, cue: StagedCue, place: Vector, reach: float) -> float:
-    """Walk to within ``reach`` metres (on the floor) of a world point and face it; return the second of arrival.
+    """Walk to within reach of a point and face it; return the second of arrival.
 
-    Seated, kneeling and lying people stay. A failure is reported on the cue.
+    Seated, kneeling and lying people stay.
+
+    Args:
+        stage: The stage of the shot.
+        who: The person.
+        cue: Gives the start and, if it has one, the duration of the walk; a failure is reported on it.
+        place: World point, metres.
+        reach: Metres on the floor.
     """
     toward = place.xy - who.position
     if who.posture in ("sit", "lie", "asleep", "kneel"):
@@ -80,7 +87,16 @@ def _standing_spot(stage: MotionStage, who: Performer, place: Vector, reach: flo
 def take_in_hand(
     stage: MotionStage, who: Performer, side: str, prop: StagedProp, t: float, settle: float = SETTLE
 ) -> None:
-    """Let a prop follow a hand from ``t`` on, blending for ``settle`` seconds, and note the person as its holder."""
+    """Let a prop follow a hand, and note the person as its holder.
+
+    Args:
+        stage: The stage of the shot.
+        who: The person.
+        side: ``L`` or ``R``.
+        prop: What they hold from then on; a two-handed one takes both hands.
+        t: Second at which it begins to follow the hand.
+        settle: Seconds of blending from its former movement.
+    """
     release_prop(stage, prop)
     prop.hold(t, who, side, prop.grip(side), settle)
     for hand in SIDES if prop.two_handed else (side,):
@@ -94,7 +110,14 @@ def release_prop(stage: MotionStage, prop: StagedProp) -> None:
 
 
 def bend_to_reach(who: Performer, t: float, duration: float, place: Vector) -> float:
-    """Bend in ``duration`` seconds to reach a low or far world point; return the depth 0..1, 0 if not needed."""
+    """Bend a standing person to reach a low or far point; return the depth 0..1, 0 if not needed.
+
+    Args:
+        who: The person.
+        t: Second at which they begin to bend.
+        duration: Seconds.
+        place: World point, metres.
+    """
     m, k = who.measures, who.scale
     if who.posture != "stand":
         return 0.0
@@ -131,7 +154,13 @@ def _shoulders(who: Performer, sink: float, bend: float) -> tuple[float, float]:
 
 
 def near_grip(who: Performer, prop: StagedProp, side: str) -> Grip:
-    """Return the grip of a hand on a prop that lies there, approached from the person's side."""
+    """Return the grip of a hand on a prop that lies there, approached from the person's side.
+
+    Args:
+        who: The person.
+        prop: What they reach for.
+        side: ``L`` or ``R``.
+    """
     grip = grip_from_above(prop, prop.grip(side))
     ahead = Vector((*(prop.matrix.translation.xy - who.position), 0.0))
     turned = prop.matrix.to_3x3() @ grip.fingers
@@ -150,7 +179,7 @@ def grip_from_above(prop: StagedProp, grip: Grip) -> Grip:
 
 
 def straighten_up(who: Performer, t: float, duration: float) -> None:
-    """Stand straight again after ``bend_to_reach``, from ``t`` on in ``duration`` seconds."""
+    """Stand straight again after ``bend_to_reach``, from ``t`` seconds on in ``duration`` seconds."""
     who.hips.set(t, duration, (0, 0, who.standing_height, 0, 0, 0))
     who.spine.set(t, duration, (0, 0, 0))
 

@@ -31,9 +31,15 @@ NEAR = 0.06
 
 
 def step_to(who: Performer, side: str, t: float, duration: float, pose: Floats, lift: float | None = None) -> float:
-    """Move one foot in an arc to a target ``pose`` (see ``Performer.plant``); return the second at which it is down.
+    """Move one foot in an arc to a target; return the second at which it is down.
 
-    ``lift`` is the height of the arc in metres, None for the usual one.
+    Args:
+        who: The person.
+        side: ``L`` or ``R``.
+        t: Second at which the foot leaves the floor.
+        duration: Seconds in the air.
+        pose: (9,) foot target to reach, see ``Performer.plant``.
+        lift: Height of the arc in metres; None for the usual one.
     """
     start, goal = np.array(who.feet[side](t), float), np.array(pose, float)
     turn = shortest_turn(start[3], goal[3])
@@ -53,7 +59,7 @@ def step_to(who: Performer, side: str, t: float, duration: float, pose: Floats, 
 
 
 def shuffle_to(who: Performer, t: float, place: Vector) -> float:
-    """Step to a near ``place`` (x, y) without turning, from ``t`` seconds on; return the end."""
+    """Step to a near ``place`` (world x, y, metres) without turning, from ``t`` seconds on; return the end."""
     way = place - who.position
     lead = "R" if way.dot(who.left) < 0 else "L"
     who.root.set(t + 0.1, 0.75, (place.x, place.y, who.yaw))
@@ -64,7 +70,7 @@ def shuffle_to(who: Performer, t: float, place: Vector) -> float:
 
 
 def turn_to(who: Performer, t: float, yaw: float) -> float:
-    """Turn on the spot to a yaw in radians with footsteps, from ``t`` seconds on; return the end."""
+    """Turn on the spot to a world yaw in radians with footsteps, from ``t`` seconds on; return the end in seconds."""
     turn = shortest_turn(who.yaw, yaw)
     x, y = who.position
     if abs(turn) < math.radians(12):
@@ -138,7 +144,16 @@ def travel(
 
 
 def find_goal(stage: MotionStage, who: Performer, cue: StagedCue) -> tuple[Vec2, float | None]:
-    """Return the goal (x, y) and final yaw of a travelling cue: its mark, else an arm's length before its target."""
+    """Return the goal of a travelling cue: its mark, else an arm's length before its target.
+
+    Args:
+        stage: The stage of the shot.
+        who: The person.
+        cue: Gives mark and target; without both the goal is 2 m ahead.
+
+    Returns:
+        World x and y in metres; final yaw in radians, None to keep the heading.
+    """
     if cue.mark is not None:
         return (cue.mark.location[0], cue.mark.location[1]), math.radians(cue.mark.yaw)
     if cue.target is not None:

@@ -27,7 +27,14 @@ STRUMS = 2.2
 
 
 def strum(stage: MotionStage, who: Performer, cue: StagedCue, prop: StagedProp) -> float:
-    """Play a string instrument whose own frame is upright, strings to the front; return the end in seconds."""
+    """Play a string instrument whose own frame is upright, strings to the front; return the end in seconds.
+
+    Args:
+        stage: The stage of the shot.
+        who: The person.
+        cue: Gives start and duration.
+        prop: The instrument; taken in hand if they do not hold it.
+    """
     t, end, k = cue.start, cue.start + (cue.duration or 3.0), who.scale
     tall, deep = prop.size.z, prop.size.y
     if prop.holder is not who:

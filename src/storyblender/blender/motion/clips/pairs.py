@@ -40,9 +40,15 @@ def partner_of(cue: StagedCue) -> Performer | None:
 def meet(
     stage: MotionStage, who: Performer, partner: Performer, cue: StagedCue, distance: float, slack: float = 0.25
 ) -> float:
-    """Bring two people face to face at ``distance`` metres, give or take ``slack``; return the end in seconds.
+    """Bring two people face to face; return the end in seconds.
 
-    ``who`` walks; seated people stay.
+    Args:
+        stage: The stage of the shot.
+        who: The person who walks, unless seated.
+        partner: The person met.
+        cue: Gives the start and, if it has one, the duration of the walk.
+        distance: Metres between the two; more before a seated partner.
+        slack: Metres by which the distance may differ without a step.
     """
     t = max(cue.start, *(partner.free[part] for part in ("L", "R")))
     gap = (partner.position - who.position).length
@@ -68,12 +74,19 @@ def meet(
 
 
 def free_hand(who: Performer, preferred: str = "R") -> str | None:
-    """Return a hand that holds nothing, ``preferred`` first; None if both are full."""
+    """Return a hand that holds nothing, ``preferred`` (``L`` or ``R``) first; None if both are full."""
     return next((side for side in (preferred, "L" if preferred == "R" else "R") if side not in who.held), None)
 
 
 def reserve_hands(who: Performer, sides: tuple[str, ...], start: float, end: float) -> None:
-    """Keep a partner's hands from ``start`` to ``end`` seconds, and cancel what was planned for them."""
+    """Keep a person's hands for a motion with another person, and cancel what was planned for them.
+
+    Args:
+        who: The person.
+        sides: ``L``, ``R`` or both.
+        start: Second from which planned keys are removed.
+        end: Second until which no other cue may use them.
+    """
     for side in sides:
         who.hands[side].remove_from(start)
         who.free[side] = max(who.free[side], end)

@@ -10,7 +10,12 @@ from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import SIDES
 
 Play = Callable[[MotionStage, Performer, StagedCue], float]
-"""A clip: sets keys on the channels of the performer for a cue and returns the second at which it is over."""
+"""A clip: sets keys on the channels of the performer for a cue and returns the second at which it is over.
+
+It takes the stage of the shot, the person who acts, and the cue, with seconds from the start of the shot (before 0 for
+a motion under way at the first frame) and with target and prop on this stage. A cue that cannot be performed raises
+nothing; it may be recorded by ``MotionStage.report``.
+"""
 
 
 @dataclass(frozen=True)
@@ -50,9 +55,16 @@ def clip(key: str, *uses: str) -> Callable[[Play], Play]:
 
 
 def play(stage: MotionStage, who: Performer, key: str, cue: StagedCue) -> float:
-    """Play the clip ``key`` for a cue as soon as the parts it uses are free, and keep them until it is over.
+    """Play a clip as soon as the parts it uses are free, and keep them until it is over; return that second.
 
-    Return the second at which it is over.
+    Args:
+        stage: The stage of the shot.
+        who: The person.
+        key: A key of ``CLIPS``.
+        cue: Gives the earliest start, the acting hand and what else the clip needs.
+
+    Raises:
+        KeyError: No clip has this key.
     """
     chosen = CLIPS[key]
     parts = chosen.parts(cue.side)

@@ -30,12 +30,18 @@ FLOOR_SEAT = 0.30
 
 
 def feet_before_seat(who: Performer, seat: Seat) -> Vector:
-    """Return the position (x, y) of a sitter's feet, in front of the seat's edge."""
+    """Return the position (world x, y in metres) of a sitter's feet, in front of the seat's edge."""
     return seat.edge + seat.before * (BEFORE_SEAT * who.scale)
 
 
 def seat_of_cue(stage: MotionStage, who: Performer, cue: StagedCue) -> Seat | None:
-    """Return the seat of a cue's mark or target; a seat on the floor where the mark names no support; else None."""
+    """Return the seat of a cue's mark or target; a seat on the floor where the mark names no support; else None.
+
+    Args:
+        stage: The stage of the shot.
+        who: The person.
+        cue: Gives mark and target.
+    """
     support = cue.mark.support_id if cue.mark else None
     seat = stage.find_seat(support, cue.mark)
     if seat is None and cue.target is not None:
@@ -48,7 +54,14 @@ def seat_of_cue(stage: MotionStage, who: Performer, cue: StagedCue) -> Seat | No
 
 
 def return_hands(stage: MotionStage, who: Performer, t: float, duration: float) -> None:
-    """Bring both hands back to rest, or to carrying what they hold, from ``t`` on in ``duration`` seconds."""
+    """Bring both hands back to rest, or to carrying what they hold.
+
+    Args:
+        stage: The stage of the shot.
+        who: The person.
+        t: Second at which the hands begin to move.
+        duration: Seconds.
+    """
     for side in SIDES:
         held = who.held.get(side)
         target = carrying_hand(who, side, stage.props[held]) if held in stage.props else who.home[side]
@@ -71,7 +84,14 @@ def sit(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
 
 def go_to_seat(stage: MotionStage, who: Performer, cue: StagedCue, seat: Seat) -> float | None:
-    """Walk to a seat and turn the back to it; before the shot, be there. Return the end; None without a path."""
+    """Walk to a seat and turn the back to it, or be there before the shot; return the end, None without a path.
+
+    Args:
+        stage: The stage of the shot.
+        who: The person.
+        cue: Gives the start, before 0 if they sit at the beginning of the shot, and the duration of the walk.
+        seat: Where they will sit.
+    """
     if cue.start < 0:
         before = feet_before_seat(who, seat)
         who.place_at_start(before.x, before.y, seat.yaw)
@@ -82,7 +102,14 @@ def go_to_seat(stage: MotionStage, who: Performer, cue: StagedCue, seat: Seat) -
 
 
 def lower_onto_seat(stage: MotionStage, who: Performer, seat: Seat, t: float) -> float:
-    """Sit down at ``t`` seconds from the position before a seat; return the end in seconds."""
+    """Sit down from the position before a seat; return the end in seconds.
+
+    Args:
+        stage: The stage of the shot.
+        who: The person, standing before the seat with the back to it.
+        seat: Where they sit down.
+        t: Second at which they begin.
+    """
     m, k = who.measures, who.scale
     forward = who.forward
     depth = min(0.80 * m.thigh, max(0.08, seat.depth - m.seat_back - 0.02))

@@ -41,12 +41,18 @@ class Table:
 
 
 def seated_bend(who: Performer, table: Table | None) -> float:
-    """Return the degrees by which a seated back is bent: more towards a table that is farther away."""
+    """Return the degrees by which a seated back is bent: least without a ``table``, more the farther away it is."""
     return UPRIGHT if table is None else UPRIGHT + 45 * max(0.0, table.edge / who.scale - 0.30)
 
 
 def hand_places_on(who: Performer, hips: Vector, table: Table | None) -> dict[str, Vector]:
-    """Return where each palm of a person with ``hips`` on the floor plan can lie on a table; empty without one."""
+    """Return where each palm of a sitter can lie on a table, a world point by side; empty without a table.
+
+    Args:
+        who: The person.
+        hips: World x and y of their hips, metres.
+        table: The table, or None.
+    """
     if table is None:
         return {}
     left = who.left
@@ -62,7 +68,13 @@ def hand_places_on(who: Performer, hips: Vector, table: Table | None) -> dict[st
 
 
 def seated_hand(stage: MotionStage, who: Performer, side: str) -> TargetOf:
-    """Return the target of a seated person's free hand: on their table if its place is free, else on the lap."""
+    """Return the target of a seated person's free hand: on their table if its place is free, else on the lap.
+
+    Args:
+        stage: The stage of the shot.
+        who: The person.
+        side: ``L`` or ``R``.
+    """
     spot = who.table.get(side)
     if spot is None or not _is_free(stage, spot):
         return on_thigh(who, side)
@@ -78,7 +90,14 @@ def seated_hand(stage: MotionStage, who: Performer, side: str) -> TargetOf:
 
 
 def find_table_before(stage: MotionStage, who: Performer, hips: Vector, seat_height: float) -> Table | None:
-    """Return the table before a person who sits with ``hips`` on the floor plan and a seat of that height, or None."""
+    """Return the table before a sitter, near enough and neither too low nor too high for their hands, or None.
+
+    Args:
+        stage: The stage of the shot.
+        who: The person.
+        hips: World x and y of their hips, metres.
+        seat_height: Of the sitting surface, world metres.
+    """
     k = who.scale
     low = seat_height + OVER_LAP * k
     high = seat_height + who.measures.shoulder_height - who.measures.hip_height - UNDER_SHOULDERS * k

@@ -29,7 +29,13 @@ Offset = Callable[[float], Vector]
 
 
 def working_point(stage: MotionStage, who: Performer, cue: StagedCue) -> tuple[Vector, float | None]:
-    """Return the world point that a cue's hand works on, and the height there if it is on a top, else None."""
+    """Return the world point (metres) that a cue's hand works on, and the height there if it is on a top, else None.
+
+    Args:
+        stage: The stage of the shot.
+        who: The person.
+        cue: Gives target, prop and mark; without them it is a point before the person.
+    """
     subject = cue.target or cue.prop
     if isinstance(subject, StagedProp) and subject.holder is not who:
         return subject.matrix @ Vector((0, 0, subject.size.z)), None

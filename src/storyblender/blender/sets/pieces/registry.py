@@ -18,6 +18,7 @@ from storyblender.catalog.registry import ParamValue
 from storyblender.catalog.set_plan import Piece
 
 PieceBuilder = Callable[[MeshBuilder, "PieceSpec"], None]
+"""A recipe: adds the parts of a set piece to the mesh builder, in the piece's frame, as the spec wants it."""
 
 PIECES: dict[str, tuple[PieceBuilder, Surface]] = {}
 """Part -> its builder and how ink and light treat it; filled by ``piece``."""
