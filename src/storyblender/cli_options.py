@@ -40,7 +40,18 @@ def open_studio(
     ahead: Worker | None = None,
     **overrides: Any,
 ) -> Studio:
-    """Open the studio. Imported here, because its crew takes a second to load and ``--help`` needs none of it."""
+    """Open the studio. Imported here, because its crew takes a second to load and ``--help`` needs none of it.
+
+    Args:
+        terminal: Shows the events.
+        script: The settings beside it are read.
+        project: Its folder; without a script, the settings that it was made with are read.
+        ahead: A Blender worker of the project that comes up already.
+        overrides: Settings of the command line; None means not given.
+
+    Raises:
+        InputError: A setting is unknown or out of range.
+    """
     from storyblender.settings import Settings
     from storyblender.studio import Studio
 

@@ -91,6 +91,10 @@ class Folder:
     def write(self, name: str, content: str | bytes) -> Path:
         """Write a file whole or not at all, text as UTF-8; on disk when this returns.
 
+        Args:
+            name: Of the file; folders above it are made.
+            content: All of it.
+
         Raises:
             InputError: The name leads out of the folder, or the disk cannot take the file.
         """
@@ -149,6 +153,10 @@ class Folder:
     def append(self, name: str, text: str) -> None:
         """Add text at the end of a file, made if it does not exist; not flushed to disk.
 
+        Args:
+            name: Of the file.
+            text: Written as UTF-8, with the line ends that it has.
+
         Raises:
             InputError: As ``write``.
         """
@@ -206,6 +214,10 @@ class Folder:
 
     def refuse_change(self, name: str, former: FileState | None) -> None:
         """Refuse to go on if a file was saved after its state was taken.
+
+        Args:
+            name: Of the file.
+            former: What ``state`` returned then; None where there was no file.
 
         Raises:
             InputError: The file was saved.

@@ -88,7 +88,12 @@ def commit_revisions(folder: Path) -> list[int]:
 
 
 def head_text(revision: int, digest: str) -> str:
-    """Return the content of ``history/HEAD``."""
+    """Return the content of ``history/HEAD``.
+
+    Args:
+        revision: The current one; 0 before the first commit.
+        digest: Of its commit; empty where it is not known.
+    """
     return f"{revision} {digest}".strip()
 
 
@@ -127,6 +132,10 @@ def graph_text(saved: Saved) -> str:
 def read_commit(folder: Path, revision: int) -> Commit:
     """Read one commit; the motions of one of an earlier schema become keys of the motion catalogue.
 
+    Args:
+        folder: The project folder.
+        revision: Number of the commit, from 1.
+
     Raises:
         InputError: It is missing, damaged or another one.
     """
@@ -151,6 +160,12 @@ def read_commit(folder: Path, revision: int) -> Commit:
 def step(saved: Saved, commit: Commit, folder: Path, *, backwards: bool = False) -> Saved:
     """Return the state after a commit, or before it.
 
+    Args:
+        saved: The state before the commit; backwards, the one after it.
+        commit: What changed.
+        folder: The project folder, for the messages.
+        backwards: Whether to take the commit back.
+
     Raises:
         InputError: The commit was not made on this state, or did not lead to it.
     """
@@ -168,6 +183,11 @@ def step(saved: Saved, commit: Commit, folder: Path, *, backwards: bool = False)
 
 def moved(saved: Saved, revision: int, folder: Path) -> Saved:
     """Return the state at a revision, forwards or backwards from another one.
+
+    Args:
+        saved: The state at any revision.
+        revision: The one to go to; 0 is before the first commit.
+        folder: The project folder, with the commits.
 
     Raises:
         InputError: A commit between them is missing or damaged, or does not belong to the state.

@@ -66,7 +66,7 @@ class Outputs:
         self._known = self._read()
 
     def write(self, name: str, content: str | bytes) -> Path:
-        """Write a file and note it. Raises InputError as ``Folder.write``."""
+        """Write a file and note it; takes, returns and raises what ``Folder.write`` does."""
         data = content.encode() if isinstance(content, str) else content
         digest = hashlib.sha256(data).hexdigest()
         self._put(name, digest)

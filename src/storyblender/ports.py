@@ -95,7 +95,8 @@ class AssetSource(Protocol):
 class Engine(Protocol):
     """The port that builds, measures and renders: Blender, a render farm, or a stand-in for tests.
 
-    Long work is a future; names of files in jobs are relative to the project folder.
+    Long work is a future, which raises EngineError where the job failed for good. Names of files in jobs are relative
+    to the project folder.
     """
 
     @property
@@ -120,11 +121,28 @@ class Engine(Protocol):
         ...
 
     def read_figures(self, pack: PackRef, frames: Sequence[int]) -> Future[list[list[Figure]]]:
-        """Say where everybody's face is at frames of the scene's timeline."""
+        """Say where all people's faces are at some frames of a scene.
+
+        Args:
+            pack: The scene.
+            frames: Frame numbers on the scene's timeline.
+
+        Returns:
+            All people with a face, for each frame in the order given; world frame, metres.
+        """
         ...
 
     def look(self, pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> Future[list[CameraView]]:
-        """Look through the viewfinder."""
+        """Look through the viewfinder.
+
+        Args:
+            pack: The scene.
+            requests: Camera poses, each at one frame of a shot of the scene.
+            aspect: Width over height of the picture.
+
+        Returns:
+            One view per request, in order.
+        """
         ...
 
     def find_collisions(self, pack: PackRef) -> Future[list[Collision]]:
@@ -156,5 +174,10 @@ class Engine(Protocol):
         ...
 
     def portrait(self, job: AssetJob, out: str) -> Future[str]:
-        """Render a small picture of one asset."""
+        """Render a small picture of one asset.
+
+        Args:
+            job: The asset, which is built if it is not yet.
+            out: Name of the PNG in the project folder; it is returned.
+        """
         ...

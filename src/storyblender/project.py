@@ -113,8 +113,13 @@ class Project:
     def commit(self, graph: ContinuityMemoryGraph, author: str, reason: str) -> Commit | None:
         """Write ``graph`` as the next revision if the Gatekeeper lets it in; None where nothing changed.
 
+        Args:
+            graph: The whole new state.
+            author: Name of the role, ``user`` or ``sync``.
+            reason: What was done, for the history.
+
         Raises:
-            Rejected: V(o_new, S_exist) = 0.
+            Rejected: The new state cannot be, V(o_new, S_exist) = 0; the graph stays as it was.
         """
         changes = changes_between(self.graph, graph)
         if not changes:

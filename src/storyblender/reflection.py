@@ -66,7 +66,16 @@ class Policy(Protocol[Seen, Draft]):
         ...
 
     def refine(self, draft: Draft, critique: Critique, view: Seen) -> Draft:
-        """Return a better draft that answers the critique."""
+        """Return a better draft that answers the critique; an equal one ends the turns of this policy.
+
+        Args:
+            draft: The one that was judged.
+            critique: Its faults, with the numbers that mend them where the critic computed any.
+            view: What ``propose`` was given.
+
+        Raises:
+            NoAnswer: It failed for good, and the next policy of the role takes over.
+        """
         ...
 
 
@@ -74,7 +83,12 @@ class Critic(Protocol[Seen, Judged]):
     """R: judges a draft; an engine critic computes, a vision critic looks."""
 
     def judge(self, draft: Judged, view: Seen) -> Critique:
-        """Score the draft."""
+        """Return the score of a draft, 1 to 10, and its faults.
+
+        Args:
+            draft: What a policy of the role made.
+            view: The role's projection of the graph that it was made from.
+        """
         ...
 
 
@@ -104,6 +118,10 @@ class Format(Protocol[Seen, Draft]):
     def read(self, text: str, view: Seen) -> Draft:
         """Return the draft that was written for a view.
 
+        Args:
+            text: As ``write`` returned it.
+            view: The role's projection of the graph that it was made from.
+
         Raises:
             ValueError: The text is no draft of this role.
         """
@@ -126,6 +144,10 @@ class Typed(Generic[Draft]):
 
     def read(self, text: str, view: object) -> Draft:
         """Return the draft that was written.
+
+        Args:
+            text: JSON, as ``write`` returned it.
+            view: Not used: the type alone decides.
 
         Raises:
             ValueError: The text is no draft of this type.

@@ -48,7 +48,12 @@ _FROM: dict[str, Posture] = {"rise": "kneel", "sleep": "lie", "wake": "lie", "ge
 
 
 def asset_of(kind: str, key: str) -> Asset:
-    """Return a thing, a person who wears a garment or a hair style, or a crate of a material."""
+    """Return a thing, a person who wears a garment or a hair style, or a crate of a material.
+
+    Args:
+        kind: Catalogue: ``props``, ``garments``, ``hair`` or ``materials``.
+        key: Of the entry in it.
+    """
     match kind:
         case "garments":
             look = CharacterLook(garments=(Garment(key=key),))
@@ -69,7 +74,12 @@ def asset_of(kind: str, key: str) -> Asset:
 
 
 def story_of(kind: str, key: str) -> ContinuityMemoryGraph | None:
-    """Return a story that shows an entry; None for what is shown alone."""
+    """Return a story that shows an entry; None for what is shown alone.
+
+    Args:
+        kind: Catalogue, a key of ``studio.CATALOGS``.
+        key: Of the entry in it.
+    """
     match kind:
         case "sets":
             return _set_story(key)

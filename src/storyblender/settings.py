@@ -117,7 +117,13 @@ class Settings(Frozen):
         return self
 
     def reflection(self, role: RoleName, threshold: float = 8.0, horizon: int = 5) -> tuple[float, int]:
-        """Return tau and T_max of a role: those that were given, else the role's own."""
+        """Return tau and T_max of a role: those that were given, else the role's own.
+
+        Args:
+            role: Its name.
+            threshold: The role's own tau, 1 to 10.
+            horizon: The role's own T_max, in refinements.
+        """
         return self.thresholds.get(role, threshold), self.horizons.get(role, horizon)
 
     @classmethod

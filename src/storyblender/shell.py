@@ -42,7 +42,19 @@ class Commands(TyperGroup):
         windows_expand_args: bool = True,
         **extra: Any,
     ) -> Any:
-        """Run a command and exit; what was mistyped is refused like every other input."""
+        """Run a command and exit; what was mistyped is refused like every other input.
+
+        Args:
+            args: Words after the name of the program; None takes those that the process was started with.
+            prog_name: Name of the program in the help; None finds it out.
+            complete_var: Environment variable that asks for completion; None derives it from the name.
+            standalone_mode: Not used: it always exits.
+            windows_expand_args: Whether to expand ``*`` in the words on Windows.
+            extra: For click's context.
+
+        Raises:
+            SystemExit: Always, with the exit code.
+        """
         words = sys.argv[1:] if args is None else args
         _open_closed_streams()
         try:
@@ -60,7 +72,15 @@ class Commands(TyperGroup):
         sys.exit(code or 0)
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Start Blender if the words ask for it, then read them."""
+        """Start Blender if the words ask for it, then read them.
+
+        Args:
+            ctx: Click's context; its ``obj`` becomes the Blender worker, or None.
+            args: Words after the name of the program.
+
+        Returns:
+            The words that are left for the command.
+        """
         ctx.obj = ahead = _started_for(args)
         if ahead is not None:
             ctx.call_on_close(ahead.close)

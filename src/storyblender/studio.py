@@ -79,7 +79,7 @@ class Studio:
             why: Whether to say which rule read what, on which words.
 
         Raises:
-            InputError: The script, the reading or the folder cannot be used.
+            InputError: The script, the reading or the folder cannot be used, or ``export`` exists already.
         """
         with self.start(script, folder) as session:
             return session.plan(script, reading, export, why=why)
@@ -102,6 +102,10 @@ class Studio:
     def start(self, script: Path, folder: Path) -> Session:
         """Open the project of a script, a new one if there is none, for as many calls as you like.
 
+        Args:
+            script: One that cannot be read is refused before there is a folder.
+            folder: The project; made if it does not exist.
+
         Raises:
             InputError: The script or the folder cannot be used.
             ProjectLocked: Another session has it open.
@@ -119,7 +123,17 @@ class Studio:
         return self._open(None, folder)
 
     def render(self, folder: Path, names: Sequence[str] = ()) -> Delivery:
-        """Open a project for one call of ``Session.render``."""
+        """Open a project for one call of ``Session.render``.
+
+        Args:
+            folder: The project.
+            names: Shots to draw, such as ``SC010_SH020``; all if empty.
+
+        Raises:
+            InputError: No such project, no such shot, or a project that is only planned.
+            ProjectLocked: Another session has it open.
+            EngineError: Blender failed for good.
+        """
         with self.open(folder) as session:
             return session.render(names)
 
@@ -182,7 +196,17 @@ class Studio:
             return session.evaluate()
 
     def export(self, folder: Path, kinds: Sequence[str]) -> Delivery:
-        """Open a project for one call of ``Session.export``."""
+        """Open a project for one call of ``Session.export``.
+
+        Args:
+            folder: The project.
+            kinds: ``glb``, ``usd``, ``edl`` or ``fcpxml``.
+
+        Raises:
+            InputError: No such project, no story.blend in it yet, or an adapter is missing.
+            ProjectLocked: Another session has it open.
+            EngineError: Blender failed for good.
+        """
         with self.open(folder) as session:
             return session.export(kinds)
 

@@ -121,7 +121,12 @@ class Terminal:
             self._console.print(f"[yellow]{event.kind}[/] {_plain(text)}", soft_wrap=True)
 
     def files(self, folder: Path, names: Sequence[str]) -> None:
-        """Say where everything is."""
+        """Say where everything is.
+
+        Args:
+            folder: Where the files are.
+            names: Relative to it.
+        """
         self._progress.stop()
         if self._json:
             self._write({"folder": str(folder), "files": list(names)})
@@ -188,7 +193,12 @@ class Terminal:
             self._results.print(f"  [yellow]{_plain(finding)}[/]", soft_wrap=True)
 
     def reviews(self, folder: Path, reviews: Sequence[FrameReview]) -> None:
-        """Print what the Frame Critic found in the frames of a project."""
+        """Print what the Frame Critic found in the frames of a project.
+
+        Args:
+            folder: The project.
+            reviews: One for each frame, in the order to print.
+        """
         self._progress.stop()
         if self._json:
             self._write({"folder": str(folder), "frames": [review.model_dump(mode="json") for review in reviews]})

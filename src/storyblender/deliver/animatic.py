@@ -63,7 +63,12 @@ def write_animatic(graph: ContinuityMemoryGraph, segments: Sequence[Path], part:
 
 
 def write_subtitles(graph: ContinuityMemoryGraph, part: Path) -> None:
-    """Write the dialogue as an ``.srt`` file."""
+    """Write the dialogue as an ``.srt`` file.
+
+    Args:
+        graph: The story.
+        part: Where to write it.
+    """
     part.write_text(subrip(panels(graph)), encoding="utf-8")
 
 

@@ -118,7 +118,12 @@ def names_of(graph: ContinuityMemoryGraph) -> dict[str, str]:
 
 
 def plain(text: str, names: Mapping[str, str]) -> str:
-    """Return a message with every id replaced by its display name; quoted words of the script stay as they are."""
+    """Return a message with every id replaced by its display name; quoted words of the script stay as they are.
+
+    Args:
+        text: The message.
+        names: Display names by asset_id and node_id, from ``names_of``.
+    """
     return re.sub(r"“[^”]*”|\b[a-z]\w*", lambda word: names.get(word[0], word[0]), text)
 
 

@@ -25,7 +25,12 @@ _NO_XML = {code: " " for code in (*range(32), 127, 0xFFFE, 0xFFFF) if chr(code) 
 
 
 def write_fcpxml(media: TimelineMedia, part: Path) -> None:
-    """Write the timeline to ``part``, with the moving picture of each shot, or else its still."""
+    """Write the timeline to ``part``, with the moving picture of each shot, or else its still.
+
+    Args:
+        media: The story with its pictures, all below its ``folder``.
+        part: Where to write it.
+    """
     graph, clips = media.graph, media.clips
     shots, fps = panels(graph), graph.format.fps
     root = Element("fcpxml", version="1.8")

@@ -79,14 +79,24 @@ class Lettering(Flowable):
         self._size, self._indent, self._most = size, indent, most
 
     def wrap(self, aW: float, aH: float) -> tuple[float, float]:
-        """Return the width given, and the height that the lines take."""
+        """Return the width given, and the height that the lines take.
+
+        Args:
+            aW: Points across that there are.
+            aH: Points down that there are; not used.
+        """
         lines = lines_of(self._words, (aW - self._indent) / self._size)
         self._lines = lines[: self._most] if self._most else lines
         self.width, self.height = aW, len(self._lines) * LEADING * self._size
         return self.width, self.height
 
     def split(self, aW: float, aH: float) -> list[Flowable]:
-        """Return the lines that fit, if any do."""
+        """Return the lines that fit, if any do.
+
+        Args:
+            aW: Points across that there are; not used.
+            aH: Points down that there are.
+        """
         fits = int(aH // (LEADING * self._size))
         self._most = fits
         return [self] if fits else []
@@ -99,7 +109,12 @@ class Lettering(Flowable):
 
 
 def words_of(text: str, color: str) -> Iterator[LetteredWord]:
-    """Split text at spaces and where the font changes; a line may break after any Chinese or Japanese letter."""
+    """Split text at spaces and where the font changes; a line may break after any Chinese or Japanese letter.
+
+    Args:
+        text: In reading order.
+        color: Of the letters, ``#rrggbb``.
+    """
     for word in text.split():
         spaced = True
         for font, run in _runs(word):
@@ -109,7 +124,12 @@ def words_of(text: str, color: str) -> Iterator[LetteredWord]:
 
 
 def lines_of(words: Sequence[LetteredWord], width: float) -> list[list[LetteredWord]]:
-    """Break words into lines of at most ``width`` ems."""
+    """Break words into lines of at most ``width`` ems.
+
+    Args:
+        words: In reading order; one that is longer than a line gets a line of its own.
+        width: Ems.
+    """
     lines: list[list[LetteredWord]] = [[]]
     used = 0.0
     for word in words:
@@ -129,7 +149,12 @@ def width_of(text: str, size: float) -> float:
 
 
 def draw_lines(lines: Sequence[Sequence[LetteredWord]], width: float) -> Image.Image:
-    """Return lines as a picture on white, ``width`` ems wide; right-to-left lines are aligned right."""
+    """Return lines as a picture on white, ``width`` ems wide; right-to-left lines are aligned right.
+
+    Args:
+        lines: Words in reading order, as ``lines_of`` returns them.
+        width: Ems, each ``EM`` pixels.
+    """
     picture = Image.new("RGB", (max(1, round(width * EM)), max(1, round(len(lines) * LEADING * EM))), "white")
     draw = ImageDraw.Draw(picture)
     for number, line in enumerate(lines):

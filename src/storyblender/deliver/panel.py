@@ -246,13 +246,23 @@ def _goes_on(line: ScriptLine) -> bool:
 
 
 def timecode(frame: int, fps: int) -> str:
-    """Return a frame as ``HH:MM:SS:FF``; after 24 hours a clock begins again."""
+    """Return a frame as ``HH:MM:SS:FF``; after 24 hours a clock begins again.
+
+    Args:
+        frame: Number of the frame; 0 is ``00:00:00:00``.
+        fps: Frames a second.
+    """
     seconds, frames = divmod(frame, fps)
     return f"{seconds // 3600 % 24:02d}:{seconds // 60 % 60:02d}:{seconds % 60:02d}:{frames:02d}"
 
 
 def frame_of(time: str, fps: int) -> int:
-    """Return the frame that a timecode ``HH:MM:SS:FF`` counts."""
+    """Return the frame that a timecode ``HH:MM:SS:FF`` counts.
+
+    Args:
+        time: The timecode; 0 is ``00:00:00:00``.
+        fps: Frames a second.
+    """
     hours, minutes, seconds, frames = map(int, time.split(":"))
     return ((hours * 60 + minutes) * 60 + seconds) * fps + frames
 

@@ -87,7 +87,12 @@ def encode_segments(
 
 
 def add_track(film: OutputContainer, segment: Path) -> VideoStream:
-    """Add a video stream to a film with the codec parameters of a segment."""
+    """Add a video stream to a film with the codec parameters of a segment.
+
+    Args:
+        film: Open for writing.
+        segment: An encoded file with one video stream.
+    """
     with av.open(str(segment)) as piece:
         return film.add_stream_from_template(piece.streams.video[0])
 

@@ -33,12 +33,22 @@ def build_timeline(media: TimelineMedia) -> otio.schema.Timeline:
 
 
 def write_timeline(media: TimelineMedia, part: Path) -> None:
-    """Write ``timeline.otio`` to ``part``."""
+    """Write the timeline as OpenTimelineIO.
+
+    Args:
+        media: The story with its pictures.
+        part: Where to write it; ends in ``.otio``.
+    """
     otio.adapters.write_to_file(build_timeline(media), str(part))
 
 
 def write_extra(media: TimelineMedia, part: Path, name: str) -> None:
-    """Write the timeline to ``part`` as ``edl`` or ``fcpxml``.
+    """Write the timeline in another format.
+
+    Args:
+        media: The story with its pictures.
+        part: Where to write it.
+        name: ``edl`` or ``fcpxml``.
 
     Raises:
         InputError: The adapter is not installed, or an EDL has no timecode for the rate.

@@ -48,6 +48,10 @@ def target_named(graph: ContinuityMemoryGraph, name: str) -> Target:
 def person_or_thing(graph: ContinuityMemoryGraph, name: str) -> str:
     """Return the id of an asset, which may be given by its name in the script.
 
+    Args:
+        graph: The story.
+        name: An asset_id, or the name in the script, in any case.
+
     Raises:
         InputError: There is no such asset.
     """

@@ -39,7 +39,7 @@ _VIEWS = TypeAdapter(list[CameraView])
 
 
 class BlenderEngine:
-    """Blender, in as many processes as the settings allow.
+    """Blender, in as many processes as the settings allow. The port ``Engine`` says what the methods take.
 
     Args:
         root: The project folder; every path in a job is relative to it.

@@ -116,7 +116,12 @@ def read_answer(files: Folder, name: str) -> str | None:
 
 
 def write_request(files: Folder, request: Request) -> str:
-    """Write a request for a person or a chat model, its pictures beside it, and return its name."""
+    """Write a request for a person or a chat model, its pictures beside it, and return the name of its files.
+
+    Args:
+        files: The folder.
+        request: What is asked; its digest is part of the name.
+    """
     name = name_of(request)
     for number, picture in enumerate(request.pictures, start=1):
         files.write(f"{name}.{number}.{picture.name}.png", picture.png)
@@ -139,7 +144,12 @@ def asked(folder: Path) -> Iterator[tuple[str, str | None]]:
 
 
 def as_markdown(request: Request, name: str) -> str:
-    """Return a request as one page: instructions, projection, what was wrong before, the form of the answer."""
+    """Return a request as one page: instructions, projection, what was wrong before, the form of the answer.
+
+    Args:
+        request: What is asked.
+        name: Of the request's files, without their endings.
+    """
     title = " ".join(part for part in (request.role.replace("_", " ").title(), request.subject) if part)
     parts = [f"# {title}", request.instructions.strip(), "## What you know", fenced(_indented(request.view))]
     if request.pictures:

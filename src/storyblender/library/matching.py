@@ -82,7 +82,13 @@ class Likeness:
         self._known: dict[tuple[Term, ...], np.ndarray] = {}
 
     def with_likely(self, named: list[Match], query: AssetQuery, terms: tuple[Term, ...]) -> list[Match]:
-        """Return the matches by words and those by meaning, best first; what words found odd stays odd."""
+        """Return the matches by words and those by meaning, best first; what words found odd stays odd.
+
+        Args:
+            named: The matches by words.
+            query: The thing; its phrase and its description are compared.
+            terms: Names of the entries that it may be.
+        """
         odd = {match.key for match in named}
         likely = self._by_meaning(query.phrase, query.asset.description, terms) if terms else []
         return best_of(named + [match for match in likely if match.key not in odd])
@@ -118,7 +124,12 @@ class Likeness:
 
 
 def by_words(phrase: str, terms: tuple[Term, ...]) -> list[Match]:
-    """Return matches of whole phrases and of their ends, best first, longer ends before shorter ones."""
+    """Return matches of whole phrases and of their ends, best first, longer ends before shorter ones.
+
+    Args:
+        phrase: What the script calls the thing, head noun last.
+        terms: Names of the entries that it may be.
+    """
     full = [noun_key(word) for word in words_of(phrase)]
     bare = [noun_key(word) for word in kept_words(words_of(phrase))]
     found: list[tuple[float, int, Match]] = []

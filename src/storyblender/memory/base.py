@@ -74,5 +74,10 @@ def scene_name(scene_id: int) -> str:
 
 
 def shot_name(scene_id: int, shot_id: int) -> str:
-    """Return the name of a shot, its camera and its marker, e.g. ``SC010_SH020``."""
+    """Return the name of a shot, its camera and its marker, e.g. ``SC010_SH020``.
+
+    Args:
+        scene_id: From 1; the name has ten times that.
+        shot_id: From 1 in each scene; the name has ten times that.
+    """
     return f"{scene_name(scene_id)}_SH{shot_id * 10:03d}"

@@ -96,7 +96,15 @@ class ContinuityMemoryGraph(Frozen):
         return tuple(shot for shot in self.shots if shot.scene_id == scene_id)
 
     def shot(self, scene_id: int, shot_id: int) -> ShotContext:
-        """Return one shot. Raises KeyError."""
+        """Return one shot.
+
+        Args:
+            scene_id: Its scene.
+            shot_id: Within the scene.
+
+        Raises:
+            KeyError: There is no such shot.
+        """
         return _find(self.shots_of(scene_id), shot_id, "shot_id")
 
     def outline_of(self, scene_id: int) -> SceneOutline | None:

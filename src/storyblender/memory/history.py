@@ -128,6 +128,11 @@ def _reordering(old: ContinuityMemoryGraph, new: ContinuityMemoryGraph) -> tuple
 def apply(graph: ContinuityMemoryGraph, commit: Commit, *, backwards: bool = False) -> ContinuityMemoryGraph:
     """Return the graph after the commit, or before it.
 
+    Args:
+        graph: The graph that the commit was made on; backwards, the one that it led to.
+        commit: What changed.
+        backwards: Whether to take the commit back.
+
     Raises:
         ValueError: The content of the commit is no item of the graph.
     """
@@ -151,6 +156,11 @@ def apply(graph: ContinuityMemoryGraph, commit: Commit, *, backwards: bool = Fal
 
 def follows(graph: ContinuityMemoryGraph, commit: Commit, *, backwards: bool = False) -> bool:
     """Tell whether a commit was made on this very graph, or backwards, whether it led to it.
+
+    Args:
+        graph: The graph; only what the commit changes is compared.
+        commit: What changed.
+        backwards: Whether to ask for the state after it.
 
     Raises:
         ValueError: The content of the commit is no item of the graph.

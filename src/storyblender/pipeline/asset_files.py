@@ -10,7 +10,12 @@ from storyblender.pipeline.run import Run
 
 
 def assets_to_build(run: Run, assets: Iterable[Asset]) -> list[Asset]:
-    """Return those of the assets that are not built yet, or whose files are not as they were built."""
+    """Return those of the assets that are not built yet, or whose files are not as they were built.
+
+    Args:
+        run: Its project has the files.
+        assets: In any state.
+    """
     return [
         asset
         for asset in assets
@@ -19,12 +24,22 @@ def assets_to_build(run: Run, assets: Iterable[Asset]) -> list[Asset]:
 
 
 def files_whole(run: Run, asset: Asset) -> bool:
-    """Return whether all files of an asset are there as they were built."""
+    """Return whether all files of an asset are there as they were built.
+
+    Args:
+        run: Its project has the files.
+        asset: With ``canonical`` decided.
+    """
     return all(run.outputs.whole(name) for name in _names(asset))
 
 
 def note_asset(run: Run, asset: Asset) -> None:
-    """Note the files of an asset that was just built."""
+    """Note the files of an asset that was just built.
+
+    Args:
+        run: Its project has the files.
+        asset: With ``canonical`` decided.
+    """
     for name in _names(asset):
         run.outputs.note(name)
 

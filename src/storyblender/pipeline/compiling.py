@@ -87,7 +87,12 @@ def sequences_of(scene_ids: Sequence[int]) -> tuple[SequenceFile, ...]:
 
 
 def file_of(graph: ContinuityMemoryGraph, scene_id: int) -> str:
-    """Return the .blend that holds a scene."""
+    """Return the name in the project of the .blend that holds a scene.
+
+    Args:
+        graph: The story.
+        scene_id: The scene.
+    """
     return next((each.path for each in _sequences(graph) if scene_id in each.scene_ids), STORY)
 
 

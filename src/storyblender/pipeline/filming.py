@@ -159,7 +159,17 @@ def _commit_scene(
 
 
 def film_scene(run: Run, graph: ContinuityMemoryGraph, scene_id: int) -> tuple[dict[int, CameraState], list[Event]]:
-    """Return the camera of every shot of a scene, keeping those that are set, and the trace."""
+    """Return the camera of every shot of a scene by shot_id, keeping those that are set, and the trace.
+
+    Args:
+        run: With the packs.
+        graph: The story, ``with_frames``.
+        scene_id: A scene with its set.
+
+    Raises:
+        EngineError: Blender failed for good.
+        AnswerAwaited: An answer has to come from outside first.
+    """
     environment = graph.scene(scene_id).environment
     assert environment is not None, "the set comes before the camera"
     viewfinder = PackViewfinder(run, run.packs[scene_id], graph.shots_of(scene_id))

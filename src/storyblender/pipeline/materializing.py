@@ -90,7 +90,16 @@ class ConceptArtist:
         self._means = WORDS_BY_AGE.get(run.graph.age or "today", {})
 
     def give_up(self, asset: Asset, key: str, error: StoryBlenderError) -> Asset:
-        """Return the asset with something else to be made from than a model that cannot be used, and say so."""
+        """Return the asset with something else to be made from than a model that cannot be used, and say so.
+
+        Args:
+            asset: With the model, or not decided yet.
+            key: Of the model's recipe; this artist does not take it again.
+            error: Why it cannot be used, for the warning.
+
+        Raises:
+            AnswerAwaited: An answer has to come from outside first.
+        """
         message = f"{error}; something else stands in for it"
         self._run.tell(Event(kind="warning", role="asset_formatter", subject=asset.asset_id, message=message))
         self._rejected.add(key)

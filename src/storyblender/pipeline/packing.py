@@ -33,7 +33,15 @@ def pack_scenes(run: Run) -> None:
 
 
 def scene_job(graph: ContinuityMemoryGraph, scene_id: int) -> SceneJob:
-    """Return what the engine needs to build a scene."""
+    """Return what the engine needs to build a scene.
+
+    Args:
+        graph: The story, with the assets built.
+        scene_id: A scene that is staged.
+
+    Raises:
+        KeyError: There is no such scene.
+    """
     scene, shots = graph.scene(scene_id), graph.shots_of(scene_id)
     assets = graph.assets_of(scene_id)
     states = assets_in_states(assets, shots, scene.setup.found)

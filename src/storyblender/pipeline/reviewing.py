@@ -139,7 +139,12 @@ def judge_frame(run: Run, shot: ShotContext, sight: ShotSight, picture: PictureM
 
 
 def kept_reviews(run: Run, shots: Collection[ShotContext]) -> Mapping[str, FrameReview]:
-    """Return the kept reviews of the current frames, by shot name."""
+    """Return the kept reviews of the current frames, by shot name.
+
+    Args:
+        run: With the packs.
+        shots: Those whose reviews are wanted; a shot without one is left out.
+    """
     known = (run.outputs.read(_record(run, shot), FrameReview.model_validate_json) for shot in shots)
     return {review.shot: review for review in known if review is not None}
 

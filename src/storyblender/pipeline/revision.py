@@ -128,9 +128,13 @@ def revise(
 
 
 def matched_shots(old: Sequence[SceneOutline], new: Sequence[SceneOutline]) -> dict[ShotKey, ShotKey]:
-    """Return which old shot covers the very words of a new one, by the new shot's key.
+    """Return which old shot covers the very words of a new one: old keys by new keys, each (scene_id, shot_id).
 
     Scenes with all their words are found wherever they went; the shots of the others are aligned in story order.
+
+    Args:
+        old: Outline of the former plan, in story order.
+        new: Outline of the new plan, in story order.
     """
     waiting: dict[Words, deque[SceneOutline]] = defaultdict(deque)
     for scene in old:

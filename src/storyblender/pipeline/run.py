@@ -134,15 +134,30 @@ class Run:
             self.tell(Event(kind="warning", role=name, message=message))
 
     def progress(self, stage: str, step: int, total: int, subject: str = "") -> None:
-        """Say how far a stage has come. Raises Cancelled once the run is cancelled."""
+        """Say how far a stage has come.
+
+        Args:
+            stage: Its key, for example ``frames``.
+            step: Items that are done.
+            total: Items in all.
+            subject: What is worked on now, for people.
+
+        Raises:
+            Cancelled: The run is cancelled.
+        """
         self._go_on()
         self.listener(Event(kind="stage", role=stage, subject=subject, step=step, total=total))
 
     def commit(self, author: str, reason: str, *items: Item) -> None:
         """Put items into the graph through the Gatekeeper.
 
+        Args:
+            author: Name of the role.
+            reason: What was done, for the history and the trace.
+            items: Take the place of those with the same key; others are added.
+
         Raises:
-            Rejected: V(o_new, S_exist) = 0.
+            Rejected: The new state cannot be, V(o_new, S_exist) = 0; the graph stays as it was.
         """
         try:
             commit = self.project.commit(replace(self.graph, *items), author, reason)

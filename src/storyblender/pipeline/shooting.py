@@ -18,7 +18,12 @@ MOTION_WIDTH_STEP = 4
 
 
 def light_of(run: Run, shot: ShotContext) -> Lighting:
-    """Return the light plan that holds in a shot: the last change before it, or the scene's."""
+    """Return the light plan that holds in a shot: the last change before it, or the scene's.
+
+    Args:
+        run: With the scene lit.
+        shot: The shot; only its ids are used.
+    """
     lighting = run.graph.scene(shot.scene_id).lighting
     for other in run.graph.shots_of(shot.scene_id):
         if other.shot_id <= shot.shot_id and other.lighting is not None:
@@ -32,8 +37,16 @@ def shoot_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, FrameRep
 
     A run that is stopped in a scene finds them again in the records of its frames.
 
+    Args:
+        run: With packs and cameras.
+        shots: Those to draw, scene by scene; frames that are drawn already are taken from the cache.
+
     Returns:
         Shot name to report; the pictures lie in ``frames/``.
+
+    Raises:
+        EngineError: A frame failed for good.
+        Cancelled: The run is cancelled.
     """
     waiting: list[tuple[ShotContext, FrameJob, FrameReport | Future[FrameReport]]] = []
     for shot in shots:
@@ -79,7 +92,12 @@ def drawn_shots(run: Run) -> list[ShotContext]:
 
 
 def damaged_frames(run: Run, shots: Collection[ShotContext]) -> list[ShotContext]:
-    """Return the shots whose frame was there once and is gone, or cannot be read."""
+    """Return the shots whose frame was there once and is gone, or cannot be read.
+
+    Args:
+        run: Its project has the frames.
+        shots: Those to look at.
+    """
     names = [f"frames/{shot_name(shot.scene_id, shot.shot_id)}.png" for shot in shots]
     return [
         shot
@@ -91,8 +109,16 @@ def damaged_frames(run: Run, shots: Collection[ShotContext]) -> list[ShotContext
 def shoot_motion(run: Run, shots: Collection[ShotContext]) -> dict[str, list[Path]]:
     """Draw the moving frames.
 
+    Args:
+        run: With packs and cameras.
+        shots: Those to draw; moving frames that are drawn already are taken from the cache.
+
     Returns:
         Shot name to its pictures in order.
+
+    Raises:
+        EngineError: A shot failed for good.
+        Cancelled: The run is cancelled.
     """
     waiting: list[tuple[str, str]] = []
     drawing: dict[str, Future[int]] = {}
@@ -122,7 +148,12 @@ def shots_not_in_film(run: Run) -> list[str]:
 
 
 def prune(run: Run, shots: Collection[ShotContext]) -> None:
-    """Delete pictures, moving frames and packs of ours that no shot of the story uses any more."""
+    """Delete pictures, moving frames and packs of ours that no shot of the story uses any more.
+
+    Args:
+        run: With packs and cameras.
+        shots: All shots of the story.
+    """
     kept = {name for pack in run.packs.values() for name in (pack.path, pack.record, figures_of(pack))}
     for shot in shots:
         job = _frame_job(run, shot, run.settings.look)
@@ -134,7 +165,12 @@ def prune(run: Run, shots: Collection[ShotContext]) -> None:
 
 
 def frame_picture(run: Run, shot: ShotContext) -> str:
-    """Return the picture name of a shot's current version, drawn or not."""
+    """Return the name in the project of the picture of a shot's current version, drawn or not.
+
+    Args:
+        run: With the packs.
+        shot: With its camera.
+    """
     return _frame_job(run, shot, run.settings.look).out
 
 

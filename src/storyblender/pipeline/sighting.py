@@ -54,7 +54,12 @@ class Sighting:
 
 
 def nodes_of(graph: ContinuityMemoryGraph, scene_id: int) -> dict[str, tuple[str, ...]]:
-    """Return the node_ids that show each asset of a scene; an asset outside the layout is its own node."""
+    """Return the node_ids that show each asset of a scene, by asset_id; an asset outside the layout is its own node.
+
+    Args:
+        graph: The story.
+        scene_id: The scene; one without a layout has no nodes.
+    """
     nodes: dict[str, tuple[str, ...]] = {}
     layout = next((scene.layout for scene in graph.scenes if scene.scene_id == scene_id), None)
     for item in layout.objects if layout is not None else ():

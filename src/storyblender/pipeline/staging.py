@@ -125,7 +125,16 @@ def _with_crowd(run: Run, view: SpatialPlannerView, layout: Layout) -> Layout:
 
 
 def design(run: Run, graph: ContinuityMemoryGraph, scene_id: int) -> Environment:
-    """Return the set that a scene of a graph gets."""
+    """Return the set that a scene of a graph gets.
+
+    Args:
+        run: Its Environment Designer decides.
+        graph: The story, which need not be committed.
+        scene_id: The scene.
+
+    Raises:
+        AnswerAwaited: The answer has to come from outside first.
+    """
     return run.reflect(run.crew.environment_designer, scene_name(scene_id), graph, scene_id).draft
 
 

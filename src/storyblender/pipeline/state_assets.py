@@ -45,7 +45,15 @@ def assets_in_states(
 
 
 def build_states(run: Run, jobs: Iterable[SceneJob]) -> None:
-    """Build what is not built yet of the things in their states."""
+    """Build what is not built yet of the things in their states.
+
+    Args:
+        run: Its engine builds.
+        jobs: The scenes; the things are in their ``in_states``.
+
+    Raises:
+        EngineError: A thing cannot be built.
+    """
     wanted = {each.asset.canonical.digest: each.asset for job in jobs for each in job.in_states if each.asset.canonical}
     missing = [asset for asset in wanted.values() if not files_whole(run, asset)]
     waiting = [(asset, run.engine.build_asset(AssetJob(asset=asset))) for asset in missing]
