@@ -148,7 +148,13 @@ OUTER_LAYER = 45
 
 
 def default_outfit(gender: str, age: float, seed: int) -> tuple[Garment, ...]:
-    """Return what a ``female`` or ``male`` of ``age`` years wears if the script does not say; ``seed`` varies it."""
+    """Return what a person wears if the script does not say.
+
+    Args:
+        gender: ``female`` or ``male``.
+        age: Years; under 13 for children's clothes.
+        seed: Picks one of the usual outfits.
+    """
     rng = np.random.default_rng(seed + 2)
     if age < 13:
         choices = ("tee shorts socks shoes", "shirt shorts socks shoes") if gender == "male" else ("dress socks shoes",)

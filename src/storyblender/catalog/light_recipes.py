@@ -214,7 +214,13 @@ def sun_position(elevation: float, azimuth: float, distance: float = 50.0) -> Ve
 
 
 def area_watts(level: float, distance: float, diameter: float) -> float:
-    """Return the watts of an AREA lamp that light a facing white surface to ``level`` (notes 1.1; disk on its axis)."""
+    """Return the watts of a disk AREA lamp that light a white surface on its axis (notes 1.1).
+
+    Args:
+        level: Scene-linear luminance wanted of the surface, which faces the lamp.
+        distance: Metres from the lamp to the surface.
+        diameter: Metres across the disk.
+    """
     return level * math.pi**2 * (distance**2 + (diameter / 2) ** 2)
 
 

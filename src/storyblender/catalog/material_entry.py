@@ -78,7 +78,15 @@ def hex_code(color: Color) -> str:
 
 
 def painted(key: str, color: str, accent: str = "#1a1612", tags: str = "", **fields: object) -> MaterialEntry:
-    """Return a material from hex colours; ``tags`` are words separated by spaces."""
+    """Return a material from hex colours.
+
+    Args:
+        key: snake_case key; its words are the display name too.
+        color: sRGB hex code of the mean colour.
+        accent: sRGB hex code of the pattern's second colour.
+        tags: Words for the material, separated by spaces.
+        fields: Further fields of the MaterialEntry.
+    """
     return MaterialEntry(
         key=key,
         name=key.replace("_", " "),
@@ -90,12 +98,27 @@ def painted(key: str, color: str, accent: str = "#1a1612", tags: str = "", **fie
 
 
 def wooden(key: str, color: str, tags: str, roughness: float = 0.42) -> MaterialEntry:
-    """Return a polished wood."""
+    """Return a polished wood.
+
+    Args:
+        key: snake_case key.
+        color: sRGB hex code.
+        tags: Words besides ``wood`` and ``timber``, separated by spaces.
+        roughness: 0 for a mirror to 1 for matte.
+    """
     return painted(key, color, tags=f"wood timber {tags}", pattern="wood", tile=0.9, roughness=roughness, grain=True)
 
 
 def woven(key: str, color: str, tags: str, roughness: float = 0.95, **params: float) -> MaterialEntry:
-    """Return a cloth; ``params`` go to the weave."""
+    """Return a cloth.
+
+    Args:
+        key: snake_case key.
+        color: sRGB hex code.
+        tags: Words besides ``fabric`` and ``cloth``, separated by spaces.
+        roughness: 0 for a mirror to 1 for matte.
+        params: Arguments of the weave pattern: ``threads`` across the picture.
+    """
     return painted(
         key,
         color,
@@ -109,5 +132,13 @@ def woven(key: str, color: str, tags: str, roughness: float = 0.95, **params: fl
 
 
 def card(key: str, color: str, accent: str, pattern: PatternKey, tags: str) -> MaterialEntry:
-    """Return a glowing backdrop card."""
+    """Return a glowing backdrop card.
+
+    Args:
+        key: snake_case key.
+        color: sRGB hex code of the mean colour.
+        accent: sRGB hex code of the pattern's second colour.
+        pattern: Picture on the card, such as ``skyline``.
+        tags: Words for the material, separated by spaces.
+    """
     return painted(key, color, accent, tags, pattern=pattern, pixels=512, roughness=1.0, emission=0.7)

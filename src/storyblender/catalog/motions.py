@@ -199,7 +199,12 @@ def natural_seconds(motion: Motion, *, distance: float = 0.0, stature: float = 1
 
 
 def turning_seconds(degrees: float, stature: float = 1.7) -> float:
-    """Return the duration of a turn on the spot; small turns take none, as they are part of a walk's steps."""
+    """Return the seconds of a turn on the spot; small turns take none, as they are part of a walk's steps.
+
+    Args:
+        degrees: Angle turned, to either side.
+        stature: Metres; the duration grows with its square root.
+    """
     if abs(degrees) <= TURN_IN_STRIDE:
         return 0.0
     return 2 * TURN_STEP_SECONDS * math.ceil(abs(degrees) / TURN_STEP) * math.sqrt(stature / 1.7) + 0.1

@@ -1,6 +1,6 @@
 """The plan of a set: walls, ground, structures, furniture, lamps, marks. What a set kit returns; pure data.
 
-A kit is one function ``plan(params, rng) -> SetPlan`` in ``catalog/sets/``; Blender builds the plan from shared
+A kit is one function ``draw(params, rng) -> SetPlan`` in ``catalog/sets/``; Blender builds the plan from shared
 parts, the planners read it (walls to stay inside, furniture to stage on, marks to enter from).
 World frame of the scene: metres, Z up, the audience sits at -Y looking to +Y.
 """

@@ -32,7 +32,12 @@ class Ground(Drawing):
         self._flat, self._relief, self._rise, self._seed = REACH, 0.0, 0.0, 0
 
     def level(self, material: str, *, wet: bool = False) -> None:
-        """Lay flat ground to the horizon; a ``wet`` one mirrors when it rains or at night."""
+        """Lay flat ground to the horizon.
+
+        Args:
+            material: Finish or material key.
+            wet: Whether it mirrors when it rains or at night.
+        """
         self.slab("ground", rectangle(-REACH, -REACH, REACH, REACH), material, wet=wet)
 
     def land(self, material: str, *, relief: float, rise: float = 0.0, flat: float | None = None) -> None:
@@ -59,7 +64,7 @@ class Ground(Drawing):
         )
 
     def height(self, x: float, y: float) -> float:
-        """Return the height of the ground at a floor point, metres."""
+        """Return the world z of the ground at the floor point ``x``, ``y``, all in metres; 0 before ``land``."""
         return round(
             float(ground_height(x, y, flat=self._flat, relief=self._relief, rise=self._rise, seed=self._seed)), 3
         )

@@ -34,7 +34,8 @@ class SetKit:
         name: Display name.
         tags: Words in scene headings that mean this place, the strongest first.
         indoor: Whether the place is indoors.
-        draw: Pure function from parameters and a seeded generator to the kit's plan.
+        draw: Pure function ``(params, rng)`` of the set's parameters, dimensions already within the spans, and a seeded
+            generator. Returns the plan in the world frame, metres; raises InputError if its kit file is invalid.
         width: Span in x.
         depth: Span in y.
         height: Span of the ceiling; ignored outdoors.
