@@ -140,7 +140,7 @@ def corners(box: Box) -> NDArray[np.float64]:
 
 
 def distance_to_point(box: Box, x: float, y: float) -> float:
-    """Return the distance of a floor point from the footprint, metres; negative inside."""
+    """Return the distance in metres of a floor point (world ``x`` and ``y``) from the footprint; negative inside."""
     u, v = box.to_local(x, y)
     du, dv = abs(u) - box.width / 2, abs(v) - box.depth / 2
     return math.hypot(max(du, 0.0), max(dv, 0.0)) + min(max(du, dv), 0.0)

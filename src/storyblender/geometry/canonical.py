@@ -47,6 +47,10 @@ def measure_stability(vertices: Floats, triangles: Triangles) -> float:
     """Return how well the model stands when +Z is up, from -1 (falls over) to 2 (stable).
 
     The value is the share of its footprint under its support polygon, plus the depth of its mass inside that polygon.
+
+    Args:
+        vertices: (n, 3) with +Z up, in any unit.
+        triangles: (m, 3) vertex indices.
     """
     low, extent = vertices.min(axis=0), np.maximum(np.ptp(vertices, axis=0), 1e-9)
     touching = vertices[vertices[:, 2] < low[2] + 0.02 * extent[2], :2]

@@ -38,6 +38,11 @@ def side_of_line(camera: ArrayLike, first: ArrayLike, second: ArrayLike) -> int:
     """Return on which side of the line from ``first`` to ``second`` the camera is: 1 left, -1 right, 0 on it.
 
     Within 5 degrees of the line as seen from the middle counts as on it: a neutral shot breaks no axis.
+
+    Args:
+        camera: (2,) or (3,) world position, metres; only x and y count, here and below.
+        first: World position of one person, metres.
+        second: World position of the other person, metres.
     """
     a, b, c = (np.asarray(point, float)[:2] for point in (first, second, camera))
     line, sight = b - a, c - (a + b) / 2
@@ -49,13 +54,26 @@ def side_of_line(camera: ArrayLike, first: ArrayLike, second: ArrayLike) -> int:
 
 
 def crosses_line(camera: Orbit, first: ArrayLike, second: ArrayLike, side: int) -> bool:
-    """Return whether the camera is across the line from ``side`` (1 left, -1 right, 0 none used yet)."""
+    """Return whether the camera is across the line from the side of the scene.
+
+    Args:
+        camera: Camera whose position is judged.
+        first: World position of one person, metres.
+        second: World position of the other person, metres.
+        side: Side of the line from ``first`` to ``second`` used so far: 1 left, -1 right, 0 none yet.
+    """
     here = side_of_line(camera.position, first, second)
     return side != 0 and here != 0 and here != side
 
 
 def angle_between_views(before: Orbit, after: Orbit, subject: ArrayLike) -> float:
-    """Return the angle in degrees between two cameras as seen from the subject."""
+    """Return the angle in degrees between two cameras as seen from the subject.
+
+    Args:
+        before: Camera before the cut.
+        after: Camera after the cut.
+        subject: (3,) world position, metres.
+    """
     a = before.position - np.asarray(subject, float)
     b = after.position - np.asarray(subject, float)
     cosine = float(a @ b / (np.linalg.norm(a) * np.linalg.norm(b)))
@@ -63,7 +81,12 @@ def angle_between_views(before: Orbit, after: Orbit, subject: ArrayLike) -> floa
 
 
 def screen_direction(camera: Orbit, vector: ArrayLike) -> float:
-    """Return the share of a world direction that runs to the right of the picture: 1 right, -1 left, 0 in depth."""
+    """Return the share of a world direction that runs to the right of the picture: 1 right, -1 left, 0 in depth.
+
+    Args:
+        camera: Camera that shows it.
+        vector: (3,) world direction of any length; a zero vector gives 0.
+    """
     flat = np.asarray(vector, float)
     length = float(np.linalg.norm(flat))
     return float(camera.axes[:, 0] @ flat / length) if length > 1e-9 else 0.0
@@ -74,7 +97,12 @@ def do_looks_match(
 ) -> bool:
     """Return whether the looks of two singles run to opposite sides of the picture.
 
-    Looks are world directions; one that runs less than ``least`` (a ``screen_direction``) to a side matches any.
+    Args:
+        one: Camera of one single.
+        one_look: (3,) world direction of the look in it.
+        other: Camera of the other single.
+        other_look: (3,) world direction of the look in that one.
+        least: ``screen_direction`` below which a look runs to neither side and matches any.
     """
     a, b = screen_direction(one, one_look), screen_direction(other, other_look)
     return a * b < 0 or abs(a) < least or abs(b) < least
@@ -84,6 +112,11 @@ def mirror_azimuth(azimuth: float, first: ArrayLike, second: ArrayLike) -> float
     """Return the azimuth of a camera mirrored across the plane midway between two people: degrees, 0 at -Y, 90 at +X.
 
     The reverse of a single: same side of the line, same angle off it, looking at the other one.
+
+    Args:
+        azimuth: Of the camera to mirror, in the same degrees.
+        first: World position of one person, metres.
+        second: World position of the other person, metres; the order of the two does not matter.
     """
     line = np.asarray(second, float) - np.asarray(first, float)
     along = math.degrees(math.atan2(line[0], -line[1]))

@@ -114,7 +114,7 @@ def elevation_of(angle: str, size: ShotSize) -> float:
 
 
 def project(camera: Orbit, points: ArrayLike) -> tuple[Floats, Floats]:
-    """Return screen positions (n, 2) and depths (n,) in metres; behind the camera the depth is not positive."""
+    """Return screen positions (n, 2) and depths (n,; metres, not positive behind the camera) of (n, 3) world points."""
     world = np.atleast_2d(np.asarray(points, float))
     axes = camera.axes
     seen = (world - camera.pivot) @ axes - (0.0, 0.0, camera.distance)
@@ -137,7 +137,7 @@ def distance_for(height: float, share: float, camera_tangent: float) -> float:
 
 
 def place_on_screen(camera: Orbit, point: ArrayLike, x: float, y: float) -> Orbit:
-    """Pan the camera until a world point is seen at screen position (x, y)."""
+    """Return the camera panned until a world point (metres) is seen at screen position (x, y)."""
     for _ in range(2):
         screen, depth = project(camera, point)
         ratio = float(depth[0]) / camera.distance
@@ -187,9 +187,10 @@ class Film:
 
 
 def frame_single(film: Film, figure: Figure, size: ShotSize, azimuth: float, elevation: float, lens: float) -> Orbit:
-    """Return the camera for one person, face at its height, with lead room: degrees, lens in mm.
+    """Return the camera for one person, face at its height, with lead room.
 
-    In an FS a person who sits low or is bent is placed lower in the picture.
+    Azimuth (0 at -Y) and elevation are degrees around the face, the lens is in mm. In an FS a person who sits low or is
+    bent is placed lower in the picture.
     """
     distance = distance_for(figure.head, SIZES[size].head, film.tangent(lens))
     camera = film.look(figure.face, azimuth, elevation, distance, lens)
@@ -211,7 +212,7 @@ def frame_group(
 ) -> Orbit:
     """Return the camera that holds all heads of a group within ``span`` of the picture's width: degrees, lens in mm.
 
-    No head is larger than the size asks for; a person lying at another's feet makes both smaller.
+    Azimuth is 0 at -Y. No head is larger than the size asks for; a person lying at another's feet makes both smaller.
     """
     faces = np.array([figure.face for figure in figures])
     middle = (faces.min(0) + faces.max(0)) / 2
@@ -381,7 +382,7 @@ def frame_insert(
 def frame_master(
     film: Film, points: ArrayLike, azimuth: float, elevation: float, lens: float, fill: float = 0.86
 ) -> Orbit:
-    """Return the camera that holds (n, 3) world points within ``fill`` of the picture: degrees, lens in mm."""
+    """Return the camera that holds (n, 3) world points within ``fill`` of the picture: degrees, metres, lens in mm."""
     corners = np.asarray(points, float)
     middle = (corners.min(0) + corners.max(0)) / 2
     camera = film.look(middle, azimuth, elevation, 30.0, lens)

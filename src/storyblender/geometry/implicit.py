@@ -17,7 +17,12 @@ _EDGES = [(a, b) for a in range(8) for b in range(a + 1, 8) if np.abs(_CORNERS[a
 
 
 def ellipsoid(center: ArrayLike, half: ArrayLike) -> Field:
-    """Return the field of an ellipsoid with semi-axes ``half``."""
+    """Return the field of an ellipsoid.
+
+    Args:
+        center: (3,) centre.
+        half: (3,) semi-axes along x, y, z, in the same unit.
+    """
     middle, semi = np.asarray(center, float), np.asarray(half, float)
 
     def field(points: Floats) -> Floats:
@@ -52,7 +57,7 @@ def rod(start: ArrayLike, end: ArrayLike, radii: tuple[float, float], *, flat: f
 
 
 def melted(fields: Sequence[Field], blend: float) -> Field:
-    """Return the smooth union of ``fields``; seams are rounded over the distance ``blend``."""
+    """Return the smooth union of ``fields``; seams are rounded over the distance ``blend``, in the fields' own unit."""
 
     def field(points: Floats) -> Floats:
         total = fields[0](points)

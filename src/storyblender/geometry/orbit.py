@@ -108,7 +108,18 @@ def camera_around(
     sensor_width: float = 36.0,
     aspect: float = 16 / 9,
 ) -> Orbit:
-    """Return a camera at an azimuth (0 at -Y, 90 at +X) and elevation around the pivot; angles in degrees."""
+    """Return a camera that looks at a pivot from an azimuth and an elevation around it.
+
+    Args:
+        pivot: (3,) world position, metres.
+        azimuth: Degrees, 0 at -Y, 90 at +X.
+        elevation: Degrees above the pivot's horizon.
+        distance: Metres from the optical centre to the pivot.
+        lens: Focal length, mm.
+        roll: Degrees about the optical axis.
+        sensor_width: mm.
+        aspect: Width / height of the picture.
+    """
     about_z = axis_rotation((0.0, 0.0, 1.0), azimuth)
     about_x = axis_rotation((1.0, 0.0, 0.0), 90.0 - elevation)
     about_view = axis_rotation((0.0, 0.0, 1.0), roll)
@@ -119,9 +130,14 @@ def camera_around(
 def camera_looking_at(
     position: ArrayLike, target: ArrayLike, lens: float, *, roll: float = 0.0, **film: float
 ) -> Orbit:
-    """Return a camera at a world position that looks at a world target: lens in mm, roll in degrees.
+    """Return a camera at a world position that looks at a world target.
 
-    ``film`` is ``sensor_width`` in mm and ``aspect``.
+    Args:
+        position: (3,) optical centre, world metres.
+        target: (3,) world metres; it becomes the pivot and must not be the position itself.
+        lens: Focal length, mm.
+        roll: Degrees about the optical axis.
+        film: ``sensor_width`` in mm and ``aspect``.
     """
     back = np.asarray(position, float) - np.asarray(target, float)
     distance = float(np.linalg.norm(back))
@@ -131,14 +147,20 @@ def camera_looking_at(
 
 
 def pan(camera: Orbit, dx: float, dy: float) -> Orbit:
-    """Move the camera and its pivot across the picture: by shares of its height, right and up; 1:1 at the pivot."""
+    """Move the camera and its pivot ``dx`` picture heights right and ``dy`` up across the picture; 1:1 at the pivot."""
     axes, eta = camera.axes, camera.frame_height
     shift = axes[:, 0] * dx * eta + axes[:, 1] * dy * eta
     return replace(camera, pivot=_as_point(np.asarray(camera.pivot) + shift))
 
 
 def orbit(camera: Orbit, azimuth: float, elevation: float = 0.0) -> Orbit:
-    """Orbit around the pivot by degrees, counter-clockwise and up positive; the roll stays, elevation within 85."""
+    """Orbit around the pivot; the roll stays.
+
+    Args:
+        camera: Camera before the move.
+        azimuth: Degrees to add, counter-clockwise positive as seen from above.
+        elevation: Degrees to add, up positive; the sum stays within 85 either way.
+    """
     elevation = min(max(camera.elevation + elevation, -85.0), 85.0) - camera.elevation
     level = multiply_quaternions(camera.rotation, axis_rotation((0.0, 0.0, 1.0), -camera.roll))
     tilted = multiply_quaternions(
@@ -148,7 +170,7 @@ def orbit(camera: Orbit, azimuth: float, elevation: float = 0.0) -> Orbit:
 
 
 def dolly(camera: Orbit, steps: float) -> Orbit:
-    """Move towards the pivot along the optical axis: d beta^-steps; negative steps move back."""
+    """Move towards the pivot along the optical axis: d beta^-steps (``DOLLY``); negative steps move back."""
     return replace(camera, distance=max(_NEAREST, camera.distance * DOLLY**-steps))
 
 
@@ -158,7 +180,7 @@ def roll(camera: Orbit, angle: float) -> Orbit:
 
 
 def swivel(camera: Orbit, azimuth: float, elevation: float = 0.0) -> Orbit:
-    """Turn on the tripod by degrees, left and up positive: the position stays, the pivot moves."""
+    """Turn on the tripod by degrees, left (azimuth) and up (elevation) positive: the position stays, not the pivot."""
     position = camera.position
     turned = multiply_quaternions(
         multiply_quaternions(axis_rotation((0.0, 0.0, 1.0), azimuth), camera.rotation),

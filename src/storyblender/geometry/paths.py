@@ -54,7 +54,12 @@ class Footprint:
 
 
 def clearance(points: Floats, obstacles: Sequence[Footprint]) -> Floats:
-    """Return the metres from each point (n, 2) to the nearest obstacle; negative inside, 1e9 without any."""
+    """Return the metres from each point to the nearest obstacle; negative inside, 1e9 without any.
+
+    Args:
+        points: (n, 2) world x and y, metres.
+        obstacles: Footprints to keep away from.
+    """
     best = np.full(len(points), 1e9)
     for box in obstacles:
         offset = points - np.asarray(box.centre)
@@ -161,7 +166,12 @@ def _search(room: _FreeSpace, start: Vec2, goal: Vec2, bounds: Bounds) -> list[V
 
 
 def round_corners(points: Sequence[Vec2], radius: float = CORNER_RADIUS) -> list[Vec2]:
-    """Replace every corner of a polyline by a parabola that starts at most ``radius`` metres before it."""
+    """Replace every corner of a polyline by a parabola that starts at most ``radius`` metres before it.
+
+    Args:
+        points: World x and y, metres; the first and the last stay.
+        radius: Metres; less where a neighbouring corner is near.
+    """
     corners = [np.asarray(point, float) for point in points]
     smooth = [corners[0]]
     for before, corner, after in zip(corners, corners[1:], corners[2:], strict=False):

@@ -9,7 +9,13 @@ from numpy.typing import NDArray
 
 
 def close_seams(free: NDArray[np.bool_], cell: float, seam: float) -> NDArray[np.bool_]:
-    """Return the free cells and those between them that are no wider than ``seam``; ``cell`` and ``seam`` in metres."""
+    """Return the free cells and those between them that are no wider than ``seam``.
+
+    Args:
+        free: (rows, columns) of cells.
+        cell: Metres of a cell's side.
+        seam: Widest gap that is closed, metres.
+    """
     closed = free.copy()
     for axis in (0, 1):
         there, out = np.moveaxis(free, axis, 0), np.moveaxis(closed, axis, 0)

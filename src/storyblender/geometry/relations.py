@@ -134,14 +134,24 @@ def surface_of(thing: LayoutThing, anchor: LayoutThing) -> StandingSurface:
 
 
 def carrier(thing: LayoutThing, by_name: Mapping[str, LayoutThing]) -> LayoutThing | None:
-    """Return the thing that moves this one along with it: its support or its seat; None without one."""
+    """Return the thing that moves this one along with it: its support or its seat; None without one.
+
+    Args:
+        thing: Thing that is carried.
+        by_name: The layout's things by node_id.
+    """
     if thing.anchor is not None and (thing.relationship == "on_top_of" or may_overlap_anchor(thing)):
         return by_name.get(thing.anchor)
     return None
 
 
 def carriers(thing: LayoutThing, by_name: Mapping[str, LayoutThing]) -> list[LayoutThing]:
-    """Return the chain of carriers, nearest first."""
+    """Return the chain of carriers, nearest first.
+
+    Args:
+        thing: Thing that is carried.
+        by_name: The layout's things by node_id.
+    """
     chain: list[LayoutThing] = []
     current = carrier(thing, by_name)
     while current is not None and current is not thing and current not in chain:
@@ -151,12 +161,22 @@ def carriers(thing: LayoutThing, by_name: Mapping[str, LayoutThing]) -> list[Lay
 
 
 def cannot_move(thing: LayoutThing, by_name: Mapping[str, LayoutThing]) -> bool:
-    """Return whether a thing is fixed or carried by a fixed thing, such as a person seated in a moored boat."""
+    """Return whether a thing is fixed or carried by a fixed thing, such as a person seated in a moored boat.
+
+    Args:
+        thing: Thing to move.
+        by_name: The layout's things by node_id.
+    """
     return thing.fixed or any(support.fixed for support in carriers(thing, by_name))
 
 
 def exempt_pairs(things: Iterable[LayoutThing], by_name: Mapping[str, LayoutThing]) -> set[tuple[str, str]]:
-    """Return the ordered name pairs that may overlap: each thing with its direct and indirect carriers."""
+    """Return the ordered name pairs that may overlap: each of ``things`` with its direct and indirect carriers.
+
+    Args:
+        things: Things to pair with their carriers.
+        by_name: The layout's things by node_id.
+    """
     pairs: set[tuple[str, str]] = set()
     for thing in things:
         for support in carriers(thing, by_name):
@@ -166,12 +186,24 @@ def exempt_pairs(things: Iterable[LayoutThing], by_name: Mapping[str, LayoutThin
 
 
 def bearing_error(thing: Box, anchor: Box, relationship: str) -> float:
-    """Return the deviation of a bearing from the middle of its sector, radians, counter-clockwise positive."""
+    """Return the deviation of a bearing from the middle of its sector, radians, counter-clockwise positive.
+
+    Args:
+        thing: Box in the world.
+        anchor: Box of its anchor, in the world.
+        relationship: A key of ``BEARING``.
+    """
     return wrap_angle(math.atan2(thing.y - anchor.y, thing.x - anchor.x) - BEARING[relationship])
 
 
 def wanted_yaw(thing: Box, anchor: Box, direction: str) -> float:
-    """Return the yaw in radians (0 faces -Y) that satisfies a direction exactly."""
+    """Return the yaw in radians (0 faces -Y, not wrapped) that satisfies a direction exactly.
+
+    Args:
+        thing: Box in the world, whose yaw does not count.
+        anchor: Box of its anchor, in the world.
+        direction: A key of ``DIRECTION_TURN``.
+    """
     return yaw_along(anchor.x - thing.x, anchor.y - thing.y) + DIRECTION_TURN[direction]
 
 
@@ -189,7 +221,13 @@ def overhang_distance(thing: LayoutThing, anchor: LayoutThing) -> float:
 
 
 def own_violations(thing: LayoutThing, by_name: Mapping[str, LayoutThing], room: PlayingArea) -> list[Violation]:
-    """Return what is wrong with one thing by itself and towards its anchor."""
+    """Return what is wrong with one thing by itself and towards its anchor.
+
+    Args:
+        thing: Thing to check.
+        by_name: The layout's things by node_id; an anchor that is not among them is not checked.
+        room: The playing area, metres.
+    """
     found: list[Violation] = []
     anchor = by_name.get(thing.anchor) if thing.anchor is not None else None
     if anchor is not None:
@@ -263,6 +301,12 @@ def remedy(
     """Return the exact move of the subject that mends a violation: ``move_x/y/z`` in metres, ``turn`` in degrees.
 
     The move mends this one constraint; the solver is what mends all of them together.
+
+    Args:
+        violation: One of ``violations``, for the same things.
+        things: All things of the layout.
+        room: The playing area, metres.
+        keep_free: Volumes of air to leave, as for ``violations``.
     """
     by_name = {thing.name: thing for thing in things}
     thing = by_name[violation.subject]
@@ -321,7 +365,7 @@ def _clamp(value: float, low: float, high: float) -> float:
 
 
 def shift_onto_surface(thing: LayoutThing, anchor: LayoutThing) -> tuple[float, float]:
-    """Return the world shift (dx, dy) of a footprint onto its surface, or of its centre where it is too big."""
+    """Return the world shift (dx, dy; metres) of a footprint onto its surface, or of its centre if it is too big."""
     surface, box, base = surface_of(thing, anchor), thing.box, anchor.box
     u, v = base.to_local(box.x, box.y)
     turn = box.yaw - base.yaw

@@ -154,6 +154,10 @@ def find_bed(field: LevelGrid, use: Use) -> Places:
     """Return the bed of a thing and the seats on its long edges; nothing if its name is that of no bed.
 
     What has no known name must have a headboard and a bed's size.
+
+    Args:
+        field: Its level places.
+        use: What it is called.
     """
     if use not in BED_HEIGHTS:
         return Places()

@@ -25,7 +25,13 @@ def translation(location: ArrayLike) -> Floats:
 
 
 def transform(location: ArrayLike, rotation: ArrayLike, scale: float | ArrayLike) -> Floats:
-    """Return the (4, 4) matrix that scales, then turns by degrees about X, Y, Z, then moves."""
+    """Return the (4, 4) matrix that scales, then turns about X, Y, Z in this order, then moves.
+
+    Args:
+        location: (3,) metres.
+        rotation: (3,) degrees about the fixed axes X, Y and Z.
+        scale: One factor, or (3,) factors along x, y, z.
+    """
     x, y, z = np.radians(np.asarray(rotation, float))
     about_x = np.array([[1, 0, 0], [0, math.cos(x), -math.sin(x)], [0, math.sin(x), math.cos(x)]])
     about_y = np.array([[math.cos(y), 0, math.sin(y)], [0, 1, 0], [-math.sin(y), 0, math.cos(y)]])
@@ -49,7 +55,12 @@ def z_to(axis: ArrayLike) -> Floats:
 
 
 def box(size: ArrayLike, bevel: float = 0.0) -> tuple[Floats, list[Face]]:
-    """Return vertices and outward faces of a box about the origin, with one chamfer of width ``bevel`` per edge."""
+    """Return vertices and outward faces of a box about the origin.
+
+    Args:
+        size: (3,) full extents along x, y, z, metres.
+        bevel: Metres that each edge is cut back on both its faces, as one chamfer; 0 leaves eight corners.
+    """
     half = np.asarray(size, float) / 2
     signs = np.array(list(itertools.product((-1, 1), repeat=3)), float)
     corners = signs * half
@@ -94,7 +105,13 @@ def _outward(vertices: Floats, face: Face) -> Face:
 
 
 def rounded_box_rings(size: ArrayLike, radius: float, steps: int) -> list[Floats]:
-    """Return cross-sections, bottom to top, of a box whose edges are quarter circles of ``radius`` in ``steps``."""
+    """Return cross-sections, bottom to top, of a box with round edges about the origin.
+
+    Args:
+        size: (3,) full extents along x, y, z, metres.
+        radius: Metres of the edges' quarter circles, less than half the smallest extent.
+        steps: Segments of each quarter circle.
+    """
     half = np.asarray(size, float) / 2
     core = half - radius
     steep = math.radians(80)  # the last ring before the flat cap: a full quarter would collapse its corners
@@ -114,7 +131,14 @@ def rounded_box_rings(size: ArrayLike, radius: float, steps: int) -> list[Floats
 
 
 def superellipsoid_rings(half: ArrayLike, exponent: float, segments: int, rings: int) -> list[Floats]:
-    """Return cross-sections of a superellipsoid with semi-axes ``half``; exponent 1 is an ellipsoid, 0 a box."""
+    """Return ``rings`` + 1 cross-sections, bottom to top, of a superellipsoid about the origin.
+
+    Args:
+        half: (3,) semi-axes, metres.
+        exponent: 1 is an ellipsoid, 0 a box.
+        segments: Points of each cross-section.
+        rings: Bands between the cross-sections.
+    """
     semi = np.asarray(half, float)
 
     def power(values: ArrayLike) -> Floats:
@@ -137,7 +161,14 @@ def superellipsoid_rings(half: ArrayLike, exponent: float, segments: int, rings:
 
 
 def tube_rings(points: ArrayLike, radius: float | Sequence[float], segments: int, closed: bool) -> list[Floats]:
-    """Return circular sections along a path, mitred at its bends, carried along without twist."""
+    """Return circular sections along a path, mitred at its bends, carried along without twist.
+
+    Args:
+        points: (n, 3) path, metres; neighbours must differ.
+        radius: Metres; or one per point.
+        segments: Points of each section.
+        closed: Join the last point to the first; the first section is then repeated at the end.
+    """
     path = np.asarray(points, float)
     count = len(path)
     radii = np.broadcast_to(np.asarray(radius, float), count)
@@ -169,7 +200,13 @@ def tube_rings(points: ArrayLike, radius: float | Sequence[float], segments: int
 
 
 def skin_faces(rings: int, points: int, closed: bool) -> list[Face]:
-    """Return the quads between ``rings`` consecutive sections of ``points`` points."""
+    """Return the quads between consecutive sections; corner indices count the points section by section.
+
+    Args:
+        rings: Number of sections.
+        points: Points of each section.
+        closed: The sections are loops.
+    """
     width = points if closed else points - 1
     return [
         (i * points + j, i * points + (j + 1) % points, (i + 1) * points + (j + 1) % points, (i + 1) * points + j)
@@ -228,7 +265,12 @@ def box_uv(vertices: Floats, faces: Sequence[Sequence[int]], grain: bool) -> Flo
 
 
 def signed_volume(vertices: Floats, faces: Sequence[Sequence[int]]) -> float:
-    """Return the volume about the centroid; negative if the faces point inwards."""
+    """Return the volume about the centroid, in cubes of the vertices' unit; negative if the faces point inwards.
+
+    Args:
+        vertices: (n, 3).
+        faces: Corner indices of each face, in order around it.
+    """
     centred = vertices - vertices.mean(axis=0)
     fans = np.array([(face[0], a, b) for face in faces for a, b in itertools.pairwise(face[1:])])
     first, second, third = (centred[fans[:, corner]] for corner in range(3))

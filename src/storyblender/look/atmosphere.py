@@ -52,7 +52,12 @@ def transmittance(fog: Fog | None, depth: Image, rays: Image, eye: NDArray[np.fl
 
 
 def veil(fog: Fog | None, rays: Image) -> Image:
-    """Return the colour of endless fog along the rays; towards the sun it is brighter (cosine to the sixth)."""
+    """Return the (h, w, 3) colour of endless fog; towards the sun it is brighter (cosine to the sixth).
+
+    Args:
+        fog: The air; None is clear, and its colour black.
+        rays: (h, w, 3) world, of any length.
+    """
     if fog is None:
         return np.zeros(rays.shape, np.float32)
     color = np.asarray(fog.color, np.float32)
@@ -65,7 +70,14 @@ def veil(fog: Fog | None, rays: Image) -> Image:
 
 
 def add_fog(picture: Image, fog: Fog | None, through: Image, rays: Image) -> Image:
-    """Veil the picture by what ``transmittance`` says comes through."""
+    """Veil the picture by what ``transmittance`` says comes through.
+
+    Args:
+        picture: (h, w, 3) linear.
+        fog: The air; None is clear.
+        through: (h, w) share, 0 to 1, of light that comes through.
+        rays: (h, w, 3) world, of any length.
+    """
     if fog is None:
         return picture
     return picture * through[..., None] + veil(fog, rays) * (1 - through[..., None])
@@ -75,6 +87,13 @@ def add_halos(picture: Image, lights: Sequence[Light], depth: Image, rays: Image
     """Add the glow of every lamp in the air between it and the eye, and the beams of narrow ones.
 
     A lamp that shines to all sides is a closed form (single scatter of a point light); a beam is summed along the ray.
+
+    Args:
+        picture: (h, w, 3) linear.
+        lights: Lamps; those without glow, and the sun, add nothing.
+        depth: (h, w) metres along the camera axis.
+        rays: (h, w, 3) world, scaled to depth 1.
+        eye: (3,) camera position, world metres.
     """
     glowing = [light for light in lights if light.glow > 0 and light.kind != "SUN"]
     if not glowing:

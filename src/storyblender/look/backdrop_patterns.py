@@ -29,7 +29,7 @@ def _sky(size: int, color: ArrayLike) -> Floats:
 def facade(
     size: int, color: ArrayLike, accent: ArrayLike, seed: int, columns: float = 6, rows: float = 8, lit: float = 0.25
 ) -> Floats:
-    """Paint a wall of windows, some of them lit in the accent colour."""
+    """Paint a wall of ``columns`` x ``rows`` windows, a share ``lit`` of them in the accent colour."""
     bays, floors = int(columns), int(rows)
     row, column = grid(size)
     rng = np.random.default_rng(seed)
@@ -47,7 +47,7 @@ def facade(
 
 @pattern("skyline")
 def skyline(size: int, color: ArrayLike, accent: ArrayLike, seed: int, lit: float = 0.2) -> Floats:
-    """Paint three rows of towers, darker towards the viewer, with lit windows."""
+    """Paint three rows of towers, darker towards the viewer, with a share ``lit`` of their windows lit."""
     image = _sky(size, color)
     rng = np.random.default_rng(seed)
     for nearness, height in ((0.45, 0.62), (0.75, 0.42), (1.0, 0.26)):
@@ -116,7 +116,7 @@ def sea(size: int, color: ArrayLike, accent: ArrayLike, seed: int) -> Floats:
 
 @pattern("stars")
 def stars(size: int, color: ArrayLike, accent: ArrayLike, seed: int, density: float = 0.0025) -> Floats:
-    """Paint a night sky with stars and a faint milky band."""
+    """Paint a night sky with a faint milky band and stars on a share ``density`` of its pixels."""
     rng = np.random.default_rng(seed)
     image = np.asarray(color) * (0.7 + 0.6 * noise(size, 2.0, seed))[..., None]
     spark = np.where(rng.random((size, size)) < density, rng.uniform(0.2, 1.0, (size, size)), 0.0)

@@ -193,5 +193,13 @@ class GBuffer:
         return out
 
     def coverage(self, classes: tuple[int, ...], step: int = 1) -> Image:
-        """Return the share, 0 to 1, of each block of ``step`` pixels whose surface is one of ``classes``."""
+        """Return the share, 0 to 1, of each block of ``step`` pixels whose surface is one of ``classes``.
+
+        Args:
+            classes: Values of ``Surface``.
+            step: Pixels of a block's side.
+
+        Raises:
+            ValueError: The size is no multiple of ``step``.
+        """
         return shrink(np.isin(self.surface, classes).astype(np.float32), step)

@@ -53,7 +53,13 @@ def direction_of(light: Light) -> NDArray[np.float64]:
 
 
 def light_field(light: Light, positions: Image, normal: Image) -> LightField:
-    """Return what the lamp gives to (h, w, 3) world positions with these normals, nothing in between."""
+    """Return what the lamp gives to every pixel, as if nothing were in between.
+
+    Args:
+        light: The lamp.
+        positions: (h, w, 3) world, metres.
+        normal: (h, w, 3) world, unit.
+    """
     aim = direction_of(light).astype(np.float32)
     if light.kind == "SUN":
         return LightField(light, np.clip(-dot(normal, aim), 0, 1) * np.float32(light.power / math.pi))
@@ -94,13 +100,26 @@ def ambient_light(plan: Lighting, roofed: float, normal: Image, openness: Image)
 
 
 def roof_light(plan: Lighting, roofed: float, normal: Image) -> Image:
-    """Return the part of the ambient light that no sky gives; a path tracer is given it, as nothing else would."""
+    """Return the part of the ambient light that no sky gives; a path tracer is given it, as nothing else would.
+
+    Args:
+        plan: Ambient light.
+        roofed: 0 under the open sky to 1 in a closed room.
+        normal: (h, w, 3) world, unit.
+    """
     level = 0.75 + 0.25 * normal[..., 2]
     return stacked([level * (np.float32(band) * np.float32(roofed)) for band in plan.ambient])
 
 
 def bounce_light(albedo: Image, direct: Image, solid: NDArray[np.bool_], openness: Image) -> Image:
-    """Return the first bounce, taken as even over the picture: the mean light that leaves the surfaces in it."""
+    """Return the first bounce, taken as even over the picture: the mean light that leaves the surfaces in it.
+
+    Args:
+        albedo: (h, w, 3) linear reflectance.
+        direct: (h, w, 3) illumination before the bounce.
+        solid: (h, w) False where the sky shows.
+        openness: (h, w) ambient occlusion: the open share, 0 to 1.
+    """
     if not solid.any():
         return np.zeros_like(direct)
     leaving = np.minimum(albedo * direct, 4.0)[solid].mean(axis=0)
@@ -108,7 +127,12 @@ def bounce_light(albedo: Image, direct: Image, solid: NDArray[np.bool_], opennes
 
 
 def soft_foliage(normal: Image, gbuffer: GBuffer) -> Image:
-    """Return the normals with those of leaves turned up and to the eye: light comes through leaves and round them."""
+    """Return the normals with those of leaves turned up and to the eye: light comes through leaves and round them.
+
+    Args:
+        normal: (h, w, 3) world, unit.
+        gbuffer: Of the same size; says where leaves are.
+    """
     leaves = gbuffer.surface == Surface.FOLIAGE
     if not leaves.any():
         return normal
@@ -119,7 +143,7 @@ def soft_foliage(normal: Image, gbuffer: GBuffer) -> Image:
 
 
 def total(fields: Sequence[LightField], ambient: Image) -> Image:
-    """Sum lamps and ambient light to (h, w, 3) illumination."""
+    """Sum lamps and (h, w, 3) ambient light, all of one size, to (h, w, 3) illumination."""
     result = np.copy(ambient, order="K")
     for field in fields:
         for band, part in enumerate(field.light.color):
@@ -128,7 +152,14 @@ def total(fields: Sequence[LightField], ambient: Image) -> Image:
 
 
 def power_for(luminance_wanted: float, distance: float, color: Sequence[float], albedo: float = 0.4) -> float:
-    """Return the watts of a SPOT or POINT that show a facing surface at that luminance (notes 1.1, a = mixed skin)."""
+    """Return the watts of a SPOT or POINT that show a facing surface at a luminance (notes 1.1, a = mixed skin).
+
+    Args:
+        luminance_wanted: Scene-linear.
+        distance: Metres from the lamp to the surface.
+        color: (3,) of the lamp, scene-linear.
+        albedo: Reflectance of the surface.
+    """
     brightness = 0.8 * float(np.dot(LUMA, np.asarray(color, np.float32)))
     return luminance_wanted * 4 * math.pi**2 * distance**2 / (albedo * max(brightness, 1e-3))
 
@@ -140,12 +171,17 @@ def sky_colors(sky: Sky) -> NDArray[np.float32]:
 
 
 def sky_light(sky: Sky, rays: Image) -> Image:
-    """Return the sky seen along (h, w, 3) rays."""
+    """Return the (h, w, 3) colours of the sky along (h, w, 3) world rays of any length, scene-linear."""
     height = rays[..., 2] / np.sqrt(dot(rays, rays))
     colors = sky_colors(sky)
     return stacked([np.interp(height, SKY_STOPS, colors[:, band]).astype(np.float32) for band in range(3)])
 
 
 def strength(field: LightField, albedo: Image) -> float:
-    """Return the mean luminance the lamp adds to the picture; used to choose which lamps get shadows."""
+    """Return the mean luminance the lamp adds to the picture; used to choose which lamps get shadows.
+
+    Args:
+        field: The lamp over the picture.
+        albedo: (h, w, 3) linear reflectance, of the same size.
+    """
     return float((field.amount * luminance(albedo)).mean() * np.dot(LUMA, np.asarray(field.light.color, np.float32)))

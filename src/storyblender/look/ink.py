@@ -173,7 +173,12 @@ def _mean_around(plane: Image, places: NDArray[np.intp], height: int, width: int
 
 
 def people_nearby(gbuffer: GBuffer, step: int) -> Image:
-    """Return 0.25 to 1: how much the lines of each pixel belong to people."""
+    """Return how much the lines of each pixel belong to people, 0.25 to 1, at the picture's size.
+
+    Args:
+        gbuffer: Supersampled.
+        step: Supersampling factor.
+    """
     return np.clip(blur(gbuffer.coverage(PERSON, step), 2) * 2.5, 0.25, 1)
 
 

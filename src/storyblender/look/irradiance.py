@@ -23,6 +23,10 @@ def panorama_directions(height: int, width: int) -> NDArray[np.float64]:
     """Return the (h, w, 3) unit vectors along which the pixels of an equirectangular picture are seen.
 
     As in Blender: the middle of the picture is +X, and the azimuth falls from left to right.
+
+    Args:
+        height: Pixels; the first row is the zenith's.
+        width: Pixels.
     """
     elevation = np.pi * (0.5 - (np.arange(height) + 0.5) / height)[:, None]
     azimuth = 2 * np.pi * (0.5 - (np.arange(width) + 0.5) / width)[None]
@@ -32,7 +36,12 @@ def panorama_directions(height: int, width: int) -> NDArray[np.float64]:
 
 
 def solid_angles(height: int, width: int) -> NDArray[np.float64]:
-    """Return the (h, 1) solid angles, in steradians, of the pixels of each row; all pixels together have 4 pi."""
+    """Return the (h, 1) solid angles, in steradians, of the pixels of each row; all pixels together have 4 pi.
+
+    Args:
+        height: Pixels of an equirectangular picture.
+        width: Pixels.
+    """
     edges = np.sin(np.pi * (0.5 - np.arange(height + 1) / height))
     return (edges[:-1] - edges[1:])[:, None] * (2 * np.pi / width)
 

@@ -74,7 +74,12 @@ def diffused(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 
 def nearest_round(depth: Image, pixels: int) -> Image:
-    """Return the smallest depth within some pixels: a line drawn round a thing belongs to the thing."""
+    """Return the smallest depth near each pixel: a line drawn round a thing belongs to the thing.
+
+    Args:
+        depth: (h, w) metres along the optical axis.
+        pixels: Reach, rows and columns counted together.
+    """
     nearest = -depth
     for _ in range(pixels):
         nearest = spread(nearest)

@@ -104,7 +104,12 @@ class MovingLight:
         self._held: _Held | None = None
 
     def light(self, frame: FlatFrame, lamps: Sequence[Light]) -> list[tuple[Window, Image]]:
-        """Return the parts of the picture that are not as in the last frame, linear, with their air."""
+        """Return the parts of the picture that are not as in the last frame, linear, with their air.
+
+        Args:
+            frame: The flat picture of this frame.
+            lamps: Every lamp of the shot, where it is at this frame; those that are not the strongest are left out.
+        """
         step = 2 if frame.view.width % 2 == 0 and frame.view.height % 2 == 0 else 1
         view, chosen = frame.view.reduced(step), tuple(strongest(lamps, frame.view))
         held, touched = self._held, any_of(frame.changed, step)
@@ -215,7 +220,12 @@ def _moved(before: Sequence[Light], now: Sequence[Light]) -> bool:
 
 
 def strongest(lamps: Sequence[Light], view: View) -> list[Light]:
-    """Return the lamps that matter to this camera: sun, lamps of faces in or near it, the brightest near its middle."""
+    """Return the lamps that matter to this camera: sun, lamps of faces in or near it, the brightest near its middle.
+
+    Args:
+        lamps: Every lamp of the shot.
+        view: The camera, at any size.
+    """
     always = [lamp for lamp in lamps if lamp.kind == "SUN" or (lamp.for_asset is not None and _near(lamp, view))]
     middle = view.eye - view.axes[:, 2] * 4.0
     rest = sorted(
@@ -237,7 +247,13 @@ def _reach(lamp: Light, point: np.ndarray) -> float:
 
 
 def normals_of(positions: Image, depth: Image, rays: Image) -> Image:
-    """Return unit normals from positions, each difference taken on the side where the depth jumps less."""
+    """Return unit normals from positions, each difference taken on the side where the depth jumps less.
+
+    Args:
+        positions: (h, w, 3) world, metres.
+        depth: (h, w) metres along the camera axis.
+        rays: (h, w, 3) world, from the eye; normals are turned against them.
+    """
     (ax, ay, az), (dx, dy, dz) = _gradient(positions, depth, 1), _gradient(positions, depth, 0)
     normal = stacked([dy * az - dz * ay, dz * ax - dx * az, dx * ay - dy * ax])
     length = np.maximum(np.sqrt(dot(normal, normal)), 1e-9)

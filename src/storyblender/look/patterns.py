@@ -1,7 +1,9 @@
 """Painted surfaces as numpy pictures: wood, brick, cloth, leaves, facades. Tileable, deterministic, scene-linear.
 
 Every pattern is ``pattern(size, color, accent, seed, **params) -> (size, size, 3)``; row 0 is the bottom, and
-anything that runs along a direction (grain, boards) runs along a row, the texture's u axis.
+anything that runs along a direction (grain, boards) runs along a row, the texture's u axis. ``size`` is in pixels,
+``color`` and ``accent`` are (3,) scene-linear from 0 to 1, the same ``seed`` gives the same picture, and ``params`` are
+the numbers that a pattern's own docstring names.
 """
 
 from __future__ import annotations
@@ -48,7 +50,13 @@ def noise(size: int, roughness: float, seed: int, stretch: tuple[float, float] =
 
 
 def mix(a: ArrayLike, b: ArrayLike, weight: Floats) -> Floats:
-    """Return a where weight is 0 and b where it is 1, per pixel."""
+    """Return a where weight is 0 and b where it is 1, per pixel.
+
+    Args:
+        a: (3,) colour or (h, w, 3) picture.
+        b: (3,) colour or (h, w, 3) picture.
+        weight: (h, w), 0 to 1.
+    """
     return np.asarray(a) * (1 - weight[..., None]) + np.asarray(b) * weight[..., None]
 
 
@@ -59,7 +67,7 @@ def grid(size: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
 
 
 def tone(color: ArrayLike, factor: Floats) -> Floats:
-    """Return ``color`` times a per-pixel factor."""
+    """Return a (3,) ``color`` times an (h, w) ``factor`` per pixel, as an (h, w, 3) picture."""
     return np.asarray(color, float) * factor[..., None]
 
 
@@ -73,7 +81,7 @@ def wood(size: int, color: ArrayLike, accent: ArrayLike, seed: int) -> Floats:
 
 @pattern("planks")
 def planks(size: int, color: ArrayLike, accent: ArrayLike, seed: int, count: float = 6) -> Floats:
-    """Paint floorboards along u, staggered, with dark gaps."""
+    """Paint ``count`` rows of floorboards along u, staggered, with dark gaps."""
     boards = int(count)
     rows, columns = grid(size)
     board = rows * boards // size
@@ -89,7 +97,7 @@ def planks(size: int, color: ArrayLike, accent: ArrayLike, seed: int, count: flo
 
 @pattern("parquet")
 def parquet(size: int, color: ArrayLike, accent: ArrayLike, seed: int, count: float = 4) -> Floats:
-    """Paint squares of short boards, laid crosswise like a basket."""
+    """Paint ``count`` x ``count`` squares of short boards, laid crosswise like a basket."""
     cells, strips = int(count), 4
     rows, columns = grid(size)
     cell = size // cells
@@ -113,7 +121,10 @@ def brick(
     columns: float = 4,
     variation: float = 0.5,
 ) -> Floats:
-    """Paint courses of bricks or blocks with joints of the accent colour."""
+    """Paint ``rows`` courses of ``columns`` bricks or blocks, with joints of the accent colour.
+
+    ``variation`` is how much their brightness differs, 0 not at all.
+    """
     courses, bricks = int(rows), int(columns)
     row, column = grid(size)
     course = row * courses // size
@@ -131,14 +142,17 @@ def brick(
 def speckle(
     size: int, color: ArrayLike, accent: ArrayLike, seed: int, amount: float = 0.3, roughness: float = 1.0
 ) -> Floats:
-    """Paint an even surface with fine and broad variation: plaster, asphalt, leather, stone."""
+    """Paint an even surface with fine and broad variation: plaster, asphalt, leather, stone.
+
+    ``amount`` is the range of its brightness as a share of the colour, ``roughness`` that of the fine ``noise``.
+    """
     fine, broad = noise(size, roughness, seed), noise(size, 1.8, seed + 9)
     return tone(color, 1 - amount / 2 + amount * (0.55 * fine + 0.45 * broad))
 
 
 @pattern("checker")
 def checker(size: int, color: ArrayLike, accent: ArrayLike, seed: int, count: float = 4) -> Floats:
-    """Paint square tiles in two colours with dark joints."""
+    """Paint ``count`` x ``count`` square tiles in two colours with dark joints."""
     tiles = int(count)
     row, column = grid(size)
     odd = (row * tiles // size + column * tiles // size) % 2
@@ -150,7 +164,10 @@ def checker(size: int, color: ArrayLike, accent: ArrayLike, seed: int, count: fl
 
 @pattern("paving")
 def paving(size: int, color: ArrayLike, accent: ArrayLike, seed: int, count: float = 4, jitter: float = 0.12) -> Floats:
-    """Paint stones as cells around jittered points; little jitter gives slabs, much gives cobbles."""
+    """Paint ``count`` x ``count`` stones as cells around points moved by at most ``jitter`` of a stone.
+
+    Little jitter gives slabs, much gives cobbles.
+    """
     stones = int(count)
     rng = np.random.default_rng(seed)
     spots = np.stack(np.meshgrid(np.arange(stones), np.arange(stones), indexing="ij"), -1).reshape(-1, 2) + 0.5
@@ -193,7 +210,7 @@ def bark(size: int, color: ArrayLike, accent: ArrayLike, seed: int) -> Floats:
 
 @pattern("weave")
 def weave(size: int, color: ArrayLike, accent: ArrayLike, seed: int, threads: float = 32) -> Floats:
-    """Paint plain cloth."""
+    """Paint plain cloth of ``threads`` threads each way."""
     row, column = grid(size)
     cloth = 0.5 + 0.25 * (np.sin(2 * math.pi * threads * column / size) + np.sin(2 * math.pi * threads * row / size))
     return tone(color, 0.9 + 0.1 * cloth + 0.14 * (noise(size, 1.5, seed) - 0.5))
@@ -208,7 +225,7 @@ def leaves(size: int, color: ArrayLike, accent: ArrayLike, seed: int) -> Floats:
 
 @pattern("stripes")
 def stripes(size: int, color: ArrayLike, accent: ArrayLike, seed: int, count: float = 8) -> Floats:
-    """Paint vertical stripes."""
+    """Paint vertical stripes, ``count`` of each colour."""
     _, column = grid(size)
     band = (column * int(count) * 2 // size) % 2
     return mix(color, accent, band.astype(float)) * (0.95 + 0.1 * noise(size, 1.5, seed))[..., None]
@@ -237,7 +254,7 @@ def persian(size: int, color: ArrayLike, accent: ArrayLike, seed: int) -> Floats
 
 @pattern("shingles")
 def shingles(size: int, color: ArrayLike, accent: ArrayLike, seed: int, count: float = 6) -> Floats:
-    """Paint overlapping rows of shingles, each with a shadow under its edge."""
+    """Paint ``count`` overlapping rows of shingles, each with a shadow under its edge."""
     courses = int(count)
     image = brick(size, color, accent, seed, courses, courses, 0.6)
     row, _ = grid(size)
@@ -246,7 +263,7 @@ def shingles(size: int, color: ArrayLike, accent: ArrayLike, seed: int, count: f
 
 @pattern("corrugated")
 def corrugated(size: int, color: ArrayLike, accent: ArrayLike, seed: int, count: float = 12) -> Floats:
-    """Paint vertical waves of sheet metal with a little rust."""
+    """Paint ``count`` vertical waves of sheet metal with a little rust."""
     _, column = grid(size)
     wave = 0.5 + 0.5 * np.sin(2 * math.pi * int(count) * column / size)
     return mix(accent, color, wave) * (0.9 + 0.2 * noise(size, 1.5, seed, (1.0, 4.0)))[..., None]
@@ -311,7 +328,7 @@ def world_map(size: int, color: ArrayLike, accent: ArrayLike, seed: int) -> Floa
 def clock_face(
     size: int, color: ArrayLike, accent: ArrayLike, seed: int, hour: float = 10, minute: float = 9
 ) -> Floats:
-    """Paint a dial with twelve marks and two hands. Covers the clock once."""
+    """Paint a dial with twelve marks and two hands at ``hour`` and ``minute``. Covers the clock once."""
     row, column = grid(size)
     x, y = column / (size - 1) * 2 - 1, row / (size - 1) * 2 - 1
     radius, angle = np.hypot(x, y), np.degrees(np.arctan2(x, y)) % 360

@@ -42,7 +42,7 @@ class Window:
         return Window(self.top * step, self.left * step, self.bottom * step, self.right * step)
 
     def moved(self, rows: int, columns: int) -> Window:
-        """Return the rectangle moved down and to the right."""
+        """Return the rectangle moved by pixels: ``rows`` down and ``columns`` to the right, negative up and left."""
         return Window(self.top + rows, self.left + columns, self.bottom + rows, self.right + columns)
 
     def within(self, outer: Window) -> Window:
@@ -50,13 +50,19 @@ class Window:
         return self.moved(-outer.top, -outer.left)
 
     def grown(self, by: int, height: int, width: int) -> Window:
-        """Return it larger by some pixels on each side, as far as the whole picture goes."""
+        """Return it larger by ``by`` pixels on each side, within a whole picture of ``height`` x ``width`` pixels."""
         return Window(
             max(0, self.top - by), max(0, self.left - by), min(height, self.bottom + by), min(width, self.right + by)
         )
 
     def inner(self, by: int, height: int, width: int) -> Window:
-        """Return it smaller by some pixels on each side that is not the edge of the whole picture."""
+        """Return it smaller on each side that is not the edge of the whole picture.
+
+        Args:
+            by: Pixels taken off each such side.
+            height: Rows of the whole picture.
+            width: Columns of the whole picture.
+        """
         return Window(
             self.top + by * (self.top > 0),
             self.left + by * (self.left > 0),
@@ -106,7 +112,7 @@ def stacked(planes: Sequence[Image]) -> Image:
 
 
 def dot(a: Image, b: Image) -> Image:
-    """Return the product of vectors along the last axis of both."""
+    """Return the (...) product of two (..., 3) arrays of vectors along their last axis."""
     return a[..., 0] * b[..., 0] + a[..., 1] * b[..., 1] + a[..., 2] * b[..., 2]
 
 
@@ -116,7 +122,11 @@ def luminance(image: Image) -> Image:
 
 
 def shrink(image: NDArray, factor: int) -> Image:
-    """Average blocks of ``factor`` x ``factor`` pixels; height and width must be multiples of it."""
+    """Average blocks of ``factor`` x ``factor`` pixels of an (h, w) or (h, w, c) picture.
+
+    Raises:
+        ValueError: Height or width is no multiple of ``factor``.
+    """
     if factor == 1:
         return image.astype(np.float32)
     height, width = image.shape[:2]
@@ -135,18 +145,23 @@ def every(image: NDArray, step: int) -> NDArray:
 
 
 def any_of(mask: Mask, step: int) -> Mask:
-    """Return of each block of ``step`` x ``step`` pixels whether one is set."""
+    """Return of each block of ``step`` x ``step`` pixels whether one is set; (h, w) must be multiples of ``step``."""
     height, width = mask.shape
     return mask.reshape(height // step, step, width // step, step).any(axis=(1, 3))
 
 
 def blur(image: Image, radius: int) -> Image:
-    """Box blur of (2 radius + 1) squared pixels; edges repeat."""
+    """Box blur of (2 ``radius`` + 1) squared pixels of an (h, w) or (h, w, c) picture; edges repeat."""
     return blur_rows(np.swapaxes(blur_rows(np.swapaxes(image, 0, 1), radius), 0, 1), radius)
 
 
 def blur_rows(image: Image, radius: int) -> Image:
-    """Box blur along the columns only (a vertical smear); edges repeat."""
+    """Box blur of 2 ``radius`` + 1 pixels along the columns only (a vertical smear); edges repeat.
+
+    Args:
+        image: (h, w) or (h, w, c).
+        radius: Pixels; below 1 the picture is returned as it is.
+    """
     if radius < 1:
         return image
     count, padding, window = image.shape[0], [(radius + 1, radius)] + [(0, 0)] * (image.ndim - 1), 2 * radius + 1
@@ -171,7 +186,7 @@ def spread(values: NDArray) -> NDArray:
 
 
 def noise(size: int, exponent: float, seed: int) -> Image:
-    """Tileable 1/f^exponent noise, 0 to 1, mean 0.5, (size, size)."""
+    """Tileable 1/f^exponent noise, 0 to 1, mean 0.5, (size, size); the same ``seed`` gives the same noise."""
     frequency = np.fft.fftfreq(size) * size
     distance = np.hypot(frequency[None, :], frequency[:, None])
     distance[0, 0] = np.inf

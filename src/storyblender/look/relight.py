@@ -20,12 +20,12 @@ _SAME_DEPTH = 0.02
 
 
 def demodulate(picture: Image, albedo: Image) -> Image:
-    """Return the illumination of a rendered picture; ``albedo`` at the same size."""
+    """Return the illumination of an (h, w, 3) linear picture, rendered over an ``albedo`` of the same size."""
     return picture / (albedo + FLOOR)
 
 
 def remodulate(illumination: Image, albedo: Image) -> Image:
-    """Return the picture of an illumination over an albedo."""
+    """Return the linear picture of an (h, w, 3) illumination over an albedo of the same size."""
     return illumination * (albedo + FLOOR)
 
 

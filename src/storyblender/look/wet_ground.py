@@ -27,7 +27,12 @@ _PUDDLE_METRES = 14.0
 
 
 def wetness(plan: Lighting, roofed: float) -> float:
-    """Return how wet the ground is, 0 to 1: by rain; a little on clear nights too, as streets are hosed for film."""
+    """Return how wet the ground is, 0 to 1: by rain; a little on clear nights too, as streets are hosed for film.
+
+    Args:
+        plan: Light plan: its rain, and its ``set_luminance``, which is low at night.
+        roofed: 0 under the open sky to 1 in a closed room.
+    """
     if plan.rain > 0:
         return min(1.0, 0.55 + 0.45 * plan.rain)
     return 0.35 * (1 - roofed) * float(np.clip((0.06 - plan.set_luminance) / 0.03, 0, 1))
