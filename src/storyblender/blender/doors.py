@@ -42,7 +42,13 @@ class Door:
         """Opening of the leaf by frame, 0..1."""
 
     def play(self, performance: Performance, cues: Sequence[Cue], frames: int) -> None:
-        """Add one shot of ``frames`` frames, with its solved performance and cues, to the door's movement."""
+        """Add one shot to the door's movement.
+
+        Args:
+            performance: What the people of the shot do, as solved; its frame 0 is the shot's first.
+            cues: Of the shot; those that open or close this door count.
+            frames: Length of the shot.
+        """
         passed = self._frames_passed(performance, frames)
         changes = {
             self._grasp_frame(performance, cue): cue.clip == "open"

@@ -30,7 +30,7 @@ def key_hidden(obj: bpy.types.Object, shown: Sequence[tuple[int, bool]]) -> None
 
 
 def is_hidden(obj: bpy.types.Object, frame: int) -> bool:
-    """Return whether an object is hidden from renders at a frame, by its keys or permanently."""
+    """Return whether an object is hidden from renders at a frame of the timeline, by its keys or permanently."""
     curves = _visibility_curves(obj)
     return any(curve.evaluate(frame) > 0.5 for curve in curves) if curves else obj.hide_render
 

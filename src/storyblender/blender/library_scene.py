@@ -23,7 +23,12 @@ def new_file() -> None:
 
 
 def add_assets(assets: Sequence[Asset], store: AssetStore) -> None:
-    """Add every canonical asset once, on a grid, each in a collection marked for the Asset Browser."""
+    """Add every canonical asset once, on a grid, each in a collection marked for the Asset Browser.
+
+    Args:
+        assets: Of the story; those without a canonical are left out.
+        store: Builds or reads their meshes.
+    """
     library = bpy.data.scenes[LIBRARY]
     bpy.context.window.scene = library
     columns = max(1, math.ceil(math.sqrt(len(assets))))

@@ -82,7 +82,10 @@ class MeshBuilder:
         *,
         uv: ArrayLike | None = None,
     ) -> MeshBuilder:
-        """Add one four-cornered face, counter-clockwise as seen from its front; ``uv`` is (4, 2) in image units."""
+        """Add one four-cornered face.
+
+        ``a`` to ``d`` are its corners (3,), counter-clockwise as seen from its front; ``uv`` is (4, 2) in image units.
+        """
         return self.add(material, np.stack([np.asarray(point, float) for point in (a, b, c, d)]), [(0, 1, 2, 3)], uv=uv)
 
     def polygon(self, material: MaterialRef, points: ArrayLike, *, uv: ArrayLike | None = None) -> MeshBuilder:
@@ -145,7 +148,16 @@ class MeshBuilder:
         steps: int = 3,
         rotation: ArrayLike = (0.0, 0.0, 0.0),
     ) -> MeshBuilder:
-        """Add a smooth box with edges of ``radius`` metres, turned by degrees: upholstery, appliances, soap bars."""
+        """Add a smooth box with rounded edges: upholstery, appliances, soap bars.
+
+        Args:
+            material: Key or material.
+            center: Its middle.
+            size: Extents in x, y, z.
+            radius: Of its edges; kept below half its least extent.
+            steps: Faces across the curve of an edge.
+            rotation: Degrees about its middle, X then Y then Z.
+        """
         extent = np.asarray(size, float)
         with self.at(center, rotation):
             return self.loft(material, solids.rounded_box_rings(extent, min(radius, float(extent.min()) * 0.49), steps))
@@ -159,7 +171,15 @@ class MeshBuilder:
         softness: float = 0.35,
         rotation: ArrayLike = (0.0, 0.0, 0.0),
     ) -> MeshBuilder:
-        """Add a superellipsoid, turned by degrees: 0.2 is nearly a box, 0.35 a stuffed cushion, 1 an ellipsoid."""
+        """Add a superellipsoid.
+
+        Args:
+            material: Key or material.
+            center: Its middle.
+            size: Extents in x, y, z.
+            softness: 0.2 is nearly a box, 0.35 a stuffed cushion, 1 an ellipsoid.
+            rotation: Degrees about its middle, X then Y then Z.
+        """
         with self.at(center, rotation):
             return self.loft(material, solids.superellipsoid_rings(np.asarray(size, float) / 2, softness, 20, 10))
 
@@ -173,7 +193,10 @@ class MeshBuilder:
         segments: int = 16,
         rings: int = 9,
     ) -> MeshBuilder:
-        """Add a ball; ``scale``, factors in x, y, z, makes it an ellipsoid."""
+        """Add a ball of a ``radius`` about a ``center``.
+
+        ``scale``, factors in x, y, z, makes it an ellipsoid. It has ``segments`` faces around and ``rings`` up.
+        """
         with self.at(center):
             half = radius * np.asarray(scale, float)
             return self.loft(material, solids.superellipsoid_rings(half, 1.0, segments, rings))
@@ -189,7 +212,10 @@ class MeshBuilder:
         segments: int = 14,
         caps: bool = True,
     ) -> MeshBuilder:
-        """Add a round bar from ``start`` to ``end``; a cone if it has another ``end_radius``."""
+        """Add a round bar from the point ``start`` to the point ``end``; a cone if it has another ``end_radius``.
+
+        It has ``segments`` faces around and, with ``caps``, two flat ends.
+        """
         foot = np.asarray(start, float)
         along = np.asarray(end, float) - foot
         top = radius if end_radius is None else end_radius

@@ -18,14 +18,29 @@ GOLDEN_TURN = 2.399963
 
 
 def along_trunk(height: float, leans: ArrayLike, share: float) -> Floats:
-    """Return the point (3,) at a share 0..1 of a trunk's axis; ``leans`` is x and y of its top relative to its foot."""
+    """Return the point (3,) of a trunk's axis at a share of its height, metres.
+
+    Args:
+        height: Metres.
+        leans: x and y of its top relative to its foot, metres.
+        share: 0 at the foot, 1 at the top.
+    """
     return np.append(np.asarray(leans, float) * share * share, share * height)
 
 
 def trunk(
     b: MeshBuilder, bark: MaterialRef, height: float, radius: float, leans: ArrayLike, rng: np.random.Generator
 ) -> None:
-    """Add a trunk that flares into its roots, from below the ground up; ``leans`` is x and y of its top."""
+    """Add a trunk that flares into its roots, from below the ground up.
+
+    Args:
+        b: Takes the trunk.
+        bark: Its material.
+        height: Metres.
+        radius: At the foot, without the flare, metres.
+        leans: x and y of its top relative to its foot, metres.
+        rng: Varies its girth.
+    """
     around, phase = np.linspace(0, math.tau, 12, endpoint=False), rng.uniform(0, math.tau)
     rings = []
     for share in np.linspace(-0.02, 1, 9):
@@ -106,7 +121,16 @@ def broad_tree(
 def conifer(
     b: MeshBuilder, bark: MaterialRef, needles: MaterialRef, size: Vec2, rng: np.random.Generator, bare: float = 0.12
 ) -> None:
-    """Add a conifer of drooping whorls; ``size`` is width and height, ``bare`` the share of the trunk below them."""
+    """Add a conifer of drooping whorls.
+
+    Args:
+        b: Takes the tree.
+        bark: Material of the trunk.
+        needles: Material of the whorls.
+        size: Width and height, metres.
+        rng: Varies lean and whorls.
+        bare: Share of the trunk below the whorls.
+    """
     w, h = size
     leans, whorls, points = rng.uniform(-0.018, 0.018, 2) * h, 15, 18
     trunk(b, bark, h * 0.95, h * 0.017, leans, rng)
@@ -127,7 +151,15 @@ def conifer(
 
 
 def palm(b: MeshBuilder, bark: MaterialRef, leaf: MaterialRef, size: Vec2, rng: np.random.Generator) -> None:
-    """Add a palm with a bent trunk and drooping fronds; ``size`` is width and height in metres."""
+    """Add a palm with a bent trunk and drooping fronds.
+
+    Args:
+        b: Takes the palm.
+        bark: Material of the trunk and the nuts.
+        leaf: Material of the fronds.
+        size: Width and height, metres.
+        rng: Varies bend and fronds.
+    """
     w, h = size
     shares, bend = np.linspace(0, 1, 10), w * rng.uniform(0.1, 0.3)
     path = [(bend * (share**1.8 - 0.5), 0, h * 0.9 * share) for share in shares]
@@ -150,7 +182,14 @@ def palm(b: MeshBuilder, bark: MaterialRef, leaf: MaterialRef, size: Vec2, rng: 
 
 
 def bush(b: MeshBuilder, leaf: MaterialRef, size: Vec3, rng: np.random.Generator) -> None:
-    """Add a bush of several clumps; ``size`` is width, depth and height in metres."""
+    """Add a bush of several clumps.
+
+    Args:
+        b: Takes the bush.
+        leaf: Its material.
+        size: Width, depth and height, metres.
+        rng: Varies the clumps.
+    """
     w, d, h = size
     for index in range(8):
         angle, reach = index * GOLDEN_TURN, 0.28 * math.sqrt((index + 0.5) / 8)
@@ -159,7 +198,16 @@ def bush(b: MeshBuilder, leaf: MaterialRef, size: Vec3, rng: np.random.Generator
 
 
 def blades(b: MeshBuilder, leaf: MaterialRef, count: int, size: Vec2, width: float, rng: np.random.Generator) -> None:
-    """Add bent blades of grass; ``size`` is the radius of their patch and the height of the tallest, metres."""
+    """Add bent blades of grass.
+
+    Args:
+        b: Takes the blades.
+        leaf: Their material.
+        count: How many.
+        size: Radius of their patch and height of the tallest, metres.
+        width: Half the width of a blade at its root, metres.
+        rng: Varies height and direction.
+    """
     spread, height = size
     for index in range(count):
         angle, off = index * GOLDEN_TURN, spread * math.sqrt((index + 0.5) / count)
@@ -175,7 +223,15 @@ def blades(b: MeshBuilder, leaf: MaterialRef, count: int, size: Vec2, width: flo
 
 
 def cactus(b: MeshBuilder, skin: MaterialRef, size: Vec2, arms: int, rng: np.random.Generator) -> None:
-    """Add a ribbed columnar cactus; ``size`` is the span of its arms and the height of its column, metres."""
+    """Add a ribbed columnar cactus.
+
+    Args:
+        b: Takes the cactus.
+        skin: Its material.
+        size: Span of its arms and height of its column, metres.
+        arms: How many.
+        rng: Varies the arms.
+    """
     w, h = size
     angle = np.linspace(0, math.tau, 24, endpoint=False)
     ribs = np.c_[np.cos(angle), np.sin(angle)] * (1 + 0.08 * np.sin(8 * angle))[:, None]

@@ -11,7 +11,7 @@ Report = Callable[[int, int], None]
 
 
 def ignore(step: int, total: int) -> None:
-    """Ignore progress: the default where nobody listens."""
+    """Ignore that ``step`` of ``total`` steps are done: the default for jobs whose progress no client asked for."""
 
 
 class Progress:

@@ -116,7 +116,12 @@ class BlenderSession:
         )
 
     def read_figures(self, pack: PackRef, frames: Sequence[int]) -> list[list[Figure]]:
-        """Return the faces of all people at frames of the scene's timeline, frame by frame."""
+        """Return the faces of all people at frames of the scene's timeline, frame by frame.
+
+        Args:
+            pack: The packed scene.
+            frames: On the scene's timeline, not the shot's.
+        """
         scene = self._open_pack(pack)
         return [list(figures(scene, frame)) for frame in frames]
 
@@ -140,7 +145,13 @@ class BlenderSession:
         return spatial_drift(self._open_pack(pack), [start for _, start in pack.starts])
 
     def look(self, pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> list[CameraView]:
-        """Return what cameras see through the viewfinder; ``aspect`` is width over height."""
+        """Return what cameras see through the viewfinder; ``aspect`` is width over height.
+
+        Args:
+            pack: The packed scene.
+            requests: Each with a shot, a frame from the shot's start and a camera.
+            aspect: Width of the picture over its height.
+        """
         self._background.submit(display_of, AGX_CONTRAST)  # needed by the next render
         height = max(2, round(WIDTH / aspect))
         views: list[CameraView] = []
@@ -236,7 +247,12 @@ class BlenderSession:
         return job.out
 
     def portrait(self, job: AssetJob, out: str) -> str:
-        """Render a small picture of one asset to ``out``."""
+        """Render a small picture of one asset to ``out``.
+
+        Args:
+            job: The asset, with its canonical.
+            out: Path of the picture, relative to the project folder; it is returned.
+        """
         from storyblender.blender.props.portrait import render_portrait
 
         self._close_pack()

@@ -38,6 +38,11 @@ def inside(folder: Path, base: Path, address: str, *, quoted: bool = False) -> P
 def readable(folder: Path, path: Path, shown: str = "") -> Path:
     """Return the real path of a file within the folder of models, of a size that can be read.
 
+    Args:
+        folder: The folder of models.
+        path: The file; links are followed.
+        shown: Its name for messages; by default the last part of the path, quoted.
+
     Raises:
         InputError: It leads out of the folder, is no file, or is too large.
     """

@@ -34,6 +34,10 @@ def read_blend(path: Path, folder: Path) -> PlainModel:
 def read_aside(path: Path, folder: Path) -> PlainModel:
     """Let Blender read a .blend, or a glTF that only Blender can unpack, whose addresses have been checked.
 
+    Args:
+        path: The file.
+        folder: The folder of models.
+
     Raises:
         InputError: It cannot be read; one clause, without the file's name.
     """

@@ -28,6 +28,10 @@ _NEWEST = 405
 def check_blend(path: Path, folder: Path) -> None:
     """Refuse a .blend that is damaged, is too new, or takes parts from outside the folder of models.
 
+    Args:
+        path: The .blend.
+        folder: The folder of models.
+
     Raises:
         InputError: One clause, without the file's name.
     """

@@ -43,5 +43,11 @@ def credit_in_gltf(asset: Any) -> Credit:
 
 
 def credit_of(author: str, license_name: str, copyright_notice: str) -> Credit:
-    """Return a credit of the texts of Blender's asset metadata."""
+    """Return the credit that Blender's asset metadata gives.
+
+    Args:
+        author: Text of the field ``author``; each may be empty.
+        license_name: Text of the field ``license``.
+        copyright_notice: Text of the field ``copyright``.
+    """
     return Credit(**credit_lines({"author": author, "license": license_name, "copyright": copyright_notice}))

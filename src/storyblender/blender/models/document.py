@@ -62,7 +62,15 @@ class Document:
         return found
 
     def item(self, name: str, index: Any) -> Json:
-        """Return one object of a list by its index; an index that leads nowhere is an InputError."""
+        """Return one object of a list of the document.
+
+        Args:
+            name: Key of the list, for example ``meshes``.
+            index: As read from the file, of any type.
+
+        Raises:
+            InputError: The index leads nowhere.
+        """
         found = self.items(name)
         return found[whole(index, f"index into its {name}", len(found) - 1)]
 
@@ -134,6 +142,10 @@ class Document:
     def resource(self, uri: Any, index: int = 0) -> bytes:
         """Return what an address holds: a data address, a file in the folder of models, or the binary chunk.
 
+        Args:
+            uri: As read from the file, of any type; None for the binary chunk.
+            index: Number of the buffer; only buffer 0 can be the binary chunk.
+
         Raises:
             InputError: The address leads elsewhere.
         """
@@ -154,6 +166,10 @@ class Document:
 
 def read_document(path: Path, folder: Path) -> Document:
     """Read a .glb or .gltf.
+
+    Args:
+        path: The file.
+        folder: The folder of models.
 
     Raises:
         InputError: It is damaged, of another version, or nested too deeply.
@@ -198,7 +214,16 @@ def _chunks(data: bytes) -> tuple[bytes, bytes]:
 
 
 def whole(value: Any, what: str, most: int) -> int:
-    """Return a whole number from 0 to ``most``; anything else is an InputError that names ``what``."""
+    """Return a value of the document that must be a whole number.
+
+    Args:
+        value: As read from the file, of any type.
+        what: What it counts, for the message.
+        most: Largest number allowed; the least is 0.
+
+    Raises:
+        InputError: It is no whole number, or out of range.
+    """
     if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= most:
         raise InputError(f"its {what} is {str(value)[:24]}, which is out of range")
     return value
@@ -231,7 +256,15 @@ def _no_number(text: str) -> float:
 
 
 def finite_numbers(values: Any, count: int) -> NDArray[np.float64]:
-    """Return so many finite numbers."""
+    """Return numbers of the document as an array (count,).
+
+    Args:
+        values: As read from the file, of any type.
+        count: How many there must be.
+
+    Raises:
+        InputError: They are fewer or more, no numbers, or not below 1e12.
+    """
     plain = isinstance(values, list | tuple) and len(values) == count
     if not plain or not all(isinstance(value, int | float) and abs(value) < 1e12 for value in values):
         raise InputError("a matrix, colour or factor in it is no list of numbers")

@@ -69,7 +69,15 @@ def joined(parts: Sequence[Part]) -> PlainModel:
 
 
 def within_bounds(vertices: int, faces: int) -> None:
-    """Refuse a model without a surface, and one that is larger than a story can bear."""
+    """Refuse a model without a surface, and one that is larger than a story can bear.
+
+    Args:
+        vertices: Number read so far.
+        faces: Number read so far.
+
+    Raises:
+        InputError: It has none, or too many.
+    """
     if not vertices or not faces:
         raise InputError("the file holds no mesh")
     if faces > FACES or vertices > VERTICES:

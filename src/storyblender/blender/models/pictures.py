@@ -43,7 +43,15 @@ def clean_picture(data: bytes, name: str) -> bytes:
 
 
 def clean_normals(data: bytes, name: str) -> bytes:
-    """Return a normal map as a plain PNG or a JPEG that keeps all its colour; else as ``clean_picture``."""
+    """Return a normal map as a plain PNG or a JPEG that keeps all its colour; else as ``clean_picture``.
+
+    Args:
+        data: The file as it came.
+        name: For the message.
+
+    Raises:
+        InputError: It is no picture, or too large.
+    """
     plain, out = _decoded(data, name).convert("RGB"), io.BytesIO()
     if plain.width * plain.height <= _SMALL:
         plain.save(out, "PNG")
@@ -111,7 +119,12 @@ def _has_alpha(picture: Image.Image) -> bool:
 
 
 def tinted(data: bytes, color: Color) -> bytes:
-    """Return a clean picture multiplied by a scene-linear colour: Workbench knows no factor beside a picture."""
+    """Return a picture multiplied by a colour: Workbench knows no factor beside a picture.
+
+    Args:
+        data: A PNG or JPEG, as ``clean_picture`` gives it; the format stays.
+        color: Factors of red, green and blue, scene-linear, 0 to 1.
+    """
     picture = Image.open(io.BytesIO(data))
     pixels = np.asarray(picture.convert("RGBA")).copy()
     pixels[..., :3] = np.rint(pixels[..., :3] * np.clip(color, 0, 1) ** (1 / 2.2)).astype(np.uint8)

@@ -105,7 +105,7 @@ _ARRAYS = ("vertices", "corners", "sizes", "slots", "smooth", "layers", "paint")
 
 
 def save(model: PlainModel, folder: Path) -> None:
-    """Write a model into a folder: arrays, a record, and a file a map."""
+    """Write a ``model`` into a ``folder`` that exists: arrays, a record, and a file a map."""
     np.savez(folder / "model.npz", **{name: getattr(model, name) for name in _ARRAYS})
     materials: list[dict[str, Any]] = []
     for index, material in enumerate(model.materials):

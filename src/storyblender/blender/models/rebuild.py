@@ -23,6 +23,10 @@ _ODD = re.compile(r"[^\w -]+")
 def build_mesh(model: PlainModel, name: str) -> bpy.types.Mesh:
     """Return a new mesh of a model, in the model's frame and unit.
 
+    Args:
+        model: The surface with its materials.
+        name: Of the mesh data-block.
+
     Raises:
         InputError: No face of it is whole.
     """

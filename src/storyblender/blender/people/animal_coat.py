@@ -95,7 +95,13 @@ def _painted(figure: BodyFigure, species: Species, coat: Color, sheet: Sheet) ->
 
 
 def build_tail(figure: BodyFigure, species: Species, coat: Color) -> tuple[Sheet, Floats] | None:
-    """Return the tail and its vertex colours (V, 3), or None for an animal without one."""
+    """Return the tail and its vertex colours (V, 3), or None for an animal without one.
+
+    Args:
+        figure: The body that carries it, on its back at the height of the hips.
+        species: Shape of the tail and colour of its tip.
+        coat: Scene-linear colour of the fur.
+    """
     if species.tail == "none":
         return None
     scale = figure.scale * (1.15 if species.height < 1.0 else 0.95)

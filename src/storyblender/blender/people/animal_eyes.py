@@ -24,12 +24,22 @@ LID_KEYS: dict[str, tuple[float, float]] = {
 
 
 def eyeballs(centers: dict[str, Floats], radius: float) -> Sheet:
-    """Return both eyeballs of ``radius`` metres; slots: 0 pupil, 1 iris, 2 rim, 3 white, 4 glint."""
+    """Return both eyeballs; slots: 0 pupil, 1 iris, 2 rim, 3 white, 4 glint.
+
+    Args:
+        centers: Middle of each, (3,) metres, by side ``L`` and ``R``.
+        radius: Metres.
+    """
     return join([eyeball(centers[side], [radius] * len(_RINGS), side, _RINGS, _AROUND, _GLINT) for side in "LR"])
 
 
 def eyelids(center: Floats, radius: float) -> tuple[Sheet, dict[str, Floats]]:
-    """Return the lids of an eyeball (metres) and the offsets (V, 3) of their shape keys."""
+    """Return the upper and the lower lid of an eyeball and, by key, the offsets (V, 3) of their shape keys, metres.
+
+    Args:
+        center: Middle of the eyeball, (3,) metres.
+        radius: Of the eyeball, metres.
+    """
     sheets, moves = [], []
     for number, lid in enumerate((_UPPER, _LOWER)):
         open_, shut = _shell(lid, 0.0) * radius * 1.08, _shell(lid, 1.0) * radius * 1.08

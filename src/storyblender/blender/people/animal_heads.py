@@ -76,11 +76,24 @@ class AnimalHead:
         self.keys.append(keys or {})
 
     def add_ball(self, color: str, at: Point, half: Point, turn: Point = (0, 0, 0)) -> None:
-        """Add an ellipsoid with semi-axes ``half`` in head radii, turned by degrees; colours as in ``add``."""
+        """Add an ellipsoid.
+
+        Args:
+            color: As in ``add``.
+            at: Its middle, head radii.
+            half: Semi-axes, head radii.
+            turn: Degrees about X, then Y, then Z.
+        """
         self.add(ball(self.to_metres(at), np.array(half) * self.radius, bone_weights("head"), rotation=turn), color)
 
     def add_bar(self, color: str, points: Sequence[Point], radii: Sequence[float]) -> None:
-        """Add a round bar along a path, with a radius for each point, in head radii; colours as in ``add``."""
+        """Add a round bar.
+
+        Args:
+            color: As in ``add``.
+            points: Its path, head radii.
+            radii: Its radius at each point, head radii.
+        """
         self.add(bar(self.to_metres(points), [each * self.radius for each in radii], bone_weights("head")), color)
 
     def mesh_of(self, form: Field) -> tuple[Sheet, Floats]:

@@ -138,11 +138,16 @@ class Skull:
         return inside.min(0) - 0.12, inside.max(0) + 0.12
 
     def front_y(self, x: float, z: float) -> float:
-        """Return the y coordinate of the front surface of the head at ``x`` and ``z``."""
+        """Return the y coordinate of the front surface of the head at ``x`` and ``z``, all in head radii."""
         return float(self.cast_ray((x, -3.2, z), (0, 1, 0))[1])
 
     def cast_ray(self, start: ArrayLike, way: ArrayLike) -> Floats:
-        """Return the first point of a ray (unit direction ``way``) on the head, or its nearest point if it misses."""
+        """Return the first point (3,) of a ray on the head, or the ray's nearest point to it if it misses; head radii.
+
+        Args:
+            start: Where the ray begins, (3,) head radii, outside the head.
+            way: Unit direction, (3,).
+        """
         at, step = np.array(start, float), np.asarray(way, float)
         nearest, least = at, np.inf
         for _ in range(60):

@@ -34,7 +34,10 @@ class Bolt:
 
 
 Builder = Callable[[Any, BodyFigure, WornLayers], list[Bolt]]
+"""Given the cut of a piece (``catalog.cuts``), the body and the clothes worn below, returns the bolts of the piece over
+them, metres; none where they leave no place for it."""
 Cover = Callable[[Any, BodyFigure, Sheet], Floats]
+"""Given the cut of a piece, the body and a sheet worn below it, returns the cover field (V,) on that sheet, metres."""
 
 
 def single_bolt(piece: GarmentPiece, sheet: Sheet) -> list[Bolt]:

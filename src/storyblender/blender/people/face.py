@@ -114,7 +114,13 @@ class Pin:
 
 
 def brows(figure: BodyFigure, height: float, keys: dict[str, Floats]) -> tuple[Sheet, dict[str, Floats]]:
-    """Return both eyebrows, of half ``height`` in decimetres on the base mesh, and the offsets of their shape keys."""
+    """Return both eyebrows and the offsets (V, 3) of their shape keys, metres.
+
+    Args:
+        figure: The body.
+        height: Half the height of a brow where it is thickest, decimetres on the base mesh.
+        keys: Offsets of each shape key for the whole base mesh, (V, 3) metres.
+    """
     pins: list[tuple[Pin, float]] = []
     faces: list[tuple[int, int, int, int]] = []
     columns = 10

@@ -153,7 +153,7 @@ class BodyFigure:
         return (sheet.skin - base) @ (axis / np.linalg.norm(axis))
 
     def below_neck(self, sheet: Sheet, height: float) -> Floats:
-        """Return the field below a neckline ``height`` metres (at 1.70 m) up the neck."""
+        """Return the field on a sheet below a neckline ``height`` metres (at 1.70 m) up the neck."""
         return height * self.scale - self.up_neck(sheet)
 
     def is_front(self, sheet: Sheet) -> NDArray[np.bool_]:

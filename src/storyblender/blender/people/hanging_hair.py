@@ -30,7 +30,13 @@ _HEM = ((0.007, -0.004), (0.018, 0.010))
 
 
 def hanging_hair(scalp: Scalp, body: HairSupport, rng: np.random.Generator) -> tuple[Sheet, Floats]:
-    """Return the sheet of hanging hair, lying on ``body``, and the shade of each of its points, about 1."""
+    """Return the sheet of hanging hair and the shade of each of its points, (V,), about 1.
+
+    Args:
+        scalp: The head, with the hairstyle.
+        body: What long hair lies on.
+        rng: Varies the locks.
+    """
     spec, scale = scalp.spec, scalp.figure.head_scale
     turns = np.linspace(-_OPEN, _OPEN, _COLUMNS)
     ridge, length = _locks(rng)

@@ -62,7 +62,7 @@ class HairSupport:
         return max((hit.y for hit in hits if hit is not None), default=-_FAR)
 
     def clear(self, point: Floats, gap: float) -> Floats:
-        """Return ``point`` moved off the face and at least ``gap`` metres outside body and clothes."""
+        """Return ``point`` (3,) in metres, moved off the face and at least ``gap`` metres outside body and clothes."""
         return self.push_out(self._aside(point), gap)
 
     def _aside(self, point: Floats) -> Floats:
@@ -75,7 +75,7 @@ class HairSupport:
         return np.array((least if point[0] > 0 else -least, point[1], point[2]))
 
     def push_out(self, point: Floats, gap: float) -> Floats:
-        """Return ``point`` moved at least ``gap`` metres outside body and clothes."""
+        """Return ``point`` (3,) in metres, moved at least ``gap`` metres outside body and clothes."""
         for tree in self._trees:
             nearest, normal, _, _ = tree.find_nearest(Vector(point), 0.08)
             if nearest is not None:
@@ -86,14 +86,26 @@ class HairSupport:
 
 
 def hair_weights(figure: BodyFigure, points: Floats) -> Floats:
-    """Return bone weights (V, 35) of hair at ``points``: the head's, blending to the chest's on the shoulders."""
+    """Return bone weights (V, 35) of hair: the head's, blending to the chest's on the shoulders.
+
+    Args:
+        figure: The body.
+        points: (V, 3) metres.
+    """
     neck, chest = figure.heights["neck"], figure.heights["chest"]
     share = np.interp(points[:, 2], (chest, neck + 0.05 * figure.scale), (0.55, 0.0))[:, None]
     return (1 - share) * bone_weights("head") + share * bone_weights("upper_chest")
 
 
 def flat_lock(figure: BodyFigure, strand: Strand, spec: HairSpec, width: float) -> Sheet:
-    """Return a lock along a strand: a strip ``width`` metres wide on an adult that tapers to its tip."""
+    """Return a lock along a strand: a strip that tapers to its tip.
+
+    Args:
+        figure: The body; its bones carry the lock.
+        strand: Middle line of the lock.
+        spec: The hairstyle, for the width at the tip.
+        width: Metres, on a head of an adult's size.
+    """
     count = ROWS
     at = np.linspace(0, len(strand.points) - 1, count)
     index = np.arange(len(strand.points))
@@ -114,7 +126,16 @@ def flat_lock(figure: BodyFigure, strand: Strand, spec: HairSpec, width: float) 
 
 
 def ball(figure: BodyFigure, center: Floats, radii: Floats, spin: Floats, segments: int = 7, rings: int = 5) -> Sheet:
-    """Return a small ellipsoid of hair with ``radii`` (3,) in metres, turned by ``spin`` (3, 3)."""
+    """Return a small ellipsoid of hair.
+
+    Args:
+        figure: The body; its bones carry the hair.
+        center: (3,) metres.
+        radii: Semi-axes, (3,) metres.
+        spin: Rotation matrix, (3, 3).
+        segments: Faces around.
+        rings: Faces from pole to pole.
+    """
     points, faces = _unit_ball(segments, rings)
     placed = center + (points * radii) @ spin.T
     return rigid_sheet(placed, list(faces), hair_weights(figure, placed))
@@ -144,7 +165,13 @@ def _unit_ball(segments: int, rings: int) -> tuple[Floats, tuple[tuple[int, ...]
 
 
 def round_curl(scalp: Scalp, root: Floats, rng: np.random.Generator) -> Sheet:
-    """Return one round curl on the hair in direction ``root`` from the middle of the head."""
+    """Return one round curl on the hair.
+
+    Args:
+        scalp: The head, with the hairstyle.
+        root: Unit direction (3,) from the middle of the head to the curl.
+        rng: Varies its size, depth and turn.
+    """
     spec, scale = scalp.spec, scalp.figure.head_scale
     size = 0.5 * spec.width * scale * rng.uniform(0.75, 1.25)
     found = scalp.hair_surface(root, -rng.uniform(0.1, 0.8) * size)
@@ -155,7 +182,12 @@ def round_curl(scalp: Scalp, root: Floats, rng: np.random.Generator) -> Sheet:
 
 
 def wound_bun(scalp: Scalp, rng: np.random.Generator) -> list[Sheet]:
-    """Return the locks of a bun at the back of the head."""
+    """Return the locks of a bun at the back of the head.
+
+    Args:
+        scalp: The head, with the hairstyle.
+        rng: Varies how the locks are wound.
+    """
     figure, scale = scalp.figure, scalp.figure.head_scale
     found = scalp.hair_surface(KNOT, 0.020 * scale)
     center = found[0] if found else scalp.center

@@ -25,7 +25,12 @@ _SHALLOW, _DEEP = 0.01, 0.06
 
 
 def mouth_depth(pack: BodyPack, base: Floats) -> Floats:
-    """Return how far inside the mouth base mesh points (V, 3) lie, (V,): 0 on the face and lips, 1 behind the lips."""
+    """Return how far inside the mouth points of the base mesh lie, (V,): 0 on the face and lips, 1 behind the lips.
+
+    Args:
+        pack: The body data.
+        base: (V, 3) positions on the base mesh, decimetres.
+    """
     tree, _ = base_tree(pack)
     inside = np.zeros(len(base))
     near = (np.abs(base[:, 0]) < 0.36) & (np.abs(base[:, 1] - 6.6) < 0.26) & (base[:, 2] > 0.5)

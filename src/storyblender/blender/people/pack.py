@@ -61,7 +61,12 @@ class BodyPack:
         return total
 
     def joint(self, points: Floats, name: str) -> Floats:
-        """Return the position of the joint ``name`` on a morphed mesh ``points`` (V, 3): the mean of its 8 vertices."""
+        """Return the position (3,) of a joint, the mean of the 8 vertices that mark it, in the unit of the points.
+
+        Args:
+            points: (V, 3) all vertices of a morphed base mesh.
+            name: The joint, for example ``l-knee``.
+        """
         first = self.joints[name]
         return points[first : first + 8].mean(0)
 

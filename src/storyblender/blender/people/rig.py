@@ -19,7 +19,12 @@ STUB = Vector((0.0, -0.03, 0.0))
 
 
 def build_armature(name: str, joints: Joints) -> bpy.types.Object:
-    """Return an armature object at the origin with the 35 bones of the skeleton, at ``joints`` (metres)."""
+    """Return an armature object at the origin with the 35 bones of the skeleton.
+
+    Args:
+        name: Of the object and its data-block.
+        joints: Position of each joint, metres.
+    """
     data = bpy.data.armatures.new(name)
     armature = bpy.data.objects.new(name, data)
     bpy.context.scene.collection.objects.link(armature)

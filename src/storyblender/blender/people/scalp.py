@@ -24,7 +24,13 @@ HAIRLINE = np.array([
 
 
 def above_hairline(base: Floats, spec: HairSpec, masculine: float) -> Floats:
-    """Return how far base mesh points (N, 3) lie above the hairline, (N,) decimetres; ``masculine`` 0..1 raises it."""
+    """Return how far points of the base mesh lie above the hairline, (N,) decimetres.
+
+    Args:
+        base: (N, 3) positions on the base mesh, decimetres.
+        spec: The hairstyle.
+        masculine: 0 to 1, raises the hairline at the temples.
+    """
     x, depth = np.abs(base[:, 0]), base[:, 2]
     line = np.interp(depth, HAIRLINE[:, 0], HAIRLINE[:, 1])
     temples = np.clip(1 - np.abs(x - 0.52) / 0.22, 0, 1) * np.clip((depth - 0.85) / 0.2, 0, 1)
@@ -38,7 +44,14 @@ def above_hairline(base: Floats, spec: HairSpec, masculine: float) -> Floats:
 
 
 def covered_scalp(figure: BodyFigure, skin: Sheet, spec: HairSpec, masculine: float) -> NDArray[np.bool_]:
-    """Return which faces of the skin lie well under the hair, (F,)."""
+    """Return which faces of the skin lie well under the hair, (F,).
+
+    Args:
+        figure: The body.
+        skin: Its skin, not yet cut.
+        spec: The hairstyle.
+        masculine: 0 to 1, shapes the hairline.
+    """
     if not spec.top and not spec.side:
         return np.zeros(len(skin.faces), bool)
     deep = (above_hairline(skin.base, spec, masculine) > 0.25) & (skin.base[:, 1] > 6.8) & (skin.base[:, 2] < 1.6)
@@ -122,7 +135,12 @@ class Scalp:
         return np.array(hit), sum(share * high for share, high in shares) / sum(share for share, _ in shares)
 
     def hair_surface(self, direction: Floats, lift: float) -> tuple[Floats, float] | None:
-        """Return the point ``lift`` metres over the hair in a direction and its dm over the hairline, or None."""
+        """Return a point (3,) over the hair, metres, and its decimetres above the hairline, or None.
+
+        Args:
+            direction: Unit vector (3,) from the middle of the head.
+            lift: Metres over the hair, negative into it; at most 0 under a hat.
+        """
         found = self.skull_surface(direction)
         if found is None:
             return None

@@ -172,7 +172,13 @@ def normals(sheet: Sheet) -> Floats:
 
 
 def smoothed(sheet: Sheet, rounds: int, strength: float | Floats = 0.5) -> Floats:
-    """Return the points (V, 3) after Laplacian smoothing; hems stay. ``strength`` is one value or (V,)."""
+    """Return the points (V, 3) after Laplacian smoothing, metres; hems stay.
+
+    Args:
+        sheet: The mesh.
+        rounds: How often it is smoothed.
+        strength: Share of the way to the mean of its neighbours that a vertex moves, one value or (V,).
+    """
     pairs, counts = edges(sheet)
     amount = np.broadcast_to(strength, len(sheet.points)).copy()
     amount[pairs[counts == 1]] = 0
@@ -186,7 +192,13 @@ def smoothed(sheet: Sheet, rounds: int, strength: float | Floats = 0.5) -> Float
 
 
 def loosened(sheet: Sheet, ease: float | Floats, rounds: int) -> Sheet:
-    """Return a sheet smoothed to cloth that keeps ``ease`` metres (one value or (V,)) from the surface it lay on."""
+    """Return a sheet smoothed to cloth that keeps off the surface it lay on.
+
+    Args:
+        sheet: The mesh, on that surface.
+        ease: Metres between them at least, one value or (V,).
+        rounds: How often it is smoothed.
+    """
     outward = normals(sheet)
     points = smoothed(sheet, rounds)
     clearance = ((points - sheet.points) * outward).sum(1)

@@ -27,7 +27,12 @@ def expression_offsets(pack: BodyPack) -> dict[str, Floats]:
 
 
 def shape_keys_of(sheet: Sheet, every: Mapping[str, Floats]) -> dict[str, Floats]:
-    """Return the shape keys of a sheet that comes from the base mesh, given the offsets (V, 3) of ``every`` key."""
+    """Return the shape keys of a sheet: offsets (V, 3) of its vertices, metres.
+
+    Args:
+        sheet: A part of the base mesh, without cuts.
+        every: Offsets of each key for the whole base mesh, (V, 3) metres.
+    """
     return {key: offsets[sheet.source] for key, offsets in every.items()}
 
 

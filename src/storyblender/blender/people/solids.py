@@ -34,14 +34,29 @@ def skinned(rings: Sequence[ArrayLike], weights: Floats, *, caps: bool = True) -
 def ball(
     center: ArrayLike, half: ArrayLike, weights: Floats, *, softness: float = 1.0, rotation: ArrayLike = (0, 0, 0)
 ) -> Sheet:
-    """Return a superellipsoid with semi-axes ``half``, turned by degrees; softness 1 is an ellipsoid, 0.3 a cushion."""
+    """Return a superellipsoid.
+
+    Args:
+        center: (3,) metres.
+        half: Semi-axes, (3,) metres.
+        weights: (35,) of all its vertices.
+        softness: 1 is an ellipsoid, 0.3 a cushion.
+        rotation: Degrees about X, then Y, then Z.
+    """
     matrix = solids.transform(center, rotation, 1.0)
     rings = solids.superellipsoid_rings(np.asarray(half, float), softness, 18, 10)
     return skinned([ring @ matrix[:3, :3].T + matrix[:3, 3] for ring in rings], weights)
 
 
 def bar(points: ArrayLike, radius: float | Sequence[float], weights: Floats, *, closed: bool = False) -> Sheet:
-    """Return a round bar along a path (N, 3); ``radius`` in metres is one value or one per point."""
+    """Return a round bar along a path.
+
+    Args:
+        points: (N, 3) metres.
+        radius: Metres, one value or one per point.
+        weights: (35,) of all its vertices.
+        closed: Whether the path is a ring.
+    """
     rings = solids.tube_rings(np.asarray(points, float), radius, 8, closed)
     if not closed:
         return skinned(rings, weights)

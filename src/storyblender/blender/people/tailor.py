@@ -43,7 +43,7 @@ BUILDERS: dict[type, Builder] = {
     cuts.HeadCloth: gear.build_head_cloth,
     cuts.Gear: gear.build_gear,
 }
-"""Builder of each kind of piece."""
+"""Builder of each kind of piece; ``cloth.Builder`` says what it is given."""
 
 COVERS: dict[type, Cover] = {
     cuts.Bodice: cloth.cover_top,
@@ -73,7 +73,13 @@ class Worn:
 
 
 def dress_figure(figure: BodyFigure, outfit: Sequence[Garment], seed: int) -> list[Worn]:
-    """Return the garments of an outfit (innermost first), fitted, with hidden faces removed; ``seed`` picks colours."""
+    """Return the garments of an outfit, fitted, with hidden faces removed.
+
+    Args:
+        figure: The body.
+        outfit: Innermost first.
+        seed: Picks the colours that the outfit leaves open.
+    """
     rng = np.random.default_rng(seed + 3)
     layers = WornLayers(float(figure.joint("neck")[1]) - 0.01 * figure.scale)
     wardrobe: list[Worn] = []
@@ -102,7 +108,13 @@ def _lies_flat(piece: cuts.AnyPiece) -> bool:
 
 
 def covered_skin(figure: BodyFigure, skin: Sheet, wardrobe: Sequence[Worn]) -> NDArray[np.bool_]:
-    """Return which faces of ``skin`` are hidden by the garments of ``wardrobe``, (F,)."""
+    """Return which faces of the skin are hidden by garments, (F,).
+
+    Args:
+        figure: The body.
+        skin: Its skin, F faces.
+        wardrobe: The garments, as ``dress_figure`` gives them.
+    """
     return _hidden(skin, _cover_fields(figure, wardrobe), SKIN_MARGIN * figure.scale)
 
 
@@ -133,7 +145,12 @@ def hangs_below_hips(spec: GarmentSpec) -> bool:
 
 
 def piece_color(color: Color, tint: str) -> Color:
-    """Return the colour of a piece: ``color`` changed by ``tint`` (``main``, ``dark``, ``light``), or a hex code's."""
+    """Return the scene-linear colour of a piece.
+
+    Args:
+        color: Main colour of the garment, scene-linear.
+        tint: ``main``, ``dark`` or ``light``, which change that colour, or a hex code instead of it.
+    """
     if tint.startswith("#"):
         return hex_color(tint)
     return {"main": color, "dark": mix(color, (0, 0, 0), 0.3), "light": mix(color, (1, 1, 1), 0.35)}[tint]

@@ -34,7 +34,12 @@ _STAYS = 0.95
 
 
 def tied_hair(scalp: Scalp, body: HairSupport) -> list[Sheet]:
-    """Return what hangs from the knot, a ponytail or a braid lying on ``body``, and the band that holds it."""
+    """Return what hangs from the knot, a ponytail or a braid, and the band that holds it.
+
+    Args:
+        scalp: The head, with a hairstyle that is tied.
+        body: What the hair lies on.
+    """
     figure, scale = scalp.figure, scalp.figure.head_scale
     braided = scalp.spec.knot == "braid"
     spine, outward = _spine(scalp, body)

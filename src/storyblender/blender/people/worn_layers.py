@@ -46,7 +46,12 @@ class WornLayers:
         self._layers.append((sheet, BVHTree.FromPolygons(sheet.points.tolist(), polygons(sheet))))
 
     def push_out(self, sheet: Sheet, gap: float) -> Sheet:
-        """Return ``sheet`` with every vertex at least ``gap`` metres outside all layers."""
+        """Return a sheet with every vertex outside all layers that are within ``REACH`` of it.
+
+        Args:
+            sheet: The next garment, metres.
+            gap: Metres between it and the layers at least.
+        """
         points = sheet.points.copy()
         for _, tree in self._layers:
             for row, point in enumerate(points.tolist()):

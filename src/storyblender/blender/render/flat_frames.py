@@ -165,7 +165,12 @@ def _flat(channels: Channels, view: View, told: Told, glow: Image | None) -> Fla
 
 @contextmanager
 def animatic_workbench(session: RenderSession, movement: Movement) -> Iterator[Told]:
-    """Set Workbench up for flat frames of a shot; give what their colours tell of light."""
+    """Set Workbench up for flat frames of a shot; give what their colours tell of light.
+
+    Args:
+        session: The open scene.
+        movement: The shot; what is outside its picture all the time stays as it is.
+    """
     unseen = set(movement.unseen)
     with ExitStack() as stack:
         told = stack.enter_context(told_by_number())

@@ -23,7 +23,12 @@ FACE_ROLES = frozenset({"key", "fill", "rim"})
 
 
 def make_lamp(light: Light, name: str) -> bpy.types.Object:
-    """Return a light object, linked to no collection, with the plan's power, colour, size and direction."""
+    """Return a light object, linked to no collection, with the plan's power, colour, size and direction.
+
+    Args:
+        light: The lamp in the plan; world, metres.
+        name: Of the object and its data-block.
+    """
     data = bpy.data.lights.new(name, light.kind)
     data.color, data.energy = light.color, light.power
     if light.kind == "AREA":
@@ -44,7 +49,12 @@ def make_lamp(light: Light, name: str) -> bpy.types.Object:
 
 
 def make_world(sky: Sky, name: str) -> bpy.types.World:
-    """Return a world of the sky's colours over the sine of elevation: the same dome that the compositor draws."""
+    """Return a world of the sky's colours over the sine of elevation: the same dome that the compositor draws.
+
+    Args:
+        sky: Scene-linear colours.
+        name: Of the world data-block.
+    """
     world = bpy.data.worlds.new(name)
     world.use_nodes = True
     # A smooth dome needs no fine importance map: the automatic one takes three seconds and 200 MB.
@@ -83,7 +93,12 @@ class PanoramaImage:
 
 
 def add_panorama(world: bpy.types.World, panorama: PanoramaImage) -> bpy.types.Image:
-    """Let a panorama light the world where its gradient sky did; return its picture, not packed yet."""
+    """Let a panorama light the world where its gradient sky did; return its picture, not packed yet.
+
+    Args:
+        world: Made by ``make_world``.
+        panorama: The picture, its turn and its strength.
+    """
     world.cycles.sample_map_resolution = 256
     tree = world.node_tree
     image = bpy.data.images.get(panorama.path.name)

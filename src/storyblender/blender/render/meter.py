@@ -75,7 +75,13 @@ def balanced(scene: bpy.types.Scene, lighting: Lighting) -> SetLight:
 
 
 def reach_of(scene: bpy.types.Scene, light: Light, points: Sequence[Vec3]) -> float:
-    """Return the share of the points that a lamp reaches; people are looked through."""
+    """Return the share of points that a lamp reaches, 0 to 1; people are looked through.
+
+    Args:
+        scene: Scene whose objects stand in the way.
+        light: The lamp; world, metres.
+        points: World, metres; at least one.
+    """
     depsgraph = scene.view_layers[0].depsgraph
     reached = 0
     for point in points:

@@ -54,7 +54,13 @@ class Passes:
 
 
 def render_passes(session: RenderSession, width: int, height: int) -> Passes:
-    """Draw the flat passes of the session's frame at the given (supersampled) size, without antialiasing."""
+    """Draw the flat passes of the session's frame, without antialiasing.
+
+    Args:
+        session: The open scene, at its frame.
+        width: Of the passes, supersampled, pixels.
+        height: Of the passes, supersampled, pixels.
+    """
     view = session.view(width, height)
     objects = session.visible_objects()
     materials = list(bpy.data.materials)
@@ -191,7 +197,12 @@ def _half_color(channels: Channels) -> NDArray[np.float16]:
 
 
 def material_index(channels: Channels, materials: Sequence[bpy.types.Material]) -> NDArray[np.uint16]:
-    """Return each pixel's material, from 1, of a picture drawn with ``material_indices``; 0 is none."""
+    """Return each pixel's material, (h, w), from 1; 0 is none.
+
+    Args:
+        channels: Of a picture drawn with ``material_indices``.
+        materials: The same, in the same order.
+    """
     index = _number(_levels(channels["Combined.R"]), _levels(channels["Combined.G"]))
     index[index > len(materials)] = 0
     return index

@@ -48,6 +48,10 @@ def changed(owner: Any, values: Mapping[str, Any]) -> Iterator[None]:
     """Set attributes of a Blender struct and set them back, in the same order.
 
     The order matters where one enumeration decides what another may hold: file format before colour depth.
+
+    Args:
+        owner: The struct.
+        values: Attribute to value.
     """
     before = {name: _copied(getattr(owner, name)) for name in values}
     try:
@@ -135,7 +139,13 @@ class RenderSession:
         return [obj for obj in self.scene.objects if obj.type in DRAWN and not obj.hide_render]
 
     def view(self, width: int, height: int, camera: bpy.types.Object | None = None) -> View:
-        """Return the pinhole of a camera (the session's, if None) for pictures of that size."""
+        """Return the pinhole of a camera at the current frame.
+
+        Args:
+            width: Of the picture, pixels.
+            height: Of the picture, pixels.
+            camera: The session's, if None.
+        """
         depsgraph = self.scene.view_layers[0].depsgraph
         camera = camera or self.camera
         projection = np.array(camera.calc_matrix_camera(depsgraph, x=width, y=height))
@@ -229,7 +239,13 @@ class RenderSession:
             return [read_channels(Path(folder) / f"{number:05d}.exr") for number in frames]
 
     def png(self, width: int, height: int, path: Path) -> None:
-        """Render with the engine that is set to an 8 bit PNG without metadata that differs from run to run."""
+        """Render with the engine that is set to an 8 bit PNG without metadata that differs from run to run.
+
+        Args:
+            width: Pixels.
+            height: Pixels.
+            path: The file, with its suffix.
+        """
         render = self.scene.render
         size = {"resolution_x": width, "resolution_y": height, "filepath": str(path)}
         image = {"file_format": "PNG", "color_mode": "RGB", "color_depth": "8", "compression": 15}
@@ -264,7 +280,13 @@ def _border(window: Window, width: int, height: int) -> dict[str, Any]:
 
 @contextmanager
 def temporary_camera(scene: bpy.types.Scene, matrix: NDArray, **settings: Any) -> Iterator[bpy.types.Object]:
-    """Add a camera at a (4, 4) world matrix, make it the scene's camera, and take it away after."""
+    """Add a camera, make it the scene's camera, and take it away after.
+
+    Args:
+        scene: The scene.
+        matrix: (4, 4) world matrix, metres.
+        **settings: Attributes of the camera data-block, for example ``clip_end``.
+    """
     data = bpy.data.cameras.new("temporary")
     for name, value in settings.items():
         setattr(data, name, value)

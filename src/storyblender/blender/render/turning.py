@@ -45,11 +45,15 @@ def told_in_blue(materials: Sequence[bpy.types.Material]) -> Iterator[None]:
 
 
 def turned_and_made(channels: Channels, view: View) -> tuple[NDArray[np.float16], NDArray[np.uint16]]:
-    """Return world normals, (h, w, 3), and the number of the material, from a picture in the matcap.
+    """Return world normals, (h, w, 3), and material numbers, (h, w) from 1, 0 for none, from a picture in the matcap.
 
     The matcap stores sRGB-encoded x and y of the normal in a basis that turns with the view ray: z towards the eye,
     x horizontal (measured in notes: sets and light, "traps met"). Numpy works on planes five times as fast as on pixels
     of three values, so the basis is written out.
+
+    Args:
+        channels: Of the picture, drawn with ``turning_matcap`` and ``told_in_blue``.
+        view: The camera that drew it.
     """
     slope, climb = view.slopes()
     side_x = 1 / np.sqrt(1 + slope * slope)
