@@ -176,7 +176,7 @@ class Settings(Frozen):
 
     @property
     def language_roles(self) -> tuple[RoleName, ...]:
-        """Roles that a model or a person plays, whoever it is: a replay makes the same plan as its recording."""
+        """Roles that a model or a person plays, without their names: a replay makes the same plan as its recording."""
         return tuple(role for role, player in players(self.crew).items() if player.kind != "rules")
 
     def remembered(self, project: Path) -> str:

@@ -54,7 +54,7 @@ class AnswerFolder:
 
 @dataclass(frozen=True)
 class Mailbox:
-    """Asks by writing a request into a folder; whoever answers it writes the answer beside it.
+    """Asks by writing a request into a folder; its answer is written beside it.
 
     Attributes:
         folder: The folder.

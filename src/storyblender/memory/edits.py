@@ -1,4 +1,4 @@
-"""Edits as data: one typed union, whoever makes them (command line, page, agent, another program)."""
+"""Edits as data: one typed union for all that make them (command line, page, agent, another program)."""
 
 from __future__ import annotations
 

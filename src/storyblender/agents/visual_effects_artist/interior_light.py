@@ -129,7 +129,7 @@ def _make_window_sun(openings: list[WindowWall], hour: Hour, share: float, *, fr
         openings: The walls with windows; the front wall counts least.
         hour: The time of day; it gives the sun's elevation, power and colour.
         share: Share of the sun that the weather lets through, 0 to 1.
-        from_left: Whether the sun comes from the left, for somebody who looks out of the window: else from the right.
+        from_left: Whether the sun comes from the left, seen from inside the room; else from the right.
     """
     largest = max(openings, key=lambda item: item.size * (0.3 if item.wall.node_id == "wall_front" else 1.0))
     centre, inward = largest.centre, largest.inward

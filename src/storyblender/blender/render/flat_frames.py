@@ -121,7 +121,7 @@ def _laid_over(plate: FlatFrame, part: FlatFrame, window: Window, last: FlatFram
         front = nearer[near.cut]
         now = [_in_front(front, piece[near.cut], back[here]) for piece, back in zip(pieces, behind, strict=True)]
         differs = _differs(now, [layer[here] for layer in layers])
-        # Whoever turns a little keeps much of depth and colour, but takes the light otherwise.
+        # A person who turns a little keeps much of depth and colour, but takes the light otherwise.
         body = front | last.moving[here]
         for piece in windows_round(differs, _BODY // 2):
             differs[piece.cut] |= body[piece.cut]

@@ -238,20 +238,6 @@ class RenderSession:
                 bpy.ops.render.render(animation=True)
             return [read_channels(Path(folder) / f"{number:05d}.exr") for number in frames]
 
-    def png(self, width: int, height: int, path: Path) -> None:
-        """Render with the engine that is set to an 8 bit PNG without metadata that differs from run to run.
-
-        Args:
-            width: Pixels.
-            height: Pixels.
-            path: The file, with its suffix.
-        """
-        render = self.scene.render
-        size = {"resolution_x": width, "resolution_y": height, "filepath": str(path)}
-        image = {"file_format": "PNG", "color_mode": "RGB", "color_depth": "8", "compression": 15}
-        with changed(render, size | _STILL), changed(render.image_settings, image):
-            bpy.ops.render.render(write_still=True)
-
 
 def evenly(numbers: Sequence[int]) -> list[range]:
     """Return ascending numbers as the fewest runs of even steps, each as long as it goes."""
