@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from functools import cache
 from typing import Final
 
 from storyblender.agents.director import lexicon
@@ -177,13 +178,6 @@ _SPOKEN = re.compile(
     re.IGNORECASE,
 )
 _NOTE_PREFIX = re.compile(r"\s*(?:SHOT|CAMERA|ANGLE)\s*[:=-]\s*", re.IGNORECASE)
-_THIRD_PERSON = "|".join(
-    f"{verb}e?s" for verb in lexicon.VERBS if verb not in lexicon.PROPS | lexicon.SET_PIECES | lexicon.BODY
-)
-_SUBJECT_ENDS = re.compile(
-    r"\s*[.;!?]|\s*:|\s+[-–—]+\s|,|\s+(?=(?:as|while|when|who|where|and then|is|are)\b|\w{3,}ing\b)"
-    rf"|\s+(?=(?:{_THIRD_PERSON})\b(?!['’]))"
-)
 _JOIN = re.compile(r"\s*(?:(?:as|while|when|and|then|where)\b|[,;:.–—-])\s*", re.IGNORECASE)
 _ARTICLE = re.compile(r"\A(?:the|a|an|his|her|their|its)\s+", re.IGNORECASE)
 _TRAILING_JOIN = re.compile(r"[\s,;–—-]*\b(?:as|while|and|then)?[\s,;–—-]*$", re.IGNORECASE)
@@ -285,7 +279,7 @@ def _subject(sentence: str, start: int) -> tuple[str, Span]:
     A participle or a verb right after the noun keeps the noun: in ``CLOSE ON NORA opening the letter`` it is Nora who
     acts. After ``as``, a colon or a full stop a new clause begins.
     """
-    ending = _SUBJECT_ENDS.search(sentence, start)
+    ending = _subject_ends().search(sentence, start)
     end = ending.start() if ending else len(sentence)
     subject = _ARTICLE.sub("", sentence[start:end].strip())
     if len(subject.split()) > 7:
@@ -295,6 +289,17 @@ def _subject(sentence: str, start: int) -> tuple[str, Span]:
     if re.match(r"\s*\w+ing\b", sentence[rest:]) or (join is None and sentence[end:].strip()):
         rest = start
     return subject, _action_span(sentence, rest)
+
+
+@cache
+def _subject_ends() -> re.Pattern[str]:
+    """Return the pattern of what ends a subject; compiled at its first use, since it has every verb in it."""
+    nouns = lexicon.PROPS | lexicon.SET_PIECES | lexicon.BODY
+    verbs = "|".join(f"{verb}e?s" for verb in lexicon.VERBS if verb not in nouns)
+    return re.compile(
+        r"\s*[.;!?]|\s*:|\s+[-–—]+\s|,|\s+(?=(?:as|while|when|who|where|and then|is|are)\b|\w{3,}ing\b)"
+        rf"|\s+(?=(?:{verbs})\b(?!['’]))"
+    )
 
 
 def _action_span(sentence: str, start: int) -> Span:
