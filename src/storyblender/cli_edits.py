@@ -30,6 +30,10 @@ Parts = Annotated[
         help="Only this: camera, blocking or duration of a shot; layout, light or set of a scene. May be repeated.",
     ),
 ]
+Revision = Annotated[
+    str | None, typer.Option(help="What you looked at, as --json told it; refused if that changed since.")
+]
+Draw = Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")]
 _SIZES = "How much is seen, from extreme wide to extreme close-up: EWS WS FS MWS MS MCU CU ECU."
 
 
@@ -84,10 +88,8 @@ def edit(
     seconds: Annotated[float | None, typer.Option(help="Length of the shot in seconds.")] = None,
     frames: Annotated[int | None, typer.Option(help="Length of the shot in frames.")] = None,
     batch: Annotated[Path | None, typer.Option(help="A JSON list of edits (docs/edits.md) instead.")] = None,
-    revision: Annotated[
-        str | None, typer.Option(help="What the edit was made on, as --json told it; refused if that changed since.")
-    ] = None,
-    draw: Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")] = True,
+    revision: Revision = None,
+    draw: Draw = True,
     look: LookOption = None,
     jobs: Jobs = None,
     quiet: Quiet = False,
@@ -136,10 +138,8 @@ def instruct(
         ),
     ],
     crew: Annotated[str | None, typer.Option(help="Who understands it: rules, or a model as for `make`.")] = None,
-    revision: Annotated[
-        str | None, typer.Option(help="What you looked at, as --json told it; refused if that changed since.")
-    ] = None,
-    draw: Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")] = True,
+    revision: Revision = None,
+    draw: Draw = True,
     look: LookOption = None,
     jobs: Jobs = None,
     quiet: Quiet = False,

@@ -185,7 +185,7 @@ class Session:
             return self._draw(run, run.graph.shots)
 
     def apply(self, edits: Sequence[Edit], revision: str | None = None) -> Applied:
-        """Commit a batch of edits, all or none, as one undo; ``render`` then draws what they made stale.
+        """Commit a batch of edits, all or none, as one undo; ``draw`` then draws what they made stale.
 
         Args:
             edits: In order.
@@ -219,23 +219,23 @@ class Session:
                 raise InputError(f"not understood: {'; '.join(said)}", mend=mend)
             return self.apply(meant.draft.edits, revision)
 
-    def render(self, names: Sequence[str] = (), edits: Sequence[Edit] = ()) -> Delivery:
+    def draw(self, applied: Applied) -> Delivery | None:
+        """Draw what edits made stale; None where that is nothing, or where the project is only planned."""
+        return self.render(applied.stale) if applied.stale and self.made else None
+
+    def render(self, names: Sequence[str] = ()) -> Delivery:
         """Draw again what changed.
 
         Args:
             names: Shots to draw, such as ``SC010_SH020``; all if empty.
-            edits: To apply first.
 
         Raises:
-            InputError: No such shot, a project that is only planned, or an edit that cannot be.
+            InputError: No such shot, or a project that is only planned.
             Cancelled: ``cancel`` was called.
         """
         with self._call() as run:
             shots = shots_named(run.graph, names)
             self._refuse_unmade()
-            if edits:
-                run.engine.warm()
-                self.apply(edits)
             self._bring_up_to_date(run)
             new = [shot for shot in run.graph.shots if shot.camera is None]
             film(run)

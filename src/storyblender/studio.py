@@ -154,7 +154,7 @@ class Studio:
         """
         with self.open(folder) as session:
             applied = session.apply(edits, revision)
-            return applied, session.render(applied.stale) if draw and applied.stale and session.made else None
+            return applied, session.draw(applied) if draw else None
 
     def instruct(
         self, folder: Path, words: str, revision: str | None = None, *, draw: bool = True
@@ -173,7 +173,7 @@ class Studio:
         """
         with self.open(folder) as session:
             applied = session.instruct(words, revision)
-            return applied, session.render(applied.stale) if draw and applied.stale and session.made else None
+            return applied, session.draw(applied) if draw else None
 
     def undo(self, folder: Path) -> list[Commit]:
         """Open a project for one call of ``Session.undo``."""

@@ -56,7 +56,7 @@ def test_a_session_is_open_for_many_calls_and_takes_no_second_one(stage: Stage) 
     with Studio(STILL).open(stage.folder) as session:
         session.render()
         engine, drawn = stage.engine, stage.engine.calls["render_frame"]
-        session.render(["SC010_SH010"], EDIT)
+        session.draw(session.apply(EDIT))
         assert stage.engine is engine and engine.calls["render_frame"] == drawn + 1
         with pytest.raises(ProjectLocked, match="another run is writing here; wait for it"):
             Studio(STILL).open(stage.folder)
@@ -77,12 +77,13 @@ def test_a_render_that_was_cancelled_goes_on_to_what_it_would_have_been(stage: S
     for step, folder in copies.items():
         told: list[Event] = []
         with Studio(STILL, told.append).open(folder) as session:
+            session.apply(EDIT)
             cancel_at(session, step)
             with pytest.raises(Cancelled, match="what is finished is kept"):
-                session.render(["SC010_SH010"], EDIT)
+                session.render(["SC010_SH010"])
             assert [event.kind for event in told].count("cancel") == 1
             assert not [path for path in folder.rglob("*.part*")], "nothing is half-written"
-            session.render(["SC010_SH010"], [] if session.graph.shots[0].camera_decision else EDIT)
+            session.render(["SC010_SH010"])
         assert (graph_of(folder), frames_of(folder)) == whole, step
 
 

@@ -230,7 +230,7 @@ def _description(lines: Sequence[ScriptLine], shot: ShotContext, names: Mapping[
     if parts:
         return " ".join(parts)
     if shot.camera_instruction.kind == "establishing":
-        return f"{place or 'The place'}, before anybody speaks."
+        return f"{place or 'The place'}, before the first line is spoken."
     shown = listed([names.get(each, each) for each in shot.camera_instruction.focus_on_ids]) or place or "the place"
     return f"{'We see' if shot.camera_instruction.kind == 'insert' else 'On'} {shown}."
 

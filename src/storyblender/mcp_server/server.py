@@ -15,6 +15,7 @@ from mcp.types import ToolAnnotations
 from PIL import Image as Pillow
 from pydantic import Field
 
+from storyblender.edits.dispatcher import Applied
 from storyblender.errors import InputError, StoryBlenderError
 from storyblender.mcp_server.values import (
     CheckReport,
@@ -157,7 +158,7 @@ def _add_looking(server: FastMCP[None], place: Workplace) -> None:
 
     @_tool(server, READS)
     def describe_shot(shot: Shot) -> ShotDetails:
-        """Say everything about a shot: its lines, its camera, who is there, what a person decided, what is wrong."""
+        """Say everything about a shot: lines, camera, people on stage, what a person decided, what is wrong."""
         with _sentences():
             return details_of(place.panel(shot))
 
@@ -195,12 +196,7 @@ def _add_changing(server: FastMCP[None], place: Workplace) -> None:
     ) -> Edited:
         """Change cameras and lengths of shots, lock and unlock. Only what an edit changes is drawn again."""
         with _sentences():
-            session = place.session
-            applied = session.apply(edits, revision)
-            cuts = tuple[str, ...]()
-            if draw and applied.stale and session.made:
-                cuts = tuple(flaw.message for flaw in session.render(applied.stale).wrong_cuts)
-            return Edited(revision=applied.version, done=applied.words, redrawn=applied.stale, wrong_cuts=cuts)
+            return _edited(place, place.session.apply(edits, revision), draw=draw)
 
     @_tool(server, CHANGES)
     def instruct(
@@ -213,10 +209,7 @@ def _add_changing(server: FastMCP[None], place: Workplace) -> None:
     ) -> Edited:
         """Change cameras and lengths in the words of film people; edit does the same with values."""
         with _sentences():
-            session = place.session
-            applied = session.instruct(words, revision)
-            cuts = tuple(flaw.message for flaw in session.render(applied.stale).wrong_cuts) if applied.stale else ()
-            return Edited(revision=applied.version, done=applied.words, redrawn=applied.stale, wrong_cuts=cuts)
+            return _edited(place, place.session.instruct(words, revision), draw=True)
 
     @_tool(server, CHANGES)
     def undo() -> Edited:
@@ -261,6 +254,13 @@ def _reader(place: Workplace, file: str, *, text: bool) -> Callable[[], str | by
 def _story(place: Workplace) -> Story:
     session = place.session
     return story_of(session.graph, session.revision, session.made, place.panels())
+
+
+def _edited(place: Workplace, applied: Applied, *, draw: bool) -> Edited:
+    """Return what a batch of edits did, after drawing what it made stale if ``draw`` says so."""
+    drawn = place.session.draw(applied) if draw else None
+    cuts = tuple(flaw.message for flaw in drawn.wrong_cuts) if drawn is not None else ()
+    return Edited(revision=applied.version, done=applied.words, redrawn=applied.stale, wrong_cuts=cuts)
 
 
 def _stepped(place: Workplace, commits: Sequence[Any]) -> Edited:

@@ -44,4 +44,4 @@ def test_a_shot_without_lines_says_whom_its_camera_shows(graph: ContinuityMemory
     insert = both.model_copy(update={"kind": "insert", "focus_on_ids": ("bo",)})
     assert _description(graph, camera_instruction=insert) == "We see Bo."
     wide = both.model_copy(update={"kind": "establishing"})
-    assert _description(graph, camera_instruction=wide) == "Bar, before anybody speaks."
+    assert _description(graph, camera_instruction=wide) == "Bar, before the first line is spoken."

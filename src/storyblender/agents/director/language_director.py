@@ -260,7 +260,7 @@ def _with_reference(place: PlaceNotes, reading: Reading) -> PlaceNotes:
 
 
 def _merge_person(people: list[Person], told: Person) -> None:
-    """Add a person, or what is new about one who is known."""
+    """Add a new person, or what is new about a known person."""
     for index, known in enumerate(people):
         if known.id == told.id:
             lists = ("aliases", "build", "hair", "outfit", "face")

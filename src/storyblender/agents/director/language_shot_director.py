@@ -217,7 +217,7 @@ def _wrong(notes: CutNotes, part: _Part, reading: Reading, written: Mapping[int,
             if subject not in people | things:
                 yield f"{name} shows {subject!r}, which is neither in `people` nor in `things`"
             elif subject in people and not any(subject in unit.on_stage for unit in inside):
-                yield f"{name} shows {subject}, who is not on stage then"
+                yield f"{name} shows {subject}, and {subject} is not on stage then"
         if picture.kind in _NEEDS_WHO and picture.who not in people:
             yield f"{name} is of kind {picture.kind} and needs `who`: {_NEEDS_WHO[picture.kind]}"
         directed = [n for n in range(picture.first, picture.last + 1) if n in part.units and n - 1 in written]

@@ -216,7 +216,7 @@ def _wrong_moves(
         read = shot.character_actions[move.action - 1] if move.action is not None else None
         key = move.motion or (read.motion if read is not None else "")
         if read is None and (move.actor not in shot.on_stage or move.motion is None):
-            yield "a move without the number of an action needs an actor who is on stage, and a motion"
+            yield "a move without the number of an action needs an actor on stage and a motion"
         elif key not in motions:
             yield f"there is no motion {key!r}; take one of `motions`"
         elif (key in SPOKEN) != (read is not None and read.motion in SPOKEN):

@@ -304,7 +304,7 @@ class MotionStage:
 
         Args:
             who: The walker.
-            partner: The person walked to, who is left out.
+            partner: The person walked to; left out of the result.
             goal: World x and y, metres; people beside it may be nearer.
         """
         tracks = []

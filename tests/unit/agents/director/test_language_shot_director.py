@@ -112,7 +112,7 @@ def test_units_in_no_picture_are_covered_all_the_same() -> None:
         ([picture(1, 99)], "pictures go in order"),
         ([picture(3, 2)], "pictures go in order"),
         ([picture(1, 1, subjects=["ghost"])], "'ghost', which is neither"),
-        ([picture(1, 1, subjects=[BEN])], "who is not on stage then"),
+        ([picture(1, 1, subjects=[BEN])], "is not on stage then"),
         ([picture(3, 3, kind="ots")], "over whose shoulder"),
         ([picture(1, 1, size="HUGE")], "pictures[0].size"),
     ],
