@@ -112,7 +112,7 @@ def test_a_walk_ends_where_it_is_asked_to() -> None:
         ({"shot": 1, "moves": [{"action": 1, "motion": "levitate_slowly"}]}, "there is no motion 'levitate_slowly'"),
         ({"shot": 1, "moves": [{"action": 1, "target": "sam"}]}, "there is no 'sam'"),
         ({"shot": 1, "moves": [{"action": 3, "motion": "wave"}]}, "speeches stay speeches"),
-        ({"shot": 1, "moves": [{"actor": "sam", "motion": "wave"}]}, "an actor who is on stage"),
+        ({"shot": 1, "moves": [{"actor": "sam", "motion": "wave"}]}, "an actor on stage"),
         ({"shot": 1, "moves": [{"action": 1, "to_x": 1, "to_y": 1}]}, "does not lead anywhere"),
         ({"shot": 1, "marks": [{"person": "rick", "x": 40, "y": 0}]}, "outside the playing area"),
         ({"shot": 2, "marks": [{"person": "rick", "x": 0, "y": 0}]}, "is where the shot before left them"),
