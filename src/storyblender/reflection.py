@@ -51,6 +51,8 @@ class Critique(Frozen):
     score: float
     """1 to 10; engine critics give 10 for valid, less for each fault."""
     faults: tuple[Fault, ...] = ()
+    remarks: tuple[str, ...] = ()
+    """What single critics said, where several judge together; for the trace."""
 
     @classmethod
     def of(cls, faults: tuple[Fault, ...]) -> Critique:
@@ -254,7 +256,7 @@ def _scored(role: str, subject: str, turn: int, critique: Critique) -> Event:
         subject=subject,
         turn=turn,
         score=round(critique.score, 2),
-        details=tuple(fault.message for fault in critique.faults),
+        details=(*(fault.message for fault in critique.faults), *critique.remarks),
     )
 
 

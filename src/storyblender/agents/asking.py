@@ -16,7 +16,7 @@ from storyblender.errors import NoAnswer
 from storyblender.memory.base import Described
 from storyblender.memory.request import Picture, Request
 from storyblender.ports import Answerer
-from storyblender.reflection import Critique, view_digest
+from storyblender.reflection import Critique, Fault, view_digest
 
 Answer = TypeVar("Answer", bound=BaseModel)
 View = TypeVar("View")
@@ -175,7 +175,7 @@ class LanguagePolicy(Generic[View, Answer, Draft]):
         mended = self.mend(draft, critique, view)
         if mended != draft or self.settled(view) is not None:
             return mended
-        return self._asked(view, tuple(fault.message for fault in critique.faults))
+        return self._asked(view, tuple(_sentence(fault) for fault in critique.faults))
 
     def _asked(self, view: View, feedback: tuple[str, ...] = ()) -> Draft:
         seen = view_digest(view)
@@ -189,3 +189,9 @@ class LanguagePolicy(Generic[View, Answer, Draft]):
         )
         self._last[seen] = answer.model_dump_json(exclude_defaults=True)
         return self.draft_of(answer, view)
+
+
+def _sentence(fault: Fault) -> str:
+    """Return what is wrong, with the operations that a vision critic expects to help."""
+    operations = str(fault.fix.get("ops", "")).split()
+    return f"{fault.message} (try {', '.join(operations)})" if operations else fault.message

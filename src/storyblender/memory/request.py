@@ -14,6 +14,14 @@ class Picture(Frozen):
 
     name: Identifier
     png: bytes
+    drawn_from: str = ""
+    """Digest of what the engine drew it from; empty: the pixels count. Pixels differ a little from one graphics driver
+    to another, and a recording must be found on every machine."""
+
+    @property
+    def digest(self) -> str:
+        """Return what the picture is known by."""
+        return self.drawn_from or hashlib.sha256(self.png).hexdigest()
 
 
 class Request(Frozen):
@@ -39,6 +47,6 @@ class Request(Frozen):
     @property
     def digest(self) -> str:
         """Return 16 hex digits: requests that ask the same, of the same, have the same."""
-        seen = [hashlib.sha256(picture.png).hexdigest() for picture in self.pictures]
+        seen = [picture.digest for picture in self.pictures]
         asked = (self.role, self.instructions, self.view, self.answer_schema, self.previous)
         return content_hash(*asked, *self.feedback, *seen)
