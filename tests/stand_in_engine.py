@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from concurrent.futures import Future
 from pathlib import Path
 from types import TracebackType
-from typing import Any, TypeVar
+from typing import Any, TypeVar, get_args
 
 import numpy as np
 from PIL import Image
@@ -17,7 +17,8 @@ from PIL import Image
 from storyblender.folder import Folder
 from storyblender.geometry.camera_path import orbit_of
 from storyblender.geometry.framing import Figure, Film, project
-from storyblender.memory.base import shot_name
+from storyblender.memory.asset_sheet import ModelSide
+from storyblender.memory.base import Vec3, shot_name
 from storyblender.memory.jobs import (
     ASSETS,
     AssetJob,
@@ -130,6 +131,15 @@ class StandInEngine:
     def compile_cut(self, job: CutJob) -> Future[str]:
         self.files.write(job.out, json.dumps(job.model_dump(mode="json", exclude={"former"})))
         return self._answer("compile_cut", job.out)
+
+    def draw_sides(self, job: AssetJob, folder: str) -> Future[Vec3]:
+        """Every side of a thing has a colour of its own."""
+        canonical = job.asset.canonical
+        assert canonical is not None
+        with self.files.writing_tree(folder) as part:
+            for number, name in enumerate((*get_args(ModelSide), "portrait")):
+                picture(f"{job.digest[:4]}{30 * number:02x}").save(part / f"{name}.png")
+        return self._answer("draw_sides", canonical.dimensions)
 
     def _figures(self, pack: PackRef, frame: int) -> list[Figure]:
         """Return the people of a frame on their first marks; none for a pack that an earlier engine made."""

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from storyblender.catalog.recipe import AssetQuery, Recipe
 from storyblender.folder import Folder
 from storyblender.geometry.framing import Figure
+from storyblender.memory.base import Vec3
 from storyblender.memory.jobs import (
     AssetJob,
     CutJob,
@@ -179,5 +180,18 @@ class Engine(Protocol):
         Args:
             job: The asset, which is built if it is not yet.
             out: Name of the PNG in the project folder; it is returned.
+        """
+        ...
+
+    def draw_sides(self, job: AssetJob, folder: str) -> Future[Vec3]:
+        """Render an object from its six sides and as a portrait.
+
+        Args:
+            job: The object, which is built for it and not kept.
+            folder: In the project folder; ``front.png``, ``back.png``, ``left.png``, ``right.png``, ``top.png``,
+                ``bottom.png`` at one scale and ``portrait.png`` are written into it.
+
+        Returns:
+            Width, depth and height in metres.
         """
         ...

@@ -1,7 +1,10 @@
 """A user's models in Blender: what comes in is a surface and nothing else, where it can be used and as it was made."""
 
+from typing import get_args
+
 import numpy as np
 import pytest
+from tests.model_files import write_cabinet
 
 bpy = pytest.importorskip("bpy")
 
@@ -9,9 +12,11 @@ from storyblender.blender.measure.surfaces import level_field  # noqa: E402
 from storyblender.blender.merge import merge_duplicates  # noqa: E402
 from storyblender.blender.props.build import build_prop  # noqa: E402
 from storyblender.blender.props.imported import build_from_file  # noqa: E402
+from storyblender.blender.session import BlenderSession  # noqa: E402
 from storyblender.errors import InputError  # noqa: E402
 from storyblender.geometry.resting import find_bed, find_seats  # noqa: E402
-from storyblender.memory.asset_sheet import AssetDimension  # noqa: E402
+from storyblender.memory.asset_sheet import Asset, AssetDimension, CanonicalAsset, ModelPose, ModelSide  # noqa: E402
+from storyblender.memory.jobs import AssetJob  # noqa: E402
 
 
 @pytest.fixture(autouse=True)
@@ -76,6 +81,66 @@ def test_a_compressed_model_is_unpacked_by_blender_and_its_addresses_are_checked
     (tmp_path / "models/b.gltf").write_text((tmp_path / "b.gltf").read_text().replace('"b.bin"', '"../b.bin"'))
     with pytest.raises(InputError, match="outside the folder"):
         build_from_file(tmp_path / "models/b.gltf")
+
+
+def dial(mesh):
+    """Return the middle of the red faces of a cabinet."""
+    (red,) = (i for i, each in enumerate(mesh.materials) if shown_color(each)[0] > 0.5)
+    return np.mean([each.center[:] for each in mesh.polygons if each.material_index == red], axis=0)
+
+
+def shown_color(material):
+    return material.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value
+
+
+@pytest.mark.parametrize(
+    ("front", "top", "dimensions", "place"),
+    [
+        (None, None, (0.56, 0.8, 0.6), (0.25, -0.2, 0.475)),
+        ("right", "top", (0.8, 0.56, 0.6), (-0.2, -0.25, 0.475)),
+        ("left", "top", (0.8, 0.56, 0.6), (0.2, 0.25, 0.475)),
+        ("back", "top", (0.56, 0.8, 0.6), (-0.25, 0.2, 0.475)),
+        ("top", "left", (0.8, 0.6, 0.56), (-0.2, -0.175, 0.03)),
+        (None, "bottom", (0.56, 0.8, 0.6), (-0.25, -0.2, 0.125)),
+        (None, "back", (0.56, 0.6, 0.8), (0.25, -0.175, 0.2)),
+    ],
+)
+def test_the_front_and_the_top_of_a_model_may_be_decided(tmp_path, front, top, dimensions, place):
+    """The rules see nothing in a cabinet that tells its front."""
+    found = build_from_file(write_cabinet(tmp_path), pose=ModelPose(front=front, top=top))
+    assert found.dimensions == pytest.approx(dimensions)
+    assert dial(found.mesh) == pytest.approx(place, abs=0.04)
+
+
+def test_a_model_whose_front_is_decided_is_not_turned_by_its_seat(tmp_path):
+    placed(build_prop("armchair").mesh, 90)
+    path = written(tmp_path / "chair.glb")
+    as_it_is = build_from_file(path, pose=ModelPose(front="front", top="top"))
+    assert as_it_is.anchors[0].direction[0] == pytest.approx(1)
+    turned = build_from_file(path, pose=ModelPose(front="right", top="top"))
+    assert turned.anchors[0].direction[1] == pytest.approx(-1)
+
+
+def test_every_side_of_a_model_is_drawn_at_one_scale(tmp_path):
+    session = BlenderSession(tmp_path / "project", (tmp_path,))
+    write_cabinet(tmp_path)
+    params = ModelPose(front="front", top="top").params
+    canonical = CanonicalAsset(source="file", key="radio.obj", params=params, dimensions=(1, 1, 1), digest="")
+    asset = Asset(asset_id="radio", asset_type="object", description="", canonical=canonical)
+    assert session.draw_sides(AssetJob(asset=asset), "build/views/1") == pytest.approx((0.56, 0.8, 0.6))
+    shares, sizes = {}, {}
+    for path in (tmp_path / "project/build/views/1").iterdir():
+        image = bpy.data.images.load(str(path))
+        pixels = np.array(image.pixels).reshape(image.size[1], image.size[0], 4)[..., :3]
+        shares[path.stem] = ((pixels[..., 0] > 0.35) & (pixels[..., 1] < 0.2)).mean()
+        thing = np.abs(pixels - pixels[0, 0]).max(axis=2) > 0.08
+        sizes[path.stem] = thing.any(axis=0).sum() / 256 * 0.864, thing.any(axis=1).sum() / 256 * 0.864
+    assert shares.pop("portrait") > 0 and shares.keys() == {*get_args(ModelSide)}
+    assert max(shares, key=shares.__getitem__) == "right" and not shares["left"]
+    assert sizes["front"] == pytest.approx((0.56, 0.6), abs=0.02)
+    assert sizes["right"] == pytest.approx((0.8, 0.6), abs=0.02)
+    assert sizes["top"] == pytest.approx((0.56, 0.8), abs=0.02)
+    assert not (tmp_path / "project/assets").exists(), "nothing is kept"
 
 
 @pytest.mark.parametrize("key", ["desk", "bicycle", "table_lamp", "car"])

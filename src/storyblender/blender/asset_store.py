@@ -23,7 +23,7 @@ from storyblender.blender.props.stand_in import build_stand_in
 from storyblender.catalog.props.prop_names import prop_of
 from storyblender.errors import InputError
 from storyblender.folder import Folder
-from storyblender.memory.asset_sheet import Asset, CharacterLook
+from storyblender.memory.asset_sheet import Asset, CharacterLook, ModelPose
 from storyblender.memory.base import Frozen, content_hash
 from storyblender.memory.jobs import ASSETS, FETCHED, AssetJob, asset_suffixes
 from storyblender.memory.measure import AssetMeasure
@@ -83,6 +83,11 @@ class AssetStore:
         known = AssetRecord(measure=measure, files=self._digests(job.digest, suffixes))
         self._files.write(self._files.name_of(record), known.model_dump_json())
         return measure
+
+    def draft(self, job: AssetJob) -> PropBuild:
+        """Return an object as it would be built, without keeping it. Replaces the open Blender file."""
+        bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+        return self._make_object(job.asset, job.digest)
 
     def append_mesh(self, asset: Asset) -> bpy.types.Mesh:
         """Return the canonical mesh of an object, appended to the open file at most once."""
@@ -188,8 +193,9 @@ class AssetStore:
                 return build_prop(canonical.key, canonical.params, seed, asset.dimension)
             case "file":
                 path, folder = self._model_path(canonical.key, str(canonical.params.get("content", "")))
-                told = canonical.params.get("told") is True
-                return build_from_file(path, asset.dimension, folder=folder, prop=prop_of(asset), told=told)
+                told, pose = canonical.params.get("told") is True, ModelPose.of(canonical.params)
+                prop = prop_of(asset)
+                return build_from_file(path, asset.dimension, folder=folder, prop=prop, told=told, pose=pose)
             case _:
                 return build_stand_in(canonical.key, asset.dimension)
 

@@ -31,7 +31,7 @@ from storyblender.folder import Folder
 from storyblender.geometry.framing import Figure
 from storyblender.look.aperture import look_through
 from storyblender.look.grade import AGX_CONTRAST, display_of
-from storyblender.memory.base import scene_name, shot_name
+from storyblender.memory.base import Vec3, scene_name, shot_name
 from storyblender.memory.graph import ProjectFormat
 from storyblender.memory.jobs import (
     AssetJob,
@@ -94,6 +94,7 @@ class BlenderSession:
             self.compile_cut,
             self.export_scene,
             self.portrait,
+            self.draw_sides,
         ]
 
     def build_asset(self, job: AssetJob) -> AssetMeasure:
@@ -268,6 +269,23 @@ class BlenderSession:
         with self._files.writing(out) as part:
             render_portrait(parts, part, head=canonical.key in HAIRSTYLES)
         return out
+
+    def draw_sides(self, job: AssetJob, folder: str) -> Vec3:
+        """Render an object from its six sides and as a portrait; return its width, depth and height in metres.
+
+        Args:
+            job: The object, which is built for it and not kept.
+            folder: Of the pictures, relative to the project folder: ``front.png`` and so on, ``portrait.png``.
+        """
+        from storyblender.blender.props.portrait import SIDE_SIZE, render_portrait, render_sides
+
+        self._close_pack()
+        build = self._store.draft(job)
+        thing = bpy.data.objects.new(job.asset.asset_id, build.mesh)
+        with self._files.writing_tree(folder) as part:
+            render_sides(thing, part)
+            render_portrait([thing], part / "portrait.png", (2 * SIDE_SIZE[0], 2 * SIDE_SIZE[1]))
+        return build.dimensions
 
     def _viewfinder_at(self, pack: PackRef, frame: int, height: int) -> Callable[[ViewfinderPose], CameraView]:
         """Return the viewfinder at a frame; it is kept, because the Camera Operator returns to it many times."""

@@ -16,7 +16,7 @@ from storyblender.engine.pool import WorkerPool
 from storyblender.engine.worker import LOG, Worker, blender_worker
 from storyblender.folder import Folder
 from storyblender.geometry.framing import Figure
-from storyblender.memory.base import Frozen, scene_name, shot_name
+from storyblender.memory.base import Frozen, Vec3, scene_name, shot_name
 from storyblender.memory.jobs import (
     AssetJob,
     CutJob,
@@ -35,6 +35,7 @@ Result = TypeVar("Result")
 
 _FIGURES = TypeAdapter(list[list[Figure]])
 _COLLISIONS = TypeAdapter(list[Collision])
+_SIZE = TypeAdapter(Vec3)
 _VIEWS = TypeAdapter(list[CameraView])
 
 
@@ -144,6 +145,10 @@ class BlenderEngine:
     def portrait(self, job: AssetJob, out: str) -> Future[str]:
         """Render a small picture of one asset."""
         return self._pool.submit("portrait", {"job": _plain(job), "out": out}, str)
+
+    def draw_sides(self, job: AssetJob, folder: str) -> Future[Vec3]:
+        """Render an object from its six sides and as a portrait."""
+        return self._once(folder, "draw_sides", {"job": _plain(job), "folder": folder}, _SIZE.validate_python)
 
     def _once(
         self,

@@ -1,8 +1,8 @@
 """Finds the upright rotation and the unit of an imported model. Pure numpy.
 
-The paper's Asset Formatter asks a vision model. A file format says most of it: glTF and Blender know up and front and
-are in metres, so their pose and size are kept as long as they are plausible. An .obj says nothing, and is tipped up
-only where it could not stand as it is.
+The paper's Asset Formatter asks a vision model, which decides where a language crew has one. A file format says most of
+it as well: glTF and Blender know up and front and are in metres, so their pose and size are kept as long as they are
+plausible. An .obj says nothing, and is tipped up only where it could not stand as it is.
 """
 
 from __future__ import annotations
@@ -10,11 +10,20 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.memory.asset_sheet import AssetDimension
+from storyblender.memory.asset_sheet import AssetDimension, ModelPose
 
 Floats = NDArray[np.float64]
 Triangles = NDArray[np.int64]
 
+_WAYS = {
+    "front": np.array([0.0, -1.0, 0.0]),
+    "back": np.array([0.0, 1.0, 0.0]),
+    "left": np.array([-1.0, 0.0, 0.0]),
+    "right": np.array([1.0, 0.0, 0.0]),
+    "top": np.array([0.0, 0.0, 1.0]),
+    "bottom": np.array([0.0, 0.0, -1.0]),
+}
+"""Where the sides of a model point to."""
 UPRIGHT_MARGIN = 2.1
 """Least difference of ``measure_stability`` by which another up axis must beat the file's own."""
 UNITS: tuple[tuple[str, float], ...] = (
@@ -41,6 +50,25 @@ def find_upright_rotation(vertices: Floats, triangles: Triangles) -> Floats:
     scores = np.array([measure_stability(vertices @ turn.T, triangles) for turn in candidates])
     best = int(scores.argmax())
     return candidates[best] if scores[best] > scores[0] + UPRIGHT_MARGIN else candidates[0]
+
+
+def rotation_of(pose: ModelPose) -> Floats:
+    """Return the (3, 3) rotation that brings a model's own top up to +Z, and its front to -Y if it has one.
+
+    Args:
+        pose: With a top; one without a front is tipped by the shortest way.
+
+    Raises:
+        ValueError: The front is the top, or opposite it.
+    """
+    assert pose.top is not None, "the pose is decided"
+    up = _WAYS[pose.top]
+    front = _WAYS[pose.front] if pose.front is not None else np.array([0.0, -1.0, 0.0])
+    if pose.front is None and front @ up:
+        front = np.array([0.0, 0.0, up[1]])
+    if front @ up:
+        raise ValueError(f"the front of a model cannot be its {pose.front} when its {pose.top} is the top")
+    return np.array([np.cross(-front, up), -front, up])
 
 
 def measure_stability(vertices: Floats, triangles: Triangles) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Annotated, Literal
 
 from pydantic import Field, StringConstraints
@@ -91,6 +92,29 @@ class Provenance(Credit):
         """Return the provenance with what a credit says beyond it."""
         told = {name: said for name, said in credit if said and not getattr(self, name)}
         return self.model_copy(update=told)
+
+
+ModelSide = Literal["front", "back", "left", "right", "top", "bottom"]
+"""A side of a model as its file has it; ``right`` is the viewer's right of one who looks at its front."""
+
+
+class ModelPose(Frozen):
+    """Which sides of a model, as its file has it, are the thing's own front and top."""
+
+    front: ModelSide | None = None
+    """None where it has no front: a vase."""
+    top: ModelSide | None = None
+    """None leaves both to the rules of the engine."""
+
+    @classmethod
+    def of(cls, params: Mapping[str, ParamValue]) -> ModelPose:
+        """Return the pose in the parameters of a canonical asset. Raises ValueError."""
+        return cls.model_validate({name: params[name] for name in cls.model_fields if name in params})
+
+    @property
+    def params(self) -> dict[str, ParamValue]:
+        """As parameters of a canonical asset; none where rules find it."""
+        return {name: side for name, side in self if side is not None}
 
 
 FAR = 5.0

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from typing import get_args
+
 import numpy as np
 import pytest
 
 from storyblender.geometry import solids
-from storyblender.geometry.canonical import find_scale, find_upright_rotation
-from storyblender.memory.asset_sheet import AssetDimension
+from storyblender.geometry.canonical import find_scale, find_upright_rotation, rotation_of
+from storyblender.memory.asset_sheet import AssetDimension, ModelPose, ModelSide
 
 
 def box(size: tuple[float, float, float]) -> tuple[np.ndarray, np.ndarray]:
@@ -46,3 +48,25 @@ def test_what_is_absurd_in_every_unit_gets_the_usual_size() -> None:
 def test_what_stands_on_two_wheels_is_left_standing() -> None:
     points, triangles = box((0.04, 1.7, 1.0))
     assert np.array_equal(find_upright_rotation(points, triangles), np.eye(3))
+
+
+SIDES = get_args(ModelSide)
+PAIRS = [(front, top) for top in SIDES for front in (None, *SIDES)]
+
+
+@pytest.mark.parametrize(("front", "top"), PAIRS)
+def test_the_sides_that_are_front_and_top_become_so(front: ModelSide | None, top: ModelSide) -> None:
+    ways = {"front": (0, -1, 0), "back": (0, 1, 0), "left": (-1, 0, 0), "right": (1, 0, 0)}
+    ways |= {"top": (0, 0, 1), "bottom": (0, 0, -1)}
+    if front is not None and np.dot(ways[front], ways[top]):
+        with pytest.raises(ValueError, match="cannot be"):
+            rotation_of(ModelPose(front=front, top=top))
+        return
+    turn = rotation_of(ModelPose(front=front, top=top))
+    assert np.linalg.det(turn) == pytest.approx(1)
+    assert np.allclose(turn @ turn.T, np.eye(3))
+    assert np.allclose(turn @ ways[top], ways["top"])
+    if front is not None:
+        assert np.allclose(turn @ ways[front], ways["front"])
+    elif top == "top":
+        assert np.allclose(turn, np.eye(3))

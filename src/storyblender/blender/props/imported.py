@@ -23,10 +23,10 @@ from storyblender.blender.props.build import PropBuild, settle
 from storyblender.catalog.props import PROPS, PropEntry
 from storyblender.catalog.props.prop_names import kind_named
 from storyblender.errors import InputError
-from storyblender.geometry.canonical import find_scale, find_upright_rotation
+from storyblender.geometry.canonical import find_scale, find_upright_rotation, rotation_of
 from storyblender.geometry.holding import Hold, find_hold
 from storyblender.geometry.resting import Places, Use, find_bed, find_seats
-from storyblender.memory.asset_sheet import AssetDimension
+from storyblender.memory.asset_sheet import AssetDimension, ModelPose
 from storyblender.memory.base import Vec3
 
 _READERS: dict[str, Callable[[Path, Path], PlainModel]] = {
@@ -45,6 +45,10 @@ _Z_UP = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
 """Undoes the turn of an .obj that was Z up already."""
 
 
+AS_ITS_SHAPE_SAYS = ModelPose()
+"""The pose of a model whose front and top are not decided."""
+
+
 def build_from_file(
     path: Path,
     dimension: AssetDimension | None = None,
@@ -52,6 +56,7 @@ def build_from_file(
     folder: Path | None = None,
     prop: str | None = None,
     told: bool = False,
+    pose: ModelPose = AS_ITS_SHAPE_SAYS,
 ) -> PropBuild:
     """Read a model and bring it to the canonical frame.
 
@@ -62,7 +67,8 @@ def build_from_file(
         dimension: What the thing measures, usually; without it the unit is guessed.
         folder: The folder of models; what the file names must be in it. Its own folder if not given.
         prop: Catalog key of what it is, empty for what the catalog lacks; its file's name tells if not given.
-        told: Whether the script states the dimension, so that it counts and not the file's size.
+        told: Whether the dimension is sure, so that it counts and not the file's size.
+        pose: Its front and top, if they are decided; else they are found by its shape.
 
     Raises:
         InputError: The file cannot be read or holds no mesh.
@@ -71,7 +77,9 @@ def build_from_file(
     mesh = build_mesh(model, path.stem[:40])
     entry, notes = PROPS.get(kind_named(path.stem) if prop is None else prop), list(model.notes)
     credit = with_files(model.credit, path, folder or path.parent, notes)
-    if path.suffix.lower() == ".obj":
+    if pose.top is not None:
+        _transform(mesh, rotation_of(pose))
+    elif path.suffix.lower() == ".obj":
         _stand(mesh, entry, dimension, notes)
     extent = np.ptp(_points(mesh), axis=0)
     scale, reason = find_scale(extent, dimension, told=told)
@@ -79,7 +87,7 @@ def build_from_file(
     if reason:
         notes.append(f"{_size(extent)} becomes {_size(extent * scale)} ({scale:.4g} times): {reason}")
     places = _places(mesh, entry)
-    turn = _turn_to_front(mesh, places)
+    turn = 0 if pose.front is not None else _turn_to_front(mesh, places)
     if turn:
         places = _places(mesh, entry)
         notes.append(f"it is turned by {turn} degrees to face the front")
