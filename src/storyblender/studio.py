@@ -280,6 +280,6 @@ class Studio:
             from storyblender.language.answerers import answerers
             from storyblender.language_crew import language_crew
 
-            by_role = answerers(settings.crew, folder, settings.limits, cancelled)
+            by_role = answerers(settings.crew, folder, settings.limits, cancelled, self._listener)
             crew = language_crew(crew, by_role, embedder, sources)
         return Session(Project(folder, build), engine, crew, sources, settings, self._listener, cancelled)

@@ -19,6 +19,8 @@ from storyblender.memory.request import Request
 from storyblender.ports import Answerer
 
 REQUEST, ANSWER = ".request.md", ".answer.json"
+BEFORE = "## Your answer before"
+"""Heading in a request that is not the first."""
 LONGEST = 5_000_000
 """Bytes of an answer; a longer one is refused."""
 
@@ -69,23 +71,6 @@ class Mailbox:
             f"write it to {self.folder / (name + ANSWER)}, see `storyblender answer {self.folder}`, and run this again"
         )
         raise AnswerAwaited(f"{self.folder / (name + REQUEST)} waits for its answer", mend=mend, names=(name,))
-
-
-@dataclass(frozen=True)
-class Replay:
-    """Knows no more than what was recorded.
-
-    Attributes:
-        folder: The recording, for the message.
-    """
-
-    folder: Path
-
-    def answer(self, request: Request) -> str:
-        """Refuse what was not recorded. Raises InputError."""
-        mend = "it was recorded from another script, other settings or another version; record it anew"
-        problem = f"the recording has no answer for {request.role} {request.subject}".rstrip()
-        raise InputError(problem, mend=mend, path=self.folder)
 
 
 def name_of(request: Request) -> str:
@@ -169,7 +154,7 @@ def repair_parts(request: Request) -> list[str]:
     if not request.feedback:
         return []
     wrong = "\n".join(f"* {sentence}" for sentence in request.feedback)
-    return ["## Your answer before", fenced(request.previous), "## What is wrong with it; answer again, whole", wrong]
+    return [BEFORE, fenced(request.previous), "## What is wrong with it; answer again, whole", wrong]
 
 
 def fenced(text: str) -> str:

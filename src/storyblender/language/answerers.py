@@ -11,9 +11,11 @@ from typing import TYPE_CHECKING
 from storyblender.crew_setting import LimitName, Player, RoleName, players
 from storyblender.errors import InputError
 from storyblender.folder import Folder
-from storyblender.language.answer_folder import AnswerFolder, Mailbox, Replay
+from storyblender.language.answer_folder import AnswerFolder, Mailbox
 from storyblender.language.budget import Budget
+from storyblender.language.replay import Replay
 from storyblender.ports import Answerer
+from storyblender.trace import Listener
 
 if TYPE_CHECKING:
     from storyblender.language.provider import Provider
@@ -23,7 +25,7 @@ ANSWERS = "answers"
 
 
 def answerers(
-    crew: str, project: Path, limits: Mapping[LimitName, float], cancelled: Signal
+    crew: str, project: Path, limits: Mapping[LimitName, float], cancelled: Signal, listener: Listener
 ) -> Mapping[RoleName, Answerer]:
     """Return who answers, by role; a role that is not in it is played by rules.
 
@@ -32,6 +34,7 @@ def answerers(
         project: The project folder; what models answer is kept in it, so that a run that goes on asks nothing twice.
         limits: The most that a run asks of models in all, where it is not the usual.
         cancelled: Set to end the request under way.
+        listener: Receives warnings.
 
     Raises:
         InputError: There is no such model, its key is missing, or the extra ``crew`` is not installed.
@@ -44,7 +47,7 @@ def answerers(
         if player.kind == "ask":
             return AnswerFolder(Folder(folder), Mailbox(folder))
         if player.kind == "replay":
-            return AnswerFolder(Folder(folder), Replay(folder))
+            return Replay(folder, listener)
         return AnswerFolder(Folder(project / ANSWERS), provider_class()(player, budget, cancelled))
 
     return {role: answerer(player) for role, player in players(crew).items() if player.kind != "rules"}

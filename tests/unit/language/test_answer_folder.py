@@ -10,7 +10,7 @@ from tests.answering import Scripted
 
 from storyblender.errors import AnswerAwaited, InputError
 from storyblender.folder import Folder
-from storyblender.language.answer_folder import AnswerFolder, Mailbox, Replay, asked, name_of
+from storyblender.language.answer_folder import AnswerFolder, Mailbox, asked, name_of
 from storyblender.memory.request import Picture, Request
 
 REQUEST = Request(
@@ -28,14 +28,6 @@ def test_an_answer_is_asked_for_once_and_kept_as_it_was_given(tmp_path: Path) ->
     crew = AnswerFolder(Folder(tmp_path), model)
     assert [crew.answer(REQUEST), crew.answer(REQUEST)] == ['{"a": 1} and some words'] * 2
     assert len(model.asked) == 1
-
-
-def test_a_recording_is_replayed_and_knows_nothing_else(tmp_path: Path) -> None:
-    AnswerFolder(Folder(tmp_path), Scripted(["{}"])).answer(REQUEST)
-    replay = AnswerFolder(Folder(tmp_path), Replay(tmp_path))
-    assert replay.answer(REQUEST) == "{}"
-    with pytest.raises(InputError, match="no answer for lighting_arranger SC010"):
-        replay.answer(REQUEST.model_copy(update={"view": "{}"}))
 
 
 def test_a_request_waits_in_the_folder_until_somebody_answers_it(tmp_path: Path) -> None:
@@ -82,7 +74,7 @@ def test_the_subject_is_for_people_only_and_safe_as_a_name() -> None:
 def test_an_answer_that_is_no_text_is_refused(tmp_path: Path) -> None:
     (tmp_path / f"{name_of(REQUEST)}.answer.json").write_bytes(b"\xff\xfe\x00")
     with pytest.raises(InputError, match="no text in UTF-8"):
-        AnswerFolder(Folder(tmp_path), Replay(tmp_path)).answer(REQUEST)
+        AnswerFolder(Folder(tmp_path), Mailbox(tmp_path)).answer(REQUEST)
 
 
 def test_a_folder_that_is_not_there_is_refused(tmp_path: Path) -> None:

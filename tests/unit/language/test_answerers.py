@@ -11,6 +11,7 @@ from typer.testing import CliRunner
 
 from storyblender.cli import app
 from storyblender.language.answerers import answerers
+from storyblender.reflection import silent
 
 EXTRA = ("storyblender.language.provider", "storyblender.language.model_api")
 
@@ -37,6 +38,6 @@ def test_a_missing_extra_is_one_sentence_with_what_to_run(command: list[str], tm
 
 def test_rules_folders_and_recordings_need_no_extra(tmp_path: Path, bare: None) -> None:
     crew = f"rules,director=ask:{tmp_path / 'a'},animator=ask:{tmp_path / 'a'},set_dresser=replay:{tmp_path / 'b'}"
-    by_role = answerers(crew, tmp_path, {}, Event())
+    by_role = answerers(crew, tmp_path, {}, Event(), silent)
     assert set(by_role) == {"director", "animator", "set_dresser"}
     assert by_role["director"] is by_role["animator"], "one player answers for all its roles"
