@@ -17,8 +17,9 @@ from PIL import Image
 from storyblender.folder import Folder
 from storyblender.geometry.camera_path import orbit_of
 from storyblender.geometry.framing import Figure, Film, project
+from storyblender.look.viewfinder_picture import as_png
 from storyblender.memory.asset_sheet import ModelSide
-from storyblender.memory.base import Vec3, shot_name
+from storyblender.memory.base import Vec3, content_hash, shot_name
 from storyblender.memory.jobs import (
     ASSETS,
     AssetJob,
@@ -32,6 +33,7 @@ from storyblender.memory.jobs import (
     asset_suffixes,
 )
 from storyblender.memory.measure import AssetMeasure, CameraView, Collision, SubjectView, ViewRequest
+from storyblender.memory.request import Picture
 from storyblender.memory.scene_context import Light
 from storyblender.trace import Event, Listener, silent
 
@@ -104,6 +106,12 @@ class StandInEngine:
 
     def look(self, pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> Future[list[CameraView]]:
         return self._answer("look", [self._view(pack, request, aspect) for request in requests])
+
+    def preview(self, pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> Future[list[Picture]]:
+        """The colour of a picture depends on all that it is drawn from."""
+        digests = [content_hash(pack.path, request, aspect) for request in requests]
+        pictures = [Picture(name="preview", png=as_png(picture(each)), drawn_from=each) for each in digests]
+        return self._answer("preview", pictures)
 
     def find_collisions(self, pack: PackRef) -> Future[list[Collision]]:
         return self._answer("find_collisions", [])

@@ -25,7 +25,7 @@ from storyblender.memory.jobs import (
     StoryJob,
 )
 from storyblender.memory.measure import AssetMeasure, CameraView, Collision, ViewRequest
-from storyblender.memory.request import Request
+from storyblender.memory.request import Picture, Request
 
 __all__ = ["Answerer", "AssetSource", "Embedder", "Engine", "ViewRequest", "Viewfinder"]
 
@@ -44,10 +44,14 @@ class Answerer(Protocol):
 
 
 class Viewfinder(Protocol):
-    """The engine's eye: renders an ID mask and returns what is seen, as numbers."""
+    """The engine's eye: renders an ID mask and returns what is seen, as numbers; asked for it, as a picture."""
 
     def look(self, requests: Sequence[ViewRequest]) -> list[CameraView]:
         """Return one view per request, in order."""
+        ...
+
+    def preview(self, requests: Sequence[ViewRequest]) -> list[Picture]:
+        """Return one picture per request, in order: more than the frame, the subjects outlined in red."""
         ...
 
 
@@ -143,6 +147,19 @@ class Engine(Protocol):
 
         Returns:
             One view per request, in order.
+        """
+        ...
+
+    def preview(self, pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> Future[list[Picture]]:
+        """Draw what the viewfinder shows: plain colours, more than the frame, the subjects outlined in red.
+
+        Args:
+            pack: The scene.
+            requests: Camera poses, each at one frame of a shot of the scene.
+            aspect: Width over height of the frame.
+
+        Returns:
+            One picture per request, in order.
         """
         ...
 

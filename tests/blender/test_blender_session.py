@@ -1,7 +1,9 @@
+import json
 import sys
 from pathlib import Path
 
 import pytest
+from pydantic_core import to_jsonable_python
 
 pytestmark = pytest.mark.blender
 bpy = pytest.importorskip("bpy")
@@ -15,6 +17,7 @@ from storyblender.geometry.orbit import camera_looking_at  # noqa: E402
 from storyblender.memory.graph import ProjectFormat  # noqa: E402
 from storyblender.memory.jobs import FrameJob, MotionJob, PackRef  # noqa: E402
 from storyblender.memory.measure import ViewRequest  # noqa: E402
+from storyblender.memory.request import Picture  # noqa: E402
 from storyblender.memory.scene_context import Lighting, Sky  # noqa: E402
 from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, ShotContext  # noqa: E402
 
@@ -51,6 +54,14 @@ def test_looks_one_by_one_see_what_looks_together_see(session, tmp_path):
     other = BlenderSession(tmp_path)
     assert [view.subjects for view in other.look(PACK, wanted[1:2], 16 / 9)] == [together[1].subjects]
     other.read_figures(PACK, [1])
+
+
+def test_previews_are_known_by_what_they_show(session):
+    one, other, again = session.preview(PACK, [request(1), request(1, 0.5), request(1)], 16 / 9)
+    assert one == again
+    assert one.drawn_from != other.drawn_from and one.png != other.png
+    assert Picture.model_validate(json.loads(json.dumps(to_jsonable_python(one)))) == one, "it goes over the wire"
+    session.read_figures(PACK, [1])
 
 
 def test_the_viewfinder_is_put_away_for_other_jobs(session):

@@ -7,12 +7,18 @@ pytestmark = pytest.mark.blender
 bpy = pytest.importorskip("bpy")
 sys.path.insert(0, str(Path(__file__).parent))
 
+import io  # noqa: E402
+
 import camera_stage  # noqa: E402
+import numpy as np  # noqa: E402
+from PIL import Image  # noqa: E402
 
 from storyblender.blender.measure.figures import figures  # noqa: E402
-from storyblender.blender.measure.view import ViewfinderPose  # noqa: E402
+from storyblender.blender.measure.preview import preview  # noqa: E402
+from storyblender.blender.measure.view import ViewfinderPose, viewfinder  # noqa: E402
 from storyblender.geometry.framing import Film, frame_single  # noqa: E402
 from storyblender.geometry.orbit import Orbit, camera_around, camera_looking_at  # noqa: E402
+from storyblender.look.viewfinder_picture import frame_in  # noqa: E402
 from storyblender.memory.shot_context import CameraPose  # noqa: E402
 
 
@@ -112,3 +118,20 @@ def test_a_hidden_person_is_out_of_the_picture_even_where_visibility_is_keyed() 
     assert subject(shown, "tom").visible_fraction < 0.4
     assert subject(hidden, "tom").visible_fraction > 0.5
     assert not any(part.hide_render or part.animation_data.action.fcurves[0].mute for part in parts)
+
+
+def test_a_preview_outlines_the_focus_where_the_look_sees_it_and_leaves_no_trace(scene) -> None:
+    camera = pose(camera_looking_at((-0.2, -2.8, 1.4), (-0.2, 0, 1.4), 50))
+    wanted = ViewfinderPose(camera, focus_ids=("anna",), hidden=("wall_front",))
+    counts = [len(block) for block in (bpy.data.cameras, bpy.data.images, bpy.data.objects, bpy.data.meshes)]
+    with viewfinder(scene) as see:
+        before, png, after = see(wanted), preview(see, wanted, 16 / 9), see(wanted)
+    assert before == after, "a picture changes no look"
+    assert [len(block) for block in (bpy.data.cameras, bpy.data.images, bpy.data.objects, bpy.data.meshes)] == counts
+    picture = np.asarray(Image.open(io.BytesIO(png)).convert("RGB")).astype(int)
+    rows, columns = np.nonzero((picture[..., 0] > 200) & (picture[..., 1:].max(-1) < 60))
+    left, top, right, bottom = frame_in(picture.shape[1], picture.shape[0])
+    box = subject(before, "anna").box
+    assert (columns.min() - left) / (right - left) == pytest.approx(box[0], abs=0.02)
+    assert (columns.max() - left) / (right - left) == pytest.approx(box[2], abs=0.02)
+    assert (rows.min() - top) / (bottom - top) == pytest.approx(box[1], abs=0.03)

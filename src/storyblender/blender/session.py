@@ -6,7 +6,7 @@ Modules that build are imported by the tools that build, so that a worker that o
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
 from functools import cached_property
@@ -19,7 +19,7 @@ from storyblender.blender.cameras import make_camera
 from storyblender.blender.measure.collisions import find_collisions
 from storyblender.blender.measure.drift import spatial_drift
 from storyblender.blender.measure.figures import figures
-from storyblender.blender.measure.view import WIDTH, ViewfinderPose, viewfinder
+from storyblender.blender.measure.view import WIDTH, OpenViewfinder, ViewfinderPose, viewfinder
 from storyblender.blender.progress import Report, ignore
 from storyblender.blender.render.frame import FrameRequest, PersonHead, render_frame
 from storyblender.blender.render.motion_frames import GROWN_HEAD, render_motion
@@ -31,9 +31,10 @@ from storyblender.folder import Folder
 from storyblender.geometry.framing import Figure
 from storyblender.look.aperture import look_through
 from storyblender.look.grade import AGX_CONTRAST, display_of
-from storyblender.memory.base import Vec3, scene_name, shot_name
+from storyblender.memory.base import Vec3, content_hash, scene_name, shot_name
 from storyblender.memory.graph import ProjectFormat
 from storyblender.memory.jobs import (
+    DRAWING_VERSION,
     AssetJob,
     CutJob,
     ExportJob,
@@ -45,6 +46,7 @@ from storyblender.memory.jobs import (
     StoryJob,
 )
 from storyblender.memory.measure import AssetMeasure, CameraView, Collision, ViewRequest
+from storyblender.memory.request import Picture
 
 if TYPE_CHECKING:
     from storyblender.blender.asset_store import AssetStore
@@ -68,8 +70,8 @@ class BlenderSession:
         self._open = ""
         self._viewfinder_scene = ExitStack()
         self._background = ThreadPoolExecutor(1)
-        self._viewfinder: tuple[tuple[str, int, int], Callable[[ViewfinderPose], CameraView]] | None = None
-        """The open viewfinder: pack, frame and height, and the function that looks."""
+        self._viewfinder: tuple[tuple[str, int | None, int], OpenViewfinder] | None = None
+        """The open viewfinder, after its pack, frame and height."""
 
     @cached_property
     def _store(self) -> AssetStore:
@@ -86,6 +88,7 @@ class BlenderSession:
             self.pack_scene,
             self.read_figures,
             self.look,
+            self.preview,
             self.find_collisions,
             self.measure_drift,
             self.render_frame,
@@ -154,15 +157,26 @@ class BlenderSession:
             aspect: Width of the picture over its height.
         """
         self._background.submit(display_of, AGX_CONTRAST)  # needed by the next render
-        height = max(2, round(WIDTH / aspect))
-        views: list[CameraView] = []
-        for request in requests:
-            frame = pack.start_of(request.shot_id) + request.frame
-            pose = ViewfinderPose(
-                request.pose, frame, request.sensor_width, request.focus_ids, request.hidden_node_ids, request.other_ids
+        return [self._viewfinder_at(pack, pose.frame, aspect)(pose) for pose in _poses(pack, requests)]
+
+    def preview(self, pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> list[Picture]:
+        """Return pictures of what cameras see, for a model or a person: wider than the frame, the subjects outlined.
+
+        Args:
+            pack: The packed scene.
+            requests: As ``look`` takes them.
+            aspect: Width of the frame over its height.
+        """
+        from storyblender.blender.measure.preview import preview
+
+        return [
+            Picture(
+                name="preview",
+                png=preview(self._viewfinder_at(pack, pose.frame, aspect), pose, aspect),
+                drawn_from=content_hash(pack.path, request, aspect, DRAWING_VERSION),
             )
-            views.append(self._viewfinder_at(pack, frame, height)(pose))
-        return views
+            for pose, request in zip(_poses(pack, requests), requests, strict=True)
+        ]
 
     def render_frame(self, job: FrameJob) -> FrameReport:
         """Render the board frame of one shot and return its report."""
@@ -287,8 +301,9 @@ class BlenderSession:
             render_portrait([thing], part / "portrait.png", (2 * SIDE_SIZE[0], 2 * SIDE_SIZE[1]))
         return build.dimensions
 
-    def _viewfinder_at(self, pack: PackRef, frame: int, height: int) -> Callable[[ViewfinderPose], CameraView]:
+    def _viewfinder_at(self, pack: PackRef, frame: int | None, aspect: float) -> OpenViewfinder:
         """Return the viewfinder at a frame; it is kept, because the Camera Operator returns to it many times."""
+        height = max(2, round(WIDTH / aspect))
         key = (pack.path, frame, height)
         if self._viewfinder is None or self._viewfinder[0] != key:
             scene = self._open_pack(pack)
@@ -314,6 +329,13 @@ class BlenderSession:
         scene = bpy.data.scenes[scene_name(pack.scene_id)]
         bpy.context.window.scene = scene
         return scene
+
+
+def _poses(pack: PackRef, requests: Sequence[ViewRequest]) -> Iterator[ViewfinderPose]:
+    """Yield the poses of requests, each with its frame on the scene's timeline."""
+    for each in requests:
+        frame = pack.start_of(each.shot_id) + each.frame
+        yield ViewfinderPose(each.pose, frame, each.sensor_width, each.focus_ids, each.hidden_node_ids, each.other_ids)
 
 
 def _head(figure: Figure, in_frame: Sequence[str]) -> PersonHead:

@@ -29,6 +29,7 @@ from storyblender.memory.jobs import (
     StoryJob,
 )
 from storyblender.memory.measure import AssetMeasure, CameraView, Collision, ViewRequest
+from storyblender.memory.request import Picture
 from storyblender.trace import Event, Listener, silent
 
 Result = TypeVar("Result")
@@ -37,6 +38,7 @@ _FIGURES = TypeAdapter(list[list[Figure]])
 _COLLISIONS = TypeAdapter(list[Collision])
 _SIZE = TypeAdapter(Vec3)
 _VIEWS = TypeAdapter(list[CameraView])
+_PICTURES = TypeAdapter(list[Picture])
 
 
 class BlenderEngine:
@@ -108,8 +110,11 @@ class BlenderEngine:
 
     def look(self, pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> Future[list[CameraView]]:
         """Look through the viewfinder."""
-        arguments = {"pack": _plain(pack), "requests": [_plain(request) for request in requests], "aspect": aspect}
-        return self._in_scene(pack.scene_id, "look", arguments, _VIEWS.validate_python)
+        return self._in_scene(pack.scene_id, "look", _looks(pack, requests, aspect), _VIEWS.validate_python)
+
+    def preview(self, pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> Future[list[Picture]]:
+        """Draw what the viewfinder shows."""
+        return self._in_scene(pack.scene_id, "preview", _looks(pack, requests, aspect), _PICTURES.validate_python)
 
     def find_collisions(self, pack: PackRef) -> Future[list[Collision]]:
         """Find people inside furniture, in every shot of a pack."""
@@ -187,6 +192,11 @@ class BlenderEngine:
     ) -> Future[Result]:
         """Call a tool where the scene is open already, if that worker is free."""
         return self._pool.submit(tool, arguments, read, affinity=f"scene{scene_id}")
+
+
+def _looks(pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> dict[str, object]:
+    """Return the arguments of looks through the viewfinder."""
+    return {"pack": _plain(pack), "requests": [_plain(request) for request in requests], "aspect": aspect}
 
 
 def _plain(model: Frozen) -> object:

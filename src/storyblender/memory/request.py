@@ -3,17 +3,26 @@
 from __future__ import annotations
 
 import hashlib
+from base64 import b64decode, b64encode
+from typing import Annotated
 
-from pydantic import ConfigDict
+from pydantic import BeforeValidator, PlainSerializer
 
 from storyblender.memory.base import Frozen, Identifier, content_hash
+
+Bytes = Annotated[
+    bytes,
+    BeforeValidator(lambda value: b64decode(value, validate=True) if isinstance(value, str) else value),
+    PlainSerializer(lambda value: b64encode(value).decode(), when_used="json"),
+]
+"""Bytes, in JSON as base64."""
 
 
 class Picture(Frozen):
     """A picture that belongs to a request."""
 
     name: Identifier
-    png: bytes
+    png: Bytes
     drawn_from: str = ""
     """Digest of what the engine drew it from; empty: the pixels count. Pixels differ a little from one graphics driver
     to another, and a recording must be found on every machine."""
@@ -26,8 +35,6 @@ class Picture(Frozen):
 
 class Request(Frozen):
     """Everything that an answer may rest on."""
-
-    model_config = ConfigDict(frozen=True, extra="forbid", ser_json_bytes="base64", val_json_bytes="base64")
 
     role: Identifier
     subject: str = ""

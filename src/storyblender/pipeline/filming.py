@@ -21,6 +21,7 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
 from storyblender.memory.jobs import PackRef
 from storyblender.memory.measure import CameraView, ViewRequest
+from storyblender.memory.request import Picture
 from storyblender.memory.shot_context import CameraState, Flaw, ShotContext
 from storyblender.pipeline.run import Run
 from storyblender.trace import Event
@@ -47,6 +48,10 @@ class PackViewfinder:
         if not requests:
             return []
         return self._run.engine.look(self._pack, requests, self._run.graph.format.aspect).result()
+
+    def preview(self, requests: Sequence[ViewRequest]) -> list[Picture]:
+        """Return one picture per request, in order."""
+        return self._run.engine.preview(self._pack, requests, self._run.graph.format.aspect).result()
 
     def moments(self, shot: ShotContext) -> list[Moment]:
         """Return everybody's faces at the telling frames of a shot."""

@@ -7,10 +7,9 @@ scene with the custom property ``open_sky`` shows sky above the horizon where no
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
-from functools import partial
 
 import bpy
 import numpy as np
@@ -31,9 +30,7 @@ from storyblender.memory.measure import CameraView, SubjectView
 from storyblender.memory.shot_context import CameraPose
 
 WIDTH = 320
-"""Pixels of the viewfinder's picture."""
-"""Pixels of the viewfinder's picture."""
-"""Pixels of the viewfinder's picture."""
+"""Pixels across the viewfinder's ID mask."""
 _SAMPLES = 400
 """Sample vertices of one object."""
 _NEAR_PROP, _NEAR_WALL = 0.25, 0.12
@@ -70,8 +67,8 @@ class ViewfinderPose:
 @contextmanager
 def viewfinder(
     scene: bpy.types.Scene, frame: int | None = None, width: int = WIDTH, height: int = WIDTH * 9 // 16
-) -> Iterator[Callable[[ViewfinderPose], CameraView]]:
-    """Yield a function that measures camera poses at one frame; opening it costs more than two looks.
+) -> Iterator[OpenViewfinder]:
+    """Yield a viewfinder that measures camera poses at one frame; opening it costs more than two looks.
 
     Args:
         scene: It stays at the frame.
@@ -87,9 +84,9 @@ def viewfinder(
     ):
         people = figures(scene)
         with RenderSession(still, camera, smoke=True) as session:
-            stage = _ViewfinderScene(session, people)
-            with _numbered(stage.objects, stage.numbers):
-                yield partial(stage.see, width=width, height=height)
+            finder = OpenViewfinder(session, people, width, height)
+            with _numbered(finder.objects, finder.numbers):
+                yield finder
 
 
 @contextmanager
@@ -108,11 +105,18 @@ def _node_id(obj: bpy.types.Object) -> str:
     return str(obj.get("node_id", obj.name))
 
 
-class _ViewfinderScene:
-    """The visible objects of one frame, their sample points and faces, shared by all looks."""
+class OpenViewfinder:
+    """The visible objects of one frame, their sample points and faces, shared by all looks.
 
-    def __init__(self, session: RenderSession, people: Sequence[Figure]) -> None:
-        self.session = session
+    Args:
+        session: Of the frame, with the looks' camera.
+        people: Everybody with a face.
+        width: Of the ID mask, pixels.
+        height: Of the ID mask, pixels.
+    """
+
+    def __init__(self, session: RenderSession, people: Sequence[Figure], width: int, height: int) -> None:
+        self.session, self._width, self._height = session, width, height
         self.objects = session.visible_objects()
         nodes = dict.fromkeys(_node_id(obj) for obj in self.objects)
         self.numbers = {node: number for number, node in enumerate(nodes, 1)}
@@ -140,18 +144,10 @@ class _ViewfinderScene:
         world = np.array(evaluated.matrix_world)
         return points @ world[:3, :3].T + world[:3, 3]
 
-    def see(self, view: ViewfinderPose, width: int, height: int) -> CameraView:
-        """Return the measured view of one camera pose, from a picture of ``width`` x ``height`` pixels."""
-        pose = view.pose
-        orbit = Orbit(pose.pivot, pose.rotation, pose.distance, pose.lens, view.sensor_width, width / height)
-        camera = self.session.camera
-        camera.data.lens, camera.data.sensor_width = pose.lens, view.sensor_width
-        camera.matrix_world = Matrix(orbit.world.tolist())
-        with out_of_picture(self._unseen(orbit, view.hidden)):
-            channels = self.session.exr(width, height, depth=True)
-        red, green, blue = (np.rint(channels[f"Combined.{name}"] * 255).astype(np.int32) for name in "RGB")
-        ids, depth = red + 256 * green, channels["Depth.Z"]
-        sky = self._sky(ids, blue, orbit)
+    def __call__(self, view: ViewfinderPose) -> CameraView:
+        """Return what is measured at one camera pose."""
+        with self.aimed(view, self._width, self._height) as orbit:
+            ids, sky, depth = self.mask(orbit, self._width, self._height)
         wanted = dict.fromkeys((*self.faces, *view.focus_ids, *view.other_ids))
         shown = [node for node in wanted if node in self.numbers and node not in view.hidden]
         subjects = tuple(self._subject(node, orbit, ids) for node in shown)
@@ -163,6 +159,31 @@ class _ViewfinderScene:
             inside=self._inside(orbit.position, view.hidden),
             below_floor=float(orbit.position[2]) < _FLOOR,
         )
+
+    @contextmanager
+    def aimed(self, view: ViewfinderPose, width: int, height: int, margin: float = 1.0) -> Iterator[Orbit]:
+        """Aim the camera at a pose, with what it cannot see left out of pictures, and yield it.
+
+        Args:
+            view: The pose.
+            width: Of the pictures to be drawn, pixels.
+            height: Of the pictures to be drawn, pixels.
+            margin: How many times as wide as the frame they are.
+        """
+        pose, camera = view.pose, self.session.camera
+        sensor = view.sensor_width * margin
+        orbit = Orbit(pose.pivot, pose.rotation, pose.distance, pose.lens, sensor, width / height)
+        camera.data.lens, camera.data.sensor_width = pose.lens, sensor
+        camera.matrix_world = Matrix(orbit.world.tolist())
+        with out_of_picture(self._unseen(orbit, view.hidden)):
+            yield orbit
+
+    def mask(self, orbit: Orbit, width: int, height: int) -> tuple[Ints, NDArray[np.bool_], NDArray[np.float32]]:
+        """Return node numbers, which pixels are sky, and depth in metres, (h, w) each; the camera is ``aimed``."""
+        channels = self.session.exr(width, height, depth=True)
+        red, green, blue = (np.rint(channels[f"Combined.{name}"] * 255).astype(np.int32) for name in "RGB")
+        ids = red + 256 * green
+        return ids, self._sky(ids, blue, orbit), channels["Depth.Z"]
 
     def _unseen(self, orbit: Orbit, hidden: Sequence[str]) -> list[bpy.types.Object]:
         """Return the objects that need not be drawn: hidden, or outside the picture by their boxes."""

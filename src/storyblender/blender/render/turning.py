@@ -83,12 +83,11 @@ def turned_and_made(channels: Channels, view: View) -> tuple[NDArray[np.float16]
     return normal, material
 
 
-def _encode_srgb(linear: NDArray[np.float32]) -> NDArray[np.float32]:
+def encode_srgb(linear: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return scene-linear colours as sRGB, 0 to 1; brighter ones are 1."""
     value = np.clip(linear, 0, 1)
     return np.where(value <= 0.0031308, value * 12.92, 1.055 * value ** (1 / 2.4) - 0.055)
 
 
-_NORMAL_OF = (
-    _encode_srgb(np.nan_to_num(np.arange(1 << 16, dtype=np.uint16).view(np.float16).astype(np.float32))) * 2 - 1
-)
+_NORMAL_OF = encode_srgb(np.nan_to_num(np.arange(1 << 16, dtype=np.uint16).view(np.float16).astype(np.float32))) * 2 - 1
 """The part of a normal that each half float of the matcap picture stands for, by its bits."""
