@@ -9,6 +9,12 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 
+from storyblender.agents.concept_artist.asset_formatter import (
+    AssetFormatterCritic,
+    AssetFormatterView,
+    RulesAssetFormatter,
+    asset_formatter_view,
+)
 from storyblender.agents.concept_artist.asset_retriever_view import (
     RETRIEVAL_THRESHOLD,
     AssetRetrieverCritic,
@@ -65,8 +71,9 @@ from storyblender.agents.visual_effects_artist.set_dresser import (
 )
 from storyblender.catalog.recipe import Recipe
 from storyblender.crew_setting import RoleName
-from storyblender.memory.asset_sheet import Asset, AssetDimension
+from storyblender.memory.asset_sheet import Asset, AssetDimension, ModelPose
 from storyblender.memory.graph import ContinuityMemoryGraph, Storyboard
+from storyblender.memory.measure import AssetViews
 from storyblender.memory.scene_context import Environment, Layout, Lighting
 from storyblender.ports import AssetSource, Embedder
 from storyblender.reflection import Critic, Draft, Policy, Role, Subject, Typed, View
@@ -86,6 +93,8 @@ class Crew:
         [ContinuityMemoryGraph, Asset, Mapping[str, str], Collection[str]], AssetRetrieverView, Recipe
     ]
     """Finds an asset; where nothing fits, the Asset Generator takes over."""
+    asset_formatter: Role[[Asset, Callable[[Asset], AssetViews]], AssetFormatterView, ModelPose]
+    """Finds the front and the top of a model file."""
     dimension_estimator: Role[
         [ContinuityMemoryGraph, Sequence[Asset]], DimensionEstimatorView, dict[str, AssetDimension]
     ]
@@ -131,6 +140,7 @@ def rules_crew(settings: Settings, embedder: Callable[[], Embedder], sources: Se
             "asset_retriever", asset_retriever_view, retrievers, AssetRetrieverCritic(), Recipe,
             RETRIEVAL_THRESHOLD, horizon=1,
         ),
+        role("asset_formatter", asset_formatter_view, [RulesAssetFormatter()], AssetFormatterCritic(), ModelPose),
         role(
             "dimension_estimator", dimension_estimator_view, [RulesDimensionEstimator()], DimensionEstimatorCritic(),
             dimensions,

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from typing import Final, Literal, get_args
 
 RoleName = Literal[
-    "director", "shot_director", "asset_retriever", "dimension_estimator", "environment_designer", "set_dresser",
-    "spatial_planner", "animator", "lighting_arranger", "camera_operator", "instructor",
+    "director", "shot_director", "asset_retriever", "asset_formatter", "dimension_estimator", "environment_designer",
+    "set_dresser", "spatial_planner", "animator", "lighting_arranger", "camera_operator", "instructor",
 ]  # fmt: skip
 """The members of the crew."""
 

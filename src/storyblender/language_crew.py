@@ -11,6 +11,7 @@ from typing import Any, Final
 from pydantic import BaseModel
 
 from storyblender.agents.asking import read_answer_as
+from storyblender.agents.concept_artist.language_asset_formatter import PoseNotes, language_asset_formatter
 from storyblender.agents.concept_artist.language_asset_retriever import ChoiceNotes, language_asset_retriever
 from storyblender.agents.director.annotation import SceneNotes
 from storyblender.agents.director.director import RulesDirector, RulesShotDirector
@@ -44,6 +45,7 @@ from storyblender.ports import Answerer, AssetSource, Embedder
 from storyblender.reflection import Policy
 
 ANSWERS: Final[Mapping[str, type[BaseModel]]] = {
+    "asset_formatter": PoseNotes,
     "asset_retriever": ChoiceNotes,
     "camera_operator": CameraNotes,
     "dimension_estimator": DimensionNotes,
@@ -59,6 +61,7 @@ ANSWERS: Final[Mapping[str, type[BaseModel]]] = {
 """What each role answers with."""
 _Maker = Callable[[Answerer, Callable[[], Embedder]], Policy[Any, Any]]
 _POLICIES: Final[Mapping[RoleName, _Maker]] = {
+    "asset_formatter": language_asset_formatter,
     "dimension_estimator": language_dimension_estimator,
     "director": lambda answerer, embedder: LanguageDirector(answerer, RulesDirector(embedder), embedder),
     "shot_director": lambda answerer, embedder: LanguageShotDirector(answerer, RulesShotDirector()),

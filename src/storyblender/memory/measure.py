@@ -26,6 +26,17 @@ class AssetMeasure(Frozen):
     """Of a model from a file."""
 
 
+class AssetViews(Frozen):
+    """What an object looks like."""
+
+    digest: str
+    """Of what it was drawn from."""
+    dimensions: Vec3
+    """Width, depth and height in metres, front -Y."""
+    pictures: dict[str, bytes]
+    """PNG by ``ModelSide``, and ``portrait``."""
+
+
 class SubjectView(Frozen):
     """How one node appears in an ID-mask preview. Screen coordinates 0..1, origin top left, x right, y down."""
 

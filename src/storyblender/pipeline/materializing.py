@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 
 from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD
@@ -11,10 +11,11 @@ from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.recipe import Recipe
 from storyblender.errors import AnswerAwaited, EngineError, InputError, StoryBlenderError
-from storyblender.memory.asset_sheet import Asset, AssetDimension, CanonicalAsset
+from storyblender.memory.asset_sheet import Asset, AssetDimension, CanonicalAsset, ModelPose
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure
 from storyblender.pipeline.asset_files import assets_to_build, note_asset
+from storyblender.pipeline.asset_views import asset_views
 from storyblender.pipeline.run import Run
 from storyblender.trace import Event
 
@@ -30,7 +31,7 @@ def materialize(run: Run, assets: Sequence[Asset] | None = None) -> None:
     if not missing:
         return
     concept = ConceptArtist(run)
-    decided = _sized(run, concept.all_decided(missing))
+    decided = _sized(run, concept.all_formatted(concept.all_decided(missing)))
     waiting = [(asset, run.engine.build_asset(AssetJob(asset=asset))) for asset in decided]
     built: list[Asset] = []
     for step, (asset, future) in enumerate(waiting):
@@ -54,6 +55,7 @@ def _built(run: Run, concept: ConceptArtist, asset: Asset, future: Future[AssetM
         if canonical.source != "file" or canonical.geometry_hash:
             raise
         other = concept.give_up(asset, canonical.key, error)
+    (other,) = concept.all_formatted([other])
     return _built(run, concept, other, run.engine.build_asset(AssetJob(asset=other)))
 
 
@@ -87,6 +89,14 @@ class ConceptArtist:
     def __init__(self, run: Run) -> None:
         self._run = run
         self._rejected: set[str] = set()
+        self._views = asset_views(run)
+        self._poses = {
+            (made.key, made.params.get("content")): pose
+            for asset in run.graph.assets
+            if (made := asset.canonical) is not None and made.source == "file"
+            if (pose := ModelPose.of(made.params)).top is not None
+        }
+        """Of the model files whose front and top are decided, by name and content."""
         self._means = WORDS_BY_AGE.get(run.graph.age or "today", {})
 
     def give_up(self, asset: Asset, key: str, error: StoryBlenderError) -> Asset:
@@ -111,16 +121,26 @@ class ConceptArtist:
         Raises:
             AnswerAwaited: Answers have to come from outside first; all questions are asked before the run stops.
         """
-        found: list[Asset] = []
-        awaited: list[AnswerAwaited] = []
-        for asset in assets:
-            try:
-                found.append(self.decided(asset))
-            except AnswerAwaited as error:
-                awaited.append(error)
-        if awaited:
-            raise AnswerAwaited.of(awaited)
-        return found
+        return _each(self.decided, assets)
+
+    def all_formatted(self, assets: Sequence[Asset]) -> list[Asset]:
+        """Return the assets with the front and the top of the models that they are made from; each file is asked once.
+
+        Raises:
+            AnswerAwaited: Answers have to come from outside first; all questions are asked before the run stops.
+        """
+        return _each(self._formatted, assets)
+
+    def _formatted(self, asset: Asset) -> Asset:
+        made = asset.canonical
+        if made is None or made.source != "file" or made.geometry_hash or ModelPose.of(made.params).top is not None:
+            return asset
+        model = (made.key, made.params.get("content"))
+        if model not in self._poses:
+            outcome = self._run.reflect(self._run.crew.asset_formatter, made.key, asset, self._views)
+            self._poses[model] = outcome.draft
+        params = {**made.params, **self._poses[model].params}
+        return asset.model_copy(update={"canonical": made.model_copy(update={"params": params})})
 
     def decided(self, asset: Asset) -> Asset:
         """Return the asset with what it is made from, if that is not decided yet."""
@@ -150,6 +170,20 @@ class ConceptArtist:
         origin = recipe.provenance.source if recipe.provenance else None
         source = next((each for each in self._run.sources if each.name == origin), None)
         return recipe if source is None else source.fetch(recipe, self._run.project.files)
+
+
+def _each(decide: Callable[[Asset], Asset], assets: Sequence[Asset]) -> list[Asset]:
+    """Return what is decided for each asset. Raises AnswerAwaited when all questions are asked."""
+    found: list[Asset] = []
+    awaited: list[AnswerAwaited] = []
+    for asset in assets:
+        try:
+            found.append(decide(asset))
+        except AnswerAwaited as error:
+            awaited.append(error)
+    if awaited:
+        raise AnswerAwaited.of(awaited)
+    return found
 
 
 def _measured(asset: Asset, measure: AssetMeasure) -> Asset:

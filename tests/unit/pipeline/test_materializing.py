@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from concurrent.futures import Future
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import cast
@@ -12,10 +13,11 @@ import pytest
 from tests.crew import crew_of, no_words
 
 from storyblender.agents.concept_artist import asset_retriever_view
+from storyblender.agents.concept_artist.asset_formatter import AssetFormatterView, RulesAssetFormatter
 from storyblender.agents.director.size_words import stated_size
 from storyblender.errors import EngineError
 from storyblender.library.sources import asset_sources
-from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.asset_sheet import Asset, ModelPose
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure
@@ -152,3 +154,36 @@ def test_nobody_guesses_the_size_of_a_model_of_something_unknown(tmp_path: Path)
     (tmp_path / "frobnicator.glb").write_bytes(b"a model")
     (asset,), _ = materialized(tmp_path, (), "a frobnicator", name="frobnicator")
     assert asset.canonical is not None and asset.canonical.source == "file" and asset.dimension is None
+
+
+def test_the_front_of_a_file_is_asked_once_and_kept_with_every_asset_of_it(tmp_path: Path) -> None:
+    (tmp_path / "chair.glb").write_bytes(b"a model")
+    settings = Settings(models=(tmp_path,))
+    chairs = tuple(
+        Asset(asset_id=name, asset_type="object", description="a chair", name="chair") for name in ("one", "two")
+    )
+    poses: list[str] = []
+
+    class Formatter(RulesAssetFormatter):
+        def propose(self, view: AssetFormatterView) -> ModelPose:
+            poses.append(view.file)
+            return ModelPose(front="left", top="top")
+
+    kept: list[Asset] = []
+    run = quick_run(ContinuityMemoryGraph(assets=chairs[:1]), settings, (), [], kept)
+    role = replace(run.crew.asset_formatter, policies=(Formatter(),))
+    run.crew = replace(run.crew, asset_formatter=role)
+    materialize(run)
+    again = quick_run(ContinuityMemoryGraph(assets=(kept[0], chairs[1])), settings, (), [], kept)
+    again.crew = run.crew
+    materialize(again, chairs[1:])
+    assert poses == ["chair.glb"]
+    made = [asset.canonical for asset in kept if asset.canonical]
+    assert [(each.params["front"], each.params["top"]) for each in made] == [("left", "top")] * 2
+
+
+def test_rules_leave_the_front_to_the_engine_and_draw_nothing(tmp_path: Path) -> None:
+    (tmp_path / "chair.glb").write_bytes(b"a model")
+    (asset,), warnings = materialized(tmp_path, ())
+    assert asset.canonical is not None and not {"front", "top"} & asset.canonical.params.keys()
+    assert not warnings

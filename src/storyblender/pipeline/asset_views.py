@@ -1,0 +1,48 @@
+"""Pictures of assets, for the roles and critics that look; drawn when one of them asks, and once in a run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final, get_args
+
+from storyblender.errors import EngineError, NoAnswer
+from storyblender.memory.asset_sheet import Asset, ModelSide
+from storyblender.memory.jobs import AssetJob
+from storyblender.memory.measure import AssetViews
+from storyblender.pipeline.run import Run
+
+VIEWS: Final = "build/views"
+"""Folder of the pictures."""
+_PICTURES: Final = (*get_args(ModelSide), "portrait")
+
+
+def asset_views(run: Run) -> Callable[[Asset], AssetViews]:
+    """Return what draws an object from its six sides and as a portrait.
+
+    Args:
+        run: Its engine draws.
+
+    Returns:
+        A function of an asset with its canonical, which need not be built; it raises NoAnswer where the engine fails,
+        so that rules decide.
+    """
+    known: dict[str, AssetViews] = {}
+
+    def draw(asset: Asset) -> AssetViews:
+        job = AssetJob(asset=asset)
+        if job.digest not in known:
+            known[job.digest] = _drawn(run, job)
+        return known[job.digest]
+
+    return draw
+
+
+def _drawn(run: Run, job: AssetJob) -> AssetViews:
+    folder = f"{VIEWS}/{job.digest}"
+    try:
+        dimensions = run.engine.draw_sides(job, folder).result()
+    except EngineError as error:
+        raise NoAnswer(f"{job.asset.asset_id} cannot be drawn: {error}") from error
+    run.outputs.note(folder)
+    pictures = {name: run.project.path(f"{folder}/{name}.png").read_bytes() for name in _PICTURES}
+    return AssetViews(digest=job.digest, dimensions=dimensions, pictures=pictures)
