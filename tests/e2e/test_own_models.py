@@ -44,16 +44,16 @@ def test_the_front_of_a_model_is_where_the_answer_sees_it(tmp_path: Path) -> Non
     assert radio.canonical.dimensions[0] > radio.canonical.dimensions[1], "its file is deeper than wide"
 
     bpy.ops.wm.open_mainfile(filepath=str(project / "story.blend"))
-    scene = bpy.data.scenes["SC010"]
-    thing = next(obj for obj in scene.objects if obj.get("asset_id") == radio.asset_id and obj.type == "MESH")
+    things = bpy.data.scenes["SC010"].objects
+    thing = next(obj for obj in things if obj.get("asset_id") == radio.asset_id and obj.type == "MESH")
     red = [
-        np.array(thing.matrix_world @ face.center)
+        np.array(thing.matrix_basis @ face.center)
         for face in thing.data.polygons
         if thing.data.materials[face.material_index].diffuse_color[0] > 0.5
     ]
     layout = graph.scene(1).layout
     assert layout is not None
     place = next(item for item in layout.objects if item.asset_id == radio.asset_id)
-    way = np.mean(red, axis=0) - np.array(thing.matrix_world.translation)
-    yaw = math.radians(place.yaw)
+    way = np.mean(red, axis=0) - np.array(thing.matrix_basis.translation)
+    yaw = math.radians(place.rotation[2])
     assert way[:2] @ (math.sin(yaw), -math.cos(yaw)) > 0.1, "its dial is on the side that it faces with"
