@@ -13,9 +13,10 @@ from typing import Final, Literal, get_args
 
 RoleName = Literal[
     "director", "shot_director", "asset_retriever", "asset_formatter", "dimension_estimator", "environment_designer",
-    "set_dresser", "spatial_planner", "animator", "lighting_arranger", "camera_operator", "instructor",
+    "set_dresser", "spatial_planner", "animator", "lighting_arranger", "camera_operator", "camera_critic",
+    "instructor",
 ]  # fmt: skip
-"""The members of the crew."""
+"""The members of the crew, vision critics included."""
 
 LimitName = Literal["requests", "tokens", "dollars"]
 LIMITS: Final[dict[LimitName, float]] = {"requests": 2000, "tokens": 20_000_000, "dollars": 20}

@@ -19,6 +19,7 @@ from storyblender.agents.director.language_director import LanguageDirector
 from storyblender.agents.director.language_shot_director import CutNotes, LanguageShotDirector
 from storyblender.agents.instructor.instructor import Instruction
 from storyblender.agents.instructor.language_instructor import language_instructor
+from storyblender.agents.layout_artist.camera_critic import CameraCriticNotes, with_camera_critic
 from storyblender.agents.layout_artist.language_camera_operator import CameraNotes, language_operator
 from storyblender.agents.layout_artist.language_dimension_estimator import (
     DimensionNotes,
@@ -47,6 +48,7 @@ from storyblender.reflection import Policy
 ANSWERS: Final[Mapping[str, type[BaseModel]]] = {
     "asset_formatter": PoseNotes,
     "asset_retriever": ChoiceNotes,
+    "camera_critic": CameraCriticNotes,
     "camera_operator": CameraNotes,
     "dimension_estimator": DimensionNotes,
     "director": SceneNotes,
@@ -97,8 +99,12 @@ def language_crew(
         if (answerer := answerers.get(name)) is not None:
             role = getattr(crew, name)
             played[name] = replace(role, policies=(make(answerer, embedder), *role.policies))
+    operator = crew.camera_operator
     if (answerer := answerers.get("camera_operator")) is not None:
-        played["camera_operator"] = language_operator(answerer, crew.camera_operator)
+        operator = language_operator(answerer, operator)
+    if (answerer := answerers.get("camera_critic")) is not None:
+        operator = with_camera_critic(answerer, operator)
+    played["camera_operator"] = operator
     return replace(crew, **played)
 
 

@@ -72,6 +72,7 @@ class VisionCritic(Generic[View, Draft]):
         show: Returns what the critic is told of a draft, as JSON values: what it is to show, ids and names.
         pictures: Draws the draft.
         ids: Returns the ids that a fault may name.
+        wanted: Returns whether the vision critic judges a view at all.
     """
 
     engine: Critic[View, Draft]
@@ -80,6 +81,7 @@ class VisionCritic(Generic[View, Draft]):
     show: Callable[[Draft, View], Mapping[str, Any]]
     pictures: Callable[[Draft, View], tuple[Picture, ...]]
     ids: Callable[[View], Collection[str]] = lambda view: ()
+    wanted: Callable[[View], bool] = lambda view: True
 
     def judge(self, draft: Draft, view: View) -> Critique:
         """Return what both critics say of a draft.
@@ -92,7 +94,7 @@ class VisionCritic(Generic[View, Draft]):
             AnswerAwaited: The answer has to come from outside first.
         """
         computed = self.engine.judge(draft, view)
-        if any(fault.severity >= UNUSABLE for fault in computed.faults):
+        if not self.wanted(view) or any(fault.severity >= UNUSABLE for fault in computed.faults):
             return computed
         known = self.ids(view)
 

@@ -48,6 +48,8 @@ CAMERA_THRESHOLD = 9.25
 """Score (tau) from which a take is accepted."""
 CAMERA_HORIZON = 3
 """Most refinements (T_max)."""
+MODEL_HORIZON = 5
+"""The same where a model names the operations or looks at pictures, the paper's."""
 _LOOKS = 20
 """Most looks for one shot."""
 _ANSWERED = 2

@@ -86,7 +86,7 @@ class CameraOperatorCritic:
         fresh = [pair for pair in dict.fromkeys((take, moment.frame) for take, moment in wanted)
                  if self._key(view, *pair) not in self._seen]  # fmt: skip
         fresh.sort(key=lambda pair: pair[1])
-        views = self._viewfinder.look([_request(view, take, frame) for take, frame in fresh])
+        views = self._viewfinder.look([view_request(view, take, frame) for take, frame in fresh])
         for (take, frame), seen in zip(fresh, views, strict=True):
             self._seen[self._key(view, take, frame)] = seen
         return [
@@ -122,7 +122,14 @@ def moments_to_judge(view: CameraOperatorView, takes: Sequence[CameraOperatorDra
     return [view.story_moment]
 
 
-def _request(view: CameraOperatorView, take: CameraOperatorDraft, frame: int) -> ViewRequest:
+def view_request(view: CameraOperatorView, take: CameraOperatorDraft, frame: int) -> ViewRequest:
+    """Return the look at a take.
+
+    Args:
+        view: The shot.
+        take: The take.
+        frame: Counted from the shot's start.
+    """
     return ViewRequest(
         scene_id=view.scene_id,
         shot_id=view.shot_id,

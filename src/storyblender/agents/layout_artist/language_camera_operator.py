@@ -1,19 +1,21 @@
 """The Camera Operator played by a language model: the paper's visual servo (section 3.4; appendix).
 
-First it chooses among views from all around the subjects, then it names operations, one request a turn. The viewfinder
-gives numbers, not pictures: the box of every subject, faces, what covers them, and what the critic minds.
+First it chooses among views from all around the subjects, then it names operations, one request a turn. It sees the
+viewfinder's pictures, and beside them numbers: boxes of the subjects, faces, what covers them, and what critics mind.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 from pydantic import Field
 
 from storyblender.agents.asking import Asker, Notes
 from storyblender.agents.layout_artist.camera_operator import (
+    CAMERA_HORIZON,
+    MODEL_HORIZON,
     OPERATIONS,
     CameraRole,
     Operator,
@@ -22,26 +24,20 @@ from storyblender.agents.layout_artist.camera_operator import (
     numbers_of,
     with_other_camera,
 )
+from storyblender.agents.layout_artist.camera_operator_critic import view_request
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorDraft, CameraOperatorView
+from storyblender.agents.layout_artist.camera_words import Operation, shown_camera, shown_look, shown_shot
 from storyblender.geometry.orbit import Orbit
-from storyblender.memory.base import shot_name
-from storyblender.memory.measure import CameraView, SubjectView
-from storyblender.memory.shot_sizes import SIZES
+from storyblender.look.viewfinder_picture import numbered_sheet
+from storyblender.memory.base import content_hash, shot_name
+from storyblender.memory.request import Picture
 from storyblender.ports import Answerer, Viewfinder
 from storyblender.reflection import Critique
-
-Operation = Literal[
-    "orbit_left", "orbit_right", "orbit_up", "orbit_down", "pan_left", "pan_right", "pan_up", "pan_down",
-    "zoom_in", "zoom_out", "roll_left", "roll_right",
-]  # fmt: skip
-"""The keys of ``OPERATIONS``."""
 
 _VIEWS = 6
 """Views to choose from; each is a look through the viewfinder."""
 _APART = (25.0, 15.0)
 """Degrees of azimuth or of elevation between two of them."""
-_VISIBLE = 0.002
-"""Share of the picture from which a person besides the subjects is listed."""
 
 
 class CameraNotes(Notes):
@@ -60,17 +56,24 @@ class LanguageCameraOperator:
     Attributes:
         asker: Asks for views and operations.
         rules: Knows the views from all around, and the critic with the looks so far.
+        viewfinder: Draws what is shown.
     """
 
     asker: Asker[CameraNotes]
     rules: RulesCameraOperator
+    viewfinder: Viewfinder
     _takes: list[tuple[CameraOperatorDraft, Critique]] = field(default_factory=list)
     """The takes so far, with what the critic said of them."""
     _tried: list[dict[str, Any]] = field(default_factory=list)
     """Operations of each turn, with the score that they led to."""
 
     def propose(self, view: CameraOperatorView) -> CameraOperatorDraft:
-        """Return the view that the model chose, with its first operations. Raises NoAnswer or AnswerAwaited."""
+        """Return the view that the model chose, with its first operations and the critic's numbers if they help.
+
+        Raises:
+            NoAnswer: The model is silent.
+            AnswerAwaited: The answer has to come from outside first.
+        """
         views = _spread(self.rules.ranked_takes(view))
         if len(views) == 1:
             return views[0]
@@ -84,8 +87,9 @@ class LanguageCameraOperator:
             if answer.view is None or not 1 <= answer.view <= len(views):
                 yield f"choose a `view` from 1 to {len(views)}"
 
-        answer = self._asked(view, {"views": shown}, wrong)
-        return _moved(views[(answer.view or 1) - 1], answer.operations, view)
+        answer = self._asked(view, {"views": shown}, (self._sheet(views, view),), wrong)
+        chosen = _moved(views[(answer.view or 1) - 1], answer.operations, view)
+        return self._mended([chosen], chosen, view) or chosen
 
     def refine(self, draft: CameraOperatorDraft, critique: Critique, view: CameraOperatorView) -> CameraOperatorDraft:
         """Return the best take so far with the critic's numbers if they help, else after the model's next operations.
@@ -101,17 +105,43 @@ class LanguageCameraOperator:
             self._tried[-1]["score"] = round(critique.score, 1)
         self._takes.append((draft, critique))
         best, judged = max(self._takes, key=lambda pair: pair[1].score)
-        for take, found in ((draft, critique), (best, judged)):
-            mended = _with_numbers(take, found, view)
-            if self.rules.critic.judge(mended, view).score > judged.score:
-                return mended
-        answer = self._asked(view, {"now": self._shown(best, judged, view), "tried": self._tried}, lambda answer: ())
+        if (mended := self._mended([draft, best], best, view)) is not None:
+            return mended
+        now = {"now": self._shown(best, judged, view), "tried": self._tried}
+        answer = self._asked(view, now, self._previews([best], view))
         if answer.operations:
             self._tried.append({"operations": answer.operations})
         return _moved(best, answer.operations, view)
 
-    def _asked(self, view: CameraOperatorView, shown: dict[str, Any], wrong: Any) -> CameraNotes:
-        return self.asker.ask(shot_name(view.scene_id, view.shot_id), {"shot": _shown_shot(view), **shown}, wrong)
+    def _mended(
+        self, takes: Iterable[CameraOperatorDraft], best: CameraOperatorDraft, view: CameraOperatorView
+    ) -> CameraOperatorDraft | None:
+        """Return the first take that is better than the best one with the numbers of the engine's critic applied."""
+        judge = self.rules.critic.judge
+        mended = (_with_numbers(take, judge(take, view), view) for take in takes)
+        least = judge(best, view).score
+        return next((take for take in mended if judge(take, view).score > least), None)
+
+    def _asked(
+        self,
+        view: CameraOperatorView,
+        shown: dict[str, Any],
+        pictures: tuple[Picture, ...],
+        wrong: Callable[[CameraNotes], Iterable[str]] = lambda answer: (),
+    ) -> CameraNotes:
+        told = {"shot": shown_shot(view), **shown}
+        return self.asker.ask(shot_name(view.scene_id, view.shot_id), told, wrong, pictures=pictures)
+
+    def _previews(self, takes: Sequence[CameraOperatorDraft], view: CameraOperatorView) -> tuple[Picture, ...]:
+        """Return how takes look at the story moment."""
+        frame = view.story_moment.frame
+        return tuple(self.viewfinder.preview([view_request(view, take, frame) for take in takes]))
+
+    def _sheet(self, takes: Sequence[CameraOperatorDraft], view: CameraOperatorView) -> Picture:
+        """Return how takes look at the story moment, as one picture with their numbers."""
+        previews = self._previews(takes, view)
+        sheet = numbered_sheet([each.png for each in previews])
+        return Picture(name="views", png=sheet, drawn_from=content_hash(*(each.digest for each in previews)))
 
     def _shown(self, take: CameraOperatorDraft, critique: Critique, view: CameraOperatorView) -> dict[str, Any]:
         """Return how a judged take looks at the story moment, as the model is shown it."""
@@ -120,8 +150,8 @@ class LanguageCameraOperator:
             "faults": [
                 {"is": fault.message, "try": str(fault.fix.get("ops", "")).split()} for fault in critique.faults
             ],
-            "camera": _shown_camera(take.camera),
-            **_shown_look(self.rules.critic.seen(take, view), view),
+            "camera": shown_camera(take.camera),
+            **shown_look(self.rules.critic.seen(take, view), view),
         }  # fmt: skip
 
 
@@ -136,8 +166,9 @@ def language_operator(answerer: Answerer, operator: Operator) -> Operator:
     def build(viewfinder: Viewfinder) -> CameraRole:
         role = operator(viewfinder)
         rules = next(each for each in role.policies if isinstance(each, RulesCameraOperator))
-        policy = LanguageCameraOperator(Asker(answerer, "camera_operator", CameraNotes), rules)
-        return replace(role, policies=(policy, *role.policies))
+        policy = LanguageCameraOperator(Asker(answerer, "camera_operator", CameraNotes), rules, viewfinder)
+        horizon = MODEL_HORIZON if role.horizon == CAMERA_HORIZON else role.horizon
+        return replace(role, policies=(policy, *role.policies), horizon=horizon)
 
     return build
 
@@ -172,69 +203,3 @@ def _with_numbers(take: CameraOperatorDraft, critique: Critique, view: CameraOpe
         if not fault.fix.get("ops"):
             camera = apply_numbers(camera, numbers_of(fault))
     return take if camera == take.camera else with_other_camera(view, take, camera)
-
-
-def _shown_shot(view: CameraOperatorView) -> dict[str, Any]:
-    """Return what the shot is to show."""
-    wanted = view.instruction
-    told: dict[str, Any] = {
-        "lines": view.lines,
-        "kind": wanted.kind,
-        "size": wanted.size,
-        "angle": wanted.angle,
-        "movement": wanted.movement,
-        "direction": wanted.direction,
-        "subjects": view.focus or view.named,
-        "detail": wanted.detail,
-        "over_the_shoulder_of": view.over.node_id if view.over is not None else None,
-        "should_also_be_seen": view.in_frame,
-        "script_orders": wanted.order,
-        "head_height_wanted": SIZES[wanted.size].band if view.people else None,
-    }
-    if view.previous is not None:
-        before = view.previous.instruction
-        told["shot_before"] = {"kind": before.kind, "size": before.size, "subjects": before.focus_on_ids}
-    return {name: value for name, value in told.items() if value}
-
-
-def _shown_camera(camera: Orbit) -> dict[str, float]:
-    """Return where a camera stands: degrees, metres, mm."""
-    return {
-        "azimuth": round(camera.azimuth),
-        "elevation": round(camera.elevation),
-        "roll": round(camera.roll),
-        "distance": round(camera.distance, 1),
-        "lens": round(camera.lens),
-    }
-
-
-def _shown_look(seen: CameraView, view: CameraOperatorView) -> dict[str, Any]:
-    """Return what a look shows of the subjects, and of others who are in the picture."""
-    main = {*(view.focus or view.named), view.node(view.instruction.over_id or "")}
-    others = (each for each in seen.subjects if each.node_id not in main and each.pixels > _VISIBLE)
-    return {
-        "subjects": [_shown_subject(each) for each in seen.subjects if each.node_id in main],
-        "others": [_shown_subject(each) for each in others],
-        "in_front_of_subjects": round(seen.foreground, 2),
-        "empty": round(seen.void, 2),
-    }
-
-
-def _shown_subject(each: SubjectView) -> dict[str, Any]:
-    """Return how one subject appears; shares of the picture from its upper left corner."""
-    covered = 1 - each.visible_fraction / each.in_frame_fraction if each.in_frame_fraction > 0 else 0.0
-    told: dict[str, Any] = {
-        "id": each.node_id,
-        "box": [round(side, 2) for side in each.box] if each.box is not None else None,
-        "share_in_frame": round(each.in_frame_fraction, 2),
-        "covered": round(max(covered, 0.0), 2),
-    }
-    if each.face is not None:
-        told |= {
-            "face_at": [round(side, 2) for side in each.face],
-            "face_turned_away": round(each.face_angle),
-            "face_visible": round(each.face_visible, 2),
-            "head_height": round(each.head_height, 2),
-            "headroom": round(each.head_top, 2) if each.head_top is not None else None,
-        }
-    return {name: value for name, value in told.items() if value is not None}

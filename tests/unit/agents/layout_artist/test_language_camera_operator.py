@@ -5,20 +5,26 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from dataclasses import replace
+from io import BytesIO
 from typing import Any, get_args
 
 import numpy as np
 import pytest
+from PIL import Image
 from tests.answering import Scripted
 
 from storyblender.agents.layout_artist.camera_operator import OPERATIONS, operate, rules_operator
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment
-from storyblender.agents.layout_artist.language_camera_operator import Operation, language_operator
+from storyblender.agents.layout_artist.camera_words import Operation
+from storyblender.agents.layout_artist.language_camera_operator import language_operator
 from storyblender.errors import NoAnswer
 from storyblender.geometry.camera_path import orbit_of
 from storyblender.geometry.framing import Figure, Film, project
 from storyblender.language.answer_folder import as_markdown
+from storyblender.look.viewfinder_picture import as_png, numbered_sheet
+from storyblender.memory.base import content_hash
 from storyblender.memory.measure import CameraView, SubjectView, ViewRequest
+from storyblender.memory.request import Picture
 from storyblender.memory.shot_context import CameraInstruction, CameraState
 
 FILM = Film()
@@ -35,6 +41,13 @@ class Finder:
 
     def look(self, requests: Sequence[ViewRequest]) -> list[CameraView]:
         return [self._look(request) for request in requests]
+
+    def preview(self, requests: Sequence[ViewRequest]) -> list[Picture]:
+        """Return a picture of one colour for each pose."""
+        digests = [content_hash(request) for request in requests]
+        colors = [tuple(bytes.fromhex(digest[:6])) for digest in digests]
+        pngs = [as_png(np.full((36, 64, 3), color, np.uint8)) for color in colors]
+        return [Picture(name="preview", png=png, drawn_from=each) for png, each in zip(pngs, digests, strict=True)]
 
     def _look(self, request: ViewRequest) -> CameraView:
         camera = orbit_of(request.pose, FILM)
@@ -84,8 +97,32 @@ def test_views_look_from_different_sides() -> None:
     assert len({*sides}) == len(sides)
 
 
+def test_the_views_come_as_one_numbered_picture_and_each_turn_with_a_picture_of_the_best_take() -> None:
+    model = Scripted([camera(view=1), camera(operations=["roll_left"]), "{}", "{}"])
+    operated(model)
+    first, *later = model.asked
+    count = len(json.loads(first.view)["views"])
+    tile = as_png(np.zeros((36, 64, 3), np.uint8))
+    assert [each.name for each in first.pictures] == ["views"]
+    assert sizes(first.pictures) == sizes([Picture(name="views", png=numbered_sheet([tile] * count))])
+    assert later and all(sizes(each.pictures) == [(64, 36)] for each in later)
+    assert {*(each.pictures[0].digest for each in later)}.isdisjoint({first.pictures[0].digest})
+
+
+def sizes(pictures: Sequence[Picture]) -> list[tuple[int, int]]:
+    return [Image.open(BytesIO(each.png)).size for each in pictures]
+
+
+def test_rules_ask_for_no_pictures() -> None:
+    class Blind(Finder):
+        def preview(self, requests: Sequence[ViewRequest]) -> list[Picture]:
+            raise AssertionError("nobody looks at pictures")
+
+    operate(VIEW, Blind())
+
+
 def test_each_turn_goes_on_from_the_best_take_so_far() -> None:
-    turns = [["roll_left"], ["zoom_out"], ["pan_left", "pan_up"]]
+    turns = [["roll_left"], ["zoom_out"], ["pan_left", "pan_up"], ["roll_right"], ["pan_down"]]
     model = Scripted([camera(view=1), *(camera(operations=each) for each in turns)])
     operated(model)
     shown = [json.loads(request.view) for request in model.asked[1:]]
