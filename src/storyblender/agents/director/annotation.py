@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
@@ -22,6 +22,8 @@ from storyblender.memory.vocabulary import (
     Weather,
 )
 
+DIRECTORS_PICTURES = 1000
+"""Pictures that the Director numbers begin here; lower numbers are panels of the page, or a person's."""
 Name = Annotated[str, Field(max_length=200)]
 """A few words of the script."""
 
@@ -36,6 +38,21 @@ class PlaceNotes(Notes):
     weather: Weather = "clear"
     same_place_as: int | None = None
     """Number of the earlier scene in the same place."""
+    options: tuple[Identifier, ...] | None = None
+    """Options of the kit that are turned on; left out, the words of the script tell."""
+    snow: bool | None = None
+    """Whether snow lies on the ground; left out, weather and place tell."""
+    crowd: Literal["none", "busy", "full"] | None = None
+    """How full of background people the place is; left out, the words of the script tell."""
+
+
+class PlaceChange(PlaceNotes):
+    """Another place, or another hour, in the middle of what the page has as one scene."""
+
+    name: Name
+    """What the script calls the place: ``the car park``."""
+    relations: tuple[Relation, ...] = ()
+    """Where things are as it is seen first, if the script says so."""
 
 
 class PersonNotes(Notes):
@@ -127,6 +144,8 @@ class UnitNotes(Notes):
     """A unit of the script, annotated."""
 
     number: int
+    new_scene: PlaceChange | None = None
+    """A scene that begins with this unit, though the page has no heading for it."""
     on_stage: tuple[Identifier, ...] = ()
     entering: tuple[Identifier, ...] = ()
     leaving: tuple[Identifier, ...] = ()
@@ -155,26 +174,53 @@ class SceneNotes(Notes):
     units: tuple[UnitNotes, ...] = ()
 
 
-def annotated_scene(scene: SceneReading, notes: PlaceNotes) -> SceneReading:
-    """Return a scene of the page with the place, hour and weather of its notes."""
+def annotated_scene(scene: SceneReading, number: int, notes: PlaceNotes) -> SceneReading:
+    """Return a scene of the page with the place, hour and weather of its notes.
+
+    Args:
+        scene: As the page has it.
+        number: Of the scene among all that the Director sees.
+        notes: What the Director said of its place.
+    """
     return SceneReading(
-        id=scene.id, heading=scene.heading, place=scene.place, scene_type=notes.scene_type, time=notes.time,
-        time_written=scene.time_written, weather=notes.weather, reference=notes.same_place_as, number=scene.number,
-        start=scene.start, end=scene.end, kit=notes.kit,
+        id=number, heading=scene.heading, place=scene.place, time_written=scene.time_written, number=scene.number,
+        start=scene.start, end=scene.end, **_place_of(notes),
     )  # fmt: skip
 
 
-def annotated_unit(unit: Unit, notes: UnitNotes, picture: int) -> Unit:
+def new_scene(number: int, notes: PlaceChange, start: int, end: int) -> SceneReading:
+    """Return a scene that the Director begins where the page has no heading.
+
+    Args:
+        number: Of the scene.
+        notes: Its place.
+        start: Offset in the script where it begins.
+        end: Offset where it ends.
+    """
+    return SceneReading(id=number, heading="", place=notes.name, start=start, end=end, **_place_of(notes))
+
+
+def _place_of(notes: PlaceNotes) -> dict[str, Any]:
+    """Return the fields of a scene that its place gives."""
+    return {
+        "scene_type": notes.scene_type, "time": notes.time, "weather": notes.weather, "kit": notes.kit,
+        "reference": notes.same_place_as, "snow": notes.snow, "crowd": notes.crowd,
+        "set_options": None if notes.options is None else [*notes.options],
+    }  # fmt: skip
+
+
+def annotated_unit(unit: Unit, notes: UnitNotes, scene: int, picture: int) -> Unit:
     """Return a unit of the page with its notes; camera directions and sounds stay as they are written.
 
     Args:
         unit: As the page has it.
         notes: What the Director said of it.
+        scene: Index of its scene.
         picture: Added to the number of its picture, so that scenes do not share pictures.
     """
     states = notes.states
     return Unit(
-        kind=unit.kind, scene=unit.scene, element=unit.element, start=unit.start, end=unit.end, text=unit.text,
+        kind=unit.kind, scene=scene, element=unit.element, start=unit.start, end=unit.end, text=unit.text,
         deeds=[
             Deed(each.actor, each.motion, each.target, each.prop, unit.start, "", each.distance, each.mood)
             for each in notes.deeds

@@ -9,29 +9,35 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from itertools import groupby
-from typing import Any
+from itertools import chain, groupby
+from typing import Any, TypeVar
 
 from storyblender.agents.asking import Asker
 from storyblender.agents.director.annotation import (
+    DIRECTORS_PICTURES,
     PlaceNotes,
     SceneNotes,
+    UnitNotes,
     annotated_scene,
     annotated_unit,
+    new_scene,
     person_of,
     thing_of,
 )
 from storyblender.agents.director.director import RulesDirector
 from storyblender.agents.director.kit_choice import choose_kit
 from storyblender.agents.director.reading import Person, Reading, Thing, Unit
-from storyblender.agents.director.reading_file import reading_with_fixtures, unknown_names
+from storyblender.agents.director.reading_file import reading_with_fixtures, unknown_names, unknown_sets
 from storyblender.agents.director.second_opinion import differences
 from storyblender.agents.nearest import nearest_entries
 from storyblender.catalog.motions import MOTION_KEYS
 from storyblender.catalog.sets import SETS
+from storyblender.catalog.sets.kit import SetKit
 from storyblender.ports import Answerer, Embedder
 from storyblender.reflection import Critique
 from storyblender.screenplay.model import Screenplay
+
+Place = TypeVar("Place", bound=PlaceNotes)
 
 _MOST_UNITS = 40
 """Units in one request; a longer scene is read in parts."""
@@ -39,8 +45,6 @@ _KITS = 6
 """Set kits nearest to the heading, and to the action, that a request describes; of the others it has the keys."""
 _COMING = 6
 """Units of the next scene that a request shows, so that nothing is staged that they contradict."""
-_PICTURES = 1000
-"""Numbers of pictures that a part of a scene may have."""
 _FIXTURES = ("door", "window")
 """Parts of any set that may be named without being listed."""
 
@@ -51,9 +55,12 @@ class _Part:
 
     number: int
     scene: int
+    """Index of its scene on the page."""
     units: tuple[Unit, ...]
     first: int
     """Number of its first unit."""
+    goes_on: bool
+    """Whether its scene began in the part before."""
 
 
 class LanguageDirector:
@@ -105,8 +112,6 @@ class LanguageDirector:
                 self._notes[part.number] = notes
             _add(reading, page, part, notes)
         _add_fixtures(reading)
-        read = {scene.id: scene for scene in reading.scenes}
-        reading.scenes = [read.get(scene.id, scene) for scene in page.scenes]
         reading.flags = list(differences(reading, page))
         return reading_with_fixtures(reading)
 
@@ -117,7 +122,7 @@ class LanguageDirector:
         return self._asker.ask(
             f"scene {page.scenes[part.scene].id} from unit {part.first}",
             self._shown(part, page, so_far),
-            lambda notes: _wrong(notes, part, so_far),
+            lambda notes: _wrong(notes, part, page, so_far),
             previous=before.model_dump_json(exclude_defaults=True) if before is not None and faults else "",
             feedback=faults,
         )
@@ -129,13 +134,13 @@ class LanguageDirector:
         action = [unit.text for unit in part.units if unit.kind == "action"]
         kits = {choose_kit(scene, (), "", page.age), *self._nearest_kits([heading]), *self._nearest_kits(action)}
         after = part.first - 1 + len(part.units)
-        earlier = so_far.units[-1] if so_far.units and so_far.units[-1].scene == part.scene else None
+        text = page.screenplay.text
         return {
             "title": page.screenplay.title,
-            "scene": {"number": scene.id, "heading": heading},
-            "script": page.screenplay.text[part.units[0].start : part.units[-1].end],
-            "on_stage_before": earlier.on_stage if earlier is not None else [],
-            "units": [_shown_unit(number, unit) for number, unit in enumerate(part.units, start=part.first)],
+            "scene": {"number": len(so_far.scenes) + (not part.goes_on), "heading": heading},
+            "script": text[part.units[0].start : part.units[-1].end],
+            "goes_on_from": _standing(so_far) if part.goes_on else None,
+            "units": [_shown_unit(number, unit, text) for number, unit in enumerate(part.units, start=part.first)],
             "coming": [unit.text for unit in page.units[after : after + _COMING]],
             "cast_so_far": [_shown_person(person) for person in so_far.people],
             "things_so_far": {thing.id: thing.name for thing in so_far.things},
@@ -143,7 +148,7 @@ class LanguageDirector:
                 {"number": each.id, "heading": each.heading or each.place, "kit": each.kit} for each in so_far.scenes
             ],
             "parts_of_any_set": _FIXTURES,
-            "kits": {kit.key: f"{kit.name}. {kit.description}".strip() for kit in SETS.values() if kit.key in kits},
+            "kits": {kit.key: _shown_kit(kit) for kit in SETS.values() if kit.key in kits},
             "other_kits": [key for key in SETS if key not in kits],
             "motions": sorted(MOTION_KEYS),
         }  # fmt: skip
@@ -161,12 +166,39 @@ def _parts(page: Reading) -> list[_Part]:
         run = list(group)
         for start in range(0, len(run), _MOST_UNITS):
             chosen = run[start : start + _MOST_UNITS]
-            parts.append(_Part(len(parts), scene, tuple(unit for _, unit in chosen), chosen[0][0]))
+            parts.append(_Part(len(parts), scene, tuple(unit for _, unit in chosen), chosen[0][0], start > 0))
     return parts
 
 
-def _shown_unit(number: int, unit: Unit) -> dict[str, Any]:
+def _standing(reading: Reading) -> dict[str, Any]:
+    """Return the place of the last scene so far, and how people and things in it are when its last unit ends."""
+    scene, last = reading.scenes[-1], reading.units[-1]
+    states: dict[str, dict[str, Any]] = {each: {} for each in last.on_stage if each not in last.leaving}
+    for unit in reading.units:
+        if unit.scene != last.scene:
+            continue
+        for each, (posture, support) in unit.posture.items():
+            states.setdefault(each, {}).update(posture=posture, on=support)
+        for name, values in (("holds", unit.held), ("looks_at", unit.gaze), ("activity", unit.activities)):
+            for each, value in values.items():
+                states.setdefault(each, {})[name] = value
+        for each, spot in unit.spots.items():
+            states.setdefault(each, {})["spot"] = spot.model_dump(mode="json", exclude_defaults=True)
+    return {"kit": scene.kit, "time": scene.time, "states": states, "absent": last.absent}
+
+
+def _shown_kit(kit: SetKit) -> str:
+    """Return name, description and options of a set kit."""
+    options = f" Options: {', '.join(kit.options)}." if kit.options else ""
+    return f"{kit.name}. {kit.description}{options}".strip()
+
+
+def _shown_unit(number: int, unit: Unit, script: str) -> dict[str, Any]:
+    """Return a unit as the model is shown it; where a speech is mixed with action, also as it is written."""
     told = {"number": number, "kind": unit.kind, "text": unit.text}
+    written = script[unit.start : unit.end]
+    if " ".join(written.split()) != " ".join(unit.text.split()):
+        told["written"] = written
     if unit.kind == "dialogue":
         told |= {"speaker": unit.speaker_name, "parenthetical": unit.parenthetical}
     if unit.camera is not None:
@@ -180,30 +212,24 @@ def _shown_person(person: Person) -> dict[str, Any]:
     return {name: value for name, value in (told | {"role": person.role, "looks": looks}).items() if value}
 
 
-def _wrong(notes: SceneNotes, part: _Part, so_far: Reading) -> Iterator[str]:
+def _wrong(notes: SceneNotes, part: _Part, page: Reading, so_far: Reading) -> Iterator[str]:
     """Yield what no schema can say of an answer: units that are missing, names that do not exist."""
     wanted = [*range(part.first, part.first + len(part.units))]
     given = [unit.number for unit in notes.units]
     if given != wanted:
         yield f"units must be numbered {wanted[0]} to {wanted[-1]}, each once and in order; they are {given}"
         return
-    if notes.place.kit not in SETS:
-        yield f"there is no kit {notes.place.kit!r}; take one of `kits` or `other_kits`"
-    earlier = {scene.id: scene.kit for scene in so_far.scenes}
-    same = notes.place.same_place_as
-    if same is not None and same not in earlier:
-        yield f"same_place_as {same} is no scene of `places_so_far`; leave it out"
-    elif same is not None and earlier[same] != notes.place.kit:
-        yield f"scene {same} has the kit {earlier[same]!r}; take the same kit, or leave same_place_as out"
+    yield from _wrong_places(notes, part, page, so_far)
     people = {each.id for each in (*so_far.people, *notes.people)}
     known = people | {each.id for each in (*so_far.things, *notes.things)} | {*_FIXTURES}
-    for relation in notes.relations:
+    begun = (unit.new_scene.relations for unit in notes.units if unit.new_scene is not None)
+    for relation in chain(notes.relations, *begun):
         for each in (relation.asset_id, relation.anchor_asset_id, relation.second_anchor_asset_id):
             if each is not None and each not in known:
                 yield f"a relation names {each!r}, which is neither in `people` nor in `things`; add it or leave it out"
     for unit, noted in zip(part.units, notes.units, strict=True):
         name = f"unit {noted.number}"
-        for kind, unknown in dict.fromkeys(unknown_names(annotated_unit(unit, noted, 0), people, known)):
+        for kind, unknown in dict.fromkeys(unknown_names(annotated_unit(unit, noted, 0, 0), people, known)):
             mend = "take one of `motions`" if kind == "motion" else "add it to `people` or `things`, or take another"
             yield f"{name} names the {kind} {unknown!r}, which does not exist; {mend}"
         done_to = (each for deed in noted.deeds for each in (deed.target, deed.prop))
@@ -215,23 +241,62 @@ def _wrong(notes: SceneNotes, part: _Part, so_far: Reading) -> Iterator[str]:
             yield f"{noted.speaker} speaks in {name}, and is neither on_stage nor off_screen"
 
 
+def _wrong_places(notes: SceneNotes, part: _Part, page: Reading, so_far: Reading) -> Iterator[str]:
+    """Yield what is wrong with the places of an answer: kits, options and scenes that do not exist."""
+    earlier = {scene.id: scene.kit for scene in so_far.scenes}
+    if part.goes_on and notes.place.kit != so_far.scenes[-1].kit:
+        yield f"the scene goes on with the kit {so_far.scenes[-1].kit!r}; begin another with `new_scene`"
+    if not part.goes_on and notes.units[0].new_scene is not None:
+        yield f"unit {part.first} is the first of its scene; its place is `place`, not `new_scene`"
+    places = [] if part.goes_on else [("place", notes.place)]
+    places += [
+        (f"new_scene of unit {unit.number}", unit.new_scene) for unit in notes.units if unit.new_scene is not None
+    ]
+    for number, (name, place) in enumerate(places, start=len(so_far.scenes) + 1):
+        if place.kit not in SETS:
+            yield f"{name}: there is no kit {place.kit!r}; take one of `kits` or `other_kits`"
+            continue
+        for unknown, mend in unknown_sets(annotated_scene(page.scenes[part.scene], number, place)):
+            yield f"{name} has {unknown}; {mend}"
+        same = place.same_place_as
+        if same is not None and same not in earlier:
+            yield f"{name}: same_place_as {same} is no scene before it; leave it out"
+        elif same is not None and earlier[same] != place.kit:
+            yield f"{name}: scene {same} has the kit {earlier[same]!r}; take the same kit, or leave same_place_as out"
+        earlier[number] = place.kit
+
+
 def _add(reading: Reading, page: Reading, part: _Part, notes: SceneNotes) -> None:
     """Add the notes on a part to the reading."""
-    scene = page.scenes[part.scene]
-    start = part.units[0].start
-    if all(each.id != scene.id for each in reading.scenes):
-        reading.scenes.append(annotated_scene(scene, _with_reference(notes.place, reading)))
+    scene, start = page.scenes[part.scene], part.units[0].start
+    if not part.goes_on:
+        place = _with_reference(notes.place, reading)
+        reading.scenes.append(annotated_scene(scene, len(reading.scenes) + 1, place))
     for told in notes.people:
         _merge_person(reading.people, person_of(told, start))
     for thing in notes.things:
         if all(each.id != thing.id for each in reading.things):
             reading.things.append(thing_of(thing, start))
-    reading.relations += [(part.scene, each) for each in notes.relations]
+    reading.relations += [(len(reading.scenes) - 1, each) for each in notes.relations]
     for unit, noted in zip(part.units, notes.units, strict=True):
-        reading.units.append(annotated_unit(unit, noted, _PICTURES * part.number))
+        _begin_scene(reading, unit, noted)
+        reading.units.append(
+            annotated_unit(unit, noted, len(reading.scenes) - 1, DIRECTORS_PICTURES * (part.number + 1))
+        )
     speakers = {unit.speaker for unit in reading.units}
     for index, person in enumerate(reading.people):
         reading.people[index] = replace(person, speaks=person.id in speakers)
+
+
+def _begin_scene(reading: Reading, unit: Unit, noted: UnitNotes) -> None:
+    """Begin another scene with a unit, if its notes say so; the scene before ends there."""
+    if noted.new_scene is None:
+        return
+    before = reading.scenes[-1]
+    place = _with_reference(noted.new_scene, reading)
+    reading.scenes[-1] = replace(before, end=unit.start)
+    reading.relations += [(len(reading.scenes), each) for each in noted.new_scene.relations]
+    reading.scenes.append(new_scene(len(reading.scenes) + 1, place, unit.start, before.end))
 
 
 def _add_fixtures(reading: Reading) -> None:
@@ -251,7 +316,7 @@ def _add_fixtures(reading: Reading) -> None:
     ]
 
 
-def _with_reference(place: PlaceNotes, reading: Reading) -> PlaceNotes:
+def _with_reference(place: Place, reading: Reading) -> Place:
     """Return a place with the first scene there as its reference, so that all scenes in it share one set."""
     if place.same_place_as is None:
         return place

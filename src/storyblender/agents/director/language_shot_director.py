@@ -13,6 +13,7 @@ from typing import Annotated, Any
 from pydantic import Field
 
 from storyblender.agents.asking import Asker, Notes
+from storyblender.agents.director.annotation import DIRECTORS_PICTURES
 from storyblender.agents.director.directions import camera_notes_by_unit
 from storyblender.agents.director.director import RulesShotDirector, ShotDirectorView
 from storyblender.agents.director.durations import action_seconds, speech_seconds
@@ -28,8 +29,6 @@ from storyblender.reflection import Critique
 
 _MOST_UNITS = 40
 """Units in one request; a longer scene is cut in parts."""
-_PICTURES = 1000
-"""Numbers of pictures that a scene may have."""
 _NEEDS_WHO = {"ots": "over whose shoulder", "pov": "whose eyes"}
 
 
@@ -169,10 +168,15 @@ def _shown(part: _Part, view: ShotDirectorView, written: Mapping[int, CameraNote
     scene = reading.scenes[part.scene]
     seen = {name for unit in units for name in (*unit.on_stage, *unit.people, *unit.things)}
     seen |= {name for unit in units for deed in unit.deeds for name in (deed.target, deed.prop) if name}
-    earlier = [each.place for each in reading.scenes[: part.scene]]
+    begins = min(part.units) == 1 or reading.units[min(part.units) - 2].scene != part.scene
+    known = not begins or scene.reference is not None
     return {
         "title": reading.screenplay.title,
-        "scene": {"number": scene.id, "heading": scene.heading or scene.place, "seen_before": scene.place in earlier},
+        "scene": {
+            "number": scene.id,
+            "heading": scene.heading or scene.place,
+            "seen_before": known,
+        },
         "aim": {
             "pictures_of_a_short_scene": view.settings.shots_per_scene,
             "longest_talk_seconds": view.settings.longest_talk,
@@ -180,12 +184,18 @@ def _shown(part: _Part, view: ShotDirectorView, written: Mapping[int, CameraNote
         },
         "people": {each.id: each.name for each in reading.people if each.id in seen},
         "things": {each.id: each.name for each in reading.things if each.id in seen},
-        "units": [_shown_unit(number, unit, written.get(number - 1)) for number, unit in part.units.items()],
+        "units": [_shown_unit(number, reading, written.get(number - 1)) for number in part.units],
     }
 
 
-def _shown_unit(number: int, unit: Unit, written: CameraNote | None) -> dict[str, Any]:
-    talk = unit.kind == "dialogue"
+def _panel(unit: Unit) -> int | None:
+    """Return the panel of the page, or the picture numbered by a person, that a unit is in; None for the Director's."""
+    return unit.picture if unit.picture is not None and unit.picture < DIRECTORS_PICTURES else None
+
+
+def _shown_unit(number: int, reading: Reading, written: CameraNote | None) -> dict[str, Any]:
+    unit = reading.units[number - 1]
+    talk, panel = unit.kind == "dialogue", _panel(unit)
     told: dict[str, Any] = {
         "number": number,
         "text": unit.text,
@@ -195,7 +205,14 @@ def _shown_unit(number: int, unit: Unit, written: CameraNote | None) -> dict[str
         "seconds": round(speech_seconds(unit.text, unit.parenthetical) if talk else action_seconds(unit.text), 1),
         "on_stage": unit.on_stage,
         "does": [" ".join(dict.fromkeys(filter(None, (d.actor, d.motion, d.target, d.prop)))) for d in unit.deeds],
-        "panel": unit.picture,
+        "posture": {each: posture for each, (posture, _) in unit.posture.items()},
+        "holds": {each: things for each, things in unit.held.items() if things},
+        "where": {each: spot.model_dump(mode="json", exclude_defaults=True) for each, spot in unit.spots.items()},
+        "changes": [f"{change.subject} {change.state}" for change in unit.changes],
+        "not_there": unit.absent,
+        "moment": unit.moment,
+        "panel": panel,
+        "picture": unit.picture % DIRECTORS_PICTURES if unit.picture is not None and panel is None else None,
         "camera_in_script": written.phrase if written is not None else None,
     }
     return {name: value for name, value in told.items() if value}
@@ -223,8 +240,8 @@ def _wrong(notes: CutNotes, part: _Part, reading: Reading, written: Mapping[int,
         directed = [n for n in range(picture.first, picture.last + 1) if n in part.units and n - 1 in written]
         if len(directed) > 1:
             yield f"{name} has several directions of the script, at units {directed}; each is a picture of its own"
-        panels = {unit.picture for unit in inside}
-        beyond = [n for n, unit in part.units.items() if unit.picture in panels - {None} and unit not in inside]
+        panels = {_panel(unit) for unit in inside}
+        beyond = [n for n, unit in part.units.items() if _panel(unit) in panels - {None} and unit not in inside]
         if len(panels) > 1 or beyond:
             yield f"{name} does not keep to the panels of the page; units share a picture if they share a `panel`"
 
@@ -233,13 +250,14 @@ def _advised(
     part: _Part, notes: CutNotes, reading: Reading, written: Mapping[int, CameraNote]
 ) -> Iterator[tuple[int, Unit]]:
     """Yield units by number with their picture, the first of each with its camera unless the script directs it."""
-    for place, picture in enumerate(notes.pictures, start=1):
+    first = DIRECTORS_PICTURES * (DIRECTORS_PICTURES + min(part.units))
+    for place, picture in enumerate(notes.pictures, start=first):
         numbers = range(picture.first, picture.last + 1)
         directed = any(number - 1 in written for number in numbers)
         for number in numbers:
             unit = reading.units[number - 1]
             own = unit.camera if directed or number != picture.first else _camera_note(picture, reading)
-            yield number, replace(unit, picture=_PICTURES * (part.scene + 1) + place, camera=own)
+            yield number, replace(unit, picture=place, camera=own)
 
 
 def _camera_note(picture: PictureNotes, reading: Reading) -> CameraNote:

@@ -22,7 +22,11 @@ def differences(reading: Reading, other: Reading) -> Iterator[Flag]:
     things = ({noun_key(each.name.split()[-1].lower())} for each in reading.things if each.name.split())
     theirs = ({noun_key(each.name.split()[-1].lower())} for each in other.things if each.handled and each.name.split())
     yield from _of_names("thing", things, theirs)
-    for scene, second in zip(reading.scenes, other.scenes, strict=False):
+    opened = {scene.start: scene for scene in other.scenes}
+    for scene in reading.scenes:
+        second = opened.get(scene.start)
+        if second is None:
+            continue
         if scene.scene_type != second.scene_type:
             reason = f"scene {scene.id} plays {scene.scene_type}; by its words it plays {second.scene_type}"
             yield Flag(topic="place", choice=scene.scene_type, reason=reason, start=scene.start, end=scene.end)

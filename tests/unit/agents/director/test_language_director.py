@@ -18,6 +18,7 @@ from storyblender.errors import NoAnswer
 from storyblender.ports import Answerer
 from storyblender.reflection import Critique, Fault
 from storyblender.screenplay.fountain import parse
+from storyblender.screenplay.source import read as read_text
 
 SCRIPT = parse(
     """INT. BAKERY - DAY
@@ -198,3 +199,82 @@ def test_only_the_scene_with_a_fault_is_read_again() -> None:
 def test_a_model_that_fails_leaves_the_script_to_the_rules() -> None:
     with pytest.raises(NoAnswer):
         director(Scripted([NoAnswer("the server is gone")])).propose(SCRIPT)
+
+
+PROSE = read_text(
+    "The ring\n\nMira led the cow into the ring. Otto nodded.\n\n"
+    'He caught up with her on the road. "Wait," said Otto.\n\n'
+    "At home Mira opened the door.\n"
+)
+
+
+def walked(view: dict[str, Any], **places: dict[str, Any]) -> dict[str, Any]:
+    """Answer a request about ``PROSE``: the road and the house are scenes of their own."""
+    told = {
+        "He caught": {"kit": "street", "name": "the road", "scene_type": "outdoor", "time": "day"},
+        "At home": {"kit": "living_room", "name": "home", "scene_type": "indoor", "time": "evening"},
+    } | places
+    units = [
+        {"number": unit["number"], "on_stage": ["mira", "otto"]}
+        | ({"speaker": "otto"} if unit["kind"] == "dialogue" else {})
+        | next(({"new_scene": place} for words, place in told.items() if unit["text"].startswith(words)), {})
+        for unit in view["units"]
+    ]
+    return {
+        "place": {"kit": "open_ground", "scene_type": "outdoor", "time": "day"},
+        "people": [{"id": "mira", "name": "Mira"}, {"id": "otto", "name": "Otto"}],
+        "units": units,
+    }
+
+
+def test_a_scene_begins_where_the_place_changes_without_a_heading() -> None:
+    reading = director(Answering(walked)).propose(PROSE)
+    assert [(scene.id, scene.kit, scene.time) for scene in reading.scenes] == [
+        (1, "open_ground", "day"), (2, "street", "day"), (3, "living_room", "evening"),
+    ]  # fmt: skip
+    assert [unit.scene for unit in reading.units] == sorted(unit.scene for unit in reading.units)
+    for index, scene in enumerate(reading.scenes):
+        inside = [unit for unit in reading.units if unit.scene == index]
+        assert inside and scene.start <= inside[0].start and inside[-1].end <= scene.end
+    assert DirectorCritic().judge(reading, PROSE).score == 10
+
+
+@pytest.mark.parametrize(
+    ("place", "why"),
+    [
+        ({"kit": "nowhere"}, "there is no kit 'nowhere'"),
+        ({"same_place_as": 2}, "same_place_as 2 is no scene before it"),
+        ({"same_place_as": 1}, "scene 1 has the kit 'open_ground'"),
+        ({"options": ["moat"]}, "option 'moat'"),
+    ],
+)
+def test_a_new_scene_that_cannot_be_is_sent_back(place: dict[str, Any], why: str) -> None:
+    road = {"kit": "street", "name": "the road", "scene_type": "outdoor", "time": "day"}
+    model = Answering(lambda view: walked(view, **{"He caught": road | place}))
+    with pytest.raises(NoAnswer):
+        director(model).propose(PROSE)
+    assert any(why in sentence for sentence in model.asked[1].feedback)
+
+
+def test_the_rest_of_a_long_scene_knows_how_everyone_is() -> None:
+    script = parse("INT. BAKERY - DAY\n\n" + "\n\n".join(f"Mira waves {number} times." for number in range(60)))
+
+    def answer(view: dict[str, Any]) -> dict[str, Any]:
+        first = view["units"][0]["number"] == 1
+        seated = [{"id": "mira", "posture": "sit", "holds": [{"id": "parcel"}]}]
+        return {
+            "place": {"kit": "shop", "scene_type": "indoor", "time": "day"},
+            "people": [{"id": "mira", "name": "Mira"}],
+            "things": [{"id": "parcel", "name": "parcel"}, {"id": "cake", "name": "cake"}],
+            "units": [
+                {"number": unit["number"], "on_stage": ["mira"], "absent": ["cake"]}
+                | ({"states": seated} if first and unit["number"] == 1 else {})
+                for unit in view["units"]
+            ],
+        }
+
+    model = Answering(answer)
+    assert len(director(model).propose(script).scenes) == 1
+    before = json.loads(model.asked[1].view)["goes_on_from"]
+    assert before["kit"] == "shop" and before["absent"] == ["cake"]
+    assert before["states"] == {"mira": {"posture": "sit", "on": None, "holds": ["parcel"]}}
