@@ -1,8 +1,11 @@
-"""Small model files for tests."""
+"""Small model files for tests, and pictures of what is in none."""
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
+
+from PIL import Image
 
 _FACES = ((1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4))
 Box = tuple[tuple[float, float, float], tuple[float, float, float]]
@@ -27,3 +30,10 @@ def write_cabinet(folder: Path, name: str = "radio") -> Path:
     path = folder / f"{name}.obj"
     path.write_text("\n".join(lines) + "\n")
     return path
+
+
+def tile(number: int) -> bytes:
+    """Return a PNG of one colour, which the number tells."""
+    png = io.BytesIO()
+    Image.new("RGB", (64, 64), (40 * number, 0, 0)).save(png, "PNG")
+    return png.getvalue()

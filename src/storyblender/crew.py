@@ -96,7 +96,9 @@ class Crew:
     asset_formatter: Role[[Asset, Callable[[Asset], AssetViews]], AssetFormatterView, ModelPose]
     """Finds the front and the top of a model file."""
     dimension_estimator: Role[
-        [ContinuityMemoryGraph, Sequence[Asset]], DimensionEstimatorView, dict[str, AssetDimension]
+        [ContinuityMemoryGraph, Sequence[Asset], Callable[[Asset], AssetViews]],
+        DimensionEstimatorView,
+        dict[str, AssetDimension],
     ]
     environment_designer: Role[[ContinuityMemoryGraph, int], EnvironmentDesignerView, Environment]
     set_dresser: Role[[ContinuityMemoryGraph, int], SetDresserView, SetDresserDraft]

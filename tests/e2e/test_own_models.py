@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -25,23 +26,27 @@ Listen.
 """
 
 
-def test_the_front_of_a_model_is_where_the_answer_sees_it(tmp_path: Path) -> None:
+def test_front_and_size_of_a_model_are_as_the_answers_see_them(tmp_path: Path) -> None:
     script, project, box = tmp_path / "radio.fountain", tmp_path / "p", tmp_path / "box"
     script.write_text(SCRIPT)
     (tmp_path / "models").mkdir()
     write_cabinet(tmp_path / "models")
     arguments = [script, "--out", project, "--models", tmp_path / "models", *SMALL, "--no-animatic"]
-    arguments += ["--crew", f"rules,asset_formatter=ask:{box}"]
-    assert storyblender("make", *arguments).returncode != 0
-    (request,) = box.glob("asset_formatter-*.request.md")
-    assert len(list(box.glob("*.six_views.png"))) == 1
-    answer = {"front": "A", "top": "E"}
-    request.with_name(request.name.replace("request.md", "answer.json")).write_text(json.dumps(answer))
+    arguments += ["--crew", f"rules,asset_formatter=ask:{box},dimension_estimator=ask:{box}"]
+    answers: dict[str, Any] = {
+        "asset_formatter": {"front": "A", "top": "E"},
+        "dimension_estimator": {"sizes": [{"id": "radio", "side": "width", "metres": 0.4}]},
+    }
+    for role, answer in answers.items():
+        assert storyblender("make", *arguments).returncode != 0
+        (request,) = box.glob(f"{role}-*.request.md")
+        assert len(list(box.glob(f"{role}-*.png"))) == 1
+        request.with_name(request.name.replace("request.md", "answer.json")).write_text(json.dumps(answer))
     made(arguments)
     graph = read_project_graph(project)
     (radio,) = (asset for asset in graph.assets if asset.canonical and asset.canonical.key == "radio.obj")
     assert radio.canonical is not None and radio.canonical.params["front"] == "right"
-    assert radio.canonical.dimensions[0] > radio.canonical.dimensions[1], "its file is deeper than wide"
+    assert radio.canonical.dimensions == pytest.approx((0.4, 0.28, 0.3), abs=0.002), "its file is 0.56 x 0.8 x 0.6"
 
     bpy.ops.wm.open_mainfile(filepath=str(project / "story.blend"))
     things = bpy.data.scenes["SC010"].objects
@@ -56,4 +61,4 @@ def test_the_front_of_a_model_is_where_the_answer_sees_it(tmp_path: Path) -> Non
     place = next(item for item in layout.objects if item.asset_id == radio.asset_id)
     way = np.mean(red, axis=0) - np.array(thing.matrix_basis.translation)
     yaw = math.radians(place.rotation[2])
-    assert way[:2] @ (math.sin(yaw), -math.cos(yaw)) > 0.1, "its dial is on the side that it faces with"
+    assert way[:2] @ (math.sin(yaw), -math.cos(yaw)) > 0.05, "its dial is on the side that it faces with"

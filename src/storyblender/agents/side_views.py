@@ -5,6 +5,8 @@ from __future__ import annotations
 import io
 from collections.abc import Mapping
 
+from storyblender.errors import NoAnswer
+from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import content_hash
 from storyblender.memory.measure import AssetViews
 from storyblender.memory.request import Picture
@@ -12,6 +14,11 @@ from storyblender.memory.request import Picture
 _TILE, _GAP, _LABEL = 256, 8, 26
 """Pixels of a side, between two of them, and of the line with its label."""
 _PAPER, _INK = "#ffffff", "#000000"
+
+
+def nothing_drawn(asset: Asset) -> AssetViews:
+    """Refuse to draw: there is no engine. Raises NoAnswer."""
+    raise NoAnswer(f"there is no picture of {asset.asset_id}")
 
 
 def side_sheet(views: AssetViews, labels: Mapping[str, str], name: str, columns: int = 3) -> Picture:

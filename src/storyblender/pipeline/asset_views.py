@@ -26,23 +26,27 @@ def asset_views(run: Run) -> Callable[[Asset], AssetViews]:
         A function of an asset with its canonical, which need not be built; it raises NoAnswer where the engine fails,
         so that rules decide.
     """
-    known: dict[str, AssetViews] = {}
+    known: dict[str, AssetViews | NoAnswer] = {}
 
     def draw(asset: Asset) -> AssetViews:
         job = AssetJob(asset=asset)
         if job.digest not in known:
             known[job.digest] = _drawn(run, job)
-        return known[job.digest]
+        found = known[job.digest]
+        if isinstance(found, NoAnswer):
+            raise found
+        return found
 
     return draw
 
 
-def _drawn(run: Run, job: AssetJob) -> AssetViews:
+def _drawn(run: Run, job: AssetJob) -> AssetViews | NoAnswer:
+    """Return the pictures of an object, or why there are none."""
     folder = f"{VIEWS}/{job.digest}"
     try:
         dimensions = run.engine.draw_sides(job, folder).result()
     except EngineError as error:
-        raise NoAnswer(f"{job.asset.asset_id} cannot be drawn: {error}") from error
+        return NoAnswer(f"{job.asset.asset_id} cannot be drawn: {error}")
     run.outputs.note(folder)
     pictures = {name: run.project.path(f"{folder}/{name}.png").read_bytes() for name in _PICTURES}
     return AssetViews(digest=job.digest, dimensions=dimensions, pictures=pictures)

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 
 from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD
+from storyblender.agents.layout_artist.dimension_estimator import RulesDimensionEstimator
 from storyblender.catalog.meanings import WORDS_BY_AGE
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.prop_names import prop_of
@@ -13,7 +14,7 @@ from storyblender.catalog.recipe import Recipe
 from storyblender.errors import AnswerAwaited, EngineError, InputError, StoryBlenderError
 from storyblender.memory.asset_sheet import Asset, AssetDimension, CanonicalAsset, ModelPose
 from storyblender.memory.jobs import AssetJob
-from storyblender.memory.measure import AssetMeasure
+from storyblender.memory.measure import AssetMeasure, AssetViews
 from storyblender.pipeline.asset_files import assets_to_build, note_asset
 from storyblender.pipeline.asset_views import asset_views
 from storyblender.pipeline.run import Run
@@ -30,8 +31,9 @@ def materialize(run: Run, assets: Sequence[Asset] | None = None) -> None:
     missing = assets_to_build(run, run.graph.assets if assets is None else assets)
     if not missing:
         return
-    concept = ConceptArtist(run)
-    decided = _sized(run, concept.all_formatted(concept.all_decided(missing)))
+    draw = asset_views(run)
+    concept = ConceptArtist(run, draw)
+    decided = _sized(run, concept.all_formatted(concept.all_decided(missing)), draw)
     waiting = [(asset, run.engine.build_asset(AssetJob(asset=asset))) for asset in decided]
     built: list[Asset] = []
     for step, (asset, future) in enumerate(waiting):
@@ -59,20 +61,32 @@ def _built(run: Run, concept: ConceptArtist, asset: Asset, future: Future[AssetM
     return _built(run, concept, other, run.engine.build_asset(AssetJob(asset=other)))
 
 
-def _sized(run: Run, assets: list[Asset]) -> list[Asset]:
+def _sized(run: Run, assets: list[Asset], draw: Callable[[Asset], AssetViews]) -> list[Asset]:
     """The Dimension Estimator on everything that the script names; dressing comes in its catalog's size."""
     named = [asset for asset in assets if asset.origin != "dressing" and asset.dimension is None]
     if not named:
         return assets
-    sizes = run.reflect(run.crew.dimension_estimator, "assets", run.graph, named).draft
-    return [_with_size(asset, sizes[asset.asset_id]) if asset.asset_id in sizes else asset for asset in assets]
+    outcome = run.reflect(run.crew.dimension_estimator, "assets", run.graph, named, draw)
+    sizes, usual = outcome.draft, RulesDimensionEstimator().propose(outcome.view)
+    return [
+        _with_size(asset, size, sure=size != usual[asset.asset_id])
+        if (size := sizes.get(asset.asset_id)) is not None
+        else asset
+        for asset in assets
+    ]
 
 
-def _with_size(asset: Asset, dimension: AssetDimension) -> Asset:
-    """Return an asset with its dimension; a model keeps its own size unless the script tells one."""
+def _with_size(asset: Asset, dimension: AssetDimension, *, sure: bool) -> Asset:
+    """Return an asset with its dimension; a model keeps its own size unless the script or a language model tells one.
+
+    Args:
+        asset: With its canonical.
+        dimension: From the Dimension Estimator.
+        sure: Whether it is another than the usual one of such a thing.
+    """
     canonical = asset.canonical
     if canonical is not None and canonical.source == "file":
-        if asset.stated_size.measure is not None:
+        if sure or asset.stated_size.measure is not None:
             canonical = canonical.model_copy(update={"params": {**canonical.params, "told": True}})
         elif prop_of(asset) not in PROPS:
             return asset
@@ -84,12 +98,12 @@ class ConceptArtist:
 
     Args:
         run: Its sources offer the assets.
+        draw: Draws an asset. Raises NoAnswer.
     """
 
-    def __init__(self, run: Run) -> None:
-        self._run = run
+    def __init__(self, run: Run, draw: Callable[[Asset], AssetViews]) -> None:
+        self._run, self._draw = run, draw
         self._rejected: set[str] = set()
-        self._views = asset_views(run)
         self._poses = {
             (made.key, made.params.get("content")): pose
             for asset in run.graph.assets
@@ -137,7 +151,7 @@ class ConceptArtist:
             return asset
         model = (made.key, made.params.get("content"))
         if model not in self._poses:
-            outcome = self._run.reflect(self._run.crew.asset_formatter, made.key, asset, self._views)
+            outcome = self._run.reflect(self._run.crew.asset_formatter, made.key, asset, self._draw)
             self._poses[model] = outcome.draft
         params = {**made.params, **self._poses[model].params}
         return asset.model_copy(update={"canonical": made.model_copy(update={"params": params})})

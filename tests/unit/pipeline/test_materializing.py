@@ -15,9 +15,10 @@ from tests.crew import crew_of, no_words
 from storyblender.agents.concept_artist import asset_retriever_view
 from storyblender.agents.concept_artist.asset_formatter import AssetFormatterView, RulesAssetFormatter
 from storyblender.agents.director.size_words import stated_size
+from storyblender.agents.layout_artist.dimension_estimator import DimensionEstimatorView, RulesDimensionEstimator
 from storyblender.errors import EngineError
 from storyblender.library.sources import asset_sources
-from storyblender.memory.asset_sheet import Asset, ModelPose
+from storyblender.memory.asset_sheet import Asset, AssetDimension, ModelPose
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure
@@ -187,3 +188,23 @@ def test_rules_leave_the_front_to_the_engine_and_draw_nothing(tmp_path: Path) ->
     (asset,), warnings = materialized(tmp_path, ())
     assert asset.canonical is not None and not {"front", "top"} & asset.canonical.params.keys()
     assert not warnings
+
+
+def test_a_size_that_a_language_model_gives_counts_more_than_the_files(tmp_path: Path) -> None:
+    for name in ("frobnicator", "chair"):
+        (tmp_path / f"{name}.glb").write_bytes(b"a model")
+    things = tuple(
+        Asset(asset_id=name, asset_type="object", description=name, name=name) for name in ("frobnicator", "chair")
+    )
+
+    class Estimator(RulesDimensionEstimator):
+        def propose(self, view: DimensionEstimatorView) -> dict[str, AssetDimension]:
+            return super().propose(view) | {"frobnicator": AssetDimension(height=1.25)}
+
+    kept: list[Asset] = []
+    run = quick_run(ContinuityMemoryGraph(assets=things), Settings(models=(tmp_path,)), (), [], kept)
+    run.crew = replace(run.crew, dimension_estimator=replace(run.crew.dimension_estimator, policies=(Estimator(),)))
+    materialize(run)
+    told = {asset.asset_id: asset.canonical and asset.canonical.params.get("told") for asset in kept}
+    assert told == {"frobnicator": True, "chair": None}
+    assert kept[0].dimension == AssetDimension(height=1.25)

@@ -7,11 +7,14 @@ words of size scale both. Furniture keeps close to its size.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Annotated, Literal
+
+from pydantic import Field
 
 from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD
+from storyblender.agents.side_views import nothing_drawn
 from storyblender.catalog.bodies import typical_stature
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.prop_names import prop_of
@@ -20,6 +23,7 @@ from storyblender.look.surface import Surface
 from storyblender.memory.asset_sheet import PLAUSIBLE, Asset, AssetDimension, CharacterLook
 from storyblender.memory.base import Vec3
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.measure import AssetViews
 from storyblender.memory.vocabulary import SizeWord, StatureWord
 from storyblender.reflection import Critique, Fault
 
@@ -59,18 +63,23 @@ class DimensionEstimatorView:
     Attributes:
         assets: Assets to size, with their geometry if it is decided.
         rooms: Width, depth and height in metres of the smallest room of assets that are never outdoors, by asset id.
+        draw: Draws an object. Raises NoAnswer.
     """
 
     assets: tuple[Asset, ...]
     rooms: Mapping[str, Vec3] = field(default_factory=dict[str, Vec3])
+    draw: Annotated[Callable[[Asset], AssetViews], Field(exclude=True)] = field(default=nothing_drawn, compare=False)
 
 
-def dimension_estimator_view(graph: ContinuityMemoryGraph, assets: Sequence[Asset]) -> DimensionEstimatorView:
+def dimension_estimator_view(
+    graph: ContinuityMemoryGraph, assets: Sequence[Asset], draw: Callable[[Asset], AssetViews] = nothing_drawn
+) -> DimensionEstimatorView:
     """Return the Dimension Estimator's projection of the graph.
 
     Args:
         graph: The graph, with the places of the Director's plan.
         assets: Assets to size, with their geometry if it is decided.
+        draw: Draws an object. Raises NoAnswer.
     """
     setups = [scene.setup for scene in graph.scenes]
     outdoors = {asset_id for setup in setups if setup.scene_type == "outdoor" for asset_id in setup.asset_ids}
@@ -81,7 +90,7 @@ def dimension_estimator_view(graph: ContinuityMemoryGraph, assets: Sequence[Asse
         for asset_id in set(setup.asset_ids) - outdoors:
             rooms[asset_id] = min(rooms.get(asset_id, room), room, key=math.prod)
     sized = {asset.asset_id for asset in assets}
-    return DimensionEstimatorView(tuple(assets), {key: room for key, room in rooms.items() if key in sized})
+    return DimensionEstimatorView(tuple(assets), {key: room for key, room in rooms.items() if key in sized}, draw)
 
 
 class RulesDimensionEstimator:

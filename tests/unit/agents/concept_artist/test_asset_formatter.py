@@ -12,6 +12,7 @@ import pytest
 from PIL import Image
 from tests.answering import Alike, Scripted
 from tests.crew import RULES
+from tests.model_files import tile
 
 from storyblender.agents.concept_artist.asset_formatter import AssetFormatterView, asset_formatter_view
 from storyblender.agents.concept_artist.language_asset_formatter import language_asset_formatter
@@ -32,12 +33,6 @@ CHAIR = Asset(
     ),
 )
 SIDES = get_args(ModelSide)
-
-
-def tile(number: int) -> bytes:
-    png = io.BytesIO()
-    Image.new("RGB", (64, 64), (40 * number, 0, 0)).save(png, "PNG")
-    return png.getvalue()
 
 
 def draw(asset: Asset) -> AssetViews:
