@@ -100,6 +100,11 @@ def camera_notes_by_unit(reading: Reading) -> dict[int, CameraNote]:
     return notes
 
 
+def camera_words(note: CameraNote) -> str:
+    """Return a camera direction with what it shows, for people and models: ``CLOSE ON: Rick's hand``."""
+    return ": ".join(filter(None, (note.phrase, note.subject or note.who)))
+
+
 def is_direction_only(words: str) -> bool:
     """Whether words are a camera direction and nothing else: ``CLOSE ON the ring.``"""
     note, (start, end) = parse_direction(words)

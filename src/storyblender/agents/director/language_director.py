@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import cache
 from itertools import chain, groupby
 from typing import Any, TypeVar
 
@@ -24,15 +25,16 @@ from storyblender.agents.director.annotation import (
     person_of,
     thing_of,
 )
+from storyblender.agents.director.directions import camera_notes_by_unit, camera_words
 from storyblender.agents.director.director import RulesDirector
 from storyblender.agents.director.kit_choice import choose_kit
-from storyblender.agents.director.reading import Person, Reading, Thing, Unit
+from storyblender.agents.director.reading import CameraNote, Person, Reading, Thing, Unit
 from storyblender.agents.director.reading_file import reading_with_fixtures, unknown_names, unknown_sets
 from storyblender.agents.director.second_opinion import differences
 from storyblender.agents.nearest import nearest_entries
-from storyblender.catalog.motions import MOTION_KEYS
-from storyblender.catalog.sets import SETS
-from storyblender.catalog.sets.kit import SetKit
+from storyblender.catalog.motions import MOTIONS
+from storyblender.catalog.sets import SETS, plan_of
+from storyblender.memory.scene_context import Environment
 from storyblender.ports import Answerer, Embedder
 from storyblender.reflection import Critique
 from storyblender.screenplay.model import Screenplay
@@ -45,6 +47,10 @@ _KITS = 6
 """Set kits nearest to the heading, and to the action, that a request describes; of the others it has the keys."""
 _COMING = 6
 """Units of the next scene that a request shows, so that nothing is staged that they contradict."""
+_SHOWN_MOTIONS = {
+    key: ", ".join(dict.fromkeys((motion.name, *motion.tags[:3]))) for key, motion in sorted(MOTIONS.items())
+}
+"""Motions by key, with what they are."""
 _FIXTURES = ("door", "window")
 """Parts of any set that may be named without being listed."""
 
@@ -134,13 +140,16 @@ class LanguageDirector:
         action = [unit.text for unit in part.units if unit.kind == "action"]
         kits = {choose_kit(scene, (), "", page.age), *self._nearest_kits([heading]), *self._nearest_kits(action)}
         after = part.first - 1 + len(part.units)
-        text = page.screenplay.text
+        text, written = page.screenplay.text, camera_notes_by_unit(page)
         return {
             "title": page.screenplay.title,
             "scene": {"number": len(so_far.scenes) + (not part.goes_on), "heading": heading},
             "script": text[part.units[0].start : part.units[-1].end],
             "goes_on_from": _standing(so_far) if part.goes_on else None,
-            "units": [_shown_unit(number, unit, text) for number, unit in enumerate(part.units, start=part.first)],
+            "units": [
+                _shown_unit(number, unit, text, written.get(number - 1))
+                for number, unit in enumerate(part.units, start=part.first)
+            ],
             "coming": [unit.text for unit in page.units[after : after + _COMING]],
             "cast_so_far": [_shown_person(person) for person in so_far.people],
             "things_so_far": {thing.id: thing.name for thing in so_far.things},
@@ -148,9 +157,9 @@ class LanguageDirector:
                 {"number": each.id, "heading": each.heading or each.place, "kit": each.kit} for each in so_far.scenes
             ],
             "parts_of_any_set": _FIXTURES,
-            "kits": {kit.key: _shown_kit(kit) for kit in SETS.values() if kit.key in kits},
+            "kits": {key: _shown_kit(key) for key in SETS if key in kits},
             "other_kits": [key for key in SETS if key not in kits],
-            "motions": sorted(MOTION_KEYS),
+            "motions": _SHOWN_MOTIONS,
         }  # fmt: skip
 
     def _nearest_kits(self, texts: list[str]) -> list[str]:
@@ -187,13 +196,17 @@ def _standing(reading: Reading) -> dict[str, Any]:
     return {"kit": scene.kit, "time": scene.time, "states": states, "absent": last.absent}
 
 
-def _shown_kit(kit: SetKit) -> str:
-    """Return name, description and options of a set kit."""
-    options = f" Options: {', '.join(kit.options)}." if kit.options else ""
-    return f"{kit.name}. {kit.description}{options}".strip()
+@cache
+def _shown_kit(key: str) -> str:
+    """Return name, description, furniture and options of a set kit."""
+    kit = SETS[key]
+    pieces = dict.fromkeys(each.prop.replace("_", " ") for each in plan_of(Environment(kit=key)).furnishings)
+    furniture = f"Has {', '.join(pieces)}." if pieces else ""
+    options = f"Options: {', '.join(kit.options)}." if kit.options else ""
+    return " ".join(filter(None, (f"{kit.name}.", kit.description, furniture, options)))
 
 
-def _shown_unit(number: int, unit: Unit, script: str) -> dict[str, Any]:
+def _shown_unit(number: int, unit: Unit, script: str, camera: CameraNote | None) -> dict[str, Any]:
     """Return a unit as the model is shown it; where a speech is mixed with action, also as it is written."""
     told = {"number": number, "kind": unit.kind, "text": unit.text}
     written = script[unit.start : unit.end]
@@ -201,15 +214,22 @@ def _shown_unit(number: int, unit: Unit, script: str) -> dict[str, Any]:
         told["written"] = written
     if unit.kind == "dialogue":
         told |= {"speaker": unit.speaker_name, "parenthetical": unit.parenthetical}
-    if unit.camera is not None:
-        told["camera"] = unit.camera.phrase
+    if camera is not None:
+        told["camera"] = camera_words(camera)
     return {name: value for name, value in told.items() if value}
 
 
 def _shown_person(person: Person) -> dict[str, Any]:
-    told = {"id": person.id, "name": person.name, "kind": person.kind, "gender": person.gender, "age": person.age}
+    told: dict[str, Any] = {
+        "id": person.id,
+        "name": person.name,
+        "kind": person.kind,
+        "gender": person.gender,
+        "age": person.age,
+    }
     looks = [*person.build, *person.hair, *person.outfit, *person.face]
-    return {name: value for name, value in (told | {"role": person.role, "looks": looks}).items() if value}
+    told |= {"role": person.role, "looks": looks, "count": person.count if person.kind == "group" else None}
+    return {name: value for name, value in told.items() if value}
 
 
 def _wrong(notes: SceneNotes, part: _Part, page: Reading, so_far: Reading) -> Iterator[str]:

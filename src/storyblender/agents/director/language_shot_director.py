@@ -14,10 +14,10 @@ from pydantic import Field
 
 from storyblender.agents.asking import Asker, Notes
 from storyblender.agents.director.annotation import DIRECTORS_PICTURES
-from storyblender.agents.director.directions import camera_notes_by_unit
+from storyblender.agents.director.directions import camera_notes_by_unit, camera_words
 from storyblender.agents.director.director import RulesShotDirector, ShotDirectorView
 from storyblender.agents.director.durations import action_seconds, speech_seconds
-from storyblender.agents.director.reading import CameraNote, Reading, Unit
+from storyblender.agents.director.reading import CameraNote, Deed, Reading, Unit
 from storyblender.agents.director.scene_coverage import ATTACHED_KINDS
 from storyblender.errors import AnswerAwaited
 from storyblender.memory.base import Identifier, scene_name
@@ -204,7 +204,10 @@ def _shown_unit(number: int, reading: Reading, written: CameraNote | None) -> di
         "off_screen": unit.off_screen,
         "seconds": round(speech_seconds(unit.text, unit.parenthetical) if talk else action_seconds(unit.text), 1),
         "on_stage": unit.on_stage,
-        "does": [" ".join(dict.fromkeys(filter(None, (d.actor, d.motion, d.target, d.prop)))) for d in unit.deeds],
+        "does": [_shown_deed(deed) for deed in unit.deeds],
+        "entering": unit.entering,
+        "leaving": unit.leaving,
+        "faces": unit.expressions,
         "posture": {each: posture for each, (posture, _) in unit.posture.items()},
         "holds": {each: things for each, things in unit.held.items() if things},
         "where": {each: spot.model_dump(mode="json", exclude_defaults=True) for each, spot in unit.spots.items()},
@@ -213,9 +216,15 @@ def _shown_unit(number: int, reading: Reading, written: CameraNote | None) -> di
         "moment": unit.moment,
         "panel": panel,
         "picture": unit.picture % DIRECTORS_PICTURES if unit.picture is not None and panel is None else None,
-        "camera_in_script": written.phrase if written is not None else None,
+        "camera_in_script": camera_words(written) if written is not None else None,
     }
     return {name: value for name, value in told.items() if value}
+
+
+def _shown_deed(deed: Deed) -> str:
+    """Return a deed in words: ``rick pick_up envelope``, ``tam tap hull with wrench``."""
+    tool = f"with {deed.prop}" if deed.prop is not None and deed.target is not None else deed.prop
+    return " ".join(filter(None, (deed.actor, deed.motion, deed.target, tool)))
 
 
 def _wrong(notes: CutNotes, part: _Part, reading: Reading, written: Mapping[int, CameraNote]) -> Iterator[str]:
