@@ -220,15 +220,10 @@ def _shown_unit(number: int, unit: Unit, script: str, camera: CameraNote | None)
 
 
 def _shown_person(person: Person) -> dict[str, Any]:
-    told: dict[str, Any] = {
-        "id": person.id,
-        "name": person.name,
-        "kind": person.kind,
-        "gender": person.gender,
-        "age": person.age,
-    }
-    looks = [*person.build, *person.hair, *person.outfit, *person.face]
-    told |= {"role": person.role, "looks": looks, "count": person.count if person.kind == "group" else None}
+    """Return a person as the model is shown them."""
+    told: dict[str, Any] = {name: getattr(person, name) for name in ("id", "name", "kind", "gender", "age", "role")}
+    told["looks"] = [*person.build, *person.hair, *person.outfit, *person.face]
+    told["count"] = person.count if person.kind == "group" else None
     return {name: value for name, value in told.items() if value}
 
 
@@ -255,6 +250,9 @@ def _wrong(notes: SceneNotes, part: _Part, page: Reading, so_far: Reading) -> It
         done_to = (each for deed in noted.deeds for each in (deed.target, deed.prop))
         for each in dict.fromkeys(each for each in done_to if each is not None and each not in known):
             yield f"a deed of {name} names {each!r}, which is neither in `people` nor in `things`; add it"
+        for deed in noted.deeds:
+            if deed.prop is not None and deed.prop == deed.target:
+                yield f"a deed of {name} is done to {deed.target!r} with {deed.prop!r} itself; leave one of them out"
         if unit.kind == "dialogue" and noted.speaker is None:
             yield f"{name} is a speech and has no speaker"
         if noted.speaker is not None and noted.speaker not in noted.on_stage and not noted.off_screen:
