@@ -51,6 +51,8 @@ class Fail:
     forms: tuple[str, ...] = ("native", "tool", "prompted")
     """What it fails for; the next thing to do is done for other forms."""
     headers: tuple[tuple[str, str], ...] = ()
+    pictures: bool = False
+    """Whether it fails only for requests with pictures."""
 
 
 @dataclass(frozen=True)
@@ -117,10 +119,10 @@ class Server:
         """Return what to do about a request: the acts in order, the last for ever."""
         while len(self.acts) > 1:
             act, *rest = self.acts
-            if isinstance(act, Fail) and asked.form not in act.forms:
+            if isinstance(act, Fail) and (asked.form not in act.forms or (act.pictures and not asked.pictures)):
                 self.acts = rest
                 continue
-            if not (isinstance(act, Fail) and len(act.forms) < 3):
+            if not (isinstance(act, Fail) and (len(act.forms) < 3 or act.pictures)):
                 self.acts = rest
             return act
         return self.acts[0]

@@ -258,3 +258,36 @@ def test_a_role_whose_model_fails_is_played_by_rules(act: Act, words: str, provi
         outcome = reflect(role, "SC010", "view", events.append)
     assert outcome.draft.number == 7 and outcome.handed_over
     assert any(event.kind == "warning" and words in event.message for event in events)
+
+
+NO_PICTURES = Fail(400, "this model reads text", pictures=True)
+
+
+@every_service
+def test_a_model_that_refuses_pictures_is_asked_in_words_alone_from_then_on(service: Service, provider: Make) -> None:
+    with serving(service.wire, NO_PICTURES, GOOD) as server:
+        asks = provider(service, server)
+        assert [asks.answer(request_of()) for _ in range(2)] == [GOOD.text] * 2
+        assert [bool(each.pictures) for each in server.asked] == [True] * len(service.forms) + [False, False]
+        with pytest.raises(NoAnswer, match="does not see pictures"):
+            asks.answer(request_of(pictures_needed=True))
+    assert len(server.asked) == len(service.forms) + 2, "a critic who cannot see is not asked"
+
+
+def test_a_critic_who_cannot_see_does_not_silence_the_model_for_others(provider: Make) -> None:
+    service = SERVICES["openai_chat"]
+    with serving(service.wire, NO_PICTURES, GOOD) as server:
+        asks = provider(service, server)
+        for _ in range(5):
+            with pytest.raises(NoAnswer, match="does not see pictures"):
+                asks.answer(request_of(pictures_needed=True))
+        assert asks.answer(request_of()) == asks.answer(request_of(pictures=())) == GOOD.text
+
+
+def test_a_model_that_refuses_everything_is_not_taken_for_blind(provider: Make) -> None:
+    service = SERVICES["openai_chat"]
+    with serving(service.wire, Fail(400, "no")) as server:
+        asks = provider(service, server)
+        with pytest.raises(NoAnswer, match="refuses the request"):
+            asks.answer(request_of())
+        assert not asks.blind

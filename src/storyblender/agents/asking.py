@@ -69,6 +69,7 @@ class Asker(Generic[Answer]):
         previous: str = "",
         feedback: tuple[str, ...] = (),
         pictures: tuple[Picture, ...] = (),
+        pictures_needed: bool = False,
     ) -> Answer:
         """Return an answer of the right form; one of the wrong form is sent back with what is wrong, twice at most.
 
@@ -79,6 +80,7 @@ class Asker(Generic[Answer]):
             previous: The answer that ``feedback`` is about, as JSON.
             feedback: What a critic found wrong with it.
             pictures: What there is to look at.
+            pictures_needed: Whether a model that sees no pictures cannot answer.
 
         Raises:
             NoAnswer: None of the answers was of the right form, or nothing answered.
@@ -93,6 +95,7 @@ class Asker(Generic[Answer]):
             previous=previous,
             feedback=feedback[:_COMPLAINTS],
             pictures=pictures,
+            pictures_needed=pictures_needed,
         )
         wrong = list[str]()
         for _ in range(_REPAIRS + 1):

@@ -111,7 +111,11 @@ class VisionCritic(Generic[View, Draft]):
         role = self.asker.role
         try:
             notes = self.asker.ask(
-                self.subject(view), self.show(draft, view), wrong, pictures=self.pictures(draft, view)
+                self.subject(view),
+                self.show(draft, view),
+                wrong,
+                pictures=self.pictures(draft, view),
+                pictures_needed=True,
             )
         except NoAnswer as error:
             return computed.model_copy(update={"remarks": (*computed.remarks, f"{role} is not heard: {error}")})

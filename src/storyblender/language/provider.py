@@ -45,6 +45,7 @@ class Provider:
 
     Attributes:
         form: How answers are asked for, one of ``FORMS``; falls to the next where the model cannot.
+        blind: Whether the model refused pictures; it gets none any more.
 
     Raises:
         InputError: There is no such model, or its key is missing.
@@ -61,7 +62,7 @@ class Provider:
         self._name = f"{player.where}:{player.model}"
         self._api = ModelApi(player, budget, timeout)
         self._cancelled, self._pause = cancelled, pause
-        self.form = FORMS[0]
+        self.form, self.blind = FORMS[0], False
         self._failures, self._reason = 0, ""
 
     def answer(self, request: Request) -> str:
@@ -74,12 +75,37 @@ class Provider:
         if self._failures >= _FAILURES:
             raise self._silent(f"it failed {_FAILURES} times and is not asked again ({self._reason})")
         try:
-            answer = self._waited_for(self._in_any_form(request))
+            answer = self._seen_or_told(request)
         except ModelFailure as failure:
             self._failures, self._reason = self._failures + 1, str(failure)
             raise self._silent(self._reason) from failure
         self._failures = 0
         return answer
+
+    def _seen_or_told(self, request: Request) -> str:
+        """Return an answer; a model that refuses pictures is asked in words alone from then on, where they are enough.
+
+        Raises:
+            ModelFailure: There is none.
+            NoAnswer: The request is about its pictures, and the model does not see them.
+        """
+        if not request.pictures:
+            return self._waited_for(self._in_any_form(request))
+        if not self.blind:
+            try:
+                return self._waited_for(self._in_any_form(request))
+            except ModelFailure as failure:
+                if failure.tries > 1 or not failure.other_form:
+                    raise  # only what lasts may be a refusal of pictures
+                self._reason = str(failure)
+        self.blind = True
+        if request.pictures_needed:
+            raise self._silent(f"it does not see pictures ({self._reason})")
+        try:
+            return self._waited_for(self._in_any_form(request.model_copy(update={"pictures": ()})))
+        except ModelFailure:
+            self.blind = False  # pictures were not the reason
+            raise
 
     async def _in_any_form(self, request: Request) -> str:
         """Return an answer in the first form in which the model gives one, and keep to that form."""
@@ -91,7 +117,7 @@ class Provider:
                 if not failure.other_form or form == forms[-1]:
                     raise
             else:
-                self.form = form
+                self.form = max(self.form, form, key=FORMS.index)  # another thread may be further
                 return answer
         raise AssertionError("the last form returns or raises")
 

@@ -50,6 +50,8 @@ class Request(Frozen):
     feedback: tuple[str, ...] = ()
     """What is wrong with the answer before, one sentence each."""
     pictures: tuple[Picture, ...] = ()
+    pictures_needed: bool = False
+    """Whether an answer of a model that does not see them is worth nothing; not part of the digest."""
 
     @property
     def digest(self) -> str:
