@@ -40,7 +40,7 @@ class Replay:
 
         Raises:
             InputError: The recording has nothing of this role about this subject.
-            NoAnswer: It has, but not for this turn.
+            NoAnswer: It has, but not for this turn; or it was made without this vision critic.
         """
         exact = read_answer(Folder(self._folder), name_of(request))
         return self._most_similar(request) if exact is None else exact
@@ -55,6 +55,10 @@ class Replay:
             if answer is not None and name[:-12] == stem
         }
         if not recorded:
+            if request.pictures_needed and not any(
+                name.startswith(f"{request.role}-") for name, _ in asked(self._folder)
+            ):
+                raise NoAnswer(f"{request.role} is not in the recording", mend="record it anew")
             mend = "it was recorded from another script, or with other roles; record it anew"
             raise InputError(f"the recording has no answer for {about}", mend=mend, path=self._folder)
         same_turn = [page for page in recorded if _before(page, request)]

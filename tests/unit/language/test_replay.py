@@ -61,3 +61,12 @@ def test_a_turn_that_was_not_recorded_is_left_to_the_rules(recording: Path) -> N
 def test_what_was_never_asked_is_refused(recording: Path, other: dict[str, str]) -> None:
     with pytest.raises(InputError, match="the recording has no answer for"):
         Replay(recording, silent).answer(FIRST.model_copy(update=other))
+
+
+def test_a_vision_critic_that_was_not_recorded_is_left_out(recording: Path) -> None:
+    critic = FIRST.model_copy(update={"role": "camera_critic", "pictures_needed": True})
+    with pytest.raises(NoAnswer, match="camera_critic is not in the recording"):
+        Replay(recording, silent).answer(critic)
+    AnswerFolder(Folder(recording), Scripted(["{}"])).answer(critic)
+    with pytest.raises(InputError, match="the recording has no answer for"):
+        Replay(recording, silent).answer(critic.model_copy(update={"subject": "SC020"}))
