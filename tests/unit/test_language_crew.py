@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import get_args
+from typing import Any, get_args
 
 import pytest
+from tests.answering import Alike, Scripted
 from tests.stand_in_engine import StandInEngine
 
-from storyblender.crew_setting import RoleName
+from storyblender.agents.layout_artist.camera_operator import CAMERA_THRESHOLD
+from storyblender.agents.layout_artist.language_camera_operator import LanguageCameraOperator
+from storyblender.agents.vision_critic import VisionCritic
+from storyblender.crew import rules_crew
+from storyblender.crew_setting import RULES, RoleName, players
 from storyblender.errors import AnswerAwaited
 from storyblender.language.answer_folder import asked
-from storyblender.language_crew import ANSWERS, check_answers
+from storyblender.language_crew import ANSWERS, check_answers, language_crew
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.project import TRACE, read_project_graph
 from storyblender.settings import Settings
@@ -76,6 +81,16 @@ def test_a_run_that_stops_for_every_answer_ends_as_one_that_has_them_all(
     assert not any(each.problem for each in check_answers(box))
     replayed = made(script, tmp_path / "replayed", crew_with(f"replay:{box}", roles))
     assert replayed == read_project_graph(tmp_path / "asked")
+
+
+@pytest.mark.parametrize("crew", ["rules", "google:m", "google:m,camera_critic=rules", "rules,camera_critic=google:m"])
+def test_a_vision_critic_judges_the_camera_where_one_is_named(crew: str) -> None:
+    named = {role for role, player in players(crew).items() if player != RULES}
+    made = language_crew(rules_crew(Settings(), Alike, ()), dict.fromkeys(named, Scripted(())), Alike, ())
+    role = made.camera_operator(Any)
+    assert isinstance(role.critic, VisionCritic) == ("camera_critic" in named)
+    assert isinstance(role.policies[0], LanguageCameraOperator) == ("camera_operator" in named)
+    assert (role.threshold == CAMERA_THRESHOLD) == ("camera_critic" not in named)
 
 
 def test_every_role_that_a_model_can_play_has_a_form_of_answer() -> None:
