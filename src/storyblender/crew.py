@@ -90,7 +90,9 @@ class Crew:
     shot_director: Role[[Reading, DirectorSettings], ShotDirectorView, Storyboard]
     """Cuts what was read into shots."""
     asset_retriever: Role[
-        [ContinuityMemoryGraph, Asset, Mapping[str, str], Collection[str]], AssetRetrieverView, Recipe
+        [ContinuityMemoryGraph, Asset, Mapping[str, str], Collection[str], Callable[[Asset], AssetViews]],
+        AssetRetrieverView,
+        Recipe,
     ]
     """Finds an asset; where nothing fits, the Asset Generator takes over."""
     asset_formatter: Role[[Asset, Callable[[Asset], AssetViews]], AssetFormatterView, ModelPose]

@@ -11,6 +11,7 @@ from typing import Any, Final
 from pydantic import BaseModel
 
 from storyblender.agents.asking import read_answer_as
+from storyblender.agents.concept_artist.asset_critic import AssetCriticNotes, with_asset_critic
 from storyblender.agents.concept_artist.language_asset_formatter import PoseNotes, language_asset_formatter
 from storyblender.agents.concept_artist.language_asset_retriever import ChoiceNotes, language_asset_retriever
 from storyblender.agents.director.annotation import SceneNotes
@@ -46,6 +47,7 @@ from storyblender.ports import Answerer, AssetSource, Embedder
 from storyblender.reflection import Policy
 
 ANSWERS: Final[Mapping[str, type[BaseModel]]] = {
+    "asset_critic": AssetCriticNotes,
     "asset_formatter": PoseNotes,
     "asset_retriever": ChoiceNotes,
     "camera_critic": CameraCriticNotes,
@@ -99,6 +101,8 @@ def language_crew(
         if (answerer := answerers.get(name)) is not None:
             role = getattr(crew, name)
             played[name] = replace(role, policies=(make(answerer, embedder), *role.policies))
+    if (answerer := answerers.get("asset_critic")) is not None:
+        played["asset_retriever"] = with_asset_critic(answerer, played.get("asset_retriever", crew.asset_retriever))
     operator = crew.camera_operator
     if (answerer := answerers.get("camera_operator")) is not None:
         operator = language_operator(answerer, operator)

@@ -69,6 +69,8 @@ class Recipe(Frozen):
     """Why it fits, for people."""
     provenance: Provenance | None = None
     """Of what a source other than the built-in library offers."""
+    by_meaning: bool = Field(default=False, exclude_if=lambda value: not value)
+    """Whether it has not the object's name, but one that means nearly the same."""
     final: bool = Field(default=False, exclude_if=lambda value: not value)
     """Whether all that there is was weighed: it stands in for the thing, however little it is like it."""
 

@@ -46,6 +46,7 @@ class BuiltInLibrary:
                 params=read_variant(PROPS[key], query.told),
                 score=match.score,
                 reason=match.reason,
+                by_meaning=match.by_meaning,
             )
             for match in matches
         ]

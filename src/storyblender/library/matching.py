@@ -63,11 +63,13 @@ class Match:
         key: Of the entry.
         score: 1 to 10.
         reason: Why it fits, for people.
+        by_meaning: Whether its name only means nearly the same.
     """
 
     key: str
     score: float
     reason: str
+    by_meaning: bool = False
 
 
 class Likeness:
@@ -109,7 +111,7 @@ class Likeness:
                 continue
             cosine = float(likeness[index])
             score = max(LEAST, min(EXACT, 10.0 - PER_LIKENESS * (1.0 - cosine)))
-            found = Match(term.key, score, f"means nearly {' '.join(term.words)!r} ({cosine:.2f})")
+            found = Match(term.key, score, f"means nearly {' '.join(term.words)!r} ({cosine:.2f})", by_meaning=True)
             best.setdefault(term.key, found)
         return list(best.values())
 

@@ -67,6 +67,7 @@ class ModelFolders:
                 params={"content": files[match.key].content},
                 score=match.score,
                 reason=match.reason,
+                by_meaning=match.by_meaning,
                 provenance=Provenance(source=self.name, file=match.key),
             )
             for match in matches

@@ -164,11 +164,15 @@ class ConceptArtist:
             canonical = CanonicalAsset(source="person", key="person", dimensions=(0.5, 0.4, 1.7), digest="")
             return asset.model_copy(update={"canonical": canonical})
         role = self._run.crew.asset_retriever
-        outcome = self._run.reflect(role, asset.asset_id, self._run.graph, asset, self._means, self._rejected)
+        outcome = self._run.reflect(
+            role, asset.asset_id, self._run.graph, asset, self._means, self._rejected, self._draw
+        )
         try:
             recipe = self._fetched(outcome.draft)
         except InputError as error:
             return self.give_up(asset, outcome.draft.key, error)
+        if outcome.critique.score < recipe.score:  # somebody looked at it
+            recipe = recipe.model_copy(update={"score": outcome.critique.score})
         if recipe.score < RETRIEVAL_THRESHOLD:
             name = PROPS[recipe.key].name if recipe.source == "catalog" else recipe.key.replace("_", " ")
             message = (

@@ -14,8 +14,10 @@ from tests.crew import crew_of, no_words
 
 from storyblender.agents.concept_artist import asset_retriever_view
 from storyblender.agents.concept_artist.asset_formatter import AssetFormatterView, RulesAssetFormatter
+from storyblender.agents.concept_artist.asset_retriever_view import AssetRetrieverView
 from storyblender.agents.director.size_words import stated_size
 from storyblender.agents.layout_artist.dimension_estimator import DimensionEstimatorView, RulesDimensionEstimator
+from storyblender.catalog.recipe import Recipe
 from storyblender.errors import EngineError
 from storyblender.library.sources import asset_sources
 from storyblender.memory.asset_sheet import Asset, AssetDimension, ModelPose
@@ -25,7 +27,7 @@ from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.scene_context import SceneContext, SceneSetup
 from storyblender.pipeline.materializing import materialize
 from storyblender.pipeline.run import Run
-from storyblender.reflection import reflect
+from storyblender.reflection import Critique, reflect
 from storyblender.settings import Settings
 from storyblender.trace import Event
 
@@ -208,3 +210,20 @@ def test_a_size_that_a_language_model_gives_counts_more_than_the_files(tmp_path:
     told = {asset.asset_id: asset.canonical and asset.canonical.params.get("told") for asset in kept}
     assert told == {"frobnicator": True, "chair": None}
     assert kept[0].dimension == AssetDimension(height=1.25)
+
+
+def test_a_likeness_that_a_critic_refused_is_told_of_as_a_stand_in(tmp_path: Path) -> None:
+    (tmp_path / "chair.glb").write_bytes(b"a model")
+
+    class Refusing:
+        def judge(self, draft: Recipe, view: AssetRetrieverView) -> Critique:
+            return Critique(score=3.0)
+
+    told, kept = list[Event](), list[Asset]()
+    chair = Asset(asset_id="chair", asset_type="object", description="a chair", name="chair")
+    run = quick_run(ContinuityMemoryGraph(assets=(chair,)), Settings(models=(tmp_path,)), (), told, kept)
+    retriever = replace(run.crew.asset_retriever, policies=run.crew.asset_retriever.policies[:1], critic=Refusing())
+    run.crew = replace(run.crew, asset_retriever=retriever)
+    materialize(run)
+    assert [event.kind for event in told if "stands in" in event.message] == ["warning"]
+    assert kept[0].canonical is not None and kept[0].canonical.match_score == 3.0

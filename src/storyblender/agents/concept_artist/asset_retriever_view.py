@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 
+from pydantic import Field
+
+from storyblender.agents.side_views import nothing_drawn
 from storyblender.catalog.recipe import AssetQuery, Recipe
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.states import state_at_first
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.measure import AssetViews
 from storyblender.reflection import Critique, Fault
 
 RETRIEVAL_THRESHOLD = 7.0
@@ -27,10 +31,16 @@ class AssetRetrieverView(AssetQuery):
     """Heading of the first place it is in."""
     lines: tuple[str, ...] = ()
     """The first lines of the script that have its name."""
+    draw: Callable[[Asset], AssetViews] = Field(default=nothing_drawn, exclude=True, repr=False)
+    """Draws an object. Raises NoAnswer."""
 
 
 def asset_retriever_view(
-    graph: ContinuityMemoryGraph, asset: Asset, means: Mapping[str, str], rejected: Collection[str] = ()
+    graph: ContinuityMemoryGraph,
+    asset: Asset,
+    means: Mapping[str, str],
+    rejected: Collection[str] = (),
+    draw: Callable[[Asset], AssetViews] = nothing_drawn,
 ) -> AssetRetrieverView:
     """Return the Concept Artist's projection of the graph: an asset with what the first place where it is says of it.
 
@@ -39,16 +49,18 @@ def asset_retriever_view(
         asset: The object.
         means: What plain words mean in the story's age.
         rejected: Keys of recipes that could not be built or fetched.
+        draw: Draws an object. Raises NoAnswer.
     """
     refused = frozenset(rejected)
     setup = next((scene.setup for scene in graph.scenes if asset.asset_id in scene.setup.asset_ids), None)
     if setup is None:
-        return AssetRetrieverView(asset=asset, rejected=refused)
+        return AssetRetrieverView(asset=asset, rejected=refused, draw=draw)
     changes = [change for shot in graph.shots for change in shot.asset_modifications if change.doors is None]
     states = [change.state for change in changes if change.asset_id == asset.asset_id and change.state]
     return AssetRetrieverView(
         asset=asset,
         rejected=refused,
+        draw=draw,
         means={**means, **SETS[setup.kit].meanings},
         weather=setup.weather if setup.scene_type == "outdoor" else "",
         place=setup.place,

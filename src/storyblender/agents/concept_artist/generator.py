@@ -55,17 +55,18 @@ class RulesAssetGenerator:
             return prop_recipe(view, head.key, CLOSE, f"a kind of {head.name}")
         if view.asset.writing.strip():
             return prop_recipe(view, "letter" if kind == "prop" else "poster", PLAIN, "it bears writing")
-        return self._by_meaning(view, kind) or self._shape(view, kind)
+        return self._by_meaning(view, kind) or _plain(view, *self._class(view, kind))
 
     def refine(self, draft: Recipe, critique: Critique, view: AssetRetrieverView) -> Recipe:
-        """Return the draft: a stand-in cannot be improved by criticism.
+        """Return the draft, or a plain shape if a critic who looked at it says that one tells less of another story.
 
         Args:
             draft: The stand-in that was proposed.
-            critique: Not used.
-            view: Not used.
+            critique: Its faults.
+            view: The object.
         """
-        return draft
+        plain = any("take_plain_shape" in str(fault.fix.get("ops", "")) for fault in critique.faults)
+        return _shape(*self._class(view, view.kind)) if plain else draft
 
     def _by_meaning(self, view: AssetRetrieverView, kind: str) -> Recipe | None:
         """Return the prop of the thing's kind whose name is closest in meaning, or None if none is close enough."""
@@ -78,11 +79,11 @@ class RulesAssetGenerator:
             return None
         return prop_recipe(view, key, LIKE, f"like {name!r} ({cosine:.2f})")
 
-    def _shape(self, view: AssetRetrieverView, kind: str) -> Recipe:
-        """Return a plain shape with the typical size of the thing's class."""
+    def _class(self, view: AssetRetrieverView, kind: str) -> tuple[StandIn, str]:
+        """Return the class of things that an object is of, and why."""
         known = guess_class(view.phrase)
         if known is not None:
-            return _plain(view, known, f"a kind of {known.name}")
+            return known, f"a kind of {known.name}"
         query = self._model.embed([view.phrase])[0]
         words, vectors = self._words
         likeness = vectors @ query - [not _suits(STAND_INS[key], kind) for key, _ in words]
@@ -90,7 +91,7 @@ class RulesAssetGenerator:
         cosine = float(likeness[best])
         key = words[best][0] if cosine >= SURE else _OF_KIND.get(kind, DEFAULT)
         reason = f"like {words[best][1]!r} ({cosine:.2f})" if cosine >= SURE else "nothing is known about it"
-        return _plain(view, STAND_INS[key], reason)
+        return STAND_INS[key], reason
 
     @cached_property
     def _model(self) -> Embedder:
@@ -124,6 +125,11 @@ def _plain(view: AssetRetrieverView, entry: StandIn, reason: str) -> Recipe:
     """Return the recipe for a class of things: its prop, or its plain shape."""
     if entry.prop is not None:
         return prop_recipe(view, entry.prop, PLAIN, reason)
+    return _shape(entry, reason)
+
+
+def _shape(entry: StandIn, reason: str) -> Recipe:
+    """Return the plain shape with the typical size of a class of things."""
     return Recipe(source="stand_in", key=entry.key, score=PLAIN, reason=reason)
 
 

@@ -7,7 +7,7 @@ fits, the model may give other words, which are searched once. What it then take
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Annotated, Any
 
 from pydantic import Field
@@ -17,8 +17,9 @@ from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_TH
 from storyblender.agents.concept_artist.generator import LIKE, RulesAssetGenerator, prop_recipe
 from storyblender.agents.concept_artist.retriever import RulesAssetRetriever
 from storyblender.agents.nearest import nearest_entries
+from storyblender.agents.vision_critic import SEEN
 from storyblender.catalog.props import PROPS
-from storyblender.catalog.recipe import Recipe
+from storyblender.catalog.recipe import HEAD, Recipe
 from storyblender.ports import Answerer, AssetSource, Embedder
 from storyblender.reflection import Critique
 
@@ -52,9 +53,31 @@ class LanguageAssetRetriever:
     retriever: RulesAssetRetriever
     generator: RulesAssetGenerator
     embedder: Callable[[], Embedder]
+    _refused: dict[str, dict[str, str]] = field(default_factory=dict)
+    """What a vision critic refused, by asset: what is wrong with it by the recipe's key."""
 
     def propose(self, view: AssetRetrieverView) -> Recipe:
         """Return the model's choice. Raises NoAnswer or AnswerAwaited."""
+        self._refused[view.asset.asset_id] = {}
+        return self._choose(view)
+
+    def refine(self, draft: Recipe, critique: Critique, view: AssetRetrieverView) -> Recipe:
+        """Return the model's next choice if a vision critic refused the draft; else the draft: all was offered.
+
+        Args:
+            draft: The model's choice.
+            critique: Its faults.
+            view: The object.
+        """
+        seen = [fault.message for fault in critique.faults if fault.kind == SEEN]
+        if not seen:
+            return draft
+        refused = self._refused.setdefault(view.asset.asset_id, {})
+        refused[draft.key] = " ".join(seen)
+        return self._choose(view.model_copy(update={"rejected": view.rejected | refused.keys()}))
+
+    def _choose(self, view: AssetRetrieverView) -> Recipe:
+        """Return what the model takes of all that is offered, after one more search if it gives other words."""
         offered = self._offered(view, view)
         answer = self._asked(view, offered, "")
         if answer.keywords.strip() and answer.fit < RETRIEVAL_THRESHOLD:
@@ -65,16 +88,6 @@ class LanguageAssetRetriever:
             return self.generator.propose(view).model_copy(update={"final": True})
         return _chosen(offered[answer.choice - 1], float(answer.fit))
 
-    def refine(self, draft: Recipe, critique: Critique, view: AssetRetrieverView) -> Recipe:
-        """Return the draft: everything that there is was offered.
-
-        Args:
-            draft: The model's choice.
-            critique: Not used.
-            view: Not used.
-        """
-        return draft
-
     def _offered(self, called: AssetRetrieverView, view: AssetRetrieverView) -> list[Recipe]:
         """Return the candidates for an object, and the stand-in of the rules; ``called`` may have another name."""
         found: dict[str, Recipe] = {}
@@ -83,7 +96,8 @@ class LanguageAssetRetriever:
         near, stand_in = [*found.values()][:_OFFERED], self.generator.propose(view)
         alike = nearest_entries(PROPS.values(), [called.phrase], self.embedder(), _OFFERED - len(near))
         near += [prop_recipe(view, each.key, LIKE, "alike") for each in alike if each.key not in found]
-        return near if any(each.key == stand_in.key for each in near) else [*near, stand_in]
+        near += [] if any(each.key == stand_in.key for each in near) else [stand_in]
+        return [each for each in near if each.key not in view.rejected]
 
     def _asked(self, view: AssetRetrieverView, offered: Sequence[Recipe], searched: str) -> ChoiceNotes:
         """Return the model's choice; ``searched`` are the words of a second search."""
@@ -94,7 +108,9 @@ class LanguageAssetRetriever:
             if answer.choice is None and answer.fit >= RETRIEVAL_THRESHOLD:
                 yield f"a fit of {answer.fit} needs a `choice`"
 
-        return self.asker.ask(view.asset.asset_id, _shown(view, offered, searched), wrong)
+        refused = self._refused.get(view.asset.asset_id, {})
+        seen = {"refused": [{"model": key, "because": why} for key, why in refused.items()]} if refused else {}
+        return self.asker.ask(view.asset.asset_id, _shown(view, offered, searched) | seen, wrong)
 
 
 def language_asset_retriever(
@@ -121,7 +137,8 @@ def _chosen(recipe: Recipe, fit: float) -> Recipe:
     """Return the candidate that was chosen, with the model's score."""
     if fit < RETRIEVAL_THRESHOLD:
         return recipe.model_copy(update={"score": fit, "reason": "nearest of all", "final": True})
-    return recipe.model_copy(update={"score": fit, "reason": "chosen among all that is offered"})
+    chosen = {"score": fit, "reason": "chosen among all that is offered", "by_meaning": recipe.score < HEAD}
+    return recipe.model_copy(update=chosen)
 
 
 def _shown(view: AssetRetrieverView, offered: Sequence[Recipe], searched: str) -> dict[str, Any]:
