@@ -148,6 +148,7 @@ class LanguagePolicy(Generic[View, Answer, Draft]):
         subject: Returns what a view is about, for people.
         mend: The rules' ``refine``: applies the numbers that the critic computed; the model is asked only for the rest.
         pictures: Returns what there is to look at.
+        pictures_needed: Whether a model that sees no pictures is not asked.
         settled: Returns the draft of a view that leaves nothing to decide; None where the model is asked.
     """
 
@@ -158,6 +159,7 @@ class LanguagePolicy(Generic[View, Answer, Draft]):
     subject: Callable[[View], str] = lambda view: ""
     mend: Callable[[Draft, Critique, View], Draft] = lambda draft, critique, view: draft
     pictures: Callable[[View], tuple[Picture, ...]] = lambda view: ()
+    pictures_needed: bool = False
     settled: Callable[[View], Draft | None] = lambda view: None
     _last: dict[str, str] = field(default_factory=dict)
     """The last answer as JSON, by the digest of its view."""
@@ -189,6 +191,7 @@ class LanguagePolicy(Generic[View, Answer, Draft]):
             previous=self._last.get(seen, "") if feedback else "",
             feedback=feedback,
             pictures=self.pictures(view),
+            pictures_needed=self.pictures_needed,
         )
         self._last[seen] = answer.model_dump_json(exclude_defaults=True)
         return self.draft_of(answer, view)

@@ -44,6 +44,7 @@ def language_asset_formatter(
         check=_wrong,
         subject=lambda view: view.file,
         pictures=lambda view: (side_sheet(view.look(), _SIDES, "six_views"),),
+        pictures_needed=True,
     )
 
 

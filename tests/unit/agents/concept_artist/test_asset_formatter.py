@@ -94,6 +94,7 @@ def test_the_six_views_are_one_picture() -> None:
     model = Scripted(['{"front": "D", "top": "E"}'])
     formatted(model)
     (picture,) = model.asked[0].pictures
+    assert model.asked[0].pictures_needed
     with Image.open(io.BytesIO(picture.png)) as sheet:
         colors = sheet.convert("RGB").getcolors(1 << 16) or []
     assert {(40 * number, 0, 0) for number in range(6)} <= {color for count, color in colors if count >= 250**2}
