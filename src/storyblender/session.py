@@ -6,7 +6,7 @@ its next step or job. The graph and the files are whole at every moment, so the 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import CancelledError
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import dataclass, field, replace
@@ -59,6 +59,7 @@ class Delivery:
         graph: The story as it is now.
         reasons: Which rule read what in the script, if that was asked.
         wrong_cuts: What is wrong with the cuts to and from cameras that the call set.
+        reviews: What the Frame Critic finds in the frames that were asked for, by shot name.
     """
 
     folder: Path
@@ -66,6 +67,7 @@ class Delivery:
     graph: ContinuityMemoryGraph
     reasons: list[Reason] = field(default_factory=list)
     wrong_cuts: tuple[Flaw, ...] = ()
+    reviews: Mapping[str, FrameReview] = field(default_factory=dict)
 
 
 class Session:
@@ -388,11 +390,11 @@ class Session:
         asked = {(shot.scene_id, shot.shot_id) for shot in shots}
         others = [shot for shot in run.graph.shots if (shot.scene_id, shot.shot_id) not in asked]
         shoot_frames(run, [*shots, *damaged_frames(run, others)])
-        retake_poor_frames(run, shots)
+        reviews = retake_poor_frames(run, shots)
         story = Compilation(run)
         from storyblender.pipeline.delivery import deliver
 
         clips = shoot_motion(run, run.graph.shots) if self._settings.animatic else None
         if len(shots) == len(run.graph.shots):
             prune(run, run.graph.shots)
-        return Delivery(self.folder, deliver(run, clips, story), run.graph)
+        return Delivery(self.folder, deliver(run, clips, story), run.graph, reviews=reviews)

@@ -13,6 +13,7 @@ from storyblender.catalog.fixtures import fixtures_called
 from storyblender.catalog.sets import plan_of
 from storyblender.look.picture_measure import PictureMeasure, measure_picture
 from storyblender.memory.base import Digest, Frozen, content_hash, shot_name
+from storyblender.memory.measure import SubjectView
 from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import frame_picture
@@ -21,7 +22,7 @@ from storyblender.reflection import Critique, Fault
 
 _NOT_JUDGED = {"lights", "blocking", "cues", "camera", "camera_retake", "locked", "decided_duration", "stale"}
 """Fields of a shot that the Frame Critic does not see, or sees in the picture."""
-CRITIC_VERSION = 5
+CRITIC_VERSION = 6
 """Raised with every change of the critic's rules: kept reviews are then redone."""
 
 
@@ -34,6 +35,8 @@ class FrameReview(Frozen):
     score: float
     """Score from 1 to 10."""
     faults: tuple[Fault, ...] = ()
+    seen: tuple[SubjectView, ...] = ()
+    """How the people and things of the shot are in the picture."""
 
     @property
     def lost(self) -> float:
@@ -66,7 +69,7 @@ def review_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, FrameRe
             waiting.setdefault(shot.scene_id, []).append(shot)
     for shot, sight in _sights(run, waiting):
         critique = judge_frame(run, shot, sight, _measured(run, shot))
-        review = _review(shot, critique, _judged(run, shot))
+        review = _review(shot, sight, critique, _judged(run, shot))
         run.outputs.write(_record(run, shot), review.model_dump_json())
         found[review.shot] = review
     names = (shot_name(shot.scene_id, shot.shot_id) for shot in shots)
@@ -86,7 +89,7 @@ def foresee_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, FrameR
     waiting: dict[int, list[ShotContext]] = {}
     for shot in shots:
         waiting.setdefault(shot.scene_id, []).append(shot)
-    reviews = (_review(shot, judge_frame(run, shot, sight, None), "") for shot, sight in _sights(run, waiting))
+    reviews = (_review(shot, sight, judge_frame(run, shot, sight, None), "") for shot, sight in _sights(run, waiting))
     return {review.shot: review for review in reviews}
 
 
@@ -102,9 +105,9 @@ def _sights(run: Run, shots: Mapping[int, Sequence[ShotContext]]) -> Iterator[tu
             yield shot, sights[shot_name(shot.scene_id, shot.shot_id)]
 
 
-def _review(shot: ShotContext, critique: Critique, judged: str) -> FrameReview:
-    name = shot_name(shot.scene_id, shot.shot_id)
-    return FrameReview(shot=name, judged=judged, score=round(critique.score, 2), faults=critique.faults)
+def _review(shot: ShotContext, sight: ShotSight, critique: Critique, judged: str) -> FrameReview:
+    name, score = shot_name(shot.scene_id, shot.shot_id), round(critique.score, 2)
+    return FrameReview(shot=name, judged=judged, score=score, faults=critique.faults, seen=sight.view.subjects)
 
 
 def judge_frame(run: Run, shot: ShotContext, sight: ShotSight, picture: PictureMeasure | None) -> Critique:

@@ -10,6 +10,7 @@ from typing import Literal
 
 from storyblender.agents.frame_critic.action_faults import NOT_ACCEPTED, fault, find_action_faults, find_staging_faults
 from storyblender.agents.frame_critic.frame_view import FrameView, actions_to_see, speakers, things_to_see
+from storyblender.agents.frame_critic.order_faults import find_order_faults
 from storyblender.catalog.motions import MOTIONS
 from storyblender.geometry.gaps import MAX_FACE_GAP, widest_face_gap
 from storyblender.memory.measure import SubjectView
@@ -58,6 +59,7 @@ class FrameCritic:
             *_thing_faults(draft),
             *find_action_faults(draft),
             *find_staging_faults(draft),
+            *find_order_faults(draft),
             *_picture_faults(draft),
         )
         return Critique.of(faults)
@@ -74,9 +76,12 @@ def _people_faults(view: FrameView) -> list[Fault]:
     if instruction.kind == "insert":
         return []
     meant = [each for each in instruction.focus_on_ids if each in shot.on_stage]
-    acting = [action.asset_id for action in actions_to_see(shot)]
+    # Where a person said whom the picture shows, nobody else of the lines is missed.
+    chosen = bool(shot.camera_decision and shot.camera_decision.focus_on_ids)
+    acting = [] if chosen else [action.asset_id for action in actions_to_see(shot)]
     left = {instruction.pov_id, *(shot.camera.leaves_out if shot.camera else ())}
-    main = [each for each in dict.fromkeys([*meant, *acting, *speakers(shot)]) if each not in left]
+    speaking = [] if chosen else speakers(shot)
+    main = [each for each in dict.fromkeys([*meant, *acting, *speaking]) if each not in left]
     tight = SHOT_SIZES.index(instruction.size) >= SHOT_SIZES.index("MCU")
     found: list[Fault] = []
     for asset_id in main:
@@ -95,7 +100,7 @@ def _people_faults(view: FrameView) -> list[Fault]:
             found.append(fault("face_out", asset_id, 2.2, f"the head of {asset_id} is cut by the frame"))
         elif central and _hidden_share(subject) > 0.6 and subject.face_visible < 0.5:
             found.append(fault("person_hidden", asset_id, 2.5, f"{asset_id} is {_hidden_share(subject):.0%} hidden"))
-    others = [each for each in shot.shown if each not in main and each != instruction.pov_id]
+    others = [each for each in shot.shown if each not in main and each != instruction.pov_id and not chosen]
     unseen = [each for each in others if (seen := view.subject(each)) is None or seen.pixels < _LEAST_PERSON["EWS"]]
     if not tight and unseen:
         told = ", ".join(unseen[:3])
