@@ -20,6 +20,8 @@ from storyblender.reflection import Fault
 _STRAY = 0.09
 """Most widths or heights of the picture between a face and its place; the same for a thing."""
 _THING_STRAY = 0.14
+_LEAST_THING, _LEAST_ASKED = 0.55, 0.8
+"""Share of the extent that the shot size gives a thing that it has at least; more where a person asked for the size."""
 AT_SIDE = 0.08
 """Share of the width at either side in which no face of a group may be: the frame would cut the body."""
 _PAST_OTHERS = 24.0
@@ -119,7 +121,8 @@ def _thing_faults(view: CameraOperatorView, camera: Orbit, subjects: Sequence[Su
         found.append(fault("placement", node, 0.8 + 2 * max(abs(x), abs(y)), text, pan_x=x * camera.aspect, pan_y=-y))
     wanted = SIZES[view.instruction.size].fill
     extent = max(right - left, bottom - top)
-    if not 0.55 * wanted < extent < min(1.7 * wanted, 0.97):
+    least = _LEAST_ASKED if view.asked.size is not None else _LEAST_THING
+    if not least * wanted < extent < min(1.7 * wanted, 0.97):
         steps = math.log(wanted / max(extent, 0.01), DOLLY)
         text = f"{node} fills {extent:.2f} of the picture, {view.instruction.size} wants {wanted:.2f}"
         found.append(fault("size", node, min(0.5 + 0.2 * abs(steps), 3.0), text, dolly=steps))

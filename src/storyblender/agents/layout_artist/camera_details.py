@@ -48,7 +48,7 @@ def held_box(figure: Figure, hand: Hand | None, size: Vec3) -> Box:
 
 def held_things(view: CameraOperatorView) -> tuple[Box, ...]:
     """Return the boxes of small focus things near the first person, so that one picture holds both."""
-    if not view.people or view.detail is not None:
+    if not view.people or view.detail is not None or (view.asked.focus_on_ids and not view.things):
         return ()
     x, y, _ = view.people[0].base
     small = (box for box in view.things if max(box.width, box.depth, box.height) < _SMALL)

@@ -42,6 +42,24 @@ OPERATIONS: dict[str, Callable[[Orbit], Orbit]] = {
 }
 """The paper's operations and step sizes (appendix, prompt of the Camera Operator)."""
 
+OPERATION_WORDS: dict[str, str] = {
+    "orbit_left": "goes 15 degrees around the subject, to the left", "orbit_right": "the same to the right",
+    "orbit_up": "goes 10 degrees up around the subject, and looks down more", "orbit_down": "the same down",
+    "pan_left": "shifts by 8 % of the picture's height to the left: what is seen moves to the right",
+    "pan_right": "the same to the right: what is seen moves to the left",
+    "pan_up": "the same up: what is seen moves down", "pan_down": "the same down: what is seen moves up",
+    "zoom_in": "goes 15 % nearer, with the same lens", "zoom_out": "goes 15 % farther, with the same lens",
+    "roll_left": "leans the horizon by 4 degrees, counter-clockwise", "roll_right": "the same clockwise",
+}  # fmt: skip
+"""What each operation does."""
+FIX_WORDS: dict[str, str] = {
+    "azimuth": "degrees around the subject, to the right", "elevation": "degrees up around the subject",
+    "dolly": "steps nearer, of 15 % each; farther if below 0",
+    "pan_x": "shift to the right, in heights of the picture", "pan_y": "shift up, in heights of the picture",
+    "ops": "names of operations to try, separated by spaces",
+}  # fmt: skip
+"""What the fields of a camera critic's fix mean; code applies them."""
+
 _FIRST, _FIXES, _NEXT = 3, 4, 3
 """Takes that are looked at: of the scout's list at first, of the fixes, and of the list if no fix helps."""
 CAMERA_THRESHOLD = 9.25
@@ -194,8 +212,8 @@ def operate(
         listener: Receives the trace.
     """
     role = operator(viewfinder)
-    if view.placed is not None:
-        chosen = placed_take(view, view.placed)
+    if view.asked.placed is not None:
+        chosen = placed_take(view, view.asked.placed)
         critique = role.critic.judge(chosen, view)
     else:
         outcome = reflect(role, shot_name(view.scene_id, view.shot_id), view, listener)

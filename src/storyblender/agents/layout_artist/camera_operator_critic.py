@@ -19,7 +19,7 @@ from storyblender.agents.layout_artist.camera_operator_view import (
     time_share,
 )
 from storyblender.agents.layout_artist.camera_room import share_outside, void_points
-from storyblender.agents.layout_artist.camera_scout import AT_EDGE, CLEARED, LEAST_OVER
+from storyblender.agents.layout_artist.camera_scout import AT_EDGE, CLEARED, FROM_BEHIND, LEAST_OVER
 from storyblender.agents.layout_artist.camera_start import max_face_angle, requires_shoulder
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.measure import CameraView, SubjectView
@@ -215,7 +215,8 @@ def _shoulder_faults(view: CameraOperatorView, over: SubjectView) -> list[Fault]
     """Return the faults of an over-the-shoulder partner: in front of the subject, at the side, with a head."""
     aside = over.face is not None and abs(over.face[0] - 0.5) > AT_EDGE
     far = requires_shoulder(view) and over.head_height < LEAST_OVER
-    if over.pixels < 0.02 or aside or far:
+    front = view.asked.over_id is not None and over.face_angle < FROM_BEHIND
+    if over.pixels < 0.02 or aside or far or front:
         return [fault("no_shoulder", over.node_id, 1.5, "the shoulder is not in the picture", ops=_AROUND)]
     if over.face is None or over.face[1] < 0:
         text = f"the frame takes the head off {over.node_id}"

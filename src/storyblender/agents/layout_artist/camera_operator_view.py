@@ -15,7 +15,7 @@ from storyblender.geometry.boxes import Box, corners, distance_to_point
 from storyblender.geometry.framing import Figure, Film, can_frame_over_shoulder
 from storyblender.geometry.moves import ease_in_out, interpolate_cameras
 from storyblender.geometry.orbit import Floats, Orbit
-from storyblender.memory.camera_decision import FreeCamera
+from storyblender.memory.camera_decision import CameraDecision
 from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Flaw
 from storyblender.memory.shot_sizes import SHOT_SIZES, SIZES, TIGHT, WHOLE, ShotSize
 
@@ -83,7 +83,7 @@ class CameraOperatorView:
         carried: node_ids of things in people's hands, by the person's node_id.
         detail: Box of the part of a person that an insert shows, such as a hand; None for any other shot.
         used: node_ids of the things that people handle; they are never hidden.
-        placed: Where a person placed the camera, if they did.
+        asked: What a person decided about the camera.
         lines: The lines that the shot covers.
     """
 
@@ -104,7 +104,7 @@ class CameraOperatorView:
     carried: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     detail: Box | None = None
     used: tuple[str, ...] = ()
-    placed: FreeCamera | None = None
+    asked: CameraDecision = field(default_factory=CameraDecision)
     lines: tuple[str, ...] = ()
 
     def node(self, asset_id: str) -> str:
@@ -135,10 +135,16 @@ class CameraOperatorView:
         return tuple(node for node in nodes if node == lead or node not in faces)
 
     def _fits_all_faces(self, nodes: Sequence[str]) -> bool:
-        """Return whether people (node_ids) stand so close together that a tight shot of them can hold all faces."""
+        """Return whether people (node_ids) stand so close together that a tight shot of them can hold all faces.
+
+        A two-shot or a group that a person made tighter holds them in any case, from as far as it takes.
+        """
         people = [figure for node in nodes if (figure := self.story_moment.figure(node)) is not None]
         near = all(math.dist(each.base[:2], people[0].base[:2]) < _SHOULDERS for each in people[1:])
-        return self.instruction.explicit and self.instruction.kind != "insert" and len(people) > 1 and near
+        together = self.instruction.kind in ("two_shot", "group") and self.asked.reframes
+        return (
+            self.instruction.explicit and self.instruction.kind != "insert" and len(people) > 1 and (near or together)
+        )
 
     def _standing_over(self, nodes: Sequence[str]) -> list[str]:
         """Return the node_ids of people whose heads a whole-body picture of the first person would cut."""
@@ -243,9 +249,13 @@ class CameraOperatorView:
 
     @cached_property
     def strangers(self) -> tuple[str, ...]:
-        """node_ids of the people on stage who have no part in the shot; a person who holds its thing has one."""
+        """node_ids of the people on stage who have no part in the shot; a person who holds its thing has one.
+
+        Where a person asked for one of them alone, nobody else has.
+        """
         instruction = self.instruction
-        own = {*self.focus, *self.in_frame}
+        alone = self.asked.focus_on_ids is not None and instruction.kind in ("single", "reaction")
+        own = {*self.focus, *(() if alone else self.in_frame)}
         own |= {self.node(asset_id or "") for asset_id in (instruction.over_id, instruction.pov_id)}
         own |= {*self.named, *(who for who, things in self.carried.items() if {*things} & {*self.named})}
         return tuple(figure.node_id for figure in self.story_moment.figures if figure.node_id not in own)

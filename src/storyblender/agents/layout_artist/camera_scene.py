@@ -20,7 +20,7 @@ from storyblender.geometry.framing import Film
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import PlayedCue
 from storyblender.memory.measure import AssetMeasure
-from storyblender.memory.shot_context import CameraState, Cue, ShotContext
+from storyblender.memory.shot_context import CameraDecision, CameraInstruction, CameraState, Cue, ShotContext
 from storyblender.ports import Viewfinder
 from storyblender.trace import Listener, silent
 
@@ -119,6 +119,12 @@ def _handling_cues(shot: ShotContext, frame: int) -> list[Cue]:
     return [cue for cue in last.values() if cue.clip not in _RELEASING_CLIPS]
 
 
+def _ordered(shot: ShotContext) -> CameraInstruction:
+    """Return the instruction of a shot; what a person asked for counts as ordered, like what the script asks for."""
+    asked = shot.camera_decision is not None and shot.camera_decision.reframes
+    return shot.camera_instruction.model_copy(update={"explicit": True}) if asked else shot.camera_instruction
+
+
 def camera_operator_view(
     graph: ContinuityMemoryGraph,
     shot: ShotContext,
@@ -165,7 +171,7 @@ def camera_operator_view(
             carried[state.held_by or ""] = (*carried.get(state.held_by or "", ()), node)
         elif state.location is not None:  # brought along and laid down: the layout does not have it
             props[node] = Box(*state.location, *size_of(measure), math.radians(state.rotation[2]))
-    instruction, in_frame = shot.camera_instruction, shot.in_frame
+    instruction, in_frame = _ordered(shot), shot.in_frame
     for cue in _handling_cues(shot, story_moment_of(moments).frame) if moments else ():
         node, holder = nodes.get(cue.prop_id or "", cue.prop_id or ""), story_moment_of(moments).figure(cue.asset_id)
         if holder is None or node in carried.get(cue.asset_id, ()):
@@ -196,5 +202,5 @@ def camera_operator_view(
         detail=detail_box(shot, moments),
         used=tuple(used),
         lines=lines_of_shot(graph.outline_of(shot.scene_id), shot.shot_id),
-        placed=shot.camera_decision.placed if shot.camera_decision is not None else None,
+        asked=shot.camera_decision or CameraDecision(),
     )

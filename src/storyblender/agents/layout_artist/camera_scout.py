@@ -102,7 +102,7 @@ _NO_FACE = 0.6
 """Points for a face turned further away than the kind of shot allows, besides those for every degree."""
 _FACED = 3.0
 """Points for a face where the script asks for a back."""
-_FROM_BEHIND = 100.0
+FROM_BEHIND = 100.0
 """Degrees from full face from which a person is seen from behind."""
 _LOOKS_DOWN = -0.5
 """Z of the unit vector of a face's look, below which the person bends over something."""
@@ -298,7 +298,8 @@ def _people_cost(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
             (near,), _ = project(camera, [figure.face])
             head = head_share(camera, figure)
             aside = abs(float(near[0]) - 0.5) > min(AT_EDGE, _SHOULDER_IN + 0.5 * head)
-            points += 1.5 * (aside or (requires_shoulder(view) and head < LEAST_OVER))
+            front = view.asked.over_id is not None and figure.turned_from(camera.position) < FROM_BEHIND
+            points += 1.5 * (aside or front or (requires_shoulder(view) and head < LEAST_OVER))
         elif figure.node_id in view.in_frame and instruction.size not in TIGHT:
             whole = is_face_framed(camera, figure) and project(camera, figure.crown)[0][0, 1] > 0
             points += 0.8 * (not whole or hidden_share(camera, figure, [*others, *solid]) > _MOST)
@@ -344,7 +345,7 @@ def _companion_back_cost(view: CameraOperatorView, camera: Orbit, figure: Figure
 
 def _share_from_behind(camera: Orbit, figure: Figure) -> float:
     """Return how far a person is seen from behind: 0 up to a little more than profile, 1 for the back."""
-    return max(0.0, figure.turned_from(camera.position) - _FROM_BEHIND) / (180.0 - _FROM_BEHIND)
+    return max(0.0, figure.turned_from(camera.position) - FROM_BEHIND) / (180.0 - FROM_BEHIND)
 
 
 def _subject_cost(view: CameraOperatorView, camera: Orbit, figure: Figure, boxes: Sequence[Box]) -> float:
@@ -378,7 +379,7 @@ def _bent_back_cost(camera: Orbit, figure: Figure) -> float:
     if figure.forward[2] > _LOOKS_DOWN:
         return 0.0
     around = abs(math.remainder(camera.azimuth - figure.yaw, 360.0))
-    return _BACK * max(0.0, around - _FROM_BEHIND) / (180.0 - _FROM_BEHIND)
+    return _BACK * max(0.0, around - FROM_BEHIND) / (180.0 - FROM_BEHIND)
 
 
 def _cropped_body_cost(camera: Orbit, figure: Figure) -> float:

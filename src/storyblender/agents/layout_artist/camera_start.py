@@ -47,6 +47,8 @@ _HELD = 0.8
 """Share of the picture that holds all people, where they are too far apart to be as large as ``_SHORT``."""
 _LARGE = 1.2
 """Metres of extent from which a thing counts as large in an insert."""
+_NEAR_THING = 3.5
+"""Most metres from the camera to the thing of an insert that a person asked for, unless they chose the lens."""
 _COMPANY = 6.0
 """Metres from a large thing within which people belong in a wide picture of it."""
 _EYES = 50.0
@@ -73,18 +75,19 @@ def compose_take(view: CameraOperatorView, turn: float = 0.0, rise: float = 0.0)
     """
     camera = _compose_camera(view, view.lens, turn, rise)
     kind = view.instruction.kind
+    from_above = view.asked.angle == "bird's-eye"
     if view.over is None and kind != "pov":
         if kind not in ("establishing", "insert") and len(view.people) > 1:
             camera = keep_group_in_room(view, camera)
         else:
             widest = "WS" if kind == "insert" or not view.people else view.instruction.size
             # A lens in the instruction is kept: then only the camera moves.
-            for _ in range(0 if view.instruction.lens else _FITTINGS):
+            for _ in range(0 if view.instruction.lens or from_above else _FITTINGS):
                 lens = view.widened(fit_lens_to_room(view.plan, camera, widest).lens)
                 if lens == camera.lens:
                     break
                 camera = _compose_camera(view, lens, turn, rise)
-        if kind == "establishing" or not view.people:
+        if (kind == "establishing" or not view.people) and not from_above:
             camera = move_into_room(view.plan, camera)
     if kind != "insert" and held_things(view) and view.over is None and kind not in ("pov", "establishing"):
         camera = _include_held_things(view, camera)
@@ -152,8 +155,12 @@ def _sight_targets(view: CameraOperatorView) -> list[np.ndarray]:
 
 
 def _holds_all_walks(view: CameraOperatorView) -> bool:
-    """Return whether the picture holds a group and its walks, so that the camera need not follow."""
-    return len(view.people) > 1 and len(view.people_over_time) > len(view.people)
+    """Return whether the picture holds a group and its walks, so that the camera need not move unless a person asks."""
+    return (
+        view.asked.movement in (None, "static")
+        and len(view.people) > 1
+        and len(view.people_over_time) > len(view.people)
+    )
 
 
 def _follows_walk(view: CameraOperatorView, camera: Orbit) -> bool:
@@ -162,7 +169,7 @@ def _follows_walk(view: CameraOperatorView, camera: Orbit) -> bool:
         return False
     if view.instruction.movement in ("pan", "track"):
         return True
-    if view.instruction.movement != "static":
+    if view.instruction.movement != "static" or view.asked.movement is not None:
         return False
     faces = [figure.face for moment in view.moments if (figure := moment.figure(view.walker_id)) is not None]
     screen, depth = framing.project(camera, faces)
@@ -250,7 +257,7 @@ def ignored_partner(view: CameraOperatorView) -> Figure | None:
 
 def requires_shoulder(view: CameraOperatorView) -> bool:
     """Return whether the partner's shoulder must be in the picture, rather than a view of both from the side."""
-    return view.over is not None and (ignored_partner(view) is None or view.in_stride)
+    return view.over is not None and (ignored_partner(view) is None or view.in_stride or bool(view.asked.over_id))
 
 
 def max_face_angle(view: CameraOperatorView) -> float:
@@ -321,6 +328,9 @@ def _frame_things(view: CameraOperatorView, lens: float, turn: float, rise: floa
     extent = float(np.ptp(points, axis=0).max())
     wide = SIZES[view.instruction.size].fill_large if extent >= _LARGE else None
     fill = wide or SIZES[view.instruction.size].fill
+    camera = framing.frame_insert(view.film, points, azimuth, elevation, lens, fill)
+    if view.asked.kind == "insert" and view.instruction.lens is None and camera.distance > _NEAR_THING:
+        lens = view.widened(lens * _NEAR_THING / camera.distance)
     return framing.frame_insert(view.film, points, azimuth, elevation, lens, fill)
 
 
