@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from storyblender.edits.targets import Target, person_or_thing, shots_named, target_named
@@ -14,7 +14,8 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Item
 from storyblender.memory.locks import SCENE_LOCKS, SHOT_LOCKS, LockName, ShotLock
 from storyblender.memory.scene_context import SceneContext
-from storyblender.memory.shot_context import CameraDecision, CameraState, ShotContext
+from storyblender.memory.shot_context import CameraDecision, CameraInstruction, CameraState, ShotContext
+from storyblender.memory.vocabulary import ShotKind
 
 _PEOPLE_IN = {"two_shot": 2, "group": 3, "single": 1, "reaction": 1, "ots": 1, "insert": 1}
 """Subjects that a kind of picture has at least."""
@@ -68,11 +69,12 @@ def _camera(graph: ContinuityMemoryGraph, edit: CameraEdit) -> Effect:
         raise InputError(f"nothing is decided about the camera of {name}", mend="give a size, an angle, a lens ...")
     _refuse_locked(shot, "camera", name)
     retake = shot.camera_retake.decision if shot.camera_retake else CameraDecision()
+    people = {asset.asset_id for asset in graph.assets if asset.asset_type == "character"}
+    decision = _with_kind(decision, shot.camera_instruction, people)
     whole = (shot.camera_decision or retake).then(decision)
     instruction = decision.applied(shot.camera_instruction)
     if decision.kind or decision.focus_on_ids:
         _refuse_impossible(instruction.kind, instruction.focus_on_ids, instruction.over_id, instruction.pov_id)
-    people = {asset.asset_id for asset in graph.assets if asset.asset_type == "character"}
     shown = [each for each in decision.focus_on_ids or () if each in people and each not in shot.in_frame]
     update = {
         "camera_instruction": instruction,
@@ -83,6 +85,26 @@ def _camera(graph: ContinuityMemoryGraph, edit: CameraEdit) -> Effect:
         "in_frame": (*shot.in_frame, *shown),
     }
     return Effect(shot.model_copy(update=update), name, decision.words, frozenset({"camera"}), (name,))
+
+
+def _with_kind(decision: CameraDecision, now: CameraInstruction, people: Collection[str]) -> CameraDecision:
+    """Return a decision about whom a picture shows with the kind of picture that holds them, if it names none.
+
+    Args:
+        decision: Of a person, with ids.
+        now: The camera as it is wanted now; its kind is kept where it has as many people.
+        people: Ids of all characters.
+    """
+    shown = decision.focus_on_ids
+    if decision.kind is not None or shown is None:
+        return decision
+    count = sum(each in people for each in shown)
+    fits = {"two_shot": count == 2, "group": count > 2, "insert": not count, "ots": False, "pov": False,
+        "single": count == 1, "reaction": count == 1}  # fmt: skip
+    if fits.get(now.kind, True):
+        return decision
+    kind: ShotKind = "group" if count > 2 else "two_shot" if count == 2 else "single" if count else "insert"
+    return decision.model_copy(update={"kind": kind})
 
 
 def _with_ids(graph: ContinuityMemoryGraph, decision: CameraDecision) -> CameraDecision:

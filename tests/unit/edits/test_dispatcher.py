@@ -17,6 +17,7 @@ from storyblender.memory.edits import EDITS, CameraEdit, DurationEdit, Edit, Loc
 from storyblender.memory.history import replace
 from storyblender.memory.locks import SCENE_LOCKS, SHOT_LOCKS
 from storyblender.memory.shot_context import CameraDecision, CameraPose, ShotContext
+from storyblender.memory.vocabulary import ShotKind
 from storyblender.project import Project
 
 SHOT, NEXT, SCENE, PERSON = "SC010_SH010", "SC010_SH020", "SC010", "anna"
@@ -69,6 +70,15 @@ def test_a_batch_is_one_commit_or_none_and_later_edits_see_earlier_ones(project:
     assert applied.stale == (SHOT, NEXT)
     undo_edit(project)
     assert project.graph == before
+
+
+@pytest.mark.parametrize("now", ["two_shot", "group", "ots", "pov", "single", "establishing"])
+def test_whom_a_picture_shows_decides_its_kind_where_none_is_said(now: ShotKind, project: Project) -> None:
+    shot = shot_of(project)
+    wanted = shot.camera_instruction.model_copy(update={"kind": now, "over_id": PERSON, "pov_id": PERSON})
+    project.commit(replace(project.graph, shot.model_copy(update={"camera_instruction": wanted})), "user", "kind")
+    apply_edits(project, [camera(focus_on_ids=(PERSON,))])
+    assert shot_of(project).camera_instruction.kind == ("establishing" if now == "establishing" else "single")
 
 
 def test_a_camera_edit_makes_its_own_camera_stale_and_touches_nothing_else(project: Project) -> None:
