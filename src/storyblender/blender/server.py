@@ -14,7 +14,7 @@ import traceback
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from functools import cached_property
-from inspect import signature
+from inspect import getdoc, signature
 from typing import Any, BinaryIO, get_type_hints
 
 from pydantic import BaseModel, ConfigDict, create_model
@@ -36,7 +36,7 @@ class Tool:
     """A function that a client may call by name.
 
     Args:
-        function: Fully typed, without defaults. Its first docstring line is the description for clients.
+        function: Fully typed, without defaults. Its docstring, arguments and all, is the description for clients.
     """
 
     def __init__(self, function: Callable[..., Any]) -> None:
@@ -51,7 +51,7 @@ class Tool:
 
     def describe(self) -> dict[str, Any]:
         """Return the tool's entry in the protocol's list."""
-        words = (self._function.__doc__ or "").partition("\n")[0]
+        words = getdoc(self._function) or ""
         return {"name": self.name, "description": words, "inputSchema": self._arguments.model_json_schema()}
 
     def call(self, arguments: dict[str, Any]) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from io import BytesIO
@@ -15,6 +16,7 @@ from mcp.types import ToolAnnotations
 from PIL import Image as Pillow
 from pydantic import Field
 
+from storyblender.deliver.checklist import names_of
 from storyblender.edits.dispatcher import Applied
 from storyblender.errors import InputError, StoryBlenderError
 from storyblender.mcp_server.values import (
@@ -25,6 +27,7 @@ from storyblender.mcp_server.values import (
     Story,
     details_of,
     story_of,
+    verdict_of,
 )
 from storyblender.mcp_server.workplace import Workplace
 from storyblender.memory.edits import Edit
@@ -227,7 +230,6 @@ def _add_changing(server: FastMCP[None], place: Workplace) -> None:
 def _add_resources(server: FastMCP[None], place: Workplace) -> None:
     """Add the files of the open project that a client may read whole."""
     files = {
-        "graph": ("graph.json", "application/json", "The continuity memory graph: everything about the story."),
         "trace": ("trace.jsonl", "application/x-ndjson", "What each role of the crew proposed and how it scored."),
         "shots": ("shots.csv", "text/csv", "The shot list."),
         "board": ("board.pdf", "application/pdf", "The printed board."),
@@ -236,6 +238,19 @@ def _add_resources(server: FastMCP[None], place: Workplace) -> None:
         server.resource(f"storyblender://{name}", name=name, mime_type=kind, description=about)(
             _reader(place, file, text=kind != "application/pdf")
         )
+
+    @server.resource("storyblender://vocabulary", mime_type="application/json")
+    def vocabulary() -> str:
+        """Every word that an edit can name, with a sentence: fields, sizes, angles, moves, motions, sets ..."""
+        from storyblender.agents.vocabulary import vocabulary
+
+        return json.dumps(vocabulary(), ensure_ascii=False)
+
+    @server.resource("storyblender://graph", mime_type="application/json")
+    def graph() -> str:
+        """The continuity memory graph as it is now: everything about the story."""
+        with _sentences(ResourceError):
+            return place.session.graph.model_dump_json()
 
 
 def _reader(place: Workplace, file: str, *, text: bool) -> Callable[[], str | bytes]:
@@ -260,7 +275,9 @@ def _edited(place: Workplace, applied: Applied, *, draw: bool) -> Edited:
     """Return what a batch of edits did, after drawing what it made stale if ``draw`` says so."""
     drawn = place.session.draw(applied) if draw else None
     cuts = tuple(flaw.message for flaw in drawn.wrong_cuts) if drawn is not None else ()
-    return Edited(revision=applied.version, done=applied.words, redrawn=applied.stale, wrong_cuts=cuts)
+    names = names_of(place.session.graph)
+    frames = tuple(verdict_of(review, names) for review in drawn.reviews.values()) if drawn is not None else ()
+    return Edited(revision=applied.version, done=applied.words, redrawn=applied.stale, wrong_cuts=cuts, frames=frames)
 
 
 def _stepped(place: Workplace, commits: Sequence[Any]) -> Edited:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Literal
+from collections.abc import Iterable, Mapping
+from typing import Any, Literal
 
+from storyblender.deliver.checklist import plain
 from storyblender.deliver.panel import Panel
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.base import Described
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.pipeline.reviewing import FrameReview
 from storyblender.trace import Event
 
 WARNINGS = 30
@@ -114,6 +116,40 @@ class Status(Described):
     """Files of the project that the last work wrote."""
 
 
+class Seen(Described):
+    """How a person or thing is in a picture. Places are shares of its width and height, from the top left."""
+
+    who: str
+    """Id of the person or thing."""
+    fills: float
+    """Share of the picture that it covers."""
+    box: tuple[float, float, float, float] | None
+    """Left, top, right, bottom of what is visible of it."""
+    visible: float
+    """Share of it that is in the picture and not hidden."""
+    head: float
+    """Height of a person's head as a share of the picture's; 0 for a thing."""
+    face: tuple[float, float] | None
+    """Where the middle of the face is."""
+    turned: float
+    """Degrees by which the face is turned from the camera: 0 is full face, 90 profile, 180 the back of the head."""
+
+
+class FrameVerdict(Described):
+    """What the Frame Critic says of a frame."""
+
+    shot: str
+    """Name of the shot."""
+    verdict: Literal["pass", "fix", "reject"]
+    """Whether the frame tells its lines, and is as it was asked for."""
+    score: float
+    """1 to 10; a frame passes from 8."""
+    faults: tuple[str, ...]
+    """What is wrong, one sentence each."""
+    seen: tuple[Seen, ...]
+    """Who and what is in the picture, and how large."""
+
+
 class Edited(Described):
     """What a batch of edits did."""
 
@@ -125,6 +161,8 @@ class Edited(Described):
     """Shots whose frames show something else now."""
     wrong_cuts: tuple[str, ...] = ()
     """What is wrong now with cuts to and from the cameras that were changed."""
+    frames: tuple[FrameVerdict, ...] = ()
+    """The Frame Critic's judgement of each frame that was drawn again."""
 
 
 class CheckReport(Described):
@@ -172,6 +210,31 @@ def details_of(panel: Panel) -> ShotDetails:
         locked=shot.locked,
         problems=tuple(flaw.message for flaw in (*shot.flaws, *(camera.residual if camera is not None else ()))),
     )
+
+
+def verdict_of(review: FrameReview, names: Mapping[str, str]) -> FrameVerdict:
+    """Return the Frame Critic's review of a frame as an agent reads it; what is not in the picture is left out.
+
+    Args:
+        review: Of the frame.
+        names: Of people and things by id, as ``names_of`` returns them.
+    """
+    seen = tuple(
+        Seen(
+            who=each.node_id, fills=round(each.pixels, 4), box=each.box and _shares(each.box),
+            visible=round(each.visible_fraction, 2), head=round(each.head_height, 3),
+            face=each.face and _shares(each.face), turned=round(each.face_angle),
+        )
+        for each in review.seen
+        if each.pixels
+    )  # fmt: skip
+    faults = tuple(plain(fault.message, names) for fault in review.faults)
+    return FrameVerdict(shot=review.shot, verdict=review.verdict, score=review.score, faults=faults, seen=seen)
+
+
+def _shares(values: tuple[float, ...]) -> Any:
+    """Return places in the picture, rounded."""
+    return tuple(round(value, 2) for value in values)
 
 
 def _rounded(point: Iterable[float]) -> tuple[float, float, float]:

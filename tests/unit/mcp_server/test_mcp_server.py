@@ -154,6 +154,28 @@ def test_a_script_becomes_a_storyboard_while_the_agent_asks_how_far_it_is(stage:
     assert "already" in busy["error"], "a script is never overwritten"
 
 
+def test_an_edit_is_in_the_graph_at_once_and_its_frame_is_judged(stage: Stage) -> None:
+    stage.render()
+
+    async def say(client: Client[Any]) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
+        await client.call_tool(*OPEN)
+        edit = {"kind": "camera", "shot": SHOT, "decision": {"size": "ECU", "lens": 111}}
+        edited = (await client.call_tool("edit", {"edits": [edit]})).structured_content or {}
+        graph, words = [
+            json.loads((await client.read_resource(f"storyblender://{name}"))[0].text)  # type: ignore[union-attr]
+            for name in ("graph", "vocabulary")
+        ]
+        return edited, graph, words
+
+    edited, graph, words = talk(stage.folder.parent, say)
+    instruction = graph["shots"][0]["camera_instruction"]
+    assert instruction["size"] == "ECU" and instruction["lens"] == 111
+    [frame] = edited["frames"]
+    assert frame["shot"] == SHOT and frame["verdict"] in ("pass", "fix", "reject")
+    assert bool(frame["faults"]) == (frame["score"] < 10)
+    assert instruction["size"] in words["camera"]["size"]
+
+
 def test_the_graph_is_a_resource_and_a_missing_board_is_said(stage: Stage) -> None:
     async def say(client: Client[Any]) -> tuple[Any, str]:
         await client.call_tool(*OPEN)
