@@ -18,10 +18,11 @@ TABLES = {
     "readings": ["-m", "benchmarks.readings"],
     "scale": [str(HERE / "scale.py")],
     "edit": [str(HERE / "edit.py")],
+    "framing": ["-m", "benchmarks.framing_requests"],
     "feature": ["-m", "benchmarks.feature"],
 }
-LONG = ("feature",)
-"""Run for an hour: only when asked for by name."""
+LONG = ("framing", "feature")
+"""Run for minutes or an hour: only when asked for by name."""
 
 
 def main(arguments: list[str]) -> int:
