@@ -57,6 +57,7 @@ def test_the_request_arrives_whole_in_every_form(service: Service, refused: Sequ
     for words in ("Count the doors.", "MARKED WORDS", "one door is missing"):
         assert words in last.words
     (picture,) = last.pictures
+    assert "Picture `plan`:" in last.words
     data = picture[1].replace("-", "+").replace("_", "/")
     assert (picture[0], base64.b64decode(data + "=" * (-len(data) % 4))) == ("image/png", PNG)
 

@@ -187,8 +187,8 @@ def _message(request: Request, form: str) -> ModelRequest:
     if form == "prompted":
         words += ["## Your answer", "Answer with one JSON value of this schema, and nothing else:"]
         words.append(fenced(request.answer_schema))
-    pictures = [BinaryContent(each.png, media_type="image/png") for each in request.pictures]
-    prompt = UserPromptPart(content=["\n\n".join(words), *pictures])
+    named = [(f"Picture `{each.name}`:", BinaryContent(each.png, media_type="image/png")) for each in request.pictures]
+    prompt = UserPromptPart(content=["\n\n".join(words), *(part for pair in named for part in pair)])
     return ModelRequest(parts=[prompt], instructions=request.instructions)
 
 
