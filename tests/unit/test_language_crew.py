@@ -90,7 +90,7 @@ def test_a_vision_critic_judges_the_camera_where_one_is_named(crew: str) -> None
     role = made.camera_operator(Any)
     assert isinstance(role.critic, VisionCritic) == ("camera_critic" in named)
     assert isinstance(role.policies[0], LanguageCameraOperator) == ("camera_operator" in named)
-    assert (role.threshold == CAMERA_THRESHOLD) == ("camera_critic" not in named)
+    assert (role.threshold, role.horizon) == (CAMERA_THRESHOLD, 5 if named else 3)
 
 
 def test_every_role_that_a_model_can_play_has_a_form_of_answer() -> None:

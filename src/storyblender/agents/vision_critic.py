@@ -19,8 +19,8 @@ from storyblender.reflection import UNUSABLE, Critic, Critique, Draft, Fault, Vi
 
 SEEN: Final = "seen"
 """Kind of every fault that a vision critic finds."""
-_GOOD = 8.0
-"""Score under which a critic has to say what is wrong."""
+_GOOD: Final = 8.0
+"""Score from which a vision critic accepts (paper, section 3); under it, it has to say what is wrong."""
 
 
 class SeenFault(Notes):
@@ -73,6 +73,8 @@ class VisionCritic(Generic[View, Draft]):
         pictures: Draws the draft.
         ids: Returns the ids that a fault may name.
         wanted: Returns whether the vision critic judges a view at all.
+        threshold: tau of the role. A vision critic's 8 counts as this score, so that a role whose engine's critic is
+            stricter than the paper's stays so.
     """
 
     engine: Critic[View, Draft]
@@ -82,6 +84,7 @@ class VisionCritic(Generic[View, Draft]):
     pictures: Callable[[Draft, View], tuple[Picture, ...]]
     ids: Callable[[View], Collection[str]] = lambda view: ()
     wanted: Callable[[View], bool] = lambda view: True
+    threshold: float = _GOOD
 
     def judge(self, draft: Draft, view: View) -> Critique:
         """Return what both critics say of a draft.
@@ -119,22 +122,28 @@ class VisionCritic(Generic[View, Draft]):
             )
         except NoAnswer as error:
             return computed.model_copy(update={"remarks": (*computed.remarks, f"{role} is not heard: {error}")})
+        score = self._scaled(notes.score)
         return Critique(
-            score=max(1.0, min(computed.score, notes.score)),
-            faults=(*computed.faults, *_faults(notes)),
+            score=max(1.0, min(computed.score, score)),
+            faults=(*computed.faults, *_faults(notes, 10 - score)),
             remarks=(*computed.remarks, _remark(role, notes)),
         )
 
+    def _scaled(self, score: float) -> float:
+        """Return a vision critic's score with its 8 at the role's threshold; 0 and 10 stay."""
+        if score < _GOOD:
+            return score * self.threshold / _GOOD
+        return self.threshold + (score - _GOOD) * (10 - self.threshold) / (10 - _GOOD)
 
-def _faults(notes: CriticNotes) -> tuple[Fault, ...]:
-    """Return the faults of an answer; together they cost the points that are missing from ten."""
-    each = (10 - notes.score) / max(len(notes.faults), 1)
+
+def _faults(notes: CriticNotes, points: float) -> tuple[Fault, ...]:
+    """Return the faults of an answer; together they cost so many points."""
     return tuple(
         Fault(
             kind=SEEN,
             subject=fault.subject,
             message=fault.message,
-            severity=each,
+            severity=points / len(notes.faults),
             fix={"ops": " ".join(fault.operations)} if fault.operations else {},
         )
         for fault in notes.faults

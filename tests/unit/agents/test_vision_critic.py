@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from typing import Literal
 
 import pytest
@@ -61,6 +62,16 @@ def test_the_lower_score_counts_and_the_faults_of_both_are_kept() -> None:
     assert both.judge("two", "SC010").score == 9
     assert [each.pictures[0].png for each in answerer.asked] == [b"one", b"two"]
     assert (answerer.asked[0].role, answerer.asked[0].subject) == ("turn_critic", "SC010")
+
+
+@pytest.mark.parametrize("threshold", [8.0, 9.25, 5.0])
+def test_what_a_vision_critic_accepts_passes_the_threshold_of_the_role_and_nothing_else_does(threshold: float) -> None:
+    scores = [0, 4, 7.9, 8, 8.1, 10]
+    both = replace(critic(Scripted([answer(score, left="it leans") for score in scores])), threshold=threshold)
+    found = [both.judge(str(score), "SC010") for score in scores]
+    assert [each.score >= threshold for each in found] == [score >= 8 for score in scores]
+    assert [each.score for each in found] == sorted(each.score for each in found)
+    assert all(each.score == max(1.0, Critique.of(each.faults).score) for each in found)
 
 
 def test_without_an_answer_the_engine_decides_alone_and_the_trace_says_so() -> None:

@@ -12,7 +12,6 @@ from typing import Any
 from storyblender.agents.asking import Asker
 from storyblender.agents.layout_artist.camera_operator import (
     CAMERA_HORIZON,
-    CAMERA_THRESHOLD,
     MODEL_HORIZON,
     CameraRole,
     Operator,
@@ -30,8 +29,6 @@ from storyblender.ports import Answerer, Viewfinder
 
 CameraCriticNotes = critic_notes(Operation)
 """What the vision critic of the camera says."""
-_THRESHOLD = 8.0
-"""tau where a vision critic judges (paper, section 3), unless the settings have another for the Camera Operator."""
 
 
 def with_camera_critic(answerer: Answerer, operator: Operator) -> Operator:
@@ -60,10 +57,10 @@ def with_camera_critic(answerer: Answerer, operator: Operator) -> Operator:
             pictures=lambda take, view: _pictures(viewfinder, take, view),
             ids=_ids,
             wanted=lambda view: view.placed is None,
+            threshold=role.threshold,
         )
-        threshold = _THRESHOLD if role.threshold == CAMERA_THRESHOLD else role.threshold
         horizon = MODEL_HORIZON if role.horizon == CAMERA_HORIZON else role.horizon
-        return replace(role, critic=critic, threshold=threshold, horizon=horizon)
+        return replace(role, critic=critic, horizon=horizon)
 
     return build
 

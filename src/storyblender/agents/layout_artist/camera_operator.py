@@ -84,9 +84,12 @@ class RulesCameraOperator:
 
     critic: CameraOperatorCritic
     _lists: dict[tuple[int, int], list[CameraOperatorDraft]] = field(default_factory=dict)
+    _looks: dict[tuple[int, int], int] = field(default_factory=dict)
+    """Looks of a policy before this one, by shot; they do not count."""
 
     def propose(self, view: CameraOperatorView) -> CameraOperatorDraft:
         """Return the scout's first take, or the best of the first few if that is not good enough."""
+        self._looks[view.scene_id, view.shot_id] = self.critic.looks
         first = self.ranked_takes(view)[0]
         if self.critic.judge(first, view).score >= CAMERA_THRESHOLD:
             return first
@@ -126,7 +129,8 @@ class RulesCameraOperator:
     ) -> tuple[CameraOperatorDraft | None, float]:
         """Return the best of some takes and its score, within the looks left; None if there is none."""
         moments = len(moments_to_judge(view, takes))
-        takes = takes[: max(0, (_LOOKS - self.critic.looks) // max(moments, 1))]
+        spent = self.critic.looks - self._looks.get((view.scene_id, view.shot_id), 0)
+        takes = takes[: max(0, (_LOOKS - spent) // max(moments, 1))]
         if not takes:
             return None, 0.0
         scores = [critique.score for critique in self.critic.judge_all(takes, view)]

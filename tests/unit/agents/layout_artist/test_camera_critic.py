@@ -39,7 +39,7 @@ def test_a_picture_that_it_likes_is_the_rules_own() -> None:
     critic = Scripted([said(9)])
     state = judged(critic)
     assert (state.poses, state.hidden_node_ids) == (operate(VIEW, Finder()).poses, ())
-    assert state.score == 9
+    assert 9.25 < state.score < 10
     asked = critic.asked[0]
     assert (asked.role, asked.subject, [each.name for each in asked.pictures]) == (
         "camera_critic", "SC010_SH020", ["frame_0"],
@@ -60,7 +60,7 @@ def test_what_it_minds_leads_to_another_camera() -> None:
     events: list[Event] = []
     state = judged(Answering(look), events=events)
     assert abs(azimuth(state) - home) > 10
-    assert state.score >= 8
+    assert state.score >= 9.25
     told = [detail for event in events if event.kind == "score" for detail in event.details]
     assert any("camera_critic gives 5: a post grows out of her head (orbit_left)" in each for each in told)
 
@@ -68,7 +68,7 @@ def test_what_it_minds_leads_to_another_camera() -> None:
 def test_what_nothing_mends_is_kept_with_the_camera() -> None:
     fault = {"message": "she is lost before the wall"}
     state = judged(Answering(lambda view: {"score": 6, "faults": [fault]}))
-    assert state.score == 6
+    assert state.score < 9.25
     assert "she is lost before the wall" in [flaw.message for flaw in state.residual]
 
 

@@ -165,6 +165,22 @@ def test_a_silent_model_leaves_the_camera_to_the_rules() -> None:
     assert operated(Scripted([NoAnswer("gone")]), threshold=9.25) == operate(VIEW, Finder())
 
 
+def test_looks_of_a_model_that_fell_silent_do_not_count_for_the_rules() -> None:
+    far = replace(ANNA, face=(2.0, 0.0, 1.6), base=(2.0, 0.0, 0.0))
+    walk = replace(VIEW, moments=(Moment(0, (ANNA,)), Moment(20, (ANNA,)), Moment(47, (far,))))
+    critics: list[Any] = []
+
+    def operator(viewfinder: Any) -> Any:
+        role = replace(rules_operator(viewfinder), threshold=10.1)
+        critics.append(role.critic)
+        return role
+
+    operate(walk, Finder(), operator)
+    operate(walk, Finder(), language_operator(Scripted([camera(view=1), NoAnswer("gone")]), operator))
+    alone, after = ({take for take in critic.judged(walk)} for critic in critics)
+    assert alone <= after, "the rules look at whatever they look at when they are alone"
+
+
 def test_a_point_of_view_leaves_nothing_to_choose() -> None:
     instruction = CameraInstruction(kind="pov", size="MS", focus_on_ids=("anna",))
     operated(Scripted([]), replace(VIEW, instruction=instruction), threshold=0.0)
