@@ -56,7 +56,7 @@ def with_camera_critic(answerer: Answerer, operator: Operator) -> Operator:
             show=show,
             pictures=lambda take, view: _pictures(viewfinder, take, view),
             ids=_ids,
-            wanted=lambda view: view.placed is None,
+            wanted=lambda view: view.asked.placed is None,
             threshold=role.threshold,
         )
         horizon = MODEL_HORIZON if role.horizon == CAMERA_HORIZON else role.horizon

@@ -34,6 +34,7 @@ def shown_shot(view: CameraOperatorView) -> dict[str, Any]:
         "over_the_shoulder_of": view.over.node_id if view.over is not None else None,
         "should_also_be_seen": view.in_frame,
         "script_orders": wanted.order,
+        "asked_for": view.asked.model_dump(mode="json", exclude_defaults=True),
         "head_height_wanted": SIZES[wanted.size].band if view.people else None,
     }
     if view.previous is not None:

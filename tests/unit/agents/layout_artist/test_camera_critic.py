@@ -16,7 +16,7 @@ from storyblender.agents.layout_artist.camera_operator_view import Moment
 from storyblender.agents.layout_artist.language_camera_operator import language_operator
 from storyblender.errors import NoAnswer
 from storyblender.geometry.camera_path import orbit_of
-from storyblender.memory.camera_decision import CameraPosition, FreeCamera
+from storyblender.memory.camera_decision import CameraDecision, CameraPosition, FreeCamera
 from storyblender.memory.shot_context import CameraState
 from storyblender.trace import Event
 
@@ -79,7 +79,7 @@ def test_without_an_answer_the_camera_is_the_rules_own() -> None:
 
 def test_a_camera_that_a_person_placed_is_not_judged_by_a_model() -> None:
     start = CameraPosition(location=(0.5, -3.0, 1.5), target=(0.0, 0.0, 1.5))
-    state = judged(Scripted([]), replace(VIEW, placed=FreeCamera(start=start)))
+    state = judged(Scripted([]), replace(VIEW, asked=CameraDecision(placed=FreeCamera(start=start))))
     assert orbit_of(state.poses[0], FILM).position == pytest.approx(start.location)
 
 

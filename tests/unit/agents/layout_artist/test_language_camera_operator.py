@@ -23,6 +23,7 @@ from storyblender.geometry.framing import Figure, Film, project
 from storyblender.language.answer_folder import as_markdown
 from storyblender.look.viewfinder_picture import as_png, numbered_sheet
 from storyblender.memory.base import content_hash
+from storyblender.memory.camera_decision import CameraDecision
 from storyblender.memory.measure import CameraView, SubjectView, ViewRequest
 from storyblender.memory.request import Picture
 from storyblender.memory.shot_context import CameraInstruction, CameraState
@@ -119,6 +120,12 @@ def test_rules_ask_for_no_pictures() -> None:
             raise AssertionError("nobody looks at pictures")
 
     operate(VIEW, Blind())
+
+
+def test_a_model_is_told_what_a_person_asked_for() -> None:
+    model = Scripted([camera(view=1)])
+    operated(model, replace(VIEW, asked=CameraDecision(size="MS", angle="low angle")), threshold=0.0)
+    assert json.loads(model.asked[0].view)["shot"]["asked_for"] == {"size": "MS", "angle": "low angle"}
 
 
 def test_each_turn_goes_on_from_the_best_take_so_far() -> None:
