@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,6 +27,7 @@ from storyblender.geometry.relations import (
     Violation,
     bearing_error,
     cannot_move,
+    carrier,
     carriers,
     clamp_into_room,
     exempt_pairs,
@@ -77,6 +78,7 @@ def solve(
     seed: int = 0,
     restarts: int = 3,
     passes: int = 120,
+    mending: bool = False,
 ) -> Solution:
     """Move and turn things until every constraint holds; the same input and seed give the same layout.
 
@@ -87,6 +89,8 @@ def solve(
         seed: Seed of the random draws of relocation and restarts.
         restarts: Fresh starts from the wished places, roots drawn towards the middle.
         passes: Limit of each start; the first gives up at half of it.
+        mending: Start from a draft with errors, not from wishes: what is carried keeps its place on what carries it,
+            and fresh starts draw things that are placed by each other towards the middle as well.
     """
     rng = np.random.default_rng(seed)
     best: list[LayoutThing] | None = None
@@ -94,9 +98,9 @@ def solve(
     total = moved = 0
     for start in range(restarts):
         current = [thing.copy() for thing in things]
+        relaxation = _Relaxation(current, room, keep_free, rng, mending)
         if start:
-            _draw_to_middle(current, room, rng)
-        relaxation = _Relaxation(current, room, keep_free, rng)
+            relaxation.draw_to_middle()
         residual = relaxation.run(passes if start else passes // 2)
         total += relaxation.passes
         moved += relaxation.relocations
@@ -108,14 +112,16 @@ def solve(
     return Solution(tuple(best), tuple(least), total, moved)
 
 
-def _draw_to_middle(things: list[LayoutThing], room: PlayingArea, rng: np.random.Generator) -> None:
-    """Bring the things that have no anchor towards the middle of the room, with some scatter."""
-    middle_x, middle_y = (room.x_min + room.x_max) / 2, (room.y_min + room.y_max) / 2
-    for thing in things:
-        if thing.anchor is None and not thing.fixed:
-            dx, dy = rng.normal(0.0, 0.5, 2)
-            thing.box.x = middle_x + 0.4 * (thing.box.x - middle_x) + float(dx)
-            thing.box.y = middle_y + 0.4 * (thing.box.y - middle_y) + float(dy)
+def _in_ring(thing: LayoutThing, by_name: Mapping[str, LayoutThing]) -> bool:
+    """Return whether a thing is its anchor's anchor, or the anchor of that one, and so on."""
+    seen: set[str] = set()
+    anchor = thing.anchor
+    while anchor is not None and anchor in by_name and anchor not in seen:
+        if anchor == thing.name:
+            return True
+        seen.add(anchor)
+        anchor = by_name[anchor].anchor
+    return False
 
 
 _OUTWARD_AXIS: dict[str, Axis] = {name: (math.cos(angle), math.sin(angle)) for name, angle in BEARING.items()}
@@ -126,9 +132,14 @@ class _Relaxation:
     """One start of the solver; changes the things it is given."""
 
     def __init__(
-        self, things: list[LayoutThing], room: PlayingArea, keep_free: Sequence[Box], rng: np.random.Generator
+        self,
+        things: list[LayoutThing],
+        room: PlayingArea,
+        keep_free: Sequence[Box],
+        rng: np.random.Generator,
+        mending: bool,
     ) -> None:
-        self.things, self.room, self.keep_free, self.rng = things, room, keep_free, rng
+        self.things, self.room, self.keep_free, self.rng, self.mending = things, room, keep_free, rng, mending
         self.by_name = {thing.name: thing for thing in things}
         chains = {thing.name: carriers(thing, self.by_name) for thing in things}
         self.riders: dict[str, list[LayoutThing]] = {thing.name: [] for thing in things}
@@ -155,6 +166,21 @@ class _Relaxation:
             seen.add(thing.anchor)
             thing = self.by_name[thing.anchor]
         return len(seen) - 1
+
+    def draw_to_middle(self) -> None:
+        """Bring the things that have no anchor towards the middle of the room, with some scatter."""
+        room = self.room
+        middle_x, middle_y = (room.x_min + room.x_max) / 2, (room.y_min + room.y_max) / 2
+        for thing in self.things:
+            if thing.fixed or not (thing.anchor is None or (self.mending and _in_ring(thing, self.by_name))):
+                continue
+            dx, dy = self.rng.normal(0.0, 0.5, 2)
+            x = middle_x + 0.4 * (thing.box.x - middle_x) + float(dx)
+            y = middle_y + 0.4 * (thing.box.y - middle_y) + float(dy)
+            if self.mending:
+                self._move(thing, x - thing.box.x, y - thing.box.y)
+            else:
+                thing.box.x, thing.box.y = x, y
 
     def run(self, limit: int) -> list[Violation]:
         residual = violations(self.things, self.room, self.keep_free)
@@ -270,6 +296,8 @@ class _Relaxation:
         pull, seen = 0.7, {thing.name}
         while thing.relationship in BEARING and thing.anchor in self.by_name and thing.anchor not in seen:
             thing = self.by_name[thing.anchor]
+            if self.mending and carrier(thing, self.by_name) is not None:
+                return
             seen.add(thing.name)
             self._move(thing, dx * pull, dy * pull)
             pull *= 0.8

@@ -85,7 +85,7 @@ class LayoutStage:
             item: Location in world metres, rotation in degrees.
             fixed: Keep the solver from moving it; things that hang are never moved.
         """
-        thing = thing_of(item, self.view.measures, self.view.plan)
+        thing = thing_of(item, self.view.measures, self.view.plan, self.view.placements)
         if thing is not None:
             thing.fixed = fixed or thing.floats
             self.add(thing, item.asset_id)

@@ -4,15 +4,27 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
+from typing import Final
 
 import numpy as np
 
 from storyblender.catalog.footprints import piece_boxes, wall_boxes
 from storyblender.catalog.set_plan import SetPlan
-from storyblender.geometry.boxes import Box, footprint_gap
-from storyblender.geometry.relations import LayoutThing, PlayingArea, StandingSurface, Violation, remedy, violations
+from storyblender.geometry.boxes import Box, footprint_gap, yaw_along
+from storyblender.geometry.relations import (
+    CONTACT_DISTANCE,
+    LayoutThing,
+    PlayingArea,
+    StandingSurface,
+    Violation,
+    remedy,
+    violations,
+)
+from storyblender.geometry.seating import list_seats
 from storyblender.geometry.support import OpenTop
 from storyblender.memory.asset_sheet import Anchor
+from storyblender.memory.base import Vec3
 from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.scene_context import Layout, LayoutObject, SceneSize
 from storyblender.reflection import Fault
@@ -25,6 +37,11 @@ _TRUNK = (0.42, 0.3, 0.8)
 _FLAT = 0.05
 _HUNG = 0.12
 """Most metres from a wall or a ceiling at which a thing counts as hanging."""
+_OFF_SEAT, _LIFTED = 0.3, 0.12
+"""Metres that a sitter may be beside a seat, and above or below it."""
+_TWISTED = 100.0
+"""Degrees that a sitter may be turned away from where the seat faces."""
+NOWHERE: Final[Mapping[str, str]] = MappingProxyType({})
 _SEVERITY = 2.5
 """Points for each violation: one is enough to be refined at the usual threshold of 8."""
 
@@ -63,13 +80,19 @@ def size_of(measure: AssetMeasure) -> tuple[float, float, float]:
     return width, depth, height
 
 
-def thing_of(item: LayoutObject, measures: Mapping[str, AssetMeasure], plan: SetPlan) -> LayoutThing | None:
+def thing_of(
+    item: LayoutObject,
+    measures: Mapping[str, AssetMeasure],
+    plan: SetPlan,
+    placements: Mapping[str, str] = NOWHERE,
+) -> LayoutThing | None:
     """Return a layout object as the solver sees it; None if its asset has no measure.
 
     Args:
         item: The object.
         measures: Measures by asset id.
         plan: The set, to tell whether the object hangs.
+        placements: ``floor``, ``surface``, ``wall`` or ``ceiling`` by asset id, where it is known.
     """
     measure = measures.get(item.asset_id)
     if measure is None:
@@ -86,7 +109,8 @@ def thing_of(item: LayoutObject, measures: Mapping[str, AssetMeasure], plan: Set
         item.node_id, box, item.anchor_asset_id, item.relationship, item.contact, item.direction,
         mass=1.0 if is_person else mass_of(measure.dimensions), fixed=item.fixed, walks=is_person,
     )  # fmt: skip
-    thing.floats = item.fixed or (z > _FLAT and is_hanging(box, plan))
+    stands = is_person or item.anchor_asset_id is not None or placements.get(item.asset_id) in ("floor", "surface")
+    thing.floats = item.fixed or (z > _FLAT and not stands and is_hanging(box, plan))
     return thing
 
 
@@ -166,7 +190,7 @@ def seat_box(x: float, y: float, z: float, yaw: float) -> Box:
 def assign_surfaces(
     things: Sequence[LayoutThing], assets: Mapping[str, str], measures: Mapping[str, AssetMeasure]
 ) -> None:
-    """Set the surface on which each thing stands, if it stands on another: the one nearest below it.
+    """Set the surface on which each thing stands, if it stands on another: the nearest one that has room for it.
 
     Args:
         things: The things; changed in place.
@@ -179,23 +203,76 @@ def assign_surfaces(
         if thing.relationship != "on_top_of" or anchor is None:
             continue
         lift = thing.box.z - anchor.box.z
-        tops = tops_of(measures[assets[anchor.name]])
-        thing.surface = min((top.surface for top in tops), key=lambda surface: abs(surface.z - lift))
+        tops = sorted(tops_of(measures[assets[anchor.name]]), key=lambda top: abs(top.surface.z - lift))
+        nearest = tops[0].surface
+        roomy = (
+            [top.surface for top in tops if _has_room(top, thing)] if abs(nearest.z - lift) > CONTACT_DISTANCE else []
+        )
+        thing.surface = next(iter(roomy), nearest)
 
 
-def layout_violations(layout: Layout, measures: Mapping[str, AssetMeasure], plan: SetPlan) -> tuple[Fault, ...]:
+def _has_room(top: OpenTop, thing: LayoutThing) -> bool:
+    """Return whether a thing fits on a surface, straight or turned by a quarter, and under what is above it."""
+    small, large = sorted((thing.box.width, thing.box.depth))
+    narrow, wide = sorted((top.surface.width, top.surface.depth))
+    return small <= narrow and large <= wide and (top.clearance is None or thing.box.height <= top.clearance)
+
+
+def layout_violations(
+    layout: Layout, measures: Mapping[str, AssetMeasure], plan: SetPlan, placements: Mapping[str, str] = NOWHERE
+) -> tuple[Fault, ...]:
     """Return everything that is geometrically wrong with a layout, each with its exact fix; empty if it is valid.
 
     Args:
         layout: The layout to check.
         measures: Measures by asset id; an object without one is not checked.
         plan: The set, for its walls and solid parts.
+        placements: ``floor``, ``surface``, ``wall`` or ``ceiling`` by asset id, where it is known.
     """
-    things = [thing for item in layout.objects if (thing := thing_of(item, measures, plan)) is not None]
+    things = [thing for item in layout.objects if (thing := thing_of(item, measures, plan, placements)) is not None]
     assign_surfaces(things, {item.node_id: item.asset_id for item in layout.objects}, measures)
     everything = [*things, *walls_of(plan)]
     room = room_of(layout.scene_size)
-    return tuple(fault_of(violation, everything, room) for violation in violations(everything, room))
+    found = tuple(fault_of(violation, everything, room) for violation in violations(everything, room))
+    return (*off_seats(layout, measures), *found)
+
+
+def off_seats(layout: Layout, measures: Mapping[str, AssetMeasure]) -> tuple[Fault, ...]:
+    """Return a fault for each sitter who is not on a seat of their furniture; the fix brings them to the nearest.
+
+    Args:
+        layout: The layout to check.
+        measures: Measures by asset id.
+    """
+    items = {item.node_id: item for item in layout.objects if item.asset_id in measures}
+    found: list[Fault] = []
+    for item in items.values():
+        anchor = items.get(item.anchor_asset_id or "")
+        if anchor is None or not is_seated(item) or measures[item.asset_id].asset_type != "character":
+            continue
+        seats = [_seat_place(anchor, seat) for seat in _seats_of(measures[anchor.asset_id])]
+        place, turned = min(seats, key=lambda seat: math.dist(seat[0], item.location), default=(item.location, 0.0))
+        move = [there - here for there, here in zip(place, item.location, strict=True)]
+        turn = (turned - item.rotation[2] + 180.0) % 360.0 - 180.0
+        off = max(math.hypot(move[0], move[1]) - _OFF_SEAT, abs(move[2]) - _LIFTED)
+        if seats and (off > 0 or abs(turn) > _TWISTED):
+            amount = f"{math.hypot(*move):.2f} m" if off > 0 else f"{abs(turn):.0f} degrees"
+            fix = {f"move_{axis}": round(step, 3) for axis, step in zip("xyz", move, strict=True)} | {"turn": turn}
+            found.append(_fault("contact" if off > 0 else "direction", item.node_id, anchor.node_id, amount, fix))
+    return tuple(found)
+
+
+def _seats_of(measure: AssetMeasure) -> list[Anchor]:
+    """Return where people sit and lie on an asset."""
+    return [*anchors_of(measure, "bed"), *list_seats(measure.anchors, measure.dimensions, asked=True)]
+
+
+def _seat_place(furniture: LayoutObject, seat: Anchor) -> tuple[Vec3, float]:
+    """Return the place of a sitter on a seat, and the yaw in degrees that the seat faces."""
+    x, y, z = furniture.location
+    yaw = furniture.rotation[2]
+    there = Box(x, y, z, 0.0, 0.0, 0.0, math.radians(yaw)).to_world(*seat.location[:2])
+    return (*there, z + seat.location[2]), yaw + math.degrees(yaw_along(*seat.direction[:2]))
 
 
 def fault_of(violation: Violation, things: Sequence[LayoutThing], room: PlayingArea) -> Fault:
@@ -207,15 +284,13 @@ def fault_of(violation: Violation, things: Sequence[LayoutThing], room: PlayingA
         room: The playing area.
     """
     fix = {name: round(value, 3) for name, value in remedy(violation, things, room).items()}
-    amount = violation.amount
     angular = violation.kind in ("direction", "relationship")
-    size = f"{math.degrees(amount):.0f} degrees" if angular else f"{amount:.2f} m"
-    towards = f" and {violation.other}" if violation.other else ""
+    amount = f"{math.degrees(violation.amount):.0f} degrees" if angular else f"{violation.amount:.2f} m"
+    return _fault(violation.kind, violation.subject, violation.other, amount, fix)
+
+
+def _fault(kind: str, subject: str, other: str | None, amount: str, fix: Mapping[str, float]) -> Fault:
+    towards = f" and {other}" if other else ""
     mend = ", ".join(f"{name} {value:+.2f}" for name, value in fix.items()) or "none known"
-    return Fault(
-        kind=violation.kind,
-        subject=violation.subject,
-        severity=_SEVERITY,
-        message=f"{violation.kind} of {violation.subject}{towards}: {size} too much; fix: {mend}",
-        fix=dict(fix),
-    )
+    message = f"{kind} of {subject}{towards}: {amount} too much; fix: {mend}"
+    return Fault(kind=kind, subject=subject, severity=_SEVERITY, message=message, fix=dict(fix))

@@ -6,13 +6,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from storyblender.agents.layout_artist.layout_stage import LayoutStage
 from storyblender.agents.layout_artist.layout_things import (
+    is_seated,
     layout_object_of,
     layout_violations,
+    off_seats,
     room_of,
     thing_of,
     walls_of,
@@ -32,6 +34,8 @@ _REACH = 0.55
 """Metres in front of a target at which a person must be able to stand."""
 _SQUEEZE = 0.5
 """Least width in metres of a way for a person, such as behind a bar; lanes are wider."""
+_SITTER = 1e4
+"""Mass of a sitter while a draft is mended: others are pushed away from them, not they off their seat."""
 _RESERVED = (0.6, 0.5)
 """Width and depth in metres of the floor kept free in front of a target."""
 
@@ -56,35 +60,44 @@ class RulesSpatialPlanner:
             critique: Its faults, with ``move_x``, ``move_y``, ``move_z`` (metres) and ``turn`` (degrees) as fixes.
             view: The scene.
         """
-        moved = {item.node_id: item for item in draft.objects}
-        for fault in critique.faults:
-            item = moved.get(fault.subject)
-            if item is None or item.fixed:
-                continue
-            move = [float(fault.fix.get(f"move_{axis}", 0.0)) for axis in "xyz"]
-            x, y, z = (value + step for value, step in zip(item.location, move, strict=True))
-            rx, ry, rz = item.rotation
-            turned = (rx, ry, rz + float(fault.fix.get("turn", 0.0)))
-            moved[fault.subject] = item.model_copy(update={"location": (x, y, z), "rotation": turned})
+        mended = _moved(draft, critique.faults)
+        mended = _moved(mended, off_seats(mended, view.measures))
         stage = LayoutStage(view)
-        for item in moved.values():
+        for item in mended.objects:
             if item.node_id not in stage.things:
                 stage.add_object(item, fixed=item.fixed)
-        return _solve_layout(stage, view)
+                if is_seated(item) and item.node_id in stage.things:
+                    stage.things[item.node_id].mass = _SITTER
+        return _solve_layout(stage, view, mending=True)
 
 
-def _solve_layout(stage: LayoutStage, view: SpatialPlannerView) -> Layout:
+def _moved(layout: Layout, faults: Iterable[Fault]) -> Layout:
+    """Return a layout with the fixes of faults applied to what may be moved."""
+    moved = {item.node_id: item for item in layout.objects}
+    for fault in faults:
+        item = moved.get(fault.subject)
+        if item is None or item.fixed:
+            continue
+        move = [float(fault.fix.get(f"move_{axis}", 0.0)) for axis in "xyz"]
+        x, y, z = (value + step for value, step in zip(item.location, move, strict=True))
+        rx, ry, rz = item.rotation
+        turned = (rx, ry, rz + float(fault.fix.get("turn", 0.0)))
+        moved[fault.subject] = item.model_copy(update={"location": (x, y, z), "rotation": turned})
+    return layout.model_copy(update={"objects": tuple(moved.values())})
+
+
+def _solve_layout(stage: LayoutStage, view: SpatialPlannerView, *, mending: bool = False) -> Layout:
     """Solve the stage as wished, then again with the walkways kept free; return the better layout."""
     things = [*stage.things.values(), *stage.walls]
     seed = int(content_hash("layout", view.scene_id, view.seed)[:8], 16)
-    solution = solve(things, stage.room, keep_free=_reserved_floor(stage), seed=seed)
+    solution = solve(things, stage.room, keep_free=_reserved_floor(stage), seed=seed, mending=mending)
     if solution.residual:
         freed = [_without_relation(thing, solution.residual) for thing in solution.things]
-        without = solve(freed, stage.room, keep_free=_reserved_floor(stage), seed=seed)
+        without = solve(freed, stage.room, keep_free=_reserved_floor(stage), seed=seed, mending=mending)
         solution = without if len(without.residual) < len(solution.residual) else solution
     lanes = [*_reserved_floor(stage), *_walkways(stage, solution.things)]
     if lanes:
-        with_lanes = solve(solution.things, stage.room, keep_free=lanes, seed=seed)
+        with_lanes = solve(solution.things, stage.room, keep_free=lanes, seed=seed, mending=mending)
         if len(with_lanes.residual) <= len(solution.residual):
             solution = with_lanes
     known = {item.node_id: item for item in view.dressed}
@@ -175,13 +188,14 @@ class SpatialPlannerCritic:
             draft: The layout.
             view: The scene.
         """
-        faults = layout_violations(draft, view.measures, view.plan)
+        faults = layout_violations(draft, view.measures, view.plan, view.placements)
         return Critique.of((*faults, *_find_unreachable(draft, view), *_find_missing(draft, view)))
 
 
 def _find_unreachable(draft: Layout, view: SpatialPlannerView) -> list[Fault]:
     """Return a fault for each person whom no walk from a door reaches."""
-    things = [thing for item in draft.objects if (thing := thing_of(item, view.measures, view.plan)) is not None]
+    seen = (thing_of(item, view.measures, view.plan, view.placements) for item in draft.objects)
+    things = [thing for thing in seen if thing is not None]
     things += walls_of(view.plan)
     doors, room = _doors(view), room_of(draft.scene_size)
     return [
