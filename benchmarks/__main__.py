@@ -11,6 +11,7 @@ SCORED = ("fresh_*.gold", "unseen_*.gold")
 """Pages that no rule of the reader quotes; the others served to write it (see ``director/ANNOTATING.md``)."""
 TABLES = {
     "layout": [str(HERE / "layout_solver.py")],
+    "layout_reflection": ["-m", "benchmarks.layout_reflection"],
     "director": [
         str(HERE / "director" / "score.py"),
         *sorted(str(path) for name in SCORED for path in (HERE.parent / "tests/data/director").glob(name)),
@@ -21,7 +22,7 @@ TABLES = {
     "framing": ["-m", "benchmarks.framing_requests"],
     "feature": ["-m", "benchmarks.feature"],
 }
-LONG = ("framing", "feature")
+LONG = ("framing", "feature", "layout_reflection")
 """Run for minutes or an hour: only when asked for by name."""
 
 
