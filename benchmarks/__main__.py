@@ -20,9 +20,10 @@ TABLES = {
     "scale": [str(HERE / "scale.py")],
     "edit": [str(HERE / "edit.py")],
     "framing": ["-m", "benchmarks.framing_requests"],
+    "recordings": ["-m", "benchmarks.recordings"],
     "feature": ["-m", "benchmarks.feature"],
 }
-LONG = ("framing", "feature", "layout_reflection")
+LONG = ("framing", "feature", "layout_reflection", "recordings")
 """Run for minutes or an hour: only when asked for by name."""
 
 
