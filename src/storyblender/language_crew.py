@@ -27,6 +27,7 @@ from storyblender.agents.layout_artist.language_dimension_estimator import (
     language_dimension_estimator,
 )
 from storyblender.agents.layout_artist.language_spatial_planner import LayoutNotes, language_spatial_planner
+from storyblender.agents.layout_artist.layout_critic import LayoutCriticNotes, with_layout_critic
 from storyblender.agents.visual_effects_artist.language_animator import (
     StagingNotes,
     language_animator,
@@ -57,6 +58,7 @@ ANSWERS: Final[Mapping[str, type[BaseModel]]] = {
     "shot_director": CutNotes,
     "environment_designer": SetNotes,
     "spatial_planner": LayoutNotes,
+    "layout_critic": LayoutCriticNotes,
     "lighting_arranger": LightNotes,
     "animator": StagingNotes,
     "set_dresser": DressingNotes,
@@ -103,6 +105,8 @@ def language_crew(
             played[name] = replace(role, policies=(make(answerer, embedder), *role.policies))
     if (answerer := answerers.get("asset_critic")) is not None:
         played["asset_retriever"] = with_asset_critic(answerer, played.get("asset_retriever", crew.asset_retriever))
+    if (answerer := answerers.get("layout_critic")) is not None:
+        played["spatial_planner"] = with_layout_critic(answerer, played.get("spatial_planner", crew.spatial_planner))
     operator = crew.camera_operator
     if (answerer := answerers.get("camera_operator")) is not None:
         operator = language_operator(answerer, operator)

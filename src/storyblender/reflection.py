@@ -28,6 +28,8 @@ _SHORT.maxother = 240
 
 UNUSABLE: Final = 9.0
 """Severity of a fault with which a draft is never accepted, whatever else is right: the graph cannot hold it."""
+SEEN: Final = "seen"
+"""Kind of every fault that a vision critic finds."""
 
 
 class Fault(Frozen):

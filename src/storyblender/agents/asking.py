@@ -148,6 +148,7 @@ class LanguagePolicy(Generic[View, Answer, Draft]):
         subject: Returns what a view is about, for people.
         mend: The rules' ``refine``: applies the numbers that the critic computed; the model is asked only for the rest.
         pictures: Returns what there is to look at.
+        draft_pictures: Returns what there is to look at of a draft that the model is asked to better.
         pictures_needed: Whether a model that sees no pictures is not asked.
         settled: Returns the draft of a view that leaves nothing to decide; None where the model is asked.
     """
@@ -159,6 +160,7 @@ class LanguagePolicy(Generic[View, Answer, Draft]):
     subject: Callable[[View], str] = lambda view: ""
     mend: Callable[[Draft, Critique, View], Draft] = lambda draft, critique, view: draft
     pictures: Callable[[View], tuple[Picture, ...]] = lambda view: ()
+    draft_pictures: Callable[[Draft, View], tuple[Picture, ...]] = lambda draft, view: ()
     pictures_needed: bool = False
     settled: Callable[[View], Draft | None] = lambda view: None
     _last: dict[str, str] = field(default_factory=dict)
@@ -180,9 +182,10 @@ class LanguagePolicy(Generic[View, Answer, Draft]):
         mended = self.mend(draft, critique, view)
         if mended != draft or self.settled(view) is not None:
             return mended
-        return self._asked(view, tuple(_sentence(fault) for fault in critique.faults))
+        feedback = tuple(_sentence(fault) for fault in critique.faults)
+        return self._asked(view, feedback, self.draft_pictures(draft, view))
 
-    def _asked(self, view: View, feedback: tuple[str, ...] = ()) -> Draft:
+    def _asked(self, view: View, feedback: tuple[str, ...] = (), pictures: tuple[Picture, ...] = ()) -> Draft:
         seen = view_digest(view)
         answer = self.asker.ask(
             self.subject(view),
@@ -190,7 +193,7 @@ class LanguagePolicy(Generic[View, Answer, Draft]):
             lambda answer: self.check(answer, view),
             previous=self._last.get(seen, "") if feedback else "",
             feedback=feedback,
-            pictures=self.pictures(view),
+            pictures=(*self.pictures(view), *pictures),
             pictures_needed=self.pictures_needed,
         )
         self._last[seen] = answer.model_dump_json(exclude_defaults=True)

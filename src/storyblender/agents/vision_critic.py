@@ -15,10 +15,8 @@ from pydantic import Field, create_model
 from storyblender.agents.asking import Answer, Asker, Notes
 from storyblender.errors import NoAnswer
 from storyblender.memory.request import Picture
-from storyblender.reflection import UNUSABLE, Critic, Critique, Draft, Fault, View
+from storyblender.reflection import SEEN, UNUSABLE, Critic, Critique, Draft, Fault, View
 
-SEEN: Final = "seen"
-"""Kind of every fault that a vision critic finds."""
 _GOOD: Final = 8.0
 """Score from which a vision critic accepts (paper, section 3); under it, it has to say what is wrong."""
 

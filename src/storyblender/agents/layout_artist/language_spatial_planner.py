@@ -16,6 +16,7 @@ from pydantic import Field
 from storyblender.agents.asking import Asker, LanguagePolicy, Notes
 from storyblender.agents.layout_artist.layout_stage import LayoutStage
 from storyblender.agents.layout_artist.layout_things import anchors_of
+from storyblender.agents.layout_artist.plan_picture import plan_picture
 from storyblender.agents.layout_artist.spatial_planner import RulesSpatialPlanner
 from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView
 from storyblender.agents.story_lines import story_lines
@@ -26,7 +27,7 @@ from storyblender.memory.scene_context import Layout, LayoutObject, Relation, Sp
 from storyblender.memory.shot_context import BodyState
 from storyblender.memory.vocabulary import RelationKind, Side
 from storyblender.ports import Answerer, Embedder
-from storyblender.reflection import Critique, Policy, view_digest
+from storyblender.reflection import SEEN, Critique, Policy, view_digest
 
 _NEAR = 2.5
 """Metres from the playing area within which a part of the set is offered."""
@@ -73,7 +74,8 @@ def language_spatial_planner(
     told = set[str]()
 
     def mend(draft: Layout, critique: Critique, view: SpatialPlannerView) -> Layout:
-        return rules.refine(draft, critique, view) if any(fault.fix for fault in critique.faults) else draft
+        computed = any(fault.fix for fault in critique.faults if fault.kind != SEEN)
+        return rules.refine(draft, critique, view) if computed else draft
 
     def check(answer: LayoutNotes, view: SpatialPlannerView) -> Iterator[str]:
         """Yield what cannot be, and once for a view what the solver found no room for."""
@@ -85,17 +87,25 @@ def language_spatial_planner(
 
     return LanguagePolicy(
         Asker(answerer, "spatial_planner", LayoutNotes),
-        show=_shown,
+        show=shown_scene,
         draft_of=lambda answer, view: _laid_out(answer, view, rules),
         check=check,
         subject=lambda view: scene_name(view.scene_id),
         mend=mend,
+        draft_pictures=lambda draft, view: (plan_picture(draft, view),),
         settled=lambda view: None if view.states or view.found_later or view.pending else rules.propose(view),
     )
 
 
-def _shown(view: SpatialPlannerView) -> dict[str, Any]:
-    """Return what the model is shown of a scene; metres, degrees, x to the right and y away from the audience."""
+def shown_scene(view: SpatialPlannerView) -> dict[str, Any]:
+    """Return what a model is shown of a scene.
+
+    Args:
+        view: The scene.
+
+    Returns:
+        JSON values: metres, degrees, x to the right and y away from the audience.
+    """
     stage, size = LayoutStage(view), view.plan.size
     return {
         "place": view.setup.place,

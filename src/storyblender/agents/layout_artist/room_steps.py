@@ -16,7 +16,7 @@ from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.memory.base import Vec2
 from storyblender.memory.scene_context import Environment, Layout, LayoutObject
-from storyblender.reflection import Outcome
+from storyblender.reflection import SEEN, Critique, Outcome
 
 Tried = TypeVar("Tried")
 
@@ -92,9 +92,10 @@ def find_fitting_room(
         in_vain += 1
         if best is None or outcome.critique.score > best.outcome.critique.score:
             best, in_vain = FittedScene(tried, room, outcome), 0
-        if outcome.critique.score >= threshold or in_vain == _IN_VAIN:
+        computed = tuple(fault for fault in outcome.critique.faults if fault.kind != SEEN)  # taste needs no larger set
+        if Critique.of(computed).score >= threshold or in_vain == _IN_VAIN:
             break
-        subjects = {fault.subject for fault in outcome.critique.faults}
+        subjects = {fault.subject for fault in computed}
         spots = tuple(item.location[:2] for item in outcome.draft.objects if item.node_id in subjects)
         faulty = tuple(dict.fromkeys((*faulty, *spots)))
     if best is None:
