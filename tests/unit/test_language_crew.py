@@ -93,6 +93,19 @@ def test_a_vision_critic_judges_the_camera_where_one_is_named(crew: str) -> None
     assert (role.threshold, role.horizon) == (CAMERA_THRESHOLD, 5 if named else 3)
 
 
+def test_all_scenes_are_asked_about_before_a_run_stops(script: Path, tmp_path: Path) -> None:
+    script.write_text(SCRIPT + "\nEXT. STREET - DAY\n\nBEN walks to a car.\n")
+    box, roles = tmp_path / "questions", frozenset({"environment_designer", "animator"})
+    assert answered(script, tmp_path / "asked", box, roles) == len(roles), "once a role, not once a role and scene"
+    assert len([*asked(box)]) == 2 * len(roles)
+    asked_for, replayed = (
+        read_project_graph(tmp_path / "asked"),
+        made(script, tmp_path / "p", crew_with(f"replay:{box}", roles)),
+    )
+    assert (asked_for.scenes, asked_for.shots) == (replayed.scenes, replayed.shots)
+    assert sorted(asked_for.assets, key=str) == sorted(replayed.assets, key=str)
+
+
 def test_every_role_that_a_model_can_play_has_a_form_of_answer() -> None:
     assert {*get_args(RoleName)} == ANSWERS.keys()
 

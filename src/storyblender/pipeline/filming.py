@@ -15,6 +15,7 @@ from storyblender.agents.layout_artist.camera_scene import camera_operator_view,
 from storyblender.agents.layout_artist.spatial_planner_view import measures_of
 from storyblender.agents.layout_artist.story_moment import story_moment
 from storyblender.catalog.sets import plan_of
+from storyblender.errors import AnswerAwaited
 from storyblender.geometry.framing import Figure
 from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -124,7 +125,11 @@ def with_cuts_judged(run: Run, scenes: Collection[int] | None = None) -> Continu
 
 
 def film(run: Run) -> None:
-    """Set every camera that is not set yet, and commit scene by scene; stopped, it keeps the scenes that are done."""
+    """Set every camera that is not set yet, and commit scene by scene; stopped, it keeps the scenes that are done.
+
+    Raises:
+        AnswerAwaited: Answers have to come from outside first; the cameras of every scene are asked for before.
+    """
     graph = with_frames(run)
     scenes = [scene.scene_id for scene in graph.scenes if any(s.camera is None for s in graph.shots_of(scene.scene_id))]
     total = sum(len(graph.shots_of(scene_id)) for scene_id in scenes)
@@ -132,10 +137,18 @@ def film(run: Run) -> None:
     run.progress("camera", done, total)
     threads = ThreadPoolExecutor(max_workers=run.engine.processes)
     operators = {scene_id: threads.submit(film_scene, run, graph, scene_id) for scene_id in scenes}
+    awaited: list[AnswerAwaited] = []
     try:
         for scene_id in scenes:
-            done += _commit_scene(run, graph, scene_id, *operators.pop(scene_id).result())
+            try:
+                states, events = operators.pop(scene_id).result()
+            except AnswerAwaited as error:
+                awaited.append(error)
+                continue
+            done += _commit_scene(run, graph, scene_id, states, events)
             run.progress("camera", done, total, f"scene {scene_id}")
+        if awaited:
+            raise AnswerAwaited.of(awaited)
     finally:
         threads.shutdown(wait=False, cancel_futures=True)
         for scene_id, operator in operators.items():

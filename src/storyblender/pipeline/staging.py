@@ -16,6 +16,7 @@ from storyblender.agents.visual_effects_artist.vehicle_doors import add_open_doo
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.prop_names import props_of
 from storyblender.catalog.sets import plan_of
+from storyblender.errors import AnswerAwaited
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Vec2, scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -29,12 +30,26 @@ from storyblender.trace import Event
 
 
 def stage(run: Run) -> None:
-    """Stage every scene that is not staged yet, in story order; one commit a scene, so a kill loses one at most."""
+    """Stage every scene that is not staged yet, in story order; one commit a scene, so a kill loses one at most.
+
+    Raises:
+        AnswerAwaited: Answers have to come from outside first; scenes that do not need them are staged before the run
+            stops.
+    """
     scenes = [scene.scene_id for scene in run.graph.scenes]
+    awaited: dict[int, AnswerAwaited] = {}
     for step, scene_id in enumerate(scenes):
         run.progress("stage", step, len(scenes), scene_name(scene_id))
-        if run.graph.scene(scene_id).lighting is None:
+        scene = run.graph.scene(scene_id)
+        place = scene.setup.reference_scene_id  # the first scene in the same place, whose set this one takes over
+        if scene.lighting is not None or place in awaited:
+            continue
+        try:
             _stage_scene(run, scene_id)
+        except AnswerAwaited as error:
+            awaited[scene_id] = error
+    if awaited:
+        raise AnswerAwaited.of([*awaited.values()])
     run.progress("stage", len(scenes), len(scenes))
 
 
