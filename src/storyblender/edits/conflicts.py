@@ -18,11 +18,15 @@ Aspect = tuple[str, str]
 _VERSION: Final = re.compile(r"(\d{1,9})(?:\.([0-9a-f]{0,16}))?")
 _FIELDS: Final[dict[str, dict[str, str]]] = {
     "shots": {
-        "camera_instruction": "camera", "camera_decision": "camera", "moment": "camera", "duration": "duration",
+        "camera_instruction": "camera", "camera_decision": "camera", "take": "camera", "takes": "camera",
+        "moment": "camera", "duration": "duration",
         "decided_duration": "duration", "blocking": "blocking", "cues": "blocking", "prop_states": "blocking",
     },
-    "scenes": {"layout": "layout", "lighting": "light", "environment": "set"},
-    "assets": {"look": "asset", "dimension": "asset", "canonical": "asset", "locked": "asset"},
+    "scenes": {
+        "layout": "layout", "layout_decision": "layout", "lighting": "light", "light_decision": "light",
+        "environment": "set", "set_decision": "set",
+    },
+    "assets": {"look": "asset", "dimension": "asset", "canonical": "asset", "decision": "asset", "locked": "asset"},
 }  # fmt: skip
 """Which field of an item is which aspect. What the crew derives from them, such as lamps, is none."""
 

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from itertools import groupby
 
 from storyblender.edits.conflicts import refuse_stale
-from storyblender.edits.families import Effect, effect_of
+from storyblender.edits.effect import Effect
+from storyblender.edits.families import effects_of
 from storyblender.memory.base import Frozen
 from storyblender.memory.edits import Edit
 from storyblender.memory.history import replace
@@ -45,8 +46,9 @@ def apply_edits(project: Project, edits: Sequence[Edit], version: str | None = N
     """
     graph, effects = project.graph, list[Effect]()
     for edit in edits:
-        effects.append(effect_of(graph, edit))
-        graph = replace(graph, effects[-1].item)
+        done = effects_of(graph, edit)
+        graph = replace(graph, *(each.item for each in done))
+        effects += done
     if version is not None:
         refuse_stale(project, version, {(each.name, aspect) for each in effects for aspect in each.aspects})
     words = "; ".join(

@@ -3,45 +3,37 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
 
-from storyblender.edits.targets import Target, person_or_thing, shots_named, target_named
+from storyblender.edits.asset_edits import asset_effects
+from storyblender.edits.effect import Effect, refuse_locked
+from storyblender.edits.lock_edits import lock_effect, unlock_effects
+from storyblender.edits.scene_edits import layout_effects, light_effects, set_effects
+from storyblender.edits.take_edits import take_effects
+from storyblender.edits.targets import person_or_thing, shots_named
 from storyblender.errors import InputError
-from storyblender.memory.asset_sheet import Asset
-from storyblender.memory.base import scene_name, shot_name
-from storyblender.memory.edits import CameraEdit, DurationEdit, Edit, LockEdit, UnlockEdit
+from storyblender.memory.base import shot_name
+from storyblender.memory.edits import (
+    AssetEdit,
+    CameraEdit,
+    DurationEdit,
+    Edit,
+    LayoutEdit,
+    LightEdit,
+    LockEdit,
+    SetEdit,
+    TakeEdit,
+    UnlockEdit,
+)
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.history import Item
-from storyblender.memory.locks import SCENE_LOCKS, SHOT_LOCKS, LockName, ShotLock
-from storyblender.memory.scene_context import SceneContext
-from storyblender.memory.shot_context import CameraDecision, CameraInstruction, CameraState, ShotContext
+from storyblender.memory.shot_context import CameraDecision, CameraInstruction, CameraState
 from storyblender.memory.vocabulary import ShotKind
 
 _PEOPLE_IN = {"two_shot": 2, "group": 3, "single": 1, "reaction": 1, "ots": 1, "insert": 1}
 """Subjects that a kind of picture has at least."""
 
 
-@dataclass(frozen=True)
-class Effect:
-    """What one edit comes to.
-
-    Attributes:
-        item: The item of the graph as it is then.
-        name: Of the item, for people.
-        words: What was done to it.
-        aspects: What of it was touched, such as ``camera``: two edits of one item may touch different things.
-        stale: Shots whose frames show something else now.
-    """
-
-    item: Item
-    name: str
-    words: str
-    aspects: frozenset[str]
-    stale: tuple[str, ...] = ()
-
-
-def effect_of(graph: ContinuityMemoryGraph, edit: Edit) -> Effect:
-    """Return what an edit does.
+def effects_of(graph: ContinuityMemoryGraph, edit: Edit) -> list[Effect]:
+    """Return what an edit does, item by item.
 
     Args:
         graph: As it is.
@@ -52,13 +44,23 @@ def effect_of(graph: ContinuityMemoryGraph, edit: Edit) -> Effect:
     """
     match edit:
         case CameraEdit():
-            return _camera(graph, edit)
+            return [_camera(graph, edit)]
         case DurationEdit():
-            return _duration(graph, edit)
+            return [_duration(graph, edit)]
+        case LightEdit():
+            return light_effects(graph, edit)
+        case SetEdit():
+            return set_effects(graph, edit)
+        case LayoutEdit():
+            return layout_effects(graph, edit)
+        case AssetEdit():
+            return asset_effects(graph, edit)
+        case TakeEdit():
+            return take_effects(graph, edit)
         case LockEdit():
-            return _lock(graph, edit)
+            return [lock_effect(graph, edit)]
         case UnlockEdit():
-            return _unlock(graph, edit)
+            return unlock_effects(graph, edit)
 
 
 def _camera(graph: ContinuityMemoryGraph, edit: CameraEdit) -> Effect:
@@ -67,7 +69,7 @@ def _camera(graph: ContinuityMemoryGraph, edit: CameraEdit) -> Effect:
     decision = _with_ids(graph, edit.decision)
     if not decision.words:
         raise InputError(f"nothing is decided about the camera of {name}", mend="give a size, an angle, a lens ...")
-    _refuse_locked(shot, "camera", name)
+    refuse_locked(shot, "camera")
     retake = shot.camera_retake.decision if shot.camera_retake else CameraDecision()
     people = {asset.asset_id for asset in graph.assets if asset.asset_type == "character"}
     decision = _with_kind(decision, shot.camera_instruction, people)
@@ -130,10 +132,10 @@ def _refuse_impossible(kind: str, focus: Sequence[str], over: str | None, pov: s
 def _duration(graph: ContinuityMemoryGraph, edit: DurationEdit) -> Effect:
     [shot] = shots_named(graph, [edit.shot])
     name, fps = shot_name(shot.scene_id, shot.shot_id), graph.format.fps
-    _refuse_locked(shot, "duration", name)
+    refuse_locked(shot, "duration")
     frames = edit.frames or max(1, round((edit.seconds or 0.0) * fps))
     if shot.camera is not None and len(shot.camera.poses) > 1:
-        _refuse_locked(shot, "camera", name)
+        refuse_locked(shot, "camera")
     update = {
         "duration": frames,
         "decided_duration": frames,
@@ -160,59 +162,3 @@ def retimed(camera: CameraState, before: int, after: int) -> CameraState:
         for field in ("poses", "focus")
     }
     return camera.model_copy(update=keys)
-
-
-def _lock(graph: ContinuityMemoryGraph, edit: LockEdit) -> Effect:
-    item, name, parts = _parts(graph, edit)
-    if isinstance(item, Asset):
-        return Effect(item.model_copy(update={"locked": True}), name, "locked", frozenset({"asset"}))
-    there = tuple(part for part in parts if _is_there(item, part))
-    missing = [part for part in edit.parts or parts[: not there] if part not in there]
-    if missing:
-        raise InputError(f"{name} has no {missing[0]} yet that could be locked", mend="run `storyblender render` first")
-    parts = there
-    locked = tuple(dict.fromkeys([*item.locked, *parts]))
-    words = f"{', '.join(parts)} locked"
-    return Effect(item.model_copy(update={"locked": locked}), name, words, frozenset(parts))
-
-
-def _is_there(item: ShotContext | SceneContext, part: LockName) -> bool:
-    """Return whether a part of a shot or scene is made; where nobody is on stage there is no blocking to wait for."""
-    if part == "blocking" and isinstance(item, ShotContext) and not item.on_stage:
-        return True
-    fields: dict[str, tuple[str, ...]] = {**SHOT_LOCKS, **SCENE_LOCKS}
-    return bool(getattr(item, fields[part][0]))
-
-
-def _unlock(graph: ContinuityMemoryGraph, edit: UnlockEdit) -> Effect:
-    item, name, parts = _parts(graph, edit)
-    if isinstance(item, Asset):
-        return Effect(item.model_copy(update={"locked": False}), name, "unlocked", frozenset({"asset"}))
-    update: dict[str, object] = {"locked": tuple(part for part in item.locked if part not in parts)}
-    if isinstance(item, ShotContext):
-        update |= {"camera_decision": None} if "camera" in parts else {}
-        update |= {"decided_duration": None} if "duration" in parts else {}
-    words = f"{', '.join(parts)} unlocked"
-    return Effect(item.model_copy(update=update), name, words, frozenset(parts))
-
-
-def _parts(graph: ContinuityMemoryGraph, edit: LockEdit | UnlockEdit) -> tuple[Target, str, tuple[LockName, ...]]:
-    """Return what is locked or unlocked, its name, and which parts of it."""
-    item = target_named(graph, edit.target)
-    known: tuple[LockName, ...] = ("asset",)
-    match item:
-        case ShotContext():
-            what, name, known = "shot", shot_name(item.scene_id, item.shot_id), tuple(SHOT_LOCKS)
-        case SceneContext():
-            what, name, known = "scene", scene_name(item.scene_id), tuple(SCENE_LOCKS)
-        case Asset():
-            what, name = "asset", item.asset_id
-    for part in edit.parts:
-        if part not in known:
-            raise InputError(f"{name} is a {what} and has no {part} to lock", mend=f"it has: {', '.join(known)}")
-    return item, name, edit.parts or known
-
-
-def _refuse_locked(shot: ShotContext, part: ShotLock, name: str) -> None:
-    if part in shot.locked:
-        raise InputError(f"the {part} of {name} is locked", mend="unlock it first")

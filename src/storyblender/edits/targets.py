@@ -45,6 +45,20 @@ def target_named(graph: ContinuityMemoryGraph, name: str) -> Target:
     return known[_known("shot, scene or asset", name, name if name in known else name.upper(), known)]
 
 
+def scene_named(graph: ContinuityMemoryGraph, name: str) -> SceneContext:
+    """Return the scene with a name, or that of the shot with it.
+
+    Args:
+        graph: The story.
+        name: ``SC010`` or ``SC010_SH020``, in any case.
+
+    Raises:
+        InputError: There is no such scene.
+    """
+    known = {scene_name(scene.scene_id): scene for scene in graph.scenes}
+    return known[_known("scene", name, name.upper().partition("_")[0], known)]
+
+
 def person_or_thing(graph: ContinuityMemoryGraph, name: str) -> str:
     """Return the id of an asset, which may be given by its name in the script.
 

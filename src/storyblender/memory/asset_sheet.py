@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, StringConstraints
 
-from storyblender.memory.base import Color, Digest, Frozen, Identifier, Vec2, Vec3, dropping, is_none
+from storyblender.memory.base import Color, Described, Digest, Frozen, Identifier, Vec2, Vec3, dropping, is_none
 from storyblender.memory.vocabulary import AssetType, Gender, SizeWord, StatureWord
 
 ParamValue = float | str | bool
@@ -167,6 +167,15 @@ class StatedSize(Frozen):
     """Whether it is a small likeness: a toy car, a plush bear."""
 
 
+class AssetDecision(Described):
+    """What a person had a thing made from."""
+
+    prop: Identifier
+    """Key of ``catalog.props``."""
+    params: dict[str, ParamValue] = {}
+    """Parameters of its builder."""
+
+
 class Asset(Frozen):
     """A single unique character or object in the story."""
 
@@ -193,6 +202,8 @@ class Asset(Frozen):
     dimension: AssetDimension | None = None
     """From the Dimension Estimator."""
     canonical: CanonicalAsset | None = None
+    decision: AssetDecision | None = Field(default=None, exclude_if=is_none)
+    """What a person had it made from, whatever the script calls it."""
     locked: bool = Field(default=False, exclude_if=lambda value: not value)
     """Whether a person locked its look, its size and its model."""
     _former = dropping("text_to_image_prompt")

@@ -8,6 +8,7 @@ from pydantic import Field, TypeAdapter, model_validator
 
 from storyblender.memory.base import Described, Frames
 from storyblender.memory.locks import LockName
+from storyblender.memory.scene_decision import LightDecision, SetDecision
 from storyblender.memory.shot_context import CameraDecision
 
 _Name = Annotated[str, Field(min_length=1, max_length=64)]
@@ -65,6 +66,84 @@ class UnlockEdit(Described):
     """As for a lock."""
 
 
-Edit = Annotated[CameraEdit | DurationEdit | LockEdit | UnlockEdit, Field(discriminator="kind")]
+class LightEdit(Described):
+    """Decides about the light of a scene; the crew lights it so and leaves set, staging and cameras as they are."""
+
+    kind: Literal["light"] = "light"
+    """Which edit this is."""
+    scene: _Name
+    """Such as ``SC010``."""
+    decision: LightDecision
+    """Any of its fields; those left out stay as they are."""
+
+
+class SetEdit(Described):
+    """Decides about the set of a place, in all scenes that play there; for more than materials it is staged again."""
+
+    kind: Literal["set"] = "set"
+    """Which edit this is."""
+    scene: _Name
+    """Such as ``SC010``."""
+    decision: SetDecision
+    """Any of its fields; those left out stay as they are."""
+
+
+class LayoutEdit(Described):
+    """Stages a scene another way: things and people elsewhere, and cameras after them."""
+
+    kind: Literal["layout"] = "layout"
+    """Which edit this is."""
+    scene: _Name
+    """Such as ``SC010``."""
+    staging: int | None = Field(default=None, ge=0, le=999)
+    """Number of the staging, 0 for the crew's first; left out, the next one."""
+
+
+class AssetEdit(Described):
+    """Replaces, adds or takes away a thing."""
+
+    kind: Literal["asset"] = "asset"
+    """Which edit this is."""
+    action: Literal["replace", "add", "remove"] = "replace"
+    """What is done."""
+    thing: _Name | None = None
+    """What is replaced or taken away: the id or name of a thing, or what a piece of furniture is, such as sofa."""
+    scene: _Name | None = None
+    """Such as ``SC010``; for furniture of a set, and for what is added or taken away."""
+    model: _Name | None = None
+    """What is wanted, as the library calls it, with a colour or a material: ``red bench``."""
+
+    @model_validator(mode="after")
+    def _is_whole(self) -> Self:
+        wanted = {"replace": ("thing", "model"), "add": ("scene", "model"), "remove": ("thing", "scene")}[self.action]
+        for name in wanted:
+            if getattr(self, name) is None:
+                raise ValueError(f"to {self.action} a thing takes a {name}")
+        return self
+
+
+class TakeEdit(Described):
+    """Keeps the camera of a shot as a take and goes on with the next, chooses a take, or drops one."""
+
+    kind: Literal["take"] = "take"
+    """Which edit this is."""
+    shot: _Name
+    """Such as ``SC010_SH020``."""
+    action: Literal["keep", "choose", "drop"] = "keep"
+    """What is done."""
+    number: int | None = Field(default=None, ge=1, le=999)
+    """Of the take to choose or drop."""
+
+    @model_validator(mode="after")
+    def _has_number(self) -> Self:
+        if (self.number is None) != (self.action == "keep"):
+            raise ValueError("a take that is kept gets its number; one that is chosen or dropped is named by it")
+        return self
+
+
+Edit = Annotated[
+    CameraEdit | DurationEdit | LightEdit | SetEdit | LayoutEdit | AssetEdit | TakeEdit | LockEdit | UnlockEdit,
+    Field(discriminator="kind"),
+]
 EDITS: TypeAdapter[tuple[Edit, ...]] = TypeAdapter(tuple[Edit, ...])
 """Reads a batch of edits from JSON."""

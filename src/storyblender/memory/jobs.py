@@ -73,6 +73,10 @@ class AssetInState(Frozen):
     """Whether it stays level under an asset that lies on its side."""
 
 
+_NOT_PACKED = {"lighting", "locked", "light_decision", "set_decision", "layout_decision", "stale"}
+"""Fields of a scene that its geometry and motion do not depend on: what was decided is in set and layout by then."""
+
+
 class SceneJob(Frozen):
     """Pack one scene: set, objects, people and the motion of every shot; no cameras, no face lights."""
 
@@ -86,7 +90,7 @@ class SceneJob(Frozen):
     @property
     def digest(self) -> str:
         """Names the pack: everything that the scene's geometry and motion depend on."""
-        scene = self.scene.model_dump(mode="json", exclude={"lighting", "locked"})
+        scene = self.scene.model_dump(mode="json", exclude=_NOT_PACKED)
         scene["setup"] = None
         shots = [
             shot.model_dump(

@@ -33,9 +33,18 @@ def lock_violations(old: Item, new: Item, author: str) -> Iterator[str]:
         case SceneContext(), SceneContext():
             name = scene_name(old.scene_id)
             yield from _changed(name, old, new, {lock: SCENE_LOCKS[lock] for lock in old.locked}, author)
-        case Asset(), Asset() if old.locked:
-            if _model(new) != _model(old) and (new.locked or author not in PEOPLE):
+            if author not in PEOPLE:
+                for part in ("light", "set", "layout"):
+                    decision = getattr(old, f"{part}_decision")
+                    if decision is not None and getattr(new, f"{part}_decision") != decision:
+                        yield f"a person decided about the {part} of {name}: {decision.words}"
+        case Asset(), Asset():
+            if old.locked and _model(new) != _model(old) and (new.locked or author not in PEOPLE):
                 yield f"{old.asset_id} is locked"
+            if author not in PEOPLE and old.decision is not None:
+                recipe = new.canonical and (new.canonical.key, new.canonical.params)
+                if new.decision != old.decision or recipe not in (None, (old.decision.prop, old.decision.params)):
+                    yield f"a person had {old.asset_id} made from {old.decision.prop}"
         case _:
             return
 
@@ -61,6 +70,8 @@ def _differs(old: object, new: object) -> bool:
 
 def _overruled(name: str, old: ShotContext, new: ShotContext) -> Iterator[str]:
     """Yield what the crew would change of a person's decisions."""
+    if (new.take, [take.number for take in new.takes]) != (old.take, [take.number for take in old.takes]):
+        yield f"a person keeps the takes of {name}"
     decision = old.camera_decision
     if decision is not None and (new.camera_decision != decision or not decision.holds(new.camera_instruction)):
         yield f"a person decided about the camera of {name}: {decision.words}"

@@ -14,7 +14,7 @@ SHOT_LOCKS: Final[dict[ShotLock, tuple[str, ...]]] = {
     "duration": ("duration", "decided_duration"),
 }
 SCENE_LOCKS: Final[dict[SceneLock, tuple[str, ...]]] = {
-    "layout": ("layout",),
-    "light": ("lighting",),
-    "set": ("environment",),
+    "layout": ("layout", "layout_decision"),
+    "light": ("lighting", "light_decision"),
+    "set": ("environment", "set_decision"),
 }

@@ -6,10 +6,11 @@ from typing import Any, Literal
 
 from pydantic import Field, model_validator
 
-from storyblender.memory.asset_sheet import ParamValue
+from storyblender.memory.asset_sheet import AssetDecision, ParamValue
 from storyblender.memory.base import Color, Coordinate, Frozen, Identifier, SceneId, Vec3, dropping, is_none
 from storyblender.memory.locks import SceneLock
 from storyblender.memory.panorama import PanoramaLight
+from storyblender.memory.scene_decision import LayoutDecision, LightDecision, SetDecision
 from storyblender.memory.thing_states import Condition
 from storyblender.memory.vocabulary import (
     Crowd,
@@ -122,6 +123,17 @@ class Environment(Frozen):
     kit: Identifier
     params: dict[str, ParamValue] = {}
     seed: int = 0
+    walls: Identifier | None = Field(default=None, exclude_if=is_none)
+    """Finish or material that a person gave the walls; None leaves those of the kit."""
+    ground: Identifier | None = Field(default=None, exclude_if=is_none)
+    """The same of the floor or the ground."""
+    furniture: dict[Identifier, AssetDecision | None] = Field(default={}, exclude_if=lambda value: not value)
+    """Prop that a person put in place of a piece of the kit's furniture, by node id; None where they took it away."""
+
+    @property
+    def decided(self) -> bool:
+        """Whether a person decided about its surfaces or its furniture."""
+        return bool(self.walls or self.ground or self.furniture)
 
 
 class Light(Frozen):
@@ -196,6 +208,27 @@ class SceneContext(Frozen):
     lighting: Lighting | None = None
     locked: tuple[SceneLock, ...] = Field(default=(), exclude_if=lambda value: not value)
     """What a person locked: it stays as it is until it is unlocked."""
+    light_decision: LightDecision | None = Field(default=None, exclude_if=is_none)
+    """What a person decided about the light; it stays with the words of the scene when the script changes."""
+    set_decision: SetDecision | None = Field(default=None, exclude_if=is_none)
+    """The same of the set, in every scene of the place."""
+    layout_decision: LayoutDecision | None = Field(default=None, exclude_if=is_none)
+    """The same of the staging."""
+    stale: tuple[SceneLock, ...] = Field(default=(), exclude_if=lambda value: not value)
+    """What an edit made stale and the crew has not made anew yet; a set takes layout and light with it."""
+
+    @property
+    def decided_setup(self) -> SceneSetup:
+        """The setup with what a person decided about hour, weather, light and set on top of the script's words."""
+        light, place = self.light_decision, self.set_decision
+        told: dict[str, Any] = {}
+        if light is not None:
+            told |= {"time_of_day": light.time_of_day, "weather": light.weather, "light": light.qualities}
+        if place is not None:
+            told |= {"kit": place.kit, "snow": place.snow}
+            told["set_options"] = () if place.kit not in (None, self.setup.kit) else None
+        told = {name: value for name, value in told.items() if value is not None}
+        return self.setup.model_copy(update=told) if told else self.setup
 
     @model_validator(mode="before")
     @classmethod

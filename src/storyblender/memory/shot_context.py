@@ -265,6 +265,26 @@ class CameraState(Frozen):
     """What the critic still minds."""
 
 
+class Take(Frozen):
+    """A version of a shot's camera that was put by; fields as in ``ShotContext``."""
+
+    number: int = Field(ge=1, le=999)
+    """On the slate."""
+    camera_instruction: CameraInstruction
+    camera_retake: CameraRetake | None = None
+    camera_decision: CameraDecision | None = None
+    in_frame: tuple[Identifier, ...] = ()
+    moment: Moment | None = None
+    frame: Frames | None = None
+    camera: CameraState | None = None
+    """None where people stand elsewhere since: it is set anew when the take is chosen."""
+    lights: tuple[Light, ...] = ()
+
+
+TAKE_FIELDS = tuple(name for name in Take.model_fields if name != "number")
+"""What a take is made of."""
+
+
 class ShotContext(Frozen):
     """Everything about one shot."""
 
@@ -317,6 +337,10 @@ class ShotContext(Frozen):
     """What a person locked: it stays as it is until it is unlocked."""
     decided_duration: Frames | None = Field(default=None, exclude_if=is_none)
     """Length in frames that a person gave the shot; it stays with the words of the shot when the script changes."""
+    take: int = Field(default=1, ge=1, le=999, exclude_if=lambda value: value == 1)
+    """Number of the take that the film shows: that of the camera above."""
+    takes: tuple[Take, ...] = Field(default=(), exclude_if=lambda value: not value)
+    """The other takes, by number."""
     stale: tuple[Literal["motion"], ...] = Field(default=(), exclude_if=lambda value: not value)
     """What an edit made stale and the crew has not made anew yet."""
     _former = dropping("new_lighting_description")
@@ -326,6 +350,21 @@ class ShotContext(Frozen):
         """Keys of all motions of its actions, activities and cues."""
         activities = {state.activity for state in (*self.states, *self.end_states)} - {""}
         return activities | {action.motion for action in self.character_actions} | {cue.clip for cue in self.cues}
+
+    @property
+    def as_take(self) -> Take:
+        """The camera as it is, to be put by."""
+        return Take(number=self.take, **{name: getattr(self, name) for name in TAKE_FIELDS})
+
+    @property
+    def takes_to_set_anew(self) -> tuple[Take, ...]:
+        """The other takes without cameras, but for those that a person placed: the people stand elsewhere now."""
+        return tuple(
+            take
+            if take.camera_decision is not None and take.camera_decision.placed is not None
+            else take.model_copy(update={"camera": None, "lights": ()})
+            for take in self.takes
+        )
 
     @property
     def shown(self) -> tuple[str, ...]:

@@ -71,6 +71,8 @@ StatureWord = Literal["tall", "towering", "giant", "huge", "big", "short", "smal
 LightQuality = Literal["dim", "bright", "harsh", "soft", "candlelight", "cold", "warm", "red"]
 """The character of a light, besides its hour and weather."""
 Weather = Literal["clear", "cloudy", "fog", "rain", "storm", "snow"]
+Period = Literal["past", "classic", "modern"]
+"""When a place was furnished; past: before electric light; classic: about 1900 to 1970."""
 Crowd = Literal["busy", "full"]
 """How full of background people a place is."""
 ThingState = Literal[

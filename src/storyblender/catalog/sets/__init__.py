@@ -83,6 +83,7 @@ from storyblender.catalog.sets import (
     warehouse,
     workshop,
 )
+from storyblender.catalog.sets.decided import with_decisions
 from storyblender.catalog.sets.drawing import Period, SetParams
 from storyblender.catalog.sets.from_file import kits_from_files
 from storyblender.catalog.sets.kit import SetKit, Span
@@ -143,7 +144,8 @@ def _plan(environment_json: str) -> SetPlan:
     plan = kit.draw(params, np.random.default_rng(environment.seed))
     plan = fit_to_period(plan, params.period)
     plan = lived_in(plan, kit.room, params.period, environment.seed)
-    return under_snow(plan) if environment.params.get("snow") else plan
+    plan = under_snow(plan) if environment.params.get("snow") else plan
+    return with_decisions(plan, environment) if environment.decided else plan
 
 
 def _params(kit: SetKit, given: dict[str, ParamValue]) -> SetParams:

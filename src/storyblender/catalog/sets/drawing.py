@@ -15,9 +15,7 @@ from storyblender.catalog.registry import ParamValue
 from storyblender.catalog.set_plan import Backdrop, Furnishing, Piece, PlanMark, SetPlan, Slab, Wall
 from storyblender.memory.base import Color, Vec2, Vec3
 from storyblender.memory.scene_context import Light, SceneSize
-
-Period = Literal["past", "classic", "modern"]
-"""past: before electric light; classic: about 1900 to 1970; modern."""
+from storyblender.memory.vocabulary import Period
 
 WARM: Color = (1.0, 0.74, 0.44)
 CANDLE: Color = (1.0, 0.62, 0.28)

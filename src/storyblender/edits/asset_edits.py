@@ -1,0 +1,243 @@
+"""Edits of things: made from something else, added, taken away. Furniture of a set changes with its place."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from difflib import get_close_matches
+from typing import Any
+
+from storyblender.catalog.inflection import noun_key
+from storyblender.catalog.props import PROPS
+from storyblender.catalog.props.prop_families import family_of
+from storyblender.catalog.props.prop_names import kind_named, prop_named, prop_of
+from storyblender.catalog.props.variants import read_variant
+from storyblender.catalog.recipe import EXACT, Recipe
+from storyblender.catalog.set_plan import Furnishing
+from storyblender.catalog.sets import SETS, plan_of
+from storyblender.edits.effect import (
+    Effect,
+    name_of,
+    refuse_locked,
+    refuse_locked_staging,
+    scene_effect,
+    scenes_of_place,
+)
+from storyblender.edits.targets import as_id, scene_named
+from storyblender.errors import InputError
+from storyblender.memory.asset_sheet import Asset, AssetDecision, AssetDimension
+from storyblender.memory.base import shot_name
+from storyblender.memory.edits import AssetEdit
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.scene_context import SceneContext
+from storyblender.memory.scene_decision import LayoutDecision, SetDecision
+from storyblender.memory.shot_context import ShotContext
+
+
+def asset_effects(graph: ContinuityMemoryGraph, edit: AssetEdit) -> list[Effect]:
+    """Return what replacing, adding or taking away a thing does to it, and to the scenes that show it.
+
+    Args:
+        graph: The story.
+        edit: The thing by its id, its name, or what it is.
+
+    Raises:
+        InputError: There is no such thing, the library has nothing of that name, or something is locked.
+    """
+    scene = scene_named(graph, edit.scene) if edit.scene is not None else None
+    if edit.action == "add":
+        assert scene is not None, "the edit is whole"
+        return _added(graph, scene, edit.model or "")
+    asset = _thing(graph, edit.thing or "", scene)
+    if asset is not None:
+        if edit.action == "replace":
+            return _made_from(graph, asset, decision_of(edit.model or ""), edit.model or "")
+        assert scene is not None, "the edit is whole"
+        return [_removed(graph, scene, asset)]
+    if scene is None:
+        mend = "name its scene if it is furniture of the set" if kind_named(edit.thing or "") else _names(graph)
+        raise InputError(f"there is no thing {edit.thing!r}", mend=mend)
+    made = decision_of(edit.model or "") if edit.action == "replace" else None
+    return _refurnished(graph, scene, edit.thing or "", made, edit.model or "")
+
+
+def decision_of(words: str) -> AssetDecision:
+    """Return the prop of the library that words call by name, with the colour and material that they tell.
+
+    Args:
+        words: ``red bench``, or the key of a prop.
+
+    Raises:
+        InputError: The library has nothing of that name.
+    """
+    entry = PROPS.get(words) or prop_named(words)
+    if entry is None:
+        names = [name for each in PROPS.values() for name in (each.name, *each.tags)]
+        near = get_close_matches(words.lower(), names, n=3, cutoff=0.6)
+        mend = f"did you mean {', '.join(dict.fromkeys(near))}?" if near else "`storyblender catalog` lists what it has"
+        raise InputError(f"the library has no {words!r}", mend=mend)
+    return AssetDecision(prop=entry.key, params=read_variant(entry, words))
+
+
+def made_from(asset: Asset, decision: AssetDecision) -> Asset:
+    """Return an asset that is to be built from what a person decided, in the size that the library has it.
+
+    Args:
+        asset: As it is.
+        decision: What it is made from.
+    """
+    recipe = Recipe(source="catalog", key=decision.prop, params=decision.params, score=EXACT)
+    width = AssetDimension(width=recipe.dimensions[0])
+    made = {"decision": decision, "kind": decision.prop, "canonical": recipe.canonical(), "dimension": width}
+    return asset.model_copy(update=made)
+
+
+def given_back(graph: ContinuityMemoryGraph, asset: Asset) -> list[Effect]:
+    """Return what unlocking an asset does: the Asset Retriever chooses again where a person had chosen.
+
+    Args:
+        graph: The story.
+        asset: Locked, or decided by a person, or neither.
+    """
+    update: dict[str, Any] = {"locked": False}
+    decided = asset.decision is not None
+    if decided:
+        kind = kind_named(asset.name or asset.asset_id)
+        update |= {"decision": None, "kind": kind, "canonical": None, "dimension": None}
+    scenes = _staged_again(graph, asset.asset_id, "unlocked") if decided else []
+    return [Effect(asset.model_copy(update=update), asset.asset_id, "unlocked", frozenset({"asset"})), *scenes]
+
+
+def _made_from(graph: ContinuityMemoryGraph, asset: Asset, decision: AssetDecision, said: str) -> list[Effect]:
+    if asset.asset_type == "character":
+        raise InputError(f"{asset.asset_id} is a person", mend="only things are made from something else")
+    if asset.locked:
+        raise InputError(f"{asset.asset_id} is locked", mend="unlock it first")
+    words = f"is made from {said.replace('_', ' ')}"
+    own = Effect(made_from(asset, decision), asset.asset_id, words, frozenset({"asset"}))
+    return [own, *_staged_again(graph, asset.asset_id, words)]
+
+
+def _staged_again(graph: ContinuityMemoryGraph, asset_id: str, words: str) -> list[Effect]:
+    """Return the staging of every scene that shows an asset as stale."""
+    effects: list[Effect] = []
+    for scene in graph.scenes:
+        if asset_id in {each.asset_id for each in graph.assets_of(scene.scene_id)}:
+            refuse_locked_staging(graph, scene)
+            effects.append(scene_effect(graph, scene, words, "layout", ("layout",)))
+    return effects
+
+
+def _added(graph: ContinuityMemoryGraph, scene: SceneContext, model: str) -> list[Effect]:
+    refuse_locked_staging(graph, scene)
+    decision = decision_of(model)
+    known = {asset.asset_id for asset in graph.assets}
+    base = as_id(model) if as_id(model).replace("_", "").isalnum() and as_id(model).isascii() else decision.prop
+    asset_id = next(
+        name for count in range(1, 1000) if (name := base[:60] + (f"_{count}" if count > 1 else "")) not in known
+    )
+    asset = Asset(asset_id=asset_id, asset_type="object", name=model, description=model, tags=("prop",), origin="user")
+    before = scene.layout_decision or LayoutDecision()
+    decided = before.then(LayoutDecision(added=(*(before.added or ()), asset_id)))
+    setup = scene.setup.model_copy(update={"asset_ids": (*scene.setup.asset_ids, asset_id)})
+    words = f"{model} added"
+    return [
+        Effect(made_from(asset, decision), asset_id, words, frozenset({"asset"})),
+        scene_effect(graph, scene, words, "layout", ("layout",), setup=setup, layout_decision=decided),
+    ]
+
+
+def _removed(graph: ContinuityMemoryGraph, scene: SceneContext, asset: Asset) -> Effect:
+    """Return what taking a thing out of a scene does: one that a person added is gone, the script's is not placed."""
+    refuse_locked_staging(graph, scene)
+    asset_id = asset.asset_id
+    for shot in graph.shots_of(scene.scene_id):
+        if asset_id in _used(shot):
+            mend = "change the script, or replace it"
+            raise InputError(f"{asset_id} is used in {shot_name(shot.scene_id, shot.shot_id)}", mend=mend)
+    before = scene.layout_decision or LayoutDecision()
+    if asset_id in (before.added or ()):
+        decided = before.model_copy(update={"added": tuple(each for each in before.added or () if each != asset_id)})
+        left = tuple(each for each in scene.setup.asset_ids if each != asset_id)
+        setup = scene.setup.model_copy(update={"asset_ids": left})
+    else:
+        decided = before.then(LayoutDecision(removed=(*(before.removed or ()), asset_id)))
+        setup = scene.setup.model_copy(update={"scenery": (*scene.setup.scenery, asset_id)})
+    words = f"{asset_id} taken away"
+    return scene_effect(graph, scene, words, "layout", ("layout",), setup=setup, layout_decision=decided)
+
+
+def _used(shot: ShotContext) -> set[str | None]:
+    """Return the ids of the things that the people of a shot use, or that its picture is of."""
+    states = (*shot.states, *shot.end_states)
+    used: set[str | None] = {*shot.camera_instruction.focus_on_ids, *shot.thing_spots}
+    used |= {each for action in shot.character_actions for each in (action.target_id, action.prop_id)}
+    used |= {each for state in states for each in (state.support_id, *state.held)}
+    used |= {state.spot.anchor_id for state in states if state.spot is not None}
+    return used | {each.asset_id for each in shot.asset_modifications}
+
+
+def _refurnished(
+    graph: ContinuityMemoryGraph, scene: SceneContext, thing: str, made: AssetDecision | None, said: str
+) -> list[Effect]:
+    """Return what other furniture does to the scenes of a place."""
+    name = name_of(scene)
+    if scene.environment is None or scene.environment.kit not in SETS:
+        raise InputError(f"{name} has no set yet", mend="run `storyblender render` first")
+    plan = plan_of(scene.environment)
+    items = _furniture(plan.furnishings, thing)
+    if not items:
+        kinds = sorted({item.prop.replace("_", " ") for item in plan.furnishings})
+        raise InputError(f"there is no {thing!r} in {name}", mend=f"its furniture: {', '.join(kinds) or 'none'}")
+    plural = thing not in {item.node_id for item in items} and _is_plural(thing)
+    if len(items) > 1 and not plural:
+        named = ", ".join(item.node_id for item in items[:6])
+        raise InputError(f"{name} has {len(items)} of {thing!r}", mend=f"say them all ({thing}s), or name one: {named}")
+    furniture = dict.fromkeys((item.node_id for item in items), made)
+    words = f"{thing} taken away" if made is None else f"{thing} replaced by {said}"
+    effects: list[Effect] = []
+    for each in scenes_of_place(graph, scene):
+        refuse_locked(each, "set")
+        refuse_locked_staging(graph, each)
+        decided = (each.set_decision or SetDecision()).then(SetDecision(furniture=furniture))
+        effects.append(scene_effect(graph, each, words, "set", ("set",), set_decision=decided))
+    return effects
+
+
+def _furniture(furnishings: Sequence[Furnishing], thing: str) -> list[Furnishing]:
+    """Return the furniture that words name: by node id, as the prop that it is, else as one of its family."""
+    kind = kind_named(thing.replace("_", " "))
+    named = [item for item in furnishings if item.node_id == thing]
+    same = [item for item in furnishings if item.prop == kind]
+    return named or same or [item for item in furnishings if item.prop in family_of(kind)]
+
+
+def _is_plural(thing: str) -> bool:
+    last = thing.lower().split()[-1] if thing.split() else ""
+    return noun_key(last) != last or thing.lower().startswith("all ")
+
+
+def _thing(graph: ContinuityMemoryGraph, thing: str, scene: SceneContext | None) -> Asset | None:
+    """Return the thing of the script, or one that a person added, that words name; None if it is furniture or nothing.
+
+    Args:
+        graph: The story.
+        thing: Its id, its name, or what it is.
+        scene: Where it is; None looks in the whole story.
+    """
+    there = graph.assets if scene is None else [graph.asset(each) for each in scene.setup.asset_ids]
+    own = [asset for asset in there if asset.origin != "dressing"]
+    own = [asset for asset in own if scene is None or asset.asset_id not in scene.setup.scenery]
+    kind = kind_named(thing.replace("_", " "))
+    for fits in (
+        lambda asset: thing in (asset.asset_id, asset.name) or as_id(thing) in (asset.asset_id, as_id(asset.name)),
+        lambda asset: bool(kind) and scene is not None and prop_of(asset) == kind,
+    ):
+        found = [asset for asset in own if fits(asset)]
+        if found:
+            return found[0]
+    return None
+
+
+def _names(graph: ContinuityMemoryGraph) -> str:
+    things = [asset.asset_id for asset in graph.assets if asset.asset_type == "object" and asset.origin != "dressing"]
+    return f"there are: {', '.join(things[:12])}" if things else "the story has none of its own"

@@ -1,0 +1,102 @@
+"""What one edit comes to, and the refusal of what is locked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from storyblender.errors import InputError
+from storyblender.memory.base import scene_name, shot_name
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.history import Item
+from storyblender.memory.locks import SceneLock, ShotLock
+from storyblender.memory.scene_context import SceneContext
+from storyblender.memory.shot_context import ShotContext
+
+
+@dataclass(frozen=True)
+class Effect:
+    """What one edit comes to for one item of the graph.
+
+    Attributes:
+        item: The item of the graph as it is then.
+        name: Of the item, for people.
+        words: What was done to it.
+        aspects: What of it was touched, such as ``camera``: two edits of one item may touch different things.
+        stale: Shots whose frames show something else now.
+    """
+
+    item: Item
+    name: str
+    words: str
+    aspects: frozenset[str]
+    stale: tuple[str, ...] = ()
+
+
+def refuse_locked(item: ShotContext | SceneContext, part: ShotLock | SceneLock) -> None:
+    """Refuse an edit of a part of a shot or a scene that is locked. Raises InputError."""
+    if part in item.locked:
+        raise InputError(f"the {part} of {name_of(item)} is locked", mend="unlock it first")
+
+
+def refuse_locked_staging(graph: ContinuityMemoryGraph, scene: SceneContext, *parts: SceneLock) -> None:
+    """Refuse to stage a scene again that a person locked, or in which they locked where people stand.
+
+    Args:
+        graph: The story.
+        scene: To be staged again.
+        parts: Of the scene that are made anew besides its layout.
+
+    Raises:
+        InputError: With what is locked.
+    """
+    for part in ("layout", *parts):
+        refuse_locked(scene, part)
+    for shot in graph.shots_of(scene.scene_id):
+        refuse_locked(shot, "blocking")
+
+
+def name_of(item: ShotContext | SceneContext) -> str:
+    """Return the name of a shot or a scene."""
+    return shot_name(item.scene_id, item.shot_id) if isinstance(item, ShotContext) else scene_name(item.scene_id)
+
+
+def shot_names(graph: ContinuityMemoryGraph, scene_id: int) -> tuple[str, ...]:
+    """Return the names of the shots of a scene."""
+    return tuple(shot_name(scene_id, shot.shot_id) for shot in graph.shots_of(scene_id))
+
+
+def scene_effect(
+    graph: ContinuityMemoryGraph,
+    scene: SceneContext,
+    words: str,
+    aspect: SceneLock,
+    stale: Iterable[SceneLock],
+    **update: Any,
+) -> Effect:
+    """Return what an edit does to a scene; of one that is not staged yet nothing is stale.
+
+    Args:
+        graph: The story.
+        scene: As it is.
+        words: What is done.
+        aspect: What is touched.
+        stale: What the crew has to make anew.
+        **update: Fields of the scene.
+    """
+    if scene.lighting is not None:
+        update["stale"] = tuple(dict.fromkeys((*scene.stale, *stale)))
+    item = scene.model_copy(update=update)
+    return Effect(item, name_of(scene), words, frozenset({aspect}), shot_names(graph, scene.scene_id))
+
+
+def scenes_of_place(graph: ContinuityMemoryGraph, scene: SceneContext) -> tuple[SceneContext, ...]:
+    """Return the scenes that play in the same place as one, in story order."""
+
+    def first(each: SceneContext) -> int:
+        while each.setup.reference_scene_id is not None:
+            each = graph.scene(each.setup.reference_scene_id)
+        return each.scene_id
+
+    return tuple(each for each in graph.scenes if first(each) == first(scene))

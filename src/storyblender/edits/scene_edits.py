@@ -1,0 +1,112 @@
+"""Edits of a scene: its light, its set, another staging. Each names what the crew has to make anew."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from difflib import get_close_matches
+
+from storyblender.catalog.materials import MATERIALS
+from storyblender.catalog.props import PROPS
+from storyblender.catalog.sets import SETS, plan_of
+from storyblender.catalog.sets.decided import has_ground, has_walls
+from storyblender.catalog.sets.finishes import FINISHES
+from storyblender.edits.effect import (
+    Effect,
+    name_of,
+    refuse_locked,
+    refuse_locked_staging,
+    scene_effect,
+    scenes_of_place,
+)
+from storyblender.edits.targets import scene_named
+from storyblender.errors import InputError
+from storyblender.memory.edits import LayoutEdit, LightEdit, SetEdit
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.scene_context import SceneContext
+from storyblender.memory.scene_decision import LayoutDecision, LightDecision, SetDecision
+
+
+def light_effects(graph: ContinuityMemoryGraph, edit: LightEdit) -> list[Effect]:
+    """Return what a decision about light does. Raises InputError."""
+    scene = scene_named(graph, edit.scene)
+    _refuse_nothing(scene, edit.decision.words, "light", "give an hour, a weather, a warmth ...")
+    refuse_locked(scene, "light")
+    decided = (scene.light_decision or LightDecision()).then(edit.decision)
+    return [scene_effect(graph, scene, f"light: {edit.decision.words}", "light", ("light",), light_decision=decided)]
+
+
+def set_effects(graph: ContinuityMemoryGraph, edit: SetEdit) -> list[Effect]:
+    """Return what a decision about the set of a place does to its scenes. Raises InputError."""
+    scene, decision = scene_named(graph, edit.scene), edit.decision
+    _refuse_nothing(scene, decision.words, "set", "give a material, an option, a kit ...")
+    _refuse_unknown(scene, decision)
+    effects: list[Effect] = []
+    for each in scenes_of_place(graph, scene):
+        refuse_locked(each, "set")
+        decided = (each.set_decision or SetDecision()).then(decision)
+        words = f"set: {decision.words}"
+        if decision.only_finishes and each.environment is not None:
+            finishes = {name: value for name in ("walls", "ground") if (value := getattr(decision, name))}
+            made = each.environment.model_copy(update=finishes)
+            effects.append(scene_effect(graph, each, words, "set", (), environment=made, set_decision=decided))
+        else:
+            refuse_locked_staging(graph, each)
+            effects.append(scene_effect(graph, each, words, "set", ("set",), set_decision=decided))
+    return effects
+
+
+def layout_effects(graph: ContinuityMemoryGraph, edit: LayoutEdit) -> list[Effect]:
+    """Return what another staging does to a scene. Raises InputError."""
+    scene = scene_named(graph, edit.scene)
+    refuse_locked_staging(graph, scene)
+    before = scene.layout_decision or LayoutDecision()
+    now = before.staging or 0
+    staging = now + 1 if edit.staging is None else edit.staging
+    if staging == now:
+        raise InputError(f"{name_of(scene)} has staging {staging} already", mend="leave the number out for another")
+    decided = before.then(LayoutDecision(staging=staging))
+    return [scene_effect(graph, scene, f"staging {staging}", "layout", ("layout",), layout_decision=decided)]
+
+
+def _refuse_nothing(scene: SceneContext, words: str, part: str, mend: str) -> None:
+    if not words:
+        raise InputError(f"nothing is decided about the {part} of {name_of(scene)}", mend=mend)
+
+
+def _refuse_unknown(scene: SceneContext, decision: SetDecision) -> None:
+    """Refuse what the catalogue, or the set of a scene, does not have."""
+    kit = SETS.get(decision.kit or scene.decided_setup.kit)
+    if decision.kit is not None:
+        _refuse_other(decision.kit, "set kit", SETS)
+        assert kit is not None
+        if kit.indoor != (scene.setup.scene_type == "indoor"):
+            where = "indoors" if kit.indoor else "outdoors"
+            mend = "change the heading in the script, or choose another kit"
+            raise InputError(f"the set kit {kit.key!r} is {where}, {name_of(scene)} is not", mend=mend)
+    for option in decision.options:
+        _refuse_other(option, f"option of the set {kit.key if kit else ''}".rstrip(), kit.options if kit else ())
+    for name in ("walls", "ground"):
+        finish = getattr(decision, name)
+        if finish is not None:
+            _refuse_other(finish, "material", {**FINISHES, **MATERIALS})
+    if scene.environment is None or scene.environment.kit not in SETS or decision.kit is not None:
+        return
+    plan = plan_of(scene.environment)
+    if decision.walls is not None and not has_walls(plan):
+        raise InputError(f"the set of {name_of(scene)} has no walls", mend="choose a kit that has, or a ground")
+    if decision.ground is not None and not has_ground(plan):
+        raise InputError(f"the set of {name_of(scene)} has no ground that can be of another material")
+    for node_id, prop in decision.furniture.items():
+        _refuse_other(node_id, f"furniture of {name_of(scene)}", [item.node_id for item in plan.furnishings])
+        if prop is not None:
+            _refuse_other(prop.prop, "prop", PROPS)
+
+
+def _refuse_other(key: str, what: str, known: Collection[str]) -> None:
+    """Refuse a key that is not among the known ones, with the nearest of them."""
+    if key in known:
+        return
+    near = get_close_matches(key, known, n=3, cutoff=0.6)
+    several = ", ".join(near or sorted(known)[:12])
+    mend = f"did you mean {several}?" if near else f"there are: {several} ..." if several else "it has none"
+    raise InputError(f"there is no {what} {key!r}", mend=mend)

@@ -1,0 +1,105 @@
+"""What a person decided about a scene: its light, its set, its staging. It lies over what the script and the crew say.
+
+A field left out is the crew's to choose. A later decision lies over an earlier one, field by field.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, Self
+
+from pydantic import Field
+
+from storyblender.memory.asset_sheet import AssetDecision
+from storyblender.memory.base import Described, Identifier, is_none
+from storyblender.memory.vocabulary import LightQuality, Period, TimeOfDay, Weather
+
+SetMaterial = Identifier
+"""A finish of ``catalog.sets.finishes`` or a material of ``catalog.materials``."""
+
+
+class _Decision(Described):
+    """Fields that a person decided; None where they did not."""
+
+    @property
+    def words(self) -> str:
+        """The decision as a person reads it, e.g. ``time of day dusk, warmth +1``."""
+        return ", ".join(f"{name.replace('_', ' ')} {_told(value)}" for name, value in self if value not in (None, {}))
+
+    def then(self, later: Self) -> Self:
+        """Return this decision with a later one on top."""
+        update = {name: value for name, value in later if value not in (None, {})}
+        merged = {name: {**getattr(self, name), **value} for name, value in update.items() if isinstance(value, dict)}
+        return self.model_copy(update={**update, **merged})
+
+
+class LightDecision(_Decision):
+    """What a person decided about the light of a scene."""
+
+    time_of_day: TimeOfDay | None = None
+    """The hour; it moves the sun, and lights the lamps at night."""
+    weather: Weather | None = None
+    """In the air and in the sky."""
+    qualities: tuple[LightQuality, ...] | None = None
+    """Character of the light, in place of what the script says: dim, harsh, candlelight ..."""
+    warmth: float | None = Field(default=None, ge=-3, le=3)
+    """Steps of colour temperature from the crew's light: 1 is clearly warmer, -1 clearly cooler."""
+    brightness: float | None = Field(default=None, ge=-3, le=3)
+    """Stops from the crew's light: 1 is twice as bright, -1 half."""
+    contrast: float | None = Field(default=None, ge=-2, le=2)
+    """Stops from the crew's key to fill ratio on faces: 1 is twice as contrasty, -1 half."""
+    key_side: Literal["left", "right"] | None = None
+    """Side of the set, as the viewer sees it, from which faces are lit."""
+
+
+class SetDecision(_Decision):
+    """What a person decided about the set of a place; scenes in the same place share it."""
+
+    kit: Identifier | None = None
+    """Key of a set kit: ``kitchen``."""
+    options: dict[Identifier, bool] = {}
+    """Options of the kit, on or off."""
+    period: Period | None = None
+    """When the place was furnished."""
+    snow: bool | None = None
+    """Whether snow lies on the ground."""
+    width: Annotated[float, Field(gt=0, le=1000)] | None = None
+    """Metres from left to right; the kit's limits hold."""
+    depth: Annotated[float, Field(gt=0, le=1000)] | None = None
+    """Metres from front to back, likewise."""
+    height: Annotated[float, Field(gt=0, le=100)] | None = None
+    """Metres to the ceiling, likewise."""
+    walls: SetMaterial | None = None
+    """Finish or material of the walls: ``brick``, ``plaster_green``."""
+    ground: SetMaterial | None = None
+    """Finish or material of the floor or the ground: ``parquet``, ``gravel``."""
+
+    furniture: dict[Identifier, AssetDecision | None] = Field(default={}, exclude_if=lambda value: not value)
+    """What stands in place of a piece of the kit's furniture, by its node id; None: nothing does."""
+
+    @property
+    def only_finishes(self) -> bool:
+        """Whether it decides about materials alone, which need no other staging."""
+        return not any(value not in (None, {}) for name, value in self if name not in ("walls", "ground"))
+
+
+class LayoutDecision(_Decision):
+    """What a person decided about the staging of a scene."""
+
+    staging: Annotated[int, Field(ge=0, le=999)] | None = None
+    """Which staging, counted from 0, the crew's first."""
+    added: tuple[Identifier, ...] | None = Field(default=None, exclude_if=is_none)
+    """Ids of the things that a person added."""
+    removed: tuple[Identifier, ...] | None = Field(default=None, exclude_if=is_none)
+    """Ids of the script's things that a person took away."""
+
+
+def _told(value: object) -> str:
+    if isinstance(value, float):
+        return f"{value:+g}"
+    if isinstance(value, dict):
+        return ", ".join(f"{name} {_told(each)}" for name, each in value.items())
+    if isinstance(value, bool):
+        return "on" if value else "off"
+    if isinstance(value, AssetDecision):
+        return value.prop
+    return ", ".join(value) if isinstance(value, tuple) else "nothing" if value is None else str(value)
