@@ -173,7 +173,8 @@ class Session:
         """Turn a script into everything, as ``Studio.make``; of a changed script only what changed is made anew."""
         from storyblender.pipeline.grounding import ground
         from storyblender.pipeline.materializing import materialize
-        from storyblender.pipeline.staging import animate_again, stage
+        from storyblender.pipeline.restaging import make_stale_anew
+        from storyblender.pipeline.staging import stage
 
         with self._call() as run:
             ground(run, script, reading)
@@ -181,7 +182,7 @@ class Session:
             keep_panorama(run)
             materialize(run)
             stage(run)
-            animate_again(run)
+            make_stale_anew(run)
             pack_scenes(run)
             film(run)
             return self._draw(run, run.graph.shots)
@@ -274,7 +275,8 @@ class Session:
         """
         with self._call() as run:
             self._refuse_unmade()
-            if any(shot.camera is None or shot.stale for shot in run.graph.shots):
+            items = (*run.graph.scenes, *run.graph.shots)
+            if any(item.stale for item in items) or any(shot.camera is None for shot in run.graph.shots):
                 mend = "run `storyblender render` first: it goes on where it was stopped"
                 raise InputError("has shots that are not up to date", mend=mend, path=self.folder)
             self._bring_up_to_date(run)
@@ -374,10 +376,10 @@ class Session:
             from storyblender.pipeline.materializing import materialize
 
             materialize(run)
-        if any(shot.stale for shot in run.graph.shots):
-            from storyblender.pipeline.staging import animate_again
+        if any(item.stale for item in (*run.graph.scenes, *run.graph.shots)):
+            from storyblender.pipeline.restaging import make_stale_anew
 
-            animate_again(run)
+            make_stale_anew(run)
         pack_scenes(run)
 
     def _refuse_unmade(self) -> None:

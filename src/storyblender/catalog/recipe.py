@@ -12,7 +12,7 @@ from storyblender.catalog.registry import ParamValue
 from storyblender.catalog.stand_ins import DEFAULT, STAND_INS
 from storyblender.catalog.states import state_look
 from storyblender.catalog.writing import CALL_WORDS, MAX_LETTERS, SCREENS, WRITING
-from storyblender.memory.asset_sheet import Asset, CanonicalAsset, Provenance
+from storyblender.memory.asset_sheet import Asset, AssetDecision, AssetDimension, CanonicalAsset, Provenance
 from storyblender.memory.base import Frozen, Vec3, content_hash
 from storyblender.memory.vocabulary import ThingState
 
@@ -121,3 +121,16 @@ class Recipe(Frozen):
             match_score=round(self.score, 2),
             provenance=self.provenance,
         )
+
+
+def made_from(asset: Asset, decision: AssetDecision) -> Asset:
+    """Return an asset that is to be built from what a person decided, in the size that the library has it.
+
+    Args:
+        asset: As it is.
+        decision: What it is made from.
+    """
+    recipe = Recipe(source="catalog", key=decision.prop, params=decision.params, score=EXACT)
+    width = AssetDimension(width=recipe.dimensions[0])
+    made = {"decision": decision, "kind": decision.prop, "canonical": recipe.canonical(), "dimension": width}
+    return asset.model_copy(update=made)

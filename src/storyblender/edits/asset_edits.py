@@ -11,7 +11,7 @@ from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.prop_families import family_of
 from storyblender.catalog.props.prop_names import kind_named, prop_named, prop_of
 from storyblender.catalog.props.variants import read_variant
-from storyblender.catalog.recipe import EXACT, Recipe
+from storyblender.catalog.recipe import made_from
 from storyblender.catalog.set_plan import Furnishing
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.edits.effect import (
@@ -24,7 +24,7 @@ from storyblender.edits.effect import (
 )
 from storyblender.edits.targets import as_id, scene_named
 from storyblender.errors import InputError
-from storyblender.memory.asset_sheet import Asset, AssetDecision, AssetDimension
+from storyblender.memory.asset_sheet import Asset, AssetDecision
 from storyblender.memory.base import shot_name
 from storyblender.memory.edits import AssetEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -76,19 +76,6 @@ def decision_of(words: str) -> AssetDecision:
         mend = f"did you mean {', '.join(dict.fromkeys(near))}?" if near else "`storyblender catalog` lists what it has"
         raise InputError(f"the library has no {words!r}", mend=mend)
     return AssetDecision(prop=entry.key, params=read_variant(entry, words))
-
-
-def made_from(asset: Asset, decision: AssetDecision) -> Asset:
-    """Return an asset that is to be built from what a person decided, in the size that the library has it.
-
-    Args:
-        asset: As it is.
-        decision: What it is made from.
-    """
-    recipe = Recipe(source="catalog", key=decision.prop, params=decision.params, score=EXACT)
-    width = AssetDimension(width=recipe.dimensions[0])
-    made = {"decision": decision, "kind": decision.prop, "canonical": recipe.canonical(), "dimension": width}
-    return asset.model_copy(update=made)
 
 
 def given_back(graph: ContinuityMemoryGraph, asset: Asset) -> list[Effect]:

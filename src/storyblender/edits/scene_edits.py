@@ -65,7 +65,15 @@ def layout_effects(graph: ContinuityMemoryGraph, edit: LayoutEdit) -> list[Effec
     if staging == now:
         raise InputError(f"{name_of(scene)} has staging {staging} already", mend="leave the number out for another")
     decided = before.then(LayoutDecision(staging=staging))
-    return [scene_effect(graph, scene, f"staging {staging}", "layout", ("layout",), layout_decision=decided)]
+    own = scene_effect(graph, scene, f"staging {staging}", "layout", ("layout",), layout_decision=decided)
+    things = {asset.asset_id for asset in graph.own_objects_of(scene.scene_id)}
+    followers = [
+        each
+        for each in scenes_of_place(graph, scene)
+        if each.scene_id > scene.scene_id and things.intersection(each.setup.asset_ids) and "layout" not in each.locked
+    ]
+    words = f"staged after {name_of(scene)}"
+    return [own, *(scene_effect(graph, each, words, "layout", ("layout",)) for each in followers)]
 
 
 def _refuse_nothing(scene: SceneContext, words: str, part: str, mend: str) -> None:

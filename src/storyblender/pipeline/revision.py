@@ -11,14 +11,16 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
 
+from storyblender.catalog.recipe import made_from
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import content_hash, scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit, replace
-from storyblender.memory.locks import SHOT_LOCKS, ShotLock
+from storyblender.memory.locks import SCENE_LOCKS, SHOT_LOCKS, ShotLock
 from storyblender.memory.outline import SceneOutline, ShotOutline
 from storyblender.memory.scene_context import Environment, SceneContext
 from storyblender.memory.shot_context import CameraDecision, CameraInstruction, CameraState, ShotContext
+from storyblender.pipeline.kept_decisions import takes_of, with_decided_models, with_scene_decisions
 
 ShotKey = tuple[int, int]
 """Scene id and shot id."""
@@ -29,7 +31,7 @@ Designer = Callable[[ContinuityMemoryGraph, int], Environment]
 _DECIDED = tuple(name for name in CameraDecision.model_fields if name in CameraInstruction.model_fields)
 _STAGED = (
     "blocking", "cues", "prop_states", "asset_modifications", "duration", "lighting", "frame", "camera", "lights",
-    "flaws", "locked", "decided_duration", "stale",
+    "flaws", "locked", "decided_duration", "stale", "take", "takes",
 )  # fmt: skip
 """What the crew, and later a person, adds to the Director's shot."""
 
@@ -111,7 +113,10 @@ def revise(
     rate = plan.format.fps / old.format.fps
     kept_shots = {key: pasts[past] for key, past in matched.items() if past in pasts}
     shots = [_as_locked(shot, kept_shots.get((shot.scene_id, shot.shot_id)), graph, rate) for shot in shots]
-    graph = graph.model_copy(update={"shots": tuple(shots)})
+    planned = {(shot.scene_id, shot.shot_id): shot for shot in graph.shots}
+    takes = {key: takes_of(planned[key], past) for key, past in kept_shots.items()}
+    shots = [shot.model_copy(update=takes.get((shot.scene_id, shot.shot_id), {})) for shot in shots]
+    graph = with_scene_decisions(old, graph.model_copy(update={"shots": tuple(shots)}), matched)
     kept: dict[int, int] = {}
     for scene in graph.outline:
         former = _same_scene(old, scene, matched)
@@ -234,6 +239,10 @@ def _lost_locks(
         if scene.scene_id not in kept.values():
             gone = [f"the lock of its {lock}" for lock in scene.locked]
             yield scene_name(scene.scene_id), ", ".join(gone)
+        if scene.scene_id not in {former for former, _ in matched.values()}:
+            parts = ((part, getattr(scene, f"{part}_decision")) for part in SCENE_LOCKS)
+            told = [f"{part}: {decided.words}" for part, decided in parts if decided is not None]
+            yield scene_name(scene.scene_id), ", ".join(told)
 
 
 def _planned(shot: ShotContext) -> dict[str, object]:
@@ -245,7 +254,7 @@ def _planned(shot: ShotContext) -> dict[str, object]:
 def _with_assets(old: ContinuityMemoryGraph, plan: ContinuityMemoryGraph) -> ContinuityMemoryGraph:
     """Keep the model and size of every asset that the script describes as before."""
     if old.settings_digest != plan.settings_digest:
-        return plan
+        return with_decided_models(old, plan)
     former = {asset.asset_id: asset for asset in old.assets}
     kept: list[Asset] = []
     for asset in plan.assets:
@@ -253,13 +262,17 @@ def _with_assets(old: ContinuityMemoryGraph, plan: ContinuityMemoryGraph) -> Con
         if past is not None and _told(past) == _told(asset):
             kept.append(past)
         elif past is not None and past.locked:
-            same = {name: getattr(past, name) for name in ("look", "dimension", "canonical", "locked")}
+            same = {name: getattr(past, name) for name in ("look", "dimension", "canonical", "locked", "decision")}
             kept.append(asset.model_copy(update=same))
+        elif past is not None and past.decision is not None:
+            kept.append(made_from(asset, past.decision))
     return replace(plan, *kept)
 
 
 def _told(asset: Asset) -> Asset:
-    return asset.model_copy(update={"canonical": None, "dimension": None, "locked": False, "kind": None})
+    return asset.model_copy(
+        update={"canonical": None, "dimension": None, "locked": False, "kind": None, "decision": None}
+    )
 
 
 def _same_scene(old: ContinuityMemoryGraph, scene: SceneOutline, matched: dict[ShotKey, ShotKey]) -> int | None:
@@ -287,7 +300,7 @@ def _staged(
     wanted = {*present.setup.asset_ids, *(item.asset_id for item in past.layout.objects)}
     if any(news.get(asset_id, olds[asset_id]) != olds[asset_id] for asset_id in wanted):
         return None
-    update = {name: getattr(past, name) for name in ("environment", "layout", "lighting", "locked")}
+    update = {name: getattr(past, name) for name in ("environment", "layout", "lighting", "locked", "stale")}
     dressing = [asset for asset in old.assets if asset.asset_id in wanted - news.keys()]
     shots = [
         _kept_shot(before, after) for before, after in zip(old.shots_of(former), plan.shots_of(scene_id), strict=True)

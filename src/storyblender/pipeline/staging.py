@@ -8,6 +8,8 @@ from storyblender.agents.layout_artist.bystanders import bystander_objects, crow
 from storyblender.agents.layout_artist.room_steps import RoomStep, drop_dressing, enlarge_set, find_fitting_room
 from storyblender.agents.layout_artist.spatial_planner import free_floor_of
 from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView, measures_of
+from storyblender.agents.layout_artist.stagings import most_different, stagings_to_try
+from storyblender.agents.visual_effects_artist.decided import decided_environment, decided_light
 from storyblender.agents.visual_effects_artist.furniture import dressing_asset
 from storyblender.agents.visual_effects_artist.lamp_states import light_shots
 from storyblender.agents.visual_effects_artist.lighting_arranger_view import lighting_arranger_view
@@ -45,7 +47,7 @@ def stage(run: Run) -> None:
         if scene.lighting is not None or place in awaited:
             continue
         try:
-            _stage_scene(run, scene_id)
+            stage_scene(run, scene_id)
         except AnswerAwaited as error:
             awaited[scene_id] = error
     if awaited:
@@ -53,25 +55,49 @@ def stage(run: Run) -> None:
     run.progress("stage", len(scenes), len(scenes))
 
 
-def _stage_scene(run: Run, scene_id: int) -> None:
-    name = scene_name(scene_id)
-    environment = design(run, run.graph, scene_id)
-    same_place = run.graph.scene(scene_id).setup.reference_scene_id is not None  # it stays as large as it was
+def stage_scene(run: Run, scene_id: int) -> None:
+    """Stage a scene, or stage it again: its set if that is stale, dressing, layout, motion and light.
+
+    Args:
+        run: With the scene's assets built.
+        scene_id: The scene.
+
+    Raises:
+        AnswerAwaited: An answer has to come from outside first.
+    """
+    name, before = scene_name(scene_id), run.graph.scene(scene_id)
+    kept = before.environment if before.lighting is not None and "set" not in before.stale else None
+    environment = kept or design(run, run.graph, scene_id)
+    decided = before.set_decision is not None and (before.set_decision.width or before.set_decision.depth)
+    fixed = kept is not None or decided or before.setup.reference_scene_id is not None  # it stays as large as it is
 
     def stage_in(room: RoomStep, faulty: Collection[Vec2]) -> tuple[SceneContext, Outcome[SpatialPlannerView, Layout]]:
-        return _laid_out(run, scene_id, enlarge_set(environment, 1.0 if same_place else room.set_scale), room, faulty)
+        return _laid_out(run, scene_id, enlarge_set(environment, 1.0 if fixed else room.set_scale), room, faulty)
 
     fitted = find_fitting_room(stage_in, threshold=run.crew.spatial_planner.threshold)
     layout = _with_crowd(run, fitted.outcome.view, fitted.outcome.draft)
     scene = fitted.tried.model_copy(update={"layout": layout})
     run.commit("spatial_planner", f"layout of {name}", scene)
     shots = _animate(run, scene_id)
-    scene, shots = _light(run, scene, shots)
+    if before.lighting is not None:
+        shots = tuple(_with_new_camera(shot) for shot in shots)
+    if "light" not in before.locked:
+        scene, shots = light_scene(run, scene, shots)
+    scene = scene.model_copy(update={"stale": ()})
     assets = {asset.asset_id: asset for asset in run.graph.assets}
     left_out = {*fitted.outcome.view.pending} - {item.asset_id for item in layout.objects}
     flaws = {shot.shot_id: staging_flaws(shot, assets, left_out) for shot in shots}
     shots = tuple(shot.model_copy(update={"flaws": flaws[shot.shot_id], "stale": ()}) for shot in shots)
     run.commit("animator", f"motion and light of {name}", scene, *shots)
+
+
+def _with_new_camera(shot: ShotContext) -> ShotContext:
+    """Return a shot of a scene that is staged again; a camera that a person locked or placed stays."""
+    update: dict[str, object] = {"takes": shot.takes_to_set_anew}
+    placed = shot.camera_decision is not None and shot.camera_decision.placed is not None
+    if "camera" not in shot.locked and not placed:
+        update |= {"camera": None, "lights": (), "camera_retake": None}
+    return shot.model_copy(update=update)
 
 
 def animate_again(run: Run) -> None:
@@ -99,6 +125,8 @@ def _again(before: ShotContext, shot: ShotContext, assets: Mapping[str, Asset]) 
     placed = before.camera_decision is not None and before.camera_decision.placed is not None
     if shot.blocking != before.blocking and "camera" not in before.locked and not placed:
         update |= {"camera": None, "lights": ()}
+    if shot.blocking != before.blocking:
+        update["takes"] = shot.takes_to_set_anew
     return shot.model_copy(update=update)
 
 
@@ -115,8 +143,9 @@ def _laid_out(
     materialize(run, fresh)
     placements = {asset_id: PROPS[prop].placement for asset_id, prop in props_of(run.graph.assets).items()}
     standing = drop_dressing(dressing.objects, plan, faulty, room.clear_radius)
-    role, pending = run.crew.spatial_planner, dressing.pending
-    return scene, run.reflect(role, name, run.graph, scene_id, plan, standing, pending, placements, room.distance_scale)
+    role, args = run.crew.spatial_planner, (plan, standing, dressing.pending, placements, room.distance_scale)
+    tried = [run.reflect(role, name, run.graph, scene_id, *args, staging) for staging in stagings_to_try(scene)]
+    return scene, most_different(tried, scene.layout, role.threshold)
 
 
 def _with_crowd(run: Run, view: SpatialPlannerView, layout: Layout) -> Layout:
@@ -150,7 +179,8 @@ def design(run: Run, graph: ContinuityMemoryGraph, scene_id: int) -> Environment
     Raises:
         AnswerAwaited: The answer has to come from outside first.
     """
-    return run.reflect(run.crew.environment_designer, scene_name(scene_id), graph, scene_id).draft
+    outcome = run.reflect(run.crew.environment_designer, scene_name(scene_id), graph, scene_id)
+    return decided_environment(outcome.draft, outcome.view, graph.scene(scene_id).set_decision)
 
 
 def _animate(run: Run, scene_id: int) -> tuple[ShotContext, ...]:
@@ -162,10 +192,17 @@ def _animate(run: Run, scene_id: int) -> tuple[ShotContext, ...]:
     return add_open_doors(played, layout.objects, run.graph.assets_of(scene_id))
 
 
-def _light(
+def light_scene(
     run: Run, scene: SceneContext, shots: tuple[ShotContext, ...]
 ) -> tuple[SceneContext, tuple[ShotContext, ...]]:
-    """Light the scene, and every shot from which on the script changes the light."""
+    """Return a scene with its light, and its shots, each from which on the script changes the light with its own.
+
+    Args:
+        run: With the scene laid out.
+        scene: As it is to be committed.
+        shots: Of the scene, with their motion.
+    """
+    shots = tuple(shot.model_copy(update={"lighting": None}) for shot in shots)
     role, graph, scene_id = run.crew.lighting_arranger, run.graph, scene.scene_id
     usual = run.reflect(role, scene_name(scene_id), graph, scene_id).draft
 
@@ -175,4 +212,8 @@ def _light(
 
     first, lit, found = light_shots(usual, lighting_arranger_view(graph, scene_id), shots, scene.setup.found, change)
     setup = scene.setup if found == scene.setup.found else scene.setup.model_copy(update={"found": found})
-    return scene.model_copy(update={"lighting": first, "setup": setup}), lit
+    decision = scene.light_decision
+    lit = tuple(
+        shot.model_copy(update={"lighting": shot.lighting and decided_light(shot.lighting, decision)}) for shot in lit
+    )
+    return scene.model_copy(update={"lighting": decided_light(first, decision), "setup": setup}), lit

@@ -32,6 +32,8 @@ _SEEN, _BEHIND = 0.55, 5.5
 """Metres of height from which a thing is visible behind people; metres behind them up to which it is."""
 _RAYS = np.linspace(-28.0, 28.0, 9)
 """Degrees to either side of the audience's viewing direction in which the background is sampled."""
+_GOLDEN = math.radians(137.5)
+"""Angle from one staging's middle to the next."""
 _EDGE = 0.3
 """Metres kept from the border of the playing area."""
 
@@ -114,7 +116,26 @@ class LayoutStage:
 
     @property
     def middle(self) -> tuple[float, float]:
-        """Floor point where people act: the set's mark for it, else the middle of the playing area."""
+        """Floor point where people act: the set's mark for it, else the middle of the playing area.
+
+        In another staging it is elsewhere, each further one a golden angle around it, nearer or farther.
+        """
+        x, y = self._usual_middle
+        if not self.view.staging:
+            return x, y
+        angle, share = self.view.staging * _GOLDEN, 0.35 + 0.2 * (self.view.staging % 3)
+        x += math.cos(angle) * share * (self.room.x_max - self.room.x_min) / 2
+        y += math.sin(angle) * share * (self.room.y_max - self.room.y_min) / 2
+        spare_x, spare_y = ((high - low) / 5 for low, high in self._extents)
+        (x_min, x_max), (y_min, y_max) = self._extents
+        return min(max(x, x_min + spare_x), x_max - spare_x), min(max(y, y_min + spare_y), y_max - spare_y)
+
+    @property
+    def _extents(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        return (self.room.x_min, self.room.x_max), (self.room.y_min, self.room.y_max)
+
+    @property
+    def _usual_middle(self) -> tuple[float, float]:
         mark = next((mark for mark in self.view.plan.marks if "centre" in mark.tags), None)
         if mark is not None:
             return mark.location[0], mark.location[1]

@@ -194,6 +194,8 @@ def _place_group(stage: LayoutStage, members: list[str]) -> None:
         return
     radius = stage.view.distance_scale * (TALK / 2 if len(members) == 2 else max(0.8, 0.22 * len(members)))
     x, y = stage.free_spot(stage.middle, radius + 0.45, lambda x, y: _bareness_penalty(stage, x, y))
+    if stage.view.staging % 2:  # the other way round
+        members = members[::-1]
     angles = _FORMATION.get(len(members)) or tuple(np.linspace(200, -20, len(members)).tolist())
     for member, angle in zip(members, angles, strict=True):
         dx, dy = radius * math.cos(math.radians(angle)), radius * math.sin(math.radians(angle))

@@ -89,7 +89,7 @@ def _moved(layout: Layout, faults: Iterable[Fault]) -> Layout:
 def _solve_layout(stage: LayoutStage, view: SpatialPlannerView, *, mending: bool = False) -> Layout:
     """Solve the stage as wished, then again with the walkways kept free; return the better layout."""
     things = [*stage.things.values(), *stage.walls]
-    seed = int(content_hash("layout", view.scene_id, view.seed)[:8], 16)
+    seed = int(content_hash("layout", view.scene_id, view.seed + view.staging)[:8], 16)
     solution = solve(things, stage.room, keep_free=_reserved_floor(stage), seed=seed, mending=mending)
     if solution.residual:
         freed = [_without_relation(thing, solution.residual) for thing in solution.things]

@@ -46,6 +46,7 @@ class SpatialPlannerView:
         first_actions: Motions that each person does on the spot in their first shot, each with its prop.
         distance_scale: Factor on distances between people who stand together.
         outline: The lines of the scene.
+        staging: Number of another staging, in which people act elsewhere and stand the other way round; 0 is the first.
     """
 
     scene_id: int
@@ -69,6 +70,7 @@ class SpatialPlannerView:
     first_actions: Mapping[str, tuple[tuple[str, str | None], ...]] = field(default_factory=dict)
     distance_scale: float = 1.0
     outline: SceneOutline | None = None
+    staging: int = 0
 
 
 def measures_of(assets: Iterable[Asset]) -> dict[str, AssetMeasure]:
@@ -95,6 +97,7 @@ def spatial_planner_view(
     pending: tuple[str, ...] | None = None,
     placements: Mapping[str, str] | None = None,
     distance_scale: float = 1.0,
+    staging: int = 0,
 ) -> SpatialPlannerView:
     """Return the Spatial Planner's projection of the graph.
 
@@ -106,6 +109,7 @@ def spatial_planner_view(
         pending: Asset ids of things to place; None takes every object of the scene that is not dressed.
         placements: ``floor``, ``surface``, ``wall`` or ``ceiling`` by asset id.
         distance_scale: Factor on the distances between people who stand together.
+        staging: Number of another staging; 0 is the first one.
     """
     scene, shots = graph.scene(scene_id), graph.shots_of(scene_id)
     objects = {asset.asset_id for asset in graph.assets if asset.asset_type == "object"}
@@ -153,6 +157,7 @@ def spatial_planner_view(
         scripted_spots=find_scripted_spots(scene.setup, shots),
         first_actions=_first_actions(shots, props_of(graph.assets)),
         distance_scale=distance_scale,
+        staging=staging,
         outline=graph.outline_of(scene_id),
     )
 

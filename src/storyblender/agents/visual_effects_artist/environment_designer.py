@@ -62,7 +62,7 @@ def environment_designer_view(graph: ContinuityMemoryGraph, scene_id: int) -> En
     things = graph.own_objects_of(scene_id)
     walks = (action.distance or 0.0 for shot in graph.shots_of(scene_id) for action in shot.character_actions)
     return EnvironmentDesignerView(
-        setup=scene.setup,
+        setup=scene.decided_setup,
         footprints=tuple(asset.canonical.dimensions[:2] for asset in things if asset.canonical is not None),
         people=graph.people_in(scene_id),
         travel=max(walks, default=0.0),

@@ -95,7 +95,7 @@ def lighting_arranger_view(
     assert scene.environment is not None, "the set comes before its light"
     plan, assets = plan_of(scene.environment), graph.assets_of(scene_id)
     return LightingArrangerView(
-        scene.setup, plan, scene.environment, scene.layout, assets, current, change,
+        scene.decided_setup, plan, scene.environment, scene.layout, assets, current, change,
         panorama=graph.panorama, outline=graph.outline_of(scene_id), shot_id=shot_id,
     )  # fmt: skip
 

@@ -97,7 +97,7 @@ def set_dresser_view(graph: ContinuityMemoryGraph, scene_id: int) -> SetDresserV
     told, reference = scripted_relations(scene.setup, graph.shots_of(scene_id)), scene.setup.reference_scene_id
     layout = graph.scene(reference).layout if reference is not None else None
     return SetDresserView(
-        setup=scene.setup.model_copy(update={"relations": told}),
+        setup=scene.decided_setup.model_copy(update={"relations": told}),
         plan=plan_of(scene.environment),
         objects=graph.own_objects_of(scene_id),
         people=graph.people_in(scene_id),

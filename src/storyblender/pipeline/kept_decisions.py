@@ -1,0 +1,75 @@
+"""What a person decided about scenes, things and takes, found again in a plan of a changed script."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+
+from storyblender.catalog.recipe import made_from
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.history import replace
+from storyblender.memory.scene_context import SceneContext
+from storyblender.memory.shot_context import ShotContext, Take
+
+
+def with_decided_models(old: ContinuityMemoryGraph, plan: ContinuityMemoryGraph) -> ContinuityMemoryGraph:
+    """Return a plan in which things are made from what a person decided, though all else is chosen anew.
+
+    Args:
+        old: The graph as it is.
+        plan: Of other settings.
+    """
+    decided = {asset.asset_id: asset.decision for asset in old.assets if asset.decision is not None}
+    made = [made_from(asset, decided[asset.asset_id]) for asset in plan.assets if asset.asset_id in decided]
+    return replace(plan, *made)
+
+
+def with_scene_decisions(
+    old: ContinuityMemoryGraph, plan: ContinuityMemoryGraph, matched: Mapping[tuple[int, int], tuple[int, int]]
+) -> ContinuityMemoryGraph:
+    """Return a plan in which each scene has what a person decided about the old scene with most of its words.
+
+    Args:
+        old: The graph as it is.
+        plan: The new plan.
+        matched: Old shots by new ones, each as (scene_id, shot_id).
+    """
+    for scene in plan.scenes:
+        pasts = Counter(past for (scene_id, _), (past, _) in matched.items() if scene_id == scene.scene_id)
+        if pasts:
+            plan = _decided_as(old.scene(pasts.most_common(1)[0][0]), old, plan, scene)
+    return plan
+
+
+def takes_of(planned: ShotContext, past: ShotContext) -> dict[str, object]:
+    """Return the takes of an old shot as an update of the new shot with its words; their cameras are set anew.
+
+    Args:
+        planned: As the Director plans it.
+        past: The old shot.
+    """
+    if not past.takes:
+        return {}
+    takes: list[Take] = []
+    for take in past.takes:
+        decision = take.camera_decision
+        instruction = planned.camera_instruction if decision is None else decision.applied(planned.camera_instruction)
+        fresh = {"camera_instruction": instruction, "camera_decision": decision, "in_frame": planned.in_frame}
+        takes.append(Take(number=take.number, moment=planned.moment, **fresh))
+    return {"take": past.take, "takes": tuple(takes)}
+
+
+def _decided_as(
+    past: SceneContext, old: ContinuityMemoryGraph, plan: ContinuityMemoryGraph, scene: SceneContext
+) -> ContinuityMemoryGraph:
+    decided = {name: getattr(past, name) for name in ("light_decision", "set_decision", "layout_decision")}
+    if not any(decided.values()):
+        return plan
+    layout, setup, there = past.layout_decision, scene.setup, {asset.asset_id for asset in plan.assets}
+    added = [old.asset(asset_id) for asset_id in (layout.added or () if layout is not None else ())]
+    removed = [each for each in (layout.removed or () if layout is not None else ()) if each in there]
+    ids = tuple(dict.fromkeys((*setup.asset_ids, *(asset.asset_id for asset in added))))
+    scenery = tuple(dict.fromkeys((*setup.scenery, *removed)))
+    if (ids, scenery) != (setup.asset_ids, setup.scenery):
+        decided["setup"] = setup.model_copy(update={"asset_ids": ids, "scenery": scenery})
+    return replace(plan, *(asset for asset in added if asset.asset_id not in there), scene.model_copy(update=decided))

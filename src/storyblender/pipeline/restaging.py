@@ -1,0 +1,35 @@
+"""What an edit of a scene made stale is made anew: of a scene its light alone or its staging, of a shot its motion."""
+
+from __future__ import annotations
+
+from storyblender.memory.base import scene_name
+from storyblender.pipeline.run import Run
+from storyblender.pipeline.staging import animate_again, light_scene, stage_scene
+
+
+def make_stale_anew(run: Run) -> None:
+    """Make anew what is stale of each scene, in story order, then the motion of each shot.
+
+    Args:
+        run: With all assets built.
+
+    Raises:
+        AnswerAwaited: An answer has to come from outside first.
+        Cancelled: The run is cancelled.
+    """
+    stale = [scene.scene_id for scene in run.graph.scenes if scene.stale]
+    for step, scene_id in enumerate(stale):
+        run.progress("stage", step, len(stale), scene_name(scene_id))
+        if {*run.graph.scene(scene_id).stale} <= {"light"}:
+            _relight(run, scene_id)
+        else:
+            stage_scene(run, scene_id)
+    if stale:
+        run.progress("stage", len(stale), len(stale))
+    animate_again(run)
+
+
+def _relight(run: Run, scene_id: int) -> None:
+    scene, shots = light_scene(run, run.graph.scene(scene_id), run.graph.shots_of(scene_id))
+    scene = scene.model_copy(update={"stale": ()})
+    run.commit("lighting_arranger", f"light of {scene_name(scene_id)}", scene, *shots)
