@@ -11,11 +11,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from storyblender.agents.instructor.phrases import edits_of_clause
+from storyblender.agents.instructor.scene_faults import scene_faults
+from storyblender.agents.instructor.scene_phrases import edits_of_scene
+from storyblender.agents.instructor.scene_view import SceneNow, scene_now
 from storyblender.errors import InputError
 from storyblender.memory.base import Described, Frozen, scene_name, shot_name
 from storyblender.memory.camera_decision import CameraDecision, CameraInstruction
-from storyblender.memory.edits import CameraEdit, DurationEdit, Edit
+from storyblender.memory.edits import CameraEdit, DurationEdit, Edit, LightEdit, SetEdit, TakeEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.scene_decision import LightDecision, SetDecision
 from storyblender.reflection import UNUSABLE, Critique, Fault
 
 _CLAUSES = re.compile(r"\s*(?:;|,(?!\d)|\.(?=\s|$)|\bthen\b)\s*", re.IGNORECASE)
@@ -43,12 +47,14 @@ class InstructorView:
         shots: The shots that they are about.
         names: Name of every character and object by id.
         fps: Frames a second.
+        scenes: Their scenes.
     """
 
     words: str
     shots: tuple[ShotNow, ...]
     names: Mapping[str, str]
     fps: int
+    scenes: tuple[SceneNow, ...] = ()
 
 
 class Instruction(Described):
@@ -88,22 +94,23 @@ def instructor_view(graph: ContinuityMemoryGraph, words: str) -> InstructorView:
         for shot in graph.shots
         if {shot_name(shot.scene_id, shot.shot_id), scene_name(shot.scene_id)} & wanted
     )
-    names = {asset.asset_id: asset.name or asset.asset_id for asset in graph.assets if asset.origin == "script"}
-    return InstructorView(" ".join(said.split()), tuple(shots), names, graph.format.fps)
+    names = {asset.asset_id: asset.name or asset.asset_id for asset in graph.assets if asset.origin != "dressing"}
+    involved = {name.partition("_")[0] for name in wanted}
+    now = tuple(scene_now(graph, scene) for scene in graph.scenes if scene_name(scene.scene_id) in involved)
+    return InstructorView(" ".join(said.split()), tuple(shots), names, graph.format.fps, now)
 
 
 class RulesInstructor:
-    """Knows the words that people use of cameras and lengths; a word it does not know is said to be unclear."""
+    """Knows words of cameras, lengths, light, sets, staging and things; one it does not know is said to be unclear."""
 
     def propose(self, view: InstructorView) -> Instruction:
         """Return the edits that the words mean, clause by clause."""
         edits: list[Edit] = []
         unclear: dict[str, None] = {}
         for clause in filter(None, _CLAUSES.split(_PLEASE.sub("", view.words))):
-            for shot in view.shots:
-                meant, left = _meant(clause, shot, view)
-                edits += meant
-                unclear |= dict.fromkeys(left)
+            meant, left = _meant(clause, view)
+            edits += meant
+            unclear |= dict.fromkeys(left)
         return Instruction(edits=_joined(edits), unclear=tuple(unclear))
 
     def refine(self, draft: Instruction, critique: Critique, view: InstructorView) -> Instruction:
@@ -117,11 +124,16 @@ class RulesInstructor:
         return draft
 
 
-def _meant(clause: str, shot: ShotNow, view: InstructorView) -> tuple[list[Edit], list[str]]:
+def _meant(clause: str, view: InstructorView) -> tuple[list[Edit], list[str]]:
     """Return the edits of a clause, and its words that are not known; ``and`` may join people, or two wishes."""
 
     def edits(words: str) -> list[Edit]:
-        return edits_of_clause(words, shot.name, shot.camera, shot.lens, shot.frames / view.fps, view.names)
+        told = [edit for scene in view.scenes for edit in edits_of_scene(words, scene)]
+        return told or [
+            edit
+            for shot in view.shots
+            for edit in edits_of_clause(words, shot.name, shot.camera, shot.lens, shot.frames / view.fps, view.names)
+        ]
 
     parts = [(part, edits(part)) for part in _AND.split(clause)]
     unknown = [part for part, meant in parts if not meant]
@@ -131,15 +143,27 @@ def _meant(clause: str, shot: ShotNow, view: InstructorView) -> tuple[list[Edit]
 
 
 def _joined(edits: list[Edit]) -> tuple[Edit, ...]:
-    """Return edits with those of one camera as one, as a person would make them."""
+    """Return edits with those of one camera, one light and one set as one, as a person would make them."""
     cameras: dict[str, CameraDecision] = {}
+    lights: dict[str, LightDecision] = {}
+    sets: dict[str, SetDecision] = {}
     others: list[Edit] = []
     for edit in edits:
-        if isinstance(edit, CameraEdit):
-            cameras[edit.shot] = cameras.get(edit.shot, CameraDecision()).then(edit.decision)
-        else:
-            others.append(edit)
-    return (*(CameraEdit(shot=shot, decision=decision) for shot, decision in cameras.items()), *others)
+        match edit:
+            case CameraEdit():
+                cameras[edit.shot] = cameras.get(edit.shot, CameraDecision()).then(edit.decision)
+            case LightEdit():
+                lights[edit.scene] = lights.get(edit.scene, LightDecision()).then(edit.decision)
+            case SetEdit():
+                sets[edit.scene] = sets.get(edit.scene, SetDecision()).then(edit.decision)
+            case _:
+                others += [edit] if edit not in others else []
+    return (
+        *(CameraEdit(shot=shot, decision=decision) for shot, decision in cameras.items()),
+        *(LightEdit(scene=scene, decision=decision) for scene, decision in lights.items()),
+        *(SetEdit(scene=scene, decision=decision) for scene, decision in sets.items()),
+        *others,
+    )
 
 
 class InstructorCritic:
@@ -157,12 +181,13 @@ class InstructorCritic:
         if not draft.edits and not draft.unclear:
             faults.append(Fault(kind="nothing", message="nothing is changed and nothing is unclear", severity=UNUSABLE))
         for edit in draft.edits:
-            if isinstance(edit, CameraEdit | DurationEdit) and edit.shot.upper() not in shots:
+            if isinstance(edit, CameraEdit | DurationEdit | TakeEdit) and edit.shot.upper() not in shots:
                 message = f"{edit.shot} is not among the shots that were named"
                 faults.append(Fault(kind="shot", subject=edit.shot, message=message, severity=UNUSABLE))
             for unknown in sorted(_named(edit) - view.names.keys()):
                 message = f"{unknown!r} is no person or thing of the story"
                 faults.append(Fault(kind="unknown", subject=unknown, message=message, severity=UNUSABLE))
+            faults += scene_faults(edit, view.scenes)
         return Critique.of(tuple(faults))
 
 

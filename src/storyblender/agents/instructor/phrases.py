@@ -10,7 +10,7 @@ from pydantic import ValidationError
 
 from storyblender.agents.director.camera_phrases import parse_note
 from storyblender.memory.camera_decision import CameraDecision, CameraInstruction
-from storyblender.memory.edits import CameraEdit, DurationEdit, Edit, LockEdit, UnlockEdit
+from storyblender.memory.edits import CameraEdit, DurationEdit, Edit, LockEdit, TakeEdit, UnlockEdit
 from storyblender.memory.shot_sizes import SHOT_SIZES
 from storyblender.memory.vocabulary import Angle
 
@@ -48,6 +48,8 @@ def edits_of_clause(
         return [LockEdit(target=shot)]
     if words == "unlock":
         return [UnlockEdit(target=shot)]
+    if (take := _take(words, shot)) is not None:
+        return [take]
     if (length := _length(words, seconds)) is not None:
         return [DurationEdit(shot=shot, seconds=round(length, 3))]
     said = _relative(words, camera, lens) or _subjects(clause, names) or _direction(clause, names)
@@ -57,6 +59,17 @@ def edits_of_clause(
         return [CameraEdit(shot=shot, decision=CameraDecision.model_validate(said))]
     except ValidationError:
         return []
+
+
+def _take(words: str, shot: str) -> TakeEdit | None:
+    """Return what words do with takes: ``keep this take``, ``another take``, ``take 2``, ``drop take 1``."""
+    if re.fullmatch(r"keep (?:(?:this|as|a|as a) )?take|(?:an?other|new|next) take|one more(?: take)?", words):
+        return TakeEdit(shot=shot)
+    match = re.fullmatch(r"(?:(use|choose|back to|show|drop|delete|forget) )?take (\d{1,3})", words)
+    if match is None:
+        return None
+    dropped = match[1] in ("drop", "delete", "forget")
+    return TakeEdit(shot=shot, action="drop" if dropped else "choose", number=int(match[2]))
 
 
 def _length(words: str, seconds: float) -> float | None:

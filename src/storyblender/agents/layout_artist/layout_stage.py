@@ -23,6 +23,7 @@ from storyblender.geometry.boxes import Box
 from storyblender.geometry.lanes import blocks_walkers
 from storyblender.geometry.paths import Footprint, clearance
 from storyblender.geometry.relations import LayoutThing
+from storyblender.memory.base import content_hash
 from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.scene_context import LayoutObject
 
@@ -114,13 +115,32 @@ class LayoutStage:
         mass = mass_of((box.width, box.depth, box.height))
         self.add(LayoutThing(asset_id, box, mass=mass, **asked), asset_id)  # pyright: ignore[reportArgumentType]
 
+    def pick(self, what: str, count: int) -> int:
+        """Return which of some equally good places to take, the best one first: another one in another staging.
+
+        Args:
+            what: What is placed, or what at: the same gets the same place throughout a staging.
+            count: How many places there are.
+        """
+        if not self.view.staging or count < 2:
+            return 0
+        return int(content_hash("staging", self.view.staging, what)[:8], 16) % count
+
     @property
     def middle(self) -> tuple[float, float]:
-        """Floor point where people act: the set's mark for it, else the middle of the playing area.
+        """Floor point in the middle: the set's mark for it, else the middle of the playing area."""
+        mark = next((mark for mark in self.view.plan.marks if "centre" in mark.tags), None)
+        if mark is not None:
+            return mark.location[0], mark.location[1]
+        return (self.room.x_min + self.room.x_max) / 2, (self.room.y_min + self.room.y_max) / 2
 
-        In another staging it is elsewhere, each further one a golden angle around it, nearer or farther.
+    @property
+    def acting_place(self) -> tuple[float, float]:
+        """Floor point where people act whom nothing places: the middle.
+
+        In another staging it is elsewhere, each further one a golden angle around the middle, nearer or farther.
         """
-        x, y = self._usual_middle
+        x, y = self.middle
         if not self.view.staging:
             return x, y
         angle, share = self.view.staging * _GOLDEN, 0.35 + 0.2 * (self.view.staging % 3)
@@ -133,13 +153,6 @@ class LayoutStage:
     @property
     def _extents(self) -> tuple[tuple[float, float], tuple[float, float]]:
         return (self.room.x_min, self.room.x_max), (self.room.y_min, self.room.y_max)
-
-    @property
-    def _usual_middle(self) -> tuple[float, float]:
-        mark = next((mark for mark in self.view.plan.marks if "centre" in mark.tags), None)
-        if mark is not None:
-            return mark.location[0], mark.location[1]
-        return (self.room.x_min + self.room.x_max) / 2, (self.room.y_min + self.room.y_max) / 2
 
     def measure(self, asset_id: str) -> AssetMeasure:
         """Return an asset's measure; that of a cube of 0.4 m if it is unknown."""
@@ -167,7 +180,7 @@ class LayoutStage:
             asset_id: A node_id, an asset_id or a name of a part of the set; None finds nothing.
             near: Floor point, metres; the nearest of several is returned. None takes ``middle``.
         """
-        near = near or self.middle
+        asked, near = near, near or self.middle
         thing = self.find(asset_id, near)
         if thing is not None or asset_id is None or asset_id in self.view.pending:
             return thing
@@ -176,7 +189,7 @@ class LayoutStage:
         alike = [thing for name, thing in self.things.items() if self.view.props.get(self.assets[name]) in kin]
         if alike:
             return min(alike, key=lambda thing: math.dist((thing.box.x, thing.box.y), near))
-        fixture = self.find_fixture(asset_id, near)
+        fixture = self.find_fixture(asset_id, asked)
         return LayoutThing(fixture.name, fixture.box, fixed=True, floats=True) if fixture is not None else None
 
     def find_fixture(self, name: str | None, near: tuple[float, float] | None = None) -> Fixture | None:
@@ -187,9 +200,13 @@ class LayoutStage:
             near: Floor point, metres; the nearest of equal matches is returned. None takes ``middle``.
         """
         found = fixtures_called(self.view.plan, name)
-        near = near or self.middle
+        middle = near or self.middle
         sure = [fixture for fixture in found if fixture.kind == found[0].kind and fixture.tags == found[0].tags]
-        return min(sure, key=lambda each: math.dist((each.box.x, each.box.y), near), default=None)
+        if self.view.staging and near is None:  # of several windows another one
+            alike = [{tag for tag in fixture.tags if not tag.isdigit()} for fixture in found]
+            sure = [fixture for fixture, tags in zip(found, alike, strict=True) if tags == alike[0]]
+        sure.sort(key=lambda each: math.dist((each.box.x, each.box.y), middle))
+        return sure[self.pick(str(name), len(sure)) if near is None else 0] if sure else None
 
     def box(self, asset_id: str, x: float, y: float, z: float = 0.0, yaw: float = 0.0) -> Box:
         """Return the box of an asset at a place in the set.

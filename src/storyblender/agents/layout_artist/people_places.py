@@ -186,14 +186,16 @@ def _place_group(stage: LayoutStage, members: list[str]) -> None:
     if len(members) == 1:
         others = [(thing.box.x, thing.box.y) for thing in stage.things.values() if thing.walks]
         x, y = stage.free_spot(
-            stage.middle, 0.5, lambda x, y: _crowding_penalty((x, y), others) + 0.5 * _bareness_penalty(stage, x, y)
+            stage.acting_place,
+            0.5,
+            lambda x, y: _crowding_penalty((x, y), others) + 0.5 * _bareness_penalty(stage, x, y),
         )
         box = stage.box(members[0], x, y, 0.0, 0.0)
         box.turn_to(yaw_along(*_direction_to_audience(x, stage)))
         stage.add(LayoutThing(members[0], box, walks=True), members[0])
         return
     radius = stage.view.distance_scale * (TALK / 2 if len(members) == 2 else max(0.8, 0.22 * len(members)))
-    x, y = stage.free_spot(stage.middle, radius + 0.45, lambda x, y: _bareness_penalty(stage, x, y))
+    x, y = stage.free_spot(stage.acting_place, radius + 0.45, lambda x, y: _bareness_penalty(stage, x, y))
     if stage.view.staging % 2:  # the other way round
         members = members[::-1]
     angles = _FORMATION.get(len(members)) or tuple(np.linspace(200, -20, len(members)).tolist())

@@ -25,6 +25,8 @@ _DRAWN_UP = 0.75
 """Most metres from a table to the front edge of a seat that stands at it."""
 _TAKEN = 0.45
 """Metres from a seat's edge within which a person occupies it."""
+_NEAR_SEATS = 3
+"""Seats among which another staging chooses, the nearest first."""
 
 Seat = tuple[str, Anchor]
 """Name of the furniture, and the seat on it."""
@@ -44,7 +46,7 @@ def seat_person(stage: LayoutStage, state: BodyState, wanted: WantedPlace | None
     other = stage.find_anchor(wanted.anchor) if wanted is not None else None
     if support is None and other is not None and not other.walks and wanted and wanted.relation not in _OPPOSITE:
         support = other
-    wish = near or stage.middle
+    wish = near or stage.acting_place
     if support is not None:
         wish = (support.box.x, support.box.y)
     if other is not None and wanted is not None and wanted.relation in _OPPOSITE:
@@ -61,11 +63,9 @@ def seat_person(stage: LayoutStage, state: BodyState, wanted: WantedPlace | None
     seats = seats or _free_among(stage, _list_seats(stage, list(stage.things), kinds, asked=False))
     if not seats:
         return False
-    put_on_seat(
-        stage,
-        state.asset_id,
-        min(seats, key=lambda seat: (round(math.dist(_seat_point(stage, seat), wish), 3), seat[0])),
-    )
+    seats = sorted(seats, key=lambda seat: (round(math.dist(_seat_point(stage, seat), wish), 3), seat[0]))
+    told = wanted is not None and wanted.side is not None
+    put_on_seat(stage, state.asset_id, seats[0 if told else stage.pick(state.asset_id, min(len(seats), _NEAR_SEATS))])
     return True
 
 

@@ -19,6 +19,8 @@ _STANDING = 0.15
 """Least metres from the middle of a standing person to the nearest thing."""
 _ELBOW = 0.28
 """Metres of room for the elbows; more room gives no bonus."""
+_AS_GOOD = 1.5
+"""Penalty above that of the best station with which another staging may take it."""
 _TIGHT = 8.0
 """Penalty in metres for each metre of room missing to ``_ELBOW``."""
 _AFAR = 2.5
@@ -107,10 +109,10 @@ def stand_person_at(stage: LayoutStage, asset_id: str, anchor: LayoutThing, want
     options = stations(anchor.box, sort, relation, wanted.side, wanted.distance)
     if relation == "at" and wanted.side is None and sort == "thing" and _has_its_own_seat(stage, anchor):
         options = [*stations(anchor.box, sort, relation, "left"), *stations(anchor.box, sort, relation, "right")]
-    best, room = _best_station(stage, options)
+    best, room = _best_station(stage, asset_id, options)
     if room < _STANDING and sort == "thing":  # no room behind a thing that stands against a wall
         best, room = _best_station(
-            stage, [*options, *stations(anchor.box, sort, "at"), *stations(anchor.box, sort, "next_to")]
+            stage, asset_id, [*options, *stations(anchor.box, sort, "at"), *stations(anchor.box, sort, "next_to")]
         )
     if room < 0 and sort == "thing":
         best = _nearest_in_room(stage, anchor.box, best)
@@ -144,7 +146,7 @@ def _looks_at(box: Box, other: Box) -> bool:
     return abs(wrap_angle(yaw_along(other.x - box.x, other.y - box.y) - box.yaw)) < math.radians(44)
 
 
-def _best_station(stage: LayoutStage, options: list[Station]) -> tuple[Station, float]:
+def _best_station(stage: LayoutStage, person: str, options: list[Station]) -> tuple[Station, float]:
     """Return the station with the lowest penalty, and its room in metres, -1 outside the playing area."""
     points = np.array([(each.x, each.y) for each in options])
     x_min, x_max, y_min, y_max = stage.room
@@ -158,7 +160,13 @@ def _best_station(stage: LayoutStage, options: list[Station]) -> tuple[Station, 
         crowded = sum(max(0.0, _APART - math.dist((each.x, each.y), other)) for other in people)
         return round(each.dislike + tight + 3 * crowded, 3)
 
-    best = min(range(len(options)), key=lambda index: (cost(index), index))
+    order = sorted(range(len(options)), key=lambda index: (cost(index), index))
+    good = [
+        index
+        for index in order
+        if cost(index) < cost(order[0]) + _AS_GOOD and room[index] >= min(_ELBOW, room[order[0]])
+    ]
+    best = good[stage.pick(person, len(good))]
     return options[best], float(room[best])
 
 

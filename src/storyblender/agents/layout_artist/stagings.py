@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView
 from storyblender.memory.scene_context import Layout, SceneContext
@@ -36,22 +36,26 @@ def most_different(tried: Sequence[Staged], present: Layout | None, threshold: f
     """
 
     def rank(staged: Staged) -> tuple[float, float]:
-        return min(staged.critique.score, threshold), round(difference(staged.draft, present), 3)
+        people = [each for each, measure in staged.view.measures.items() if measure.asset_type == "character"]
+        moved = difference(staged.draft, present, people), difference(staged.draft, present)
+        return min(staged.critique.score, threshold), round(moved[0] or moved[1], 3)
 
     return max(tried, key=rank)
 
 
-def difference(layout: Layout, present: Layout | None) -> float:
-    """Return how far apart two layouts are: the mean distance in metres of what stands in both and is not fixed.
+def difference(layout: Layout, present: Layout | None, among: Collection[str] | None = None) -> float:
+    """Return how far apart two layouts are: the mean distance in metres of what stands in both, but for furniture.
 
     Args:
         layout: One layout.
         present: The other; with None there is no difference.
+        among: Ids of the people or things that count; None counts all.
     """
     before = {item.node_id: item for item in present.objects} if present is not None else {}
     moved = [
         math.dist(item.location, before[item.node_id].location)
         for item in layout.objects
-        if item.node_id in before and not (item.fixed and item.node_id.startswith("set_"))
+        if item.node_id in before and not item.node_id.startswith("set_")
+        if among is None or item.asset_id in among
     ]
     return sum(moved) / len(moved) if moved else 0.0

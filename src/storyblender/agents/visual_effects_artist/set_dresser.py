@@ -24,7 +24,7 @@ from storyblender.agents.visual_effects_artist.furniture import (
     size_of_asset,
 )
 from storyblender.catalog.props.prop_families import family_of
-from storyblender.catalog.props.prop_names import prop_of
+from storyblender.catalog.props.prop_names import kind_named, prop_of
 from storyblender.catalog.set_plan import Furnishing, SetPlan
 from storyblender.catalog.sets import furnished_in, plan_of
 from storyblender.catalog.sets.drawing import Period
@@ -204,11 +204,16 @@ def _assign_furnishing_places(view: SetDresserView) -> dict[str, Asset]:
         if (anchor in ids and anchor not in where) or (prop_of(asset) in _COUNTERS and _has_counter(taken)):
             continue
         near = where.get(anchor, _STAGE) if anchor else _STAGE
-        found = _best_place(view.plan, prop_of(asset), near, taken)
+        found = _best_place(view.plan, _written_prop(asset), near, taken)
         if found is not None and (anchor not in where or math.dist(found.location[:2], near) < _TOGETHER):
             taken[found.node_id] = asset
             where[asset.asset_id] = found.location[:2]
     return taken
+
+
+def _written_prop(asset: Asset) -> str:
+    """Return the prop that the script's words mean; what a person has it made from takes the place of that one."""
+    return (asset.decision and kind_named(asset.name or asset.asset_id)) or prop_of(asset)
 
 
 def _has_counter(taken: dict[str, Asset]) -> bool:
