@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import CancelledError
 from contextlib import AbstractContextManager, ExitStack, contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property, partial
 from pathlib import Path
 from threading import Event as Signal
@@ -26,17 +26,21 @@ from storyblender.inspection import Inspection, inspect
 from storyblender.memory.edits import Edit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit
-from storyblender.memory.shot_context import Flaw, ShotContext
+from storyblender.memory.shot_context import Flaw
 from storyblender.pipeline.adopting import adopt_earlier_outputs
 from storyblender.pipeline.asset_files import assets_to_build
-from storyblender.pipeline.compiling import Compilation, story_files
+from storyblender.pipeline.compiling import story_files
+from storyblender.pipeline.drawing import draw_shots
 from storyblender.pipeline.filming import cuts_made_wrong, film, with_cuts_judged
 from storyblender.pipeline.packing import pack_scenes
 from storyblender.pipeline.panorama import keep_panorama
-from storyblender.pipeline.retaking import retake_poor_frames
 from storyblender.pipeline.reviewing import FrameReview, review_frames
 from storyblender.pipeline.run import Run
-from storyblender.pipeline.shooting import damaged_frames, drawn_shots, prune, shoot_frames, shoot_motion
+from storyblender.pipeline.shooting import (
+    drawn_shots,
+    pictures_of_takes,
+    shoot_frames,
+)
 from storyblender.ports import AssetSource, Engine
 from storyblender.project import Project
 from storyblender.settings import REMEMBERED, Settings
@@ -185,7 +189,8 @@ class Session:
             make_stale_anew(run)
             pack_scenes(run)
             film(run)
-            return self._draw(run, run.graph.shots)
+            files, reviews = draw_shots(run, run.graph.shots)
+            return Delivery(self.folder, files, run.graph, reviews=reviews)
 
     def apply(self, edits: Sequence[Edit], revision: str | None = None) -> Applied:
         """Commit a batch of edits, all or none, as one undo; ``draw`` then draws what they made stale.
@@ -245,8 +250,8 @@ class Session:
             wrong = cuts_made_wrong(run, new)
             for flaw in wrong:
                 run.tell(Event(kind="warning", role="camera_operator", subject=flaw.shot, message=flaw.message))
-            drawn = self._draw(run, [run.graph.shot(shot.scene_id, shot.shot_id) for shot in shots])
-            return replace(drawn, wrong_cuts=tuple(wrong))
+            files, reviews = draw_shots(run, [run.graph.shot(shot.scene_id, shot.shot_id) for shot in shots])
+            return Delivery(self.folder, files, run.graph, wrong_cuts=tuple(wrong), reviews=reviews)
 
     def undo(self) -> list[Commit]:
         """Take back the last change and what followed from it; the next render draws only what that changes.
@@ -286,6 +291,19 @@ class Session:
             )
             return report.with_story([name for name in story_files(run.graph) if run.outputs.changed(name)])
 
+    def takes(self, shot: str) -> dict[int, Path]:
+        """Return the pictures of a shot's takes that are drawn, by number; that of the film is in ``frames``.
+
+        Raises:
+            InputError: No such shot, or a project that is only planned.
+        """
+        with self._call() as run:
+            [found] = shots_named(run.graph, [shot])
+            self._refuse_unmade()
+            self._bring_up_to_date(run)
+            names = pictures_of_takes(run, run.graph.shot(found.scene_id, found.shot_id))
+            return {number: self.folder / name for number, name in names.items() if run.outputs.whole(name)}
+
     def evaluate(self) -> list[FrameReview]:
         """Return what the Frame Critic finds in every frame of a finished project.
 
@@ -319,16 +337,10 @@ class Session:
             story: Scenes and shots as a Director plans them.
             reason: For the history.
         """
-        from storyblender.pipeline.materializing import materialize
-        from storyblender.pipeline.staging import stage
+        from storyblender.pipeline.sampling import draw_story
 
         with self._call() as run:
-            run.project.commit(story, "user", reason)
-            materialize(run)
-            stage(run)
-            pack_scenes(run)
-            film(run)
-            shoot_frames(run, run.graph.shots)
+            draw_story(run, story, reason)
 
     @cached_property
     def _engine(self) -> Engine:
@@ -386,17 +398,3 @@ class Session:
         if not self.made:
             mend = "run `storyblender make SCRIPT` first"
             raise InputError("is planned, not made yet", mend=mend, path=self.folder)
-
-    def _draw(self, run: Run, shots: Sequence[ShotContext]) -> Delivery:
-        """Draw shots, take poor ones again, and deliver; the film has every shot moving, whichever are named."""
-        asked = {(shot.scene_id, shot.shot_id) for shot in shots}
-        others = [shot for shot in run.graph.shots if (shot.scene_id, shot.shot_id) not in asked]
-        shoot_frames(run, [*shots, *damaged_frames(run, others)])
-        reviews = retake_poor_frames(run, shots)
-        story = Compilation(run)
-        from storyblender.pipeline.delivery import deliver
-
-        clips = shoot_motion(run, run.graph.shots) if self._settings.animatic else None
-        if len(shots) == len(run.graph.shots):
-            prune(run, run.graph.shots)
-        return Delivery(self.folder, deliver(run, clips, story), run.graph, reviews=reviews)

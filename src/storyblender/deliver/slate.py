@@ -22,7 +22,8 @@ def burn_in(source: Path, panel: Panel, part: Path, first: int = 0) -> None:
     with Image.open(source) as image:
         picture = image.convert("RGB")
     band = max(18, picture.height // 22)
-    name, facts = panel.name, f"{panel.framing}  {panel.lens:.0f} mm"
+    take = f"  take {panel.shot.take}" if panel.shot.take > 1 or panel.shot.takes else ""
+    name, facts = panel.name + take, f"{panel.framing}  {panel.lens:.0f} mm"
     time = f"{timecode(first + panel.start, panel.fps)}  {panel.shot.duration}f"
     font = _fitting(f"{name}  {facts}  {time}", round(band * 0.62), picture.width - band)
     left, right = band / 2, picture.width - band / 2

@@ -49,4 +49,4 @@ def _other(shot: ShotContext, edit: TakeEdit) -> dict[str, object]:
     refuse_locked(shot, "camera")
     known[shot.take] = shot.as_take
     takes = tuple(known[number] for number in sorted(known))
-    return {"take": chosen.number, "takes": takes, **{field: getattr(chosen, field) for field in TAKE_FIELDS}}
+    return {**{field: getattr(chosen, field) for field in TAKE_FIELDS}, "take": chosen.number, "takes": takes}

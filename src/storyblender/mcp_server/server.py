@@ -25,8 +25,10 @@ from storyblender.mcp_server.values import (
     ShotDetails,
     Status,
     Story,
+    Takes,
     details_of,
     story_of,
+    takes_of,
     verdict_of,
 )
 from storyblender.mcp_server.workplace import Workplace
@@ -163,16 +165,25 @@ def _add_looking(server: FastMCP[None], place: Workplace) -> None:
     def describe_shot(shot: Shot) -> ShotDetails:
         """Say everything about a shot: lines, camera, people on stage, what a person decided, what is wrong."""
         with _sentences():
-            return details_of(place.panel(shot))
+            panel = place.panel(shot)
+            return details_of(panel, place.session.graph.scene(panel.shot.scene_id))
+
+    @_tool(server, READS)
+    def takes(shot: Shot) -> Takes:
+        """List the takes of a shot: kept versions of its camera. `look` shows each, `edit` chooses or drops one."""
+        with _sentences():
+            panel = place.panel(shot)
+            return Takes(shot=panel.name, takes=takes_of(panel.shot))
 
     @_tool(server, READS)
     def look(
         shot: Shot,
         width: Annotated[int, Field(description="Pixels of the picture, at most.", ge=64, le=1920)] = 640,
+        take: Annotated[int | None, Field(description="Number of another take than the one in the film.")] = None,
     ) -> Image:
         """Return the frame of a shot as a picture. Look at it as a director would: does it tell the lines?"""
         with _sentences():
-            return _frame(place, shot, width)
+            return _frame(place, shot, width, take)
 
     @_tool(server, READS)
     def check() -> CheckReport:
@@ -197,7 +208,10 @@ def _add_changing(server: FastMCP[None], place: Workplace) -> None:
         ] = None,
         draw: Annotated[bool, Field(description="Whether to draw what changed at once.")] = True,
     ) -> Edited:
-        """Change cameras and lengths of shots, lock and unlock. Only what an edit changes is drawn again."""
+        """Change cameras and lengths of shots, light, set and staging of scenes, things and takes; lock and unlock.
+
+        Only what an edit changes is made and drawn again.
+        """
         with _sentences():
             return _edited(place, place.session.apply(edits, revision), draw=draw)
 
@@ -210,7 +224,7 @@ def _add_changing(server: FastMCP[None], place: Workplace) -> None:
             str | None, Field(description="What they were said of; refused if what they touch has changed since.")
         ] = None,
     ) -> Edited:
-        """Change cameras and lengths in the words of film people; edit does the same with values."""
+        """Change cameras, lengths, light, sets and things in the words of film people; edit does it with values."""
         with _sentences():
             return _edited(place, place.session.instruct(words, revision), draw=True)
 
@@ -286,10 +300,16 @@ def _stepped(place: Workplace, commits: Sequence[Any]) -> Edited:
     return Edited(revision=place.session.revision, done=done or commits[-1].reason, redrawn=())
 
 
-def _frame(place: Workplace, shot: str, width: int) -> Image:
-    """Return the frame of a shot, no wider than asked for. Raises InputError."""
-    name = place.panel(shot).name
+def _frame(place: Workplace, shot: str, width: int, take: int | None) -> Image:
+    """Return the frame of a shot, or of another take of it, no wider than asked for. Raises InputError."""
+    panel = place.panel(shot)
+    name = panel.name
     path = place.session.folder / "frames" / f"{name}.png"
+    if take is not None and take != panel.shot.take:
+        drawn = place.session.takes(name)
+        if take not in drawn:
+            raise InputError(f"take {take} of {name} is not drawn", mend="choose it with an edit of kind `take`")
+        path = drawn[take]
     if not path.is_file():
         raise InputError(f"{name} is not drawn yet", mend="call render, and status until it is done")
     with Pillow.open(path) as picture:

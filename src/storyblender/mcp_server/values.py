@@ -9,7 +9,10 @@ from storyblender.deliver.checklist import plain
 from storyblender.deliver.panel import Panel
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.base import Described
+from storyblender.memory.camera_decision import CameraInstruction
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.scene_context import SceneContext
+from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.reviewing import FrameReview
 from storyblender.trace import Event
 
@@ -72,10 +75,36 @@ class ShotDetails(ShotSummary):
     """The point in the middle of the picture, likewise."""
     decided: tuple[str, ...]
     """What a person decided about the camera."""
+    takes: tuple[TakeSummary, ...]
+    """Versions of its camera that are kept, with the one that the film shows."""
+    scene_decided: tuple[str, ...]
+    """What a person decided about light, set and staging of its scene."""
     locked: tuple[str, ...]
     """Parts of the shot that neither the crew nor an edit may change."""
     problems: tuple[str, ...]
     """What the crew could not make right."""
+
+
+class TakeSummary(Described):
+    """A take of a shot: a version of its camera that is kept."""
+
+    number: int
+    """As on the slate; the edit of kind `take` chooses it or drops it."""
+    in_film: bool
+    """Whether it is the one that the film shows, and that edits change."""
+    camera: str
+    """Size, kind, angle and move."""
+    decided: tuple[str, ...]
+    """What a person decided about it."""
+
+
+class Takes(Described):
+    """All takes of a shot."""
+
+    shot: str
+    """Its name."""
+    takes: tuple[TakeSummary, ...]
+    """In order of their numbers."""
 
 
 class Story(Described):
@@ -90,7 +119,7 @@ class Story(Described):
     cast: dict[str, str]
     """Id and name of every character."""
     props: dict[str, str]
-    """Id and name of every object of the script."""
+    """Id and name of every object of the script, and of those that a person added."""
     shots: tuple[ShotSummary, ...]
     """All shots in order."""
 
@@ -188,8 +217,33 @@ def summary_of(panel: Panel) -> ShotSummary:
     )
 
 
-def details_of(panel: Panel) -> ShotDetails:
-    """Return everything about a shot."""
+def takes_of(shot: ShotContext) -> tuple[TakeSummary, ...]:
+    """Return all takes of a shot, in order of their numbers."""
+    return tuple(
+        TakeSummary(
+            number=take.number,
+            in_film=take.number == shot.take,
+            camera=described(take.camera_instruction),
+            decided=tuple(take.camera_decision.words.split(", ")) if take.camera_decision is not None else (),
+        )
+        for take in sorted((*shot.takes, shot.as_take), key=lambda take: take.number)
+    )
+
+
+def described(camera: CameraInstruction) -> str:
+    """Return a camera as it is wanted in a line: ``MCU single, low angle, push in``."""
+    said = (f"{camera.size} {camera.kind.replace('_', ' ')}", camera.angle, camera.movement, camera.direction or "")
+    return ", ".join(filter(None, said))
+
+
+def details_of(panel: Panel, scene: SceneContext) -> ShotDetails:
+    """Return everything about a shot.
+
+    Args:
+        panel: The shot.
+        scene: Its scene.
+    """
+    decisions = {part: getattr(scene, f"{part}_decision") for part in ("light", "set", "layout")}
     shot, camera = panel.shot, panel.shot.camera
     first = camera.poses[0] if camera is not None else None
     stands = Orbit(first.pivot, first.rotation, first.distance, first.lens).position if first is not None else None
@@ -207,7 +261,9 @@ def details_of(panel: Panel) -> ShotDetails:
         camera_location=stands if stands is None else _rounded(stands),
         camera_looks_at=first and _rounded(first.pivot),
         decided=tuple(shot.camera_decision.words.split(", ")) if shot.camera_decision is not None else (),
-        locked=shot.locked,
+        takes=takes_of(shot),
+        scene_decided=tuple(f"{part}: {each.words}" for part, each in decisions.items() if each is not None),
+        locked=(*shot.locked, *(f"{part} of the scene" for part in scene.locked)),
         problems=tuple(flaw.message for flaw in (*shot.flaws, *(camera.residual if camera is not None else ()))),
     )
 
@@ -253,7 +309,7 @@ def story_of(graph: ContinuityMemoryGraph, revision: str, made: bool, shots: tup
     """
     named = {kind: {} for kind in ("character", "object")}
     for asset in graph.assets:
-        if asset.origin == "script":
+        if asset.origin != "dressing":
             named[asset.asset_type][asset.asset_id] = asset.name or asset.asset_id
     return Story(
         title=graph.title, revision=revision, made=made, cast=named["character"], props=named["object"],

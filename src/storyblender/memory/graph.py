@@ -88,7 +88,8 @@ class ContinuityMemoryGraph(Frozen):
 
     def own_objects_of(self, scene_id: int) -> tuple[Asset, ...]:
         """Return the objects of a scene that are the story's own, without its dressing."""
-        objects = (asset for asset in self.assets_of(scene_id) if asset.asset_type == "object")
+        own = {*self.scene(scene_id).setup.asset_ids}
+        objects = (asset for asset in self.assets if asset.asset_type == "object" and asset.asset_id in own)
         return tuple(asset for asset in objects if asset.origin != "dressing")
 
     def shots_of(self, scene_id: int) -> tuple[ShotContext, ...]:

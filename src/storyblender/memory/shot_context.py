@@ -356,6 +356,11 @@ class ShotContext(Frozen):
         """The camera as it is, to be put by."""
         return Take(number=self.take, **{name: getattr(self, name) for name in TAKE_FIELDS})
 
+    def showing(self, take: Take) -> ShotContext:
+        """Return the shot with the camera of one of its takes; the others stay as they are."""
+        update = {field: getattr(take, field) for field in TAKE_FIELDS}
+        return self.model_copy(update={"take": take.number, **update})
+
     @property
     def takes_to_set_anew(self) -> tuple[Take, ...]:
         """The other takes without cameras, but for those that a person placed: the people stand elsewhere now."""

@@ -38,6 +38,10 @@ def with_scene_decisions(
         pasts = Counter(past for (scene_id, _), (past, _) in matched.items() if scene_id == scene.scene_id)
         if pasts:
             plan = _decided_as(old.scene(pasts.most_common(1)[0][0]), old, plan, scene)
+    for scene in plan.scenes:  # in story order: a place keeps its set in scenes that are new
+        reference = scene.setup.reference_scene_id
+        if reference is not None and (decided := plan.scene(reference).set_decision) is not None:
+            plan = replace(plan, scene.model_copy(update={"set_decision": decided}))
     return plan
 
 

@@ -160,8 +160,19 @@ def prune(run: Run, shots: Collection[ShotContext]) -> None:
         name = shot_name(shot.scene_id, shot.shot_id)
         kept |= {job.out, f"{job.out}.json", f"{job.out}.review.json", _motion_folder(run, shot)}
         kept |= {f"frames/{name}.png", f"frames/slate_{name}.png"}
+        kept |= {name for picture in pictures_of_takes(run, shot).values() for name in (picture, f"{picture}.json")}
     for folder in ("build/frames/", "build/motion/", "build/scenes/", "build/figures/", "frames/"):
         run.outputs.keep_only(folder, kept)
+
+
+def pictures_of_takes(run: Run, shot: ShotContext) -> dict[int, str]:
+    """Return the names of the pictures of a shot's other takes, drawn or not, by number of the take.
+
+    Args:
+        run: With the packs.
+        shot: A take whose camera has to be set anew has no picture.
+    """
+    return {take.number: frame_picture(run, shot.showing(take)) for take in shot.takes if take.camera is not None}
 
 
 def frame_picture(run: Run, shot: ShotContext) -> str:

@@ -1,0 +1,35 @@
+"""Shots are drawn, poor ones taken again, and what is delivered is written."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from storyblender.memory.shot_context import ShotContext
+from storyblender.pipeline.compiling import Compilation
+from storyblender.pipeline.retaking import retake_poor_frames
+from storyblender.pipeline.reviewing import FrameReview
+from storyblender.pipeline.run import Run
+from storyblender.pipeline.shooting import damaged_frames, prune, shoot_frames, shoot_motion
+
+
+def draw_shots(run: Run, shots: Sequence[ShotContext]) -> tuple[list[str], dict[str, FrameReview]]:
+    """Draw shots, take poor ones again, and deliver; the film has every shot moving, whichever are named.
+
+    Args:
+        run: With packs and cameras.
+        shots: Those to draw.
+
+    Returns:
+        Names of the files in the project, in the order people open them, and the reviews of the frames by shot name.
+    """
+    asked = {(shot.scene_id, shot.shot_id) for shot in shots}
+    others = [shot for shot in run.graph.shots if (shot.scene_id, shot.shot_id) not in asked]
+    shoot_frames(run, [*shots, *damaged_frames(run, others)])
+    reviews = retake_poor_frames(run, shots)
+    story = Compilation(run)
+    from storyblender.pipeline.delivery import deliver
+
+    clips = shoot_motion(run, run.graph.shots) if run.settings.animatic else None
+    if len(shots) == len(run.graph.shots):
+        prune(run, run.graph.shots)
+    return deliver(run, clips, story), reviews
