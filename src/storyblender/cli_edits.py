@@ -53,6 +53,8 @@ def add_to(app: typer.Typer) -> None:
         epilog=examples(
             'instruct my_film.storyboard "SC010_SH020: closer, shallow focus"',
             'instruct my_film.storyboard "SC010: 35 mm, low angle"',
+            'instruct my_film.storyboard "SC010: warmer, after sunset"',
+            'instruct my_film.storyboard "SC010: replace the sofa by a red bench"',
             'instruct my_film.storyboard "SC010_SH020: lonelier, as if the room had grown" --crew google',
         )
     )(instruct)
@@ -145,7 +147,7 @@ def instruct(
     quiet: Quiet = False,
     json_lines: Json = False,
 ) -> None:
-    """Say in words what to change about cameras and lengths; the words become edits, and only those are drawn.
+    """Say in words what to change of cameras, lengths, light, sets and things; only what that changes is drawn.
 
     Rules know the words that film people use (docs/edits.md lists them); a language model knows the rest.
     """
