@@ -92,12 +92,19 @@ def shots(graph: ContinuityMemoryGraph, name: str) -> tuple[ShotContext, ...]:
 
 
 @pytest.mark.parametrize("edit", EVERY, ids=lambda edit: str(edit)[:60])
-def test_every_edit_is_data_one_undo_and_is_drawn_to_the_end(edit: dict[str, Any], session: Session) -> None:
+def test_every_edit_is_data_and_one_undo(edit: dict[str, Any], session: Session) -> None:
     [typed] = edits_of([edit])
     assert EDITS.validate_json(EDITS.dump_json((typed,))) == (typed,)
     before = session.graph
-    apply(session, edit)
+    apply(session, edit, draw=False)
     assert session.graph != before
+    session.undo()
+    assert session.graph == before
+
+
+def test_a_batch_of_all_is_made_to_the_end_and_is_one_undo(session: Session) -> None:
+    before = session.graph
+    apply(session, *EVERY)
     assert not any(item.stale for item in (*session.graph.scenes, *session.graph.shots))
     assert all(shot.camera is not None for shot in session.graph.shots)
     assert session.check() is not None, "the project is up to date"
