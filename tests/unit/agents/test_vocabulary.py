@@ -41,4 +41,4 @@ def test_it_has_every_word_that_can_be_named() -> None:
 
 def test_operations_of_models_and_code_are_the_same() -> None:
     assert set(OPERATION_WORDS) == set(OPERATIONS) == set(get_args(Operation))
-    assert {"azimuth", "elevation", "dolly", "pan_x", "pan_y", "ops"} == set(FIX_WORDS)
+    assert {"azimuth", "elevation", "dolly", "pan_x", "pan_y", "roll", "ops"} == set(FIX_WORDS)

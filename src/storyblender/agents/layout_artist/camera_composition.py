@@ -30,6 +30,8 @@ _PAST_OTHERS = 24.0
 
 _PAST_SIDES = 30.0
 """Degrees of elevation up to which people in a boat may be seen over its side."""
+_LEVEL = 3.0
+"""Degrees that the horizon may lean from where the angle wants it."""
 
 
 def fault(kind: str, subject: str, severity: float, message: str, **fix: float | str) -> Fault:
@@ -40,8 +42,8 @@ def fault(kind: str, subject: str, severity: float, message: str, **fix: float |
         subject: node_id that it is about, or name of the shot for a cut; empty for the whole picture.
         severity: Points of ten, rounded to thousandths.
         message: Sentence for the user.
-        **fix: ``pan_x`` and ``pan_y`` in heights of the picture, ``dolly`` in steps, ``azimuth`` and ``elevation`` in
-            degrees; ``ops``: names of operations to try, separated by spaces.
+        **fix: ``pan_x`` and ``pan_y`` in heights of the picture, ``dolly`` in steps, ``azimuth``, ``elevation`` and
+            ``roll`` in degrees; ``ops``: names of operations to try, separated by spaces.
     """
     return Fault(kind=kind, subject=subject, severity=round(severity, 3), message=message, fix=fix)
 
@@ -56,7 +58,7 @@ def find_composition_faults(view: CameraOperatorView, camera: Orbit, moment: Mom
         seen: What the viewfinder measured.
     """
     kind = view.instruction.kind
-    found: list[Fault] = []
+    found = _roll_faults(view, camera)
     if kind not in ("pov", "establishing"):
         found += _angle_faults(view, camera)
     subjects = {subject.node_id: subject for subject in seen.subjects}
@@ -144,6 +146,19 @@ def _angle_faults(view: CameraOperatorView, camera: Orbit) -> list[Fault]:
     by = (low - elevation) if elevation < low else (high - elevation)
     text = f"{elevation:.0f} degrees is not {view.instruction.angle}"
     return [fault("angle", "", min(0.4 + abs(by) / 25, 1.5), text, elevation=by + math.copysign(2, by))]
+
+
+def _roll_faults(view: CameraOperatorView, camera: Orbit) -> list[Fault]:
+    """Return the fault of a horizon that leans, or of a dutch angle that leans too little or too far.
+
+    A camera that a person placed leans as they placed it.
+    """
+    wanted = math.copysign(framing.DUTCH_ROLL, camera.roll) if view.instruction.angle == "dutch" else 0.0
+    off = wanted - camera.roll
+    if abs(off) <= (_LEVEL if wanted == 0 else abs(wanted) / 2) or view.asked.placed is not None:
+        return []
+    text = f"the horizon leans by {camera.roll:.0f} degrees, {view.instruction.angle} wants {wanted:.0f}"
+    return [fault("roll", "", min(0.8 + abs(off) / 20, 2.5), text, roll=off)]
 
 
 def _size_faults(view: CameraOperatorView, heads: Sequence[SubjectView]) -> list[Fault]:

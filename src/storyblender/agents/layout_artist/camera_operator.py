@@ -56,6 +56,7 @@ FIX_WORDS: dict[str, str] = {
     "azimuth": "degrees around the subject, to the right", "elevation": "degrees up around the subject",
     "dolly": "steps nearer, of 15 % each; farther if below 0",
     "pan_x": "shift to the right, in heights of the picture", "pan_y": "shift up, in heights of the picture",
+    "roll": "degrees that the horizon leans, counter-clockwise",
     "ops": "names of operations to try, separated by spaces",
 }  # fmt: skip
 """What the fields of a camera critic's fix mean; code applies them."""
@@ -177,11 +178,12 @@ def apply_numbers(camera: Orbit, numbers: Mapping[str, float]) -> Orbit:
     Args:
         camera: The camera.
         numbers: ``azimuth`` and ``elevation`` in degrees, ``dolly`` in steps, ``pan_x`` and ``pan_y`` in heights of the
-            picture.
+            picture, ``roll`` in degrees.
     """
     camera = orbit(camera, numbers.get("azimuth", 0.0), numbers.get("elevation", 0.0))
     camera = dolly(camera, numbers.get("dolly", 0.0))
-    return pan(camera, numbers.get("pan_x", 0.0), numbers.get("pan_y", 0.0))
+    camera = pan(camera, numbers.get("pan_x", 0.0), numbers.get("pan_y", 0.0))
+    return roll(camera, numbers["roll"]) if "roll" in numbers else camera
 
 
 CameraRole = Role[..., CameraOperatorView, CameraOperatorDraft]

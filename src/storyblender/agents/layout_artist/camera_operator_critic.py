@@ -1,7 +1,7 @@
 """Judges a take by what the viewfinder measures: visibility, size, composition, cuts; each fault with its fix.
 
 Fixes are numbers where the geometry gives them (``pan_x`` and ``pan_y`` in heights of the picture, ``dolly`` in steps,
-``azimuth`` and ``elevation`` in degrees), else names of the paper's operations (``ops``) to be tried.
+``azimuth``, ``elevation`` and ``roll`` in degrees), else names of the paper's operations (``ops``) to be tried.
 """
 
 from __future__ import annotations

@@ -7,11 +7,14 @@ from types import SimpleNamespace
 import pytest
 from test_camera_operator import ANNA, GUARD, TOM, figure, view_of
 
+from storyblender.agents.layout_artist.camera_operator import apply_numbers, numbers_of
 from storyblender.agents.layout_artist.camera_operator_critic import CameraOperatorCritic, moments_to_judge
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment
 from storyblender.agents.layout_artist.camera_scout import take_cost
-from storyblender.agents.layout_artist.camera_start import compose_take
+from storyblender.agents.layout_artist.camera_start import compose_take, take_with_camera
 from storyblender.geometry.boxes import Box
+from storyblender.geometry.orbit import roll
+from storyblender.memory.camera_decision import CameraDecision, FreeCamera
 from storyblender.memory.measure import CameraView, SubjectView, ViewRequest
 from storyblender.reflection import Fault
 
@@ -129,3 +132,21 @@ def test_the_frame_cuts_nobody_of_a_group_at_its_sides(x: float, cut: bool) -> N
         take_cost(view, replace(compose_take(view), start=near, end=near, camera=near))
         > take_cost(view, compose_take(view)) + 1
     ) == cut
+
+
+@pytest.mark.parametrize(("angle", "placed"), [("eye-level", 0.0), ("dutch", 12.0)])
+def test_a_horizon_that_leans_is_brought_back_by_its_number(angle: str, placed: float) -> None:
+    view = view_of(kind="single", size="MS", focus_on_ids=("anna",), angle=angle)
+    critic = CameraOperatorCritic(Written({view.story_moment.frame: (sight("anna"),)}))
+    composed = compose_take(view)
+    assert "roll" not in {fault.kind for fault in critic.judge(composed, view).faults}
+    for off in (-14.0, 9.0, 30.0):
+        leaning = take_with_camera(view, roll(composed.camera, off))
+        [found] = [fault for fault in critic.judge(leaning, view).faults if fault.kind == "roll"]
+        mended = take_with_camera(view, apply_numbers(leaning.camera, numbers_of(found)))
+        assert abs(mended.camera.roll) == pytest.approx(placed)
+        assert "roll" not in {fault.kind for fault in critic.judge(mended, view).faults}
+        by_hand = replace(
+            view, asked=CameraDecision(placed=FreeCamera(start={"location": (0, 0, 1), "target": (1, 0, 1)}))
+        )
+        assert "roll" not in {fault.kind for fault in critic.judge(leaning, by_hand).faults}
