@@ -12,6 +12,7 @@ SCORED = ("fresh_*.gold", "unseen_*.gold")
 TABLES = {
     "layout": [str(HERE / "layout_solver.py")],
     "layout_reflection": ["-m", "benchmarks.layout_reflection"],
+    "camera_servo": ["-m", "benchmarks.camera_servo"],
     "director": [
         str(HERE / "director" / "score.py"),
         *sorted(str(path) for name in SCORED for path in (HERE.parent / "tests/data/director").glob(name)),
@@ -23,7 +24,7 @@ TABLES = {
     "recordings": ["-m", "benchmarks.recordings"],
     "feature": ["-m", "benchmarks.feature"],
 }
-LONG = ("framing", "feature", "layout_reflection", "recordings")
+LONG = ("camera_servo", "framing", "feature", "layout_reflection", "recordings")
 """Run for minutes or an hour: only when asked for by name."""
 
 
