@@ -10,7 +10,7 @@ from storyblender.agents.layout_artist.language_camera_operator import Operation
 from storyblender.agents.vocabulary import vocabulary
 from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.sets import SETS
-from storyblender.memory.edits import CameraEdit, DurationEdit, LockEdit, UnlockEdit
+from storyblender.memory.edits import Edit
 from storyblender.memory.shot_sizes import ShotSize
 from storyblender.memory.vocabulary import Angle, CameraDirection, Movement, ShotKind
 
@@ -29,7 +29,7 @@ def test_every_word_has_a_sentence() -> None:
 
 def test_it_has_every_word_that_can_be_named() -> None:
     told = vocabulary()
-    kinds = (CameraEdit, DurationEdit, LockEdit, UnlockEdit)
+    kinds = get_args(get_args(Edit)[0])
     assert set(told["edits"]) == {kind.model_fields["kind"].default for kind in kinds}
     for kind in kinds:
         assert kind.model_fields.keys() <= told["edits"][kind.model_fields["kind"].default]["fields"].keys()
