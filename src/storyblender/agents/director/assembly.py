@@ -106,7 +106,7 @@ class Assembly:
             description=description,
             name=name,
             kind=kind_named(name),
-            stated_size=stated_size(name, description, person=False),
+            stated_size=stated_size(name, description, person=False, kind=kind_named(name)),
             writing=thing.writing or writing_on(thing.name, thing.first, self.text),
             liquid=liquid_named(f"{description} {name}"),
             part_of=thing.part_of if thing.part_of in self.story.assets else None,

@@ -35,3 +35,8 @@ def test_words_of_size_count_in_the_name_and_the_description() -> None:
 def test_a_likeness_is_a_toy() -> None:
     assert stated_size("bear", "a plush bear", person=False).toy
     assert not stated_size("bear", "a bear", person=False).toy
+
+
+@pytest.mark.parametrize(("kind", "side"), [("ladder", "height"), ("sofa", "width"), ("car", "depth"), (None, "depth")])
+def test_how_long_a_thing_is_means_its_longest_side(kind: str | None, side: str) -> None:
+    assert stated_size("it", "3 m long", person=False, kind=kind).measure == AssetDimension(**{side: 3.0})
