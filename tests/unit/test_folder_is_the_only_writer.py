@@ -25,7 +25,6 @@ ALWAYS = {
 
 ELSEWHERE = {
     ("doctor.py", "save"): "into memory",
-    ("agents/side_views.py", "save"): "into memory",
     ("look/viewfinder_picture.py", "save"): "into memory",
     ("mcp_server/server.py", "save"): "into memory",
     ("library/body_data.py", "mkdir"): "data of the program, in no project",

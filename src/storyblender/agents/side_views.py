@@ -32,6 +32,8 @@ def side_sheet(views: AssetViews, labels: Mapping[str, str], name: str, columns:
     """
     from PIL import Image, ImageDraw, ImageFont
 
+    from storyblender.look.viewfinder_picture import as_png
+
     rows, high = -(-len(labels) // columns), _TILE + _LABEL + _GAP
     sheet = Image.new("RGB", (columns * (_TILE + _GAP) + _GAP, rows * high + _GAP), _PAPER)
     draw, font = ImageDraw.Draw(sheet), ImageFont.load_default(18)
@@ -40,9 +42,7 @@ def side_sheet(views: AssetViews, labels: Mapping[str, str], name: str, columns:
         draw.text((x + 2, y + _LABEL / 2), label, font=font, fill=_INK, anchor="lm")
         with Image.open(io.BytesIO(views.pictures[side])) as image:
             sheet.paste(image.convert("RGB").resize((_TILE, _TILE), Image.Resampling.LANCZOS), (x, y + _LABEL))
-    png = io.BytesIO()
-    sheet.save(png, "PNG")
-    return Picture(name=name, png=png.getvalue(), drawn_from=content_hash(views.digest, dict(labels), columns))
+    return Picture(name=name, png=as_png(sheet), drawn_from=content_hash(views.digest, dict(labels), columns))
 
 
 def portrait(views: AssetViews, name: str) -> Picture:
