@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
@@ -26,8 +27,16 @@ _SAME: dict[str, tuple[str, ...]] = {
     "rail": ("railing", "parapet"), "railing": ("parapet",), "curtain": ("drape",), "boulder": ("rock",),
     "bush": ("hedge",), "altar": ("table",), "quay": ("quay_edge",), "pier": ("quay_edge",),
 }  # fmt: skip
+_SCATTERED = 6
+"""Pieces of one sort above which they are growth, fencing or lighting, and nobody means one of them."""
+_UNDERFOOT = frozenset(
+    {"terrain", "runway_paint", "road_marking", "parking_bays", "court_lines", "paint_spots", "ice_cracks"}
+)
+"""Pieces that are the ground itself."""
 _IN_CORNER = 0.55
 """Metres from both walls to a person who stands in a corner."""
+_AT_WALL = 0.5
+"""Metres beyond the playing area to which what stands or hangs at its edge belongs to it."""
 _TALL = 2.0
 _MARK = 0.02
 """Width in metres of the box of a named place without geometry."""
@@ -72,6 +81,29 @@ def fixtures_called(plan: SetPlan, name: str | None) -> list[Fixture]:
         found.sort(key=lambda fixture: fixture.kind == "mark")
     told = {*words}
     return sorted(found, key=lambda fixture: -len(told & {*fixture.tags, *fixture.name.split("_")}))
+
+
+def named_pieces(plan: SetPlan) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Return the names of the pieces of a set that a script may mean, in words, each once.
+
+    Args:
+        plan: The set.
+
+    Returns:
+        Those of the playing area and its walls, and those that stand beyond it.
+    """
+    counts = Counter(piece.part for piece in plan.pieces)
+    shown = [piece for piece in plan.pieces if counts[piece.part] <= _SCATTERED and piece.part not in _UNDERFOOT]
+    size = plan.size
+    near = {
+        piece.part
+        for piece in shown
+        if size.x_negative - _AT_WALL < piece.location[0] < size.x + _AT_WALL
+        and size.y_negative - _AT_WALL < piece.location[1] < size.y + _AT_WALL
+    }
+    names = [*dict.fromkeys(piece.part for piece in shown)]
+    inside, beyond = ([name.replace("_", " ") for name in names if (name in near) == here] for here in (True, False))
+    return tuple(inside), tuple(beyond)
 
 
 def fixtures_of(plan: SetPlan) -> Iterator[Fixture]:

@@ -11,26 +11,27 @@ from string import capwords
 from storyblender.agents.director.casting import age_word, cast_look, describe_person, introduction_words
 from storyblender.agents.director.creatures import describe_creature, size_in_script
 from storyblender.agents.director.draft import Beat, ShotDraft
-from storyblender.agents.director.fixtures import is_scenery
+from storyblender.agents.director.fixtures import is_piece, is_scenery
 from storyblender.agents.director.lighting import usual_light
 from storyblender.agents.director.motion_families import GETTING, PARTING
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Thing, Unit
 from storyblender.agents.director.scene_continuity import LIGHT, inherited_positions, inherited_states
 from storyblender.agents.director.script_notes import notes_by_scene, notes_by_shot
-from storyblender.agents.director.set_choice import SetChoice
+from storyblender.agents.director.set_choice import ChosenSet, SetChoice
 from storyblender.agents.director.size_words import stated_size
 from storyblender.agents.director.staging import Staging
 from storyblender.agents.director.story_assets import StoryAssets, unique
 from storyblender.agents.director.wording import modifiers_of, one_line
 from storyblender.agents.director.writing import writing_on
+from storyblender.catalog.fixtures import named_pieces
 from storyblender.catalog.homelands import homeland_of
 from storyblender.catalog.liquids import liquid_named
 from storyblender.catalog.props.prop_names import kind_named
-from storyblender.catalog.sets import SETS
+from storyblender.catalog.sets import SETS, plan_of
 from storyblender.catalog.states import SEEN_AGAIN
 from storyblender.memory.asset_sheet import Asset, CharacterLook, Garment
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline, SourceSpan
-from storyblender.memory.scene_context import Relation, SceneContext, SceneSetup
+from storyblender.memory.scene_context import Environment, Relation, SceneContext, SceneSetup
 
 
 class Assembly:
@@ -184,7 +185,6 @@ class Assembly:
         ids = unique((*present, *(thing for thing in scene.furniture if thing in self.story.assets), *stated))
         action = "\n".join(line.text for shot in outline.shots for line in shot.lines if line.kind == "action")
         chosen = self.sets.decide(scene, ids, self._contents(scene, relations), action)
-        kit, names, things = SETS[chosen.kit], self.story.names, (each for each in ids if each in self.inanimate)
         return SceneContext(
             scene_id=scene.id,
             setup=SceneSetup(
@@ -200,10 +200,21 @@ class Assembly:
                 weather=scene.weather,
                 light=usual_light(scene.scene_type, scene.time),
                 relations=tuple(relations),
-                scenery=tuple(each for each in things if is_scenery(names[each], scene.place, kit)),
+                scenery=tuple(self._scenery(scene, chosen, ids)),
                 found={each: states for each, states in self.inherited[scene.id].items() if self._is_known(each)},
             ),
         )
+
+    def _scenery(self, scene: SceneReading, chosen: ChosenSet, ids: Sequence[str]) -> Iterator[str]:
+        """Yield those of the things with these ids that the chosen set of a scene shows by itself."""
+        things = [thing for thing in self.reading.things if thing.id in ids and thing.kind == "set_piece"]
+        plan = plan_of(Environment(kit=chosen.kit, params=dict.fromkeys(chosen.set_options, True)))
+        pieces = [name for names in named_pieces(plan) for name in names] if things else []
+        built_in = {thing.id for thing in things if is_piece(thing, pieces)}
+        for each in ids:
+            named = is_scenery(self.story.names[each], scene.place, SETS[chosen.kit])
+            if each in self.inanimate and (named or each in built_in):
+                yield each
 
     def _inherited_relations(self, scene: SceneReading) -> Iterator[Relation]:
         """Yield the positions of things that an earlier scene in this place left broken, tipped or burning."""

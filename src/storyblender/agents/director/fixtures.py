@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from functools import cache
 from typing import Final
 
@@ -33,18 +33,37 @@ def is_fixture(thing: Thing) -> bool:
     return lexicon.noun_class(head) == "scenery" and head not in _catalog_nouns()
 
 
-def fixture_ids(things: Iterable[tuple[str, str]]) -> dict[str, str]:
+def fixture_ids(things: Iterable[tuple[str, str]], pieces: Collection[str] = ()) -> dict[str, str]:
     """Return new ids for parts of the set whose ids do not end with their noun, by which the set is searched.
 
     Args:
         things: Ids and names: ``fdoor``, ``front door`` becomes ``fdoor_door``.
+        pieces: Names of the pieces of the story's sets, in words: with ``great lens``, ``lamp`` becomes ``lamp_lens``.
     """
-    heads = {id_: head_of(name) for id_, name in things}
+    named = [(id_, name.lower(), head_of(name)) for id_, name in things]
     return {
         id_: f"{id_[:50]}_{head}"
-        for id_, head in heads.items()
-        if head in FIXTURES and id_.rsplit("_", 1)[-1] not in FIXTURES and head.isidentifier()
+        for id_, name, head in named
+        if (head in FIXTURES and id_.rsplit("_", 1)[-1] not in FIXTURES)
+        or (_is_called(name, pieces) and id_.rsplit("_", 1)[-1] != head)
+        if head.isidentifier()
     }
+
+
+def is_piece(thing: Thing, pieces: Collection[str]) -> bool:
+    """Whether a set piece of the story is one that the set has under that name: the great lens of a lighthouse.
+
+    Args:
+        thing: Of the reading.
+        pieces: Names of the pieces of the set, in words.
+    """
+    names = (thing.name.lower(), thing.id.replace("_", " "))
+    return thing.kind == "set_piece" and any(_is_called(name, pieces) for name in names)
+
+
+def _is_called(name: str, pieces: Collection[str]) -> bool:
+    """Whether a name in small letters is, or ends with, the name of a piece."""
+    return any(name == piece or name.endswith(f" {piece}") for piece in pieces)
 
 
 def is_scenery(name: str, place: str, kit: SetKit) -> bool:

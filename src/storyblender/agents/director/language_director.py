@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import chain, groupby
-from typing import Any, TypeVar
+from typing import Any, TypeVar, get_args
 
 from storyblender.agents.asking import Asker
 from storyblender.agents.director.annotation import (
@@ -32,9 +32,11 @@ from storyblender.agents.director.reading import CameraNote, Person, Reading, Th
 from storyblender.agents.director.reading_file import reading_with_fixtures, unknown_names, unknown_sets
 from storyblender.agents.director.second_opinion import differences
 from storyblender.agents.nearest import nearest_entries
+from storyblender.catalog.fixtures import named_pieces
 from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.memory.scene_context import Environment
+from storyblender.memory.vocabulary import SceneType
 from storyblender.ports import Answerer, Embedder
 from storyblender.reflection import Critique
 from storyblender.screenplay.model import Screenplay
@@ -158,7 +160,10 @@ class LanguageDirector:
             ],
             "parts_of_any_set": _FIXTURES,
             "kits": {key: _shown_kit(key) for key in SETS if key in kits},
-            "other_kits": [key for key in SETS if key not in kits],
+            "other_kits": {
+                sort: [key for key in SETS if key not in kits and _sort_of(key) == sort]
+                for sort in get_args(SceneType)
+            },
             "motions": _SHOWN_MOTIONS,
         }  # fmt: skip
 
@@ -198,12 +203,22 @@ def _standing(reading: Reading) -> dict[str, Any]:
 
 @cache
 def _shown_kit(key: str) -> str:
-    """Return name, description, furniture and options of a set kit."""
-    kit = SETS[key]
-    pieces = dict.fromkeys(each.prop.replace("_", " ") for each in plan_of(Environment(kit=key)).furnishings)
-    furniture = f"Has {', '.join(pieces)}." if pieces else ""
-    options = f"Options: {', '.join(kit.options)}." if kit.options else ""
-    return " ".join(filter(None, (f"{kit.name}.", kit.description, furniture, options)))
+    """Return name, description, furniture, built-in pieces and options of a set kit."""
+    kit, plan = SETS[key], plan_of(Environment(kit=key))
+    near, far = named_pieces(plan)
+    lists = (
+        ("Has", dict.fromkeys(each.prop.replace("_", " ") for each in plan.furnishings)),
+        ("Built in:", near),
+        ("Beyond the playing area:", far),
+        ("Options:", kit.options),
+    )
+    told = (f"{words} {', '.join(names)}." for words, names in lists if names)
+    return " ".join(filter(None, (f"{kit.name}, {_sort_of(key)}.", kit.description, *told)))
+
+
+def _sort_of(key: str) -> SceneType:
+    """Return whether a set kit is indoor or outdoor."""
+    return "indoor" if SETS[key].indoor else "outdoor"
 
 
 def _shown_unit(number: int, unit: Unit, script: str, camera: CameraNote | None) -> dict[str, Any]:
@@ -274,6 +289,11 @@ def _wrong_places(notes: SceneNotes, part: _Part, page: Reading, so_far: Reading
         if place.kit not in SETS:
             yield f"{name}: there is no kit {place.kit!r}; take one of `kits` or `other_kits`"
             continue
+        if _sort_of(place.kit) != place.scene_type:
+            yield (
+                f"{name}: the kit {place.kit!r} is {_sort_of(place.kit)}, and scene_type is {place.scene_type!r}; "
+                f"say {_sort_of(place.kit)!r} if the camera is there with the people, else take another kit"
+            )
         for unknown, mend in unknown_sets(annotated_scene(page.scenes[part.scene], number, place)):
             yield f"{name} has {unknown}; {mend}"
         same = place.same_place_as

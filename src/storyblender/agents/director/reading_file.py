@@ -17,15 +17,16 @@ from typing import Annotated, Any, get_args
 
 from pydantic import Field, TypeAdapter, ValidationError, model_validator
 
-from storyblender.agents.director.fixtures import fixture_ids
+from storyblender.agents.director.fixtures import fixture_ids, is_piece
 from storyblender.agents.director.reader.era import age_of
 from storyblender.agents.director.reading import CameraNote, Person, Reading, SceneReading, Thing, Unit
 from storyblender.agents.director.reading_passes import order_scenes_by_units
+from storyblender.catalog.fixtures import named_pieces
 from storyblender.catalog.motions import MOTION_KEYS, motion_called
-from storyblender.catalog.sets import SETS
+from storyblender.catalog.sets import SETS, plan_of
 from storyblender.errors import InputError
 from storyblender.memory.base import Frozen, Identifier, content_hash
-from storyblender.memory.scene_context import Relation
+from storyblender.memory.scene_context import Environment, Relation
 from storyblender.memory.shot_context import Flag
 from storyblender.memory.shot_sizes import ShotSize
 from storyblender.memory.vocabulary import Age, Angle, CameraDirection, GazeDirection, Movement
@@ -143,7 +144,11 @@ def read_reading(path: Path, screenplay: Screenplay) -> Reading:
 def reading_with_fixtures(reading: Reading) -> Reading:
     """Return a reading with the ids of the set's own doors and windows, and its scenes in the order of its units."""
     file = _file_of(reading)
-    if ids := fixture_ids((thing.id, thing.name) for thing in file.things if thing.part_of is None):
+    kits = {written.scene.kit for written in file.scenes} & SETS.keys()
+    pieces = {name for kit in kits for names in named_pieces(plan_of(Environment(kit=kit))) for name in names}
+    things = [thing for thing in file.things if thing.part_of is None]
+    built = {thing.name.lower() for thing in things if is_piece(thing, pieces)}
+    if ids := fixture_ids(((thing.id, thing.name) for thing in things), built):
         file = ReadingFile.model_validate(_with_ids(file.model_dump(mode="json", exclude_defaults=True), ids))
     return order_scenes_by_units(_reading_of(file, reading.screenplay))
 
