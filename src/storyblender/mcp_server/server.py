@@ -19,7 +19,8 @@ from pydantic import Field
 from storyblender.deliver.checklist import names_of
 from storyblender.edits.dispatcher import Applied
 from storyblender.errors import InputError, StoryBlenderError
-from storyblender.mcp_server.values import (
+from storyblender.memory.edits import Edit
+from storyblender.workplace.values import (
     CheckReport,
     Edited,
     ShotDetails,
@@ -31,8 +32,7 @@ from storyblender.mcp_server.values import (
     takes_of,
     verdict_of,
 )
-from storyblender.mcp_server.workplace import Workplace
-from storyblender.memory.edits import Edit
+from storyblender.workplace.workplace import Workplace
 
 INSTRUCTIONS = """StoryBlender turns a script into an editable 3D storyboard. Work like a director: make a storyboard
 from a script (make, then status until it is done), look at its shots (open_project, look, describe_shot), change what

@@ -9,11 +9,11 @@ from pathlib import Path
 from storyblender.deliver.panel import Panel, panels
 from storyblender.errors import InputError, StoryBlenderError
 from storyblender.folder import Folder
-from storyblender.mcp_server.values import WARNINGS, Status, warning_of
 from storyblender.session import Delivery, Session
 from storyblender.settings import Settings
 from storyblender.studio import Studio
 from storyblender.trace import Event
+from storyblender.workplace.values import WARNINGS, Status, warning_of
 
 SCRIPTS = (".fountain", ".fdx", ".txt", ".md")
 _PROJECT = ".storyboard"
