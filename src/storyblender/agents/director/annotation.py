@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import Annotated, Any, Literal
 
 from pydantic import Field
@@ -246,6 +249,27 @@ def annotated_unit(unit: Unit, notes: UnitNotes, scene: int, picture: int) -> Un
         speaker=notes.speaker if unit.kind == "dialogue" else None, speaker_name=unit.speaker_name,
         to=notes.to, parenthetical=unit.parenthetical, off_screen=notes.off_screen, dual=unit.dual,
     )  # fmt: skip
+
+
+def with_speakers(units: Sequence[Unit], people: Sequence[Person]) -> list[Unit]:
+    """Return units whose speeches have the name of their speaker, where the page names nobody or another.
+
+    Args:
+        units: Of the whole reading, each with its ``speaker``.
+        people: Of the reading.
+    """
+    called = {person.id: person for person in people}
+    return [_with_speaker(unit, called.get(unit.speaker or "")) for unit in units]
+
+
+def _with_speaker(unit: Unit, speaker: Person | None) -> Unit:
+    """Return a unit with the name of a speaker; what the page calls them is kept."""
+    if speaker is None:
+        return unit
+    names = " ".join((speaker.id, speaker.name, *speaker.aliases)).lower().replace("_", " ").split()
+    written = re.findall(r"\w+", unit.speaker_name.lower())
+    kept = written and all(word in names for word in written)
+    return unit if kept else replace(unit, speaker_name=speaker.name)
 
 
 def person_of(notes: PersonNotes, first: int) -> Person:

@@ -73,6 +73,7 @@ class Assembly:
         character = person.id in self.story.actors
         name = self.story.names[person.id]
         description = describe_person(person) if character else describe_creature(person, self.reading)
+        figure = replace(person, hair=(), outfit=(), face=())
         tags = [] if character else ["animal"]
         tags += [person.kind] if person.kind != "human" and person.kind not in tags else []
         return Asset(
@@ -81,7 +82,7 @@ class Assembly:
             description=description,
             name=name,
             kind=None if character else kind_named(description) or kind_named(name),
-            stated_size=stated_size(name, description, person=character),
+            stated_size=stated_size(name, describe_person(figure) if character else description, person=character),
             tags=tuple(tags),
             look=self._look(person, worn_by_others) if character else None,
             reference_character=person.variant_of if person.variant_of in self.story.actors else None,

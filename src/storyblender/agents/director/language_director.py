@@ -24,7 +24,9 @@ from storyblender.agents.director.annotation import (
     new_scene,
     person_of,
     thing_of,
+    with_speakers,
 )
+from storyblender.agents.director.custody import Custody, things_in_hands, with_things_in_hands
 from storyblender.agents.director.directions import camera_notes_by_unit, camera_words
 from storyblender.agents.director.director import RulesDirector
 from storyblender.agents.director.kit_choice import choose_kit
@@ -120,6 +122,7 @@ class LanguageDirector:
                 self._notes[part.number] = notes
             _add(reading, page, part, notes)
         _add_fixtures(reading)
+        reading.units = with_speakers(with_things_in_hands(reading.units, reading.things), reading.people)
         reading.flags = list(differences(reading, page))
         return reading_with_fixtures(reading)
 
@@ -257,6 +260,7 @@ def _wrong(notes: SceneNotes, part: _Part, page: Reading, so_far: Reading) -> It
         for each in (relation.asset_id, relation.anchor_asset_id, relation.second_anchor_asset_id):
             if each is not None and each not in known:
                 yield f"a relation names {each!r}, which is neither in `people` nor in `things`; add it or leave it out"
+    yield from _wrong_hands(notes, part, so_far)
     for unit, noted in zip(part.units, notes.units, strict=True):
         name = f"unit {noted.number}"
         for kind, unknown in dict.fromkeys(unknown_names(annotated_unit(unit, noted, 0, 0), people, known)):
@@ -268,10 +272,28 @@ def _wrong(notes: SceneNotes, part: _Part, page: Reading, so_far: Reading) -> It
         for deed in noted.deeds:
             if deed.prop is not None and deed.prop == deed.target:
                 yield f"a deed of {name} is done to {deed.target!r} with {deed.prop!r} itself; leave one of them out"
+        for state in noted.states:
+            if state.on is not None and state.posture is None:
+                yield f"{name} says what {state.id} is `on`, and no `posture`; say both"
         if unit.kind == "dialogue" and noted.speaker is None:
             yield f"{name} is a speech and has no speaker"
         if noted.speaker is not None and noted.speaker not in noted.on_stage and not noted.off_screen:
             yield f"{noted.speaker} speaks in {name}, and is neither on_stage nor off_screen"
+
+
+def _wrong_hands(notes: SceneNotes, part: _Part, so_far: Reading) -> Iterator[str]:
+    """Yield what of an answer cannot be with the things in people's hands."""
+    new = (thing_of(thing, 0) for thing in notes.things)
+    things = {thing.id: thing for thing in (*new, *so_far.things)}
+    custody = Custody(*things_in_hands([*things.values()]))
+    if part.goes_on:
+        for number, unit in enumerate(so_far.units, start=1):
+            if unit.scene == so_far.units[-1].scene:
+                custody.play(unit, number)
+    for unit, noted in zip(part.units, notes.units, strict=True):
+        if noted.new_scene is not None:
+            custody = Custody(custody.things, custody.shared)
+        yield from custody.play(annotated_unit(unit, noted, 0, 0), noted.number)
 
 
 def _wrong_places(notes: SceneNotes, part: _Part, page: Reading, so_far: Reading) -> Iterator[str]:

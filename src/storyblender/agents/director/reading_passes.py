@@ -23,10 +23,11 @@ _DIRECTED = {
 
 def use_directed_motions(reading: Reading) -> Reading:
     """Return the reading with the Director's words for motions; corrected readings and models name keys as well."""
-    return replace(reading, units=[_with_directed_motions(unit) for unit in reading.units])
+    return replace(reading, units=[with_directed_motions(unit) for unit in reading.units])
 
 
-def _with_directed_motions(unit: Unit) -> Unit:
+def with_directed_motions(unit: Unit) -> Unit:
+    """Return a unit with the Director's words for motions."""
     if _DIRECTED.keys().isdisjoint({*unit.activities.values(), *(deed.motion for deed in unit.deeds)}):
         return unit
     activities = {person: _DIRECTED.get(motion, motion) for person, motion in unit.activities.items()}

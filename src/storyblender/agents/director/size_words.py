@@ -14,6 +14,15 @@ _MEASURE: Final = re.compile(
     r"(\d+(?:\.\d+)?)[ -]?(mm|millimet(?:er|re)s?|cm|centimet(?:er|re)s?|m|met(?:er|re)s?|feet|foot|ft|inch(?:es)?)\b"
     r"[ -]?(tall|high|wide|long|deep)?",
 )
+_OWN_WORDS: Final = re.compile(
+    r"[,;.:(]|\b(?:and|as|at|before|behind|beside|by|for|from|has|in|inside|into|is|like|near|of|on|over|that|through|"
+    r"to|under|where|which|who|whose|with)\b"
+)
+"""What ends the words that are said of a thing itself: ``a brass lamp`` in ``a brass lamp with a tall glass``."""
+_SLIGHTLY: Final = re.compile(r"\ba little (\w+)(?=\W*$|[,;.])")
+"""``a little windblown``: no little thing, but slightly so."""
+_HUNG_LOW: Final = re.compile(r"\b(?:low|high|wide|long)[ -](?=\w+(?:ing|ed)\b)")
+"""``a low hanging lamp``: how it hangs, not how large it is."""
 Side = Literal["width", "depth", "height"]
 _UNITS: Final = {"mm": 0.001, "mi": 0.001, "cm": 0.01, "ce": 0.01, "m": 1.0, "me": 1.0, "fe": 0.3048, "fo": 0.3048,
                  "ft": 0.3048, "in": 0.0254}  # fmt: skip
@@ -29,11 +38,19 @@ def stated_size(name: str, description: str, *, person: bool, kind: str | None =
         kind: Key of the prop that it is; how long such a thing is, its longest side says.
     """
     text = f"{name}. {description}".lower()
-    said = set(re.findall(r"\w+", text))
+    said = set(re.findall(r"\w+", _words_of_size(name.lower(), description.lower(), person)))
     word = next((word for word in get_args(StatureWord if person else SizeWord) if word in said), None)
     return StatedSize(
         measure=_measure(text, person, kind), word=word, toy=not person and not said.isdisjoint(TOY_WORDS)
     )
+
+
+def _words_of_size(name: str, description: str, person: bool) -> str:
+    """Return the words that can say how large somebody or something is: its name, and what is said of it itself."""
+    name, own = (words if person else _OWN_WORDS.split(words.strip(), maxsplit=1)[0] for words in (name, description))
+    nouns = re.findall(r"\w+", name)
+    own = _SLIGHTLY.sub(lambda found: found[0] if found[1] in nouns else "", own)
+    return _HUNG_LOW.sub("", f"{name}. {own}")
 
 
 def _measure(text: str, person: bool, kind: str | None) -> AssetDimension | None:

@@ -71,12 +71,18 @@ class Staging:
 
     @staticmethod
     def _brought(units: Sequence[Unit]) -> dict[str, dict[str, int]]:
-        """Return what people have from the start: person -> thing -> offset where they part with it."""
+        """Return what people have from the start: person -> thing -> offset where they part with it.
+
+        A thing that was absent before is not among it, nor are those of people whose hands every unit tells.
+        """
         brought: dict[str, dict[str, int]] = {}
         seen: set[str] = set()
+        unsaid = {person for unit in units for person in unit.on_stage if person not in unit.held}
         for unit in units:
+            seen.update(unit.absent)
             for deed in unit.deeds:
-                if deed.prop and deed.prop not in seen and deed.motion in PARTING | HOLDING:
+                has = deed.motion in PARTING | HOLDING and deed.actor in unsaid
+                if deed.prop and deed.prop not in seen and has:
                     brought.setdefault(deed.actor, {})[deed.prop] = unit.start
                 seen.update(filter(None, (deed.prop, deed.target)))
             seen.update(unit.things if not unit.people else ())
@@ -122,6 +128,11 @@ class Staging:
         posing = movers | {deed.actor for deed in deeds if deed.motion in POSING}
         got = {(deed.actor, deed.prop) for deed in deeds if deed.motion in GETTING}
         got |= {(deed.target or "", deed.prop) for deed in deeds if deed.motion == "give"}
+        used = {(deed.actor, deed.prop) for deed in deeds}
+        for person in {person for unit in units for person in unit.held}:
+            body = self._body(person)
+            kept = {thing for unit in units for thing in unit.held.get(person, body.held)}
+            body.held = [thing for thing in body.held if thing in kept or (person, thing) in used]
         for unit in units:
             self._set_faces(unit)
             for person in unit.posture.keys() - posing:
@@ -187,7 +198,7 @@ class Staging:
         """Set the posture that a unit states for a person."""
         posture, support = unit.posture[person]
         body = self._body(person)
-        kept = body.support if posture == body.posture else None
+        kept = body.support if posture == body.posture and posture != "stand" else None
         body.posture, body.support = posture, support or kept
 
     def _play(self, unit: Unit) -> None:
@@ -202,6 +213,7 @@ class Staging:
             body = self._body(deed.actor)
             if deed.motion in TRAVEL:
                 body.spot = None
+                body.support = None if body.posture == "stand" else body.support
                 body.activity = body.activity if body.activity in PORTABLE else ""
             if deed.motion in ("look", "read", "aim", "talk", "whisper", "shout", "listen"):
                 body.looking_at = deed.target or deed.prop

@@ -74,5 +74,6 @@ KIT = SetKit(
     key="dock", name="Dock",
     tags=("dock", "docks", "pier", "harbor", "harbour", "wharf", "quay", "port", "marina", "jetty", "landing stage",
         "ferry landing", "mooring", "shipyard", "canal"),
+    has=("pier", "jetty", "wharf", "quay", "dock"),
     indoor=False, draw=draw, width=Span(9.0, 12.0, 20.0), depth=Span(6.0, 8.0, 12.0), options={"cranes": True},
 )  # fmt: skip

@@ -32,6 +32,21 @@ def test_words_of_size_count_in_the_name_and_the_description() -> None:
     assert stated_size("Ann", "a wide grin, petite", person=True).word == "petite"
 
 
+@pytest.mark.parametrize(
+    ("name", "description", "word"),
+    [
+        ("door", "a door, a little windblown", None),
+        ("box", "a little box", "little"),
+        ("lamp", "a low hanging lamp", None),
+        ("lamp", "a brass lamp with a tall glass", None),
+        ("front with a big window", "the wall of a small office", None),
+        ("gate", "a wide gate on the road", "wide"),
+    ],
+)
+def test_words_of_something_else_are_no_size(name: str, description: str, word: str | None) -> None:
+    assert stated_size(name, description, person=False).word == word
+
+
 def test_a_likeness_is_a_toy() -> None:
     assert stated_size("bear", "a plush bear", person=False).toy
     assert not stated_size("bear", "a bear", person=False).toy
