@@ -55,10 +55,13 @@ class LanguageAssetRetriever:
     embedder: Callable[[], Embedder]
     _refused: dict[str, dict[str, str]] = field(default_factory=dict)
     """What a vision critic refused, by asset: what is wrong with it by the recipe's key."""
+    _searched: dict[str, str] = field(default_factory=dict)
+    """The other words that were searched for, by asset."""
 
     def propose(self, view: AssetRetrieverView) -> Recipe:
         """Return the model's choice. Raises NoAnswer or AnswerAwaited."""
         self._refused[view.asset.asset_id] = {}
+        self._searched.pop(view.asset.asset_id, None)
         return self._choose(view)
 
     def refine(self, draft: Recipe, critique: Critique, view: AssetRetrieverView) -> Recipe:
@@ -77,16 +80,24 @@ class LanguageAssetRetriever:
         return self._choose(view.model_copy(update={"rejected": view.rejected | refused.keys()}))
 
     def _choose(self, view: AssetRetrieverView) -> Recipe:
-        """Return what the model takes of all that is offered, after one more search if it gives other words."""
-        offered = self._offered(view, view)
-        answer = self._asked(view, offered, "")
-        if answer.keywords.strip() and answer.fit < RETRIEVAL_THRESHOLD:
-            words = " ".join(answer.keywords.split())
-            offered = self._offered(_called(view, words), view)
+        """Return what the model takes of all that is offered, and of what one search for other words adds to it."""
+        searched = self._searched.get(view.asset.asset_id, "")
+        offered = self._all_offered(view, searched)
+        answer = self._asked(view, offered, searched)
+        words = " ".join(answer.keywords.split())
+        if words and not searched and answer.fit < RETRIEVAL_THRESHOLD:
+            self._searched[view.asset.asset_id] = words
+            offered = self._all_offered(view, words)
             answer = self._asked(view, offered, words)
         if answer.choice is None:
             return self.generator.propose(view).model_copy(update={"final": True})
         return _chosen(offered[answer.choice - 1], float(answer.fit))
+
+    def _all_offered(self, view: AssetRetrieverView, searched: str) -> list[Recipe]:
+        """Return the candidates under other words, if it was searched for any, then those under its own name."""
+        found = self._offered(_called(view, searched), view) if searched else []
+        keys = {each.key for each in found}
+        return [*found, *(each for each in self._offered(view, view) if each.key not in keys)]
 
     def _offered(self, called: AssetRetrieverView, view: AssetRetrieverView) -> list[Recipe]:
         """Return the candidates for an object, and the stand-in of the rules; ``called`` may have another name."""

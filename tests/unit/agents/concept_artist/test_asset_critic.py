@@ -84,6 +84,14 @@ def test_what_is_refused_is_not_offered_again_and_the_retriever_hears_why() -> N
     assert "refused" not in json.loads(retriever.asked[0].view)
 
 
+def test_after_a_refusal_what_was_found_under_other_words_is_offered_still() -> None:
+    camera = Camera()
+    retriever = Scripted(['{"keywords": "crow"}', '{"choice": 2, "fit": 8}', '{"choice": 1, "fit": 8}'])
+    outcome = found(Answering(lambda view: POOR if len(camera.drawn) == 1 else GOOD), "bat", camera, retriever)
+    assert outcome.draft.key == "crow"
+    assert json.loads(retriever.asked[2].view)["also_searched_for"] == "crow"
+
+
 def test_after_a_refusal_the_thing_of_that_name_is_looked_at_as_well() -> None:
     """The model took another thing than a baseball bat on purpose."""
     camera = Camera()

@@ -77,6 +77,8 @@ def test_other_words_are_searched_once() -> None:
     assert found(model).draft.key == "crow"
     assert len(model.asked) == 2
     assert json.loads(model.asked[1].view)["also_searched_for"] == "crow"
+    first, second = ({each.get("is") for each in candidates(request)} for request in model.asked)
+    assert first < second, "what was offered before is offered still"
 
 
 def test_without_a_choice_the_stand_in_of_the_rules_is_taken() -> None:
