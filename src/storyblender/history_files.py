@@ -49,8 +49,9 @@ UPGRADES: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {
         }
     ),
     6: lambda body: body | {"schema_version": 7},
+    7: lambda body: body | {"schema_version": 8},
 }
-"""From schema version n to n + 1; kept forever, so that every saved project opens. 2, 3, 4 and 7 added fields only;
+"""From schema version n to n + 1; kept forever, so that every saved project opens. 2, 3, 4, 7 and 8 added fields only;
 the fields that 5 and 6 took away are dropped by the models, in old commits too; 6 has keys of the motion catalogue
 where earlier ones have words, and the liquids that words name; in old commits see ``read_commit``."""
 

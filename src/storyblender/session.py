@@ -228,8 +228,8 @@ class Session:
             return self.apply(meant.draft.edits, revision)
 
     def draw(self, applied: Applied) -> Delivery | None:
-        """Draw what edits made stale; None where that is nothing, or where the project is only planned."""
-        return self.render(applied.stale) if applied.stale and self.made else None
+        """Draw and write what edits made stale; None where that is nothing, or where the project is only planned."""
+        return self.render(applied.stale) if (applied.stale or applied.printed) and self.made else None
 
     def render(self, names: Sequence[str] = ()) -> Delivery:
         """Draw again what changed.

@@ -95,3 +95,16 @@ def test_what_cannot_be_is_refused_in_one_sentence(words: list[str], sentence: s
 def test_help_teaches_with_examples(command: str) -> None:
     shown = CliRunner().invoke(app, [command, "--help"], terminal_width=120).stdout
     assert "Examples" in shown and f"storyblender {command} my_film.storyboard" in shown
+
+
+def test_notes_and_approval_are_typed_and_seen(folder: Path) -> None:
+    *_, written = [line for line in said("shot", "note", folder, SHOT, "Too slow.", "--author", "Ilsa", "--no-render")]
+    assert written["edited"] == f"{SHOT}: note 1: Ilsa: Too slow." and written["stale"] == []
+    said("shot", "note", folder, SHOT, "--resolve", "1", "--no-render")
+    said("shot", "approve", folder, SHOT, "--no-render")
+    shot = read_project_graph(folder).shots[0]
+    assert shot.approved == () and shot.notes[0].resolved
+    [refused] = said("shot", "note", folder, SHOT, "--no-render", code=2)
+    assert "takes its text" in refused["error"]
+    said("shot", "approve", folder, SHOT, "--withdraw", "--no-render")
+    assert read_project_graph(folder).shots[0].approved is None

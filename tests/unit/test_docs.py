@@ -21,7 +21,10 @@ ROOMS = tuple(path.name for path in (ROOT / "src" / "storyblender").iterdir() if
 def test_every_command_and_option_exists(document: Path) -> None:
     commands = typer.main.get_command(app).commands  # pyright: ignore[reportAttributeAccessIssue]
     for name, rest in re.findall(r"(?:^|[`/])storyblender (\w+)([^`\n#]*)", document.read_text("utf-8"), re.MULTILINE):
-        options = {option for parameter in commands[name].params for option in parameter.opts}
+        command = commands[name]
+        if hasattr(command, "commands"):
+            command = command.commands[rest.split()[0]]
+        options = {option for parameter in command.params for option in parameter.opts}
         assert set(re.findall(r"(?<!\S)--[a-z-]+", rest)) <= options, f"{name}{rest}"
 
 

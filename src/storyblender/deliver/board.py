@@ -163,7 +163,8 @@ def _panel(
     y = bottom - size * 1.35
     _line(canvas, panel.name, x, y, size, width)
     name_width = canvas.stringWidth(panel.name, fonts.REGULAR, size)
-    _line(canvas, panel.facts, x + name_width + 8, y, size * 0.86, width - name_width - 40, color=GREY)
+    facts = " · ".join(filter(None, (panel.status, panel.facts)))
+    _line(canvas, facts, x + name_width + 8, y, size * 0.86, width - name_width - 40, color=GREY)
     _line(canvas, f"{panel.seconds:.1f} s", x, y, size * 0.86, width, color=GREY, right=True)
     _words(canvas, panel, x, y - 4, width, y - 4 - (top - height), size)
 
@@ -206,7 +207,7 @@ def _texts(panel: Panel, size: float) -> list[Flowable]:
     said = panel.action or ("" if panel.dialogue else panel.description)
     texts = [_setting([(said, INK)], style)] if said else []
     texts += [_setting([(cue_of(line), GREY), (line.text, INK)], speech) for line in panel.dialogue]
-    return texts + [_setting([("Note", GREY), (note, NOTE)], style) for note in panel.notes]
+    return texts + [_setting([("Note", GREY), (note, NOTE)], style) for note in panel.open_notes]
 
 
 def _setting(pieces: Sequence[tuple[str, Color]], style: ParagraphStyle, most: int = 0) -> Flowable:

@@ -142,11 +142,14 @@ def _card(panel: Panel, sources: tuple[str, str] | None, to_check: int, film: bo
     for line in panel.dialogue:
         words.append(f'<p class="speech"><b>{escape(cue_of(line))}</b> {escape(line.text)}</p>')
     words += [f'<p class="note"><b>Note</b> {escape(note)}</p>' for note in panel.notes]
+    for note in panel.shot.notes:
+        words.append(f'<p class="note{" resolved" * note.resolved}"><b>Note</b> {escape(note.words)}</p>')
     if to_check:
         words.append(f'<p class="mark"><a href="#check-{panel.name}">{to_check} to check</a></p>')
+    status = f' <b class="status">{panel.status}</b>' if panel.status else ""
     return (
         f'<article id="{panel.name}">{picture}<div class="text">'
-        f'<div class="slate"><span>{panel.name}</span><span>{length}</span></div>'
+        f'<div class="slate"><span>{panel.name}{status}</span><span>{length}</span></div>'
         f'<div class="facts">{escape(panel.facts)}</div>{"".join(words)}</div></article>'
     )
 

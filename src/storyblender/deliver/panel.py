@@ -148,6 +148,16 @@ class Panel:
         return tuple(line.model_copy(update={"text": _shown_text(line)}) for line in spoken)
 
     @property
+    def status(self) -> str:
+        """``APPROVED`` where a person approved the shot; else empty."""
+        return "APPROVED" if self.shot.approved is not None else ""
+
+    @property
+    def open_notes(self) -> tuple[str, ...]:
+        """The writer's notes, then those of people on the finished shot that are not resolved."""
+        return (*self.notes, *(note.words for note in self.shot.notes if not note.resolved))
+
+    @property
     def notes(self) -> tuple[str, ...]:
         """The writer's notes: the scene's at its first shot, then the shot's own."""
         first = self.scene.shots and self.scene.shots[0].shot_id == self.outline.shot_id

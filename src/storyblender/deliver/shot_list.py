@@ -14,7 +14,7 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 COLUMNS: tuple[str, ...] = (
     "shot", "scene", "heading", "script_scene", "size", "kind", "angle", "movement", "direction", "lens_mm",
     "f_number", "frames", "seconds", "record_in", "record_out", "characters", "action", "dialogue", "notes", "sound",
-    "description", "script_start", "script_end",
+    "description", "script_start", "script_end", "status",
 )  # fmt: skip
 
 _FORMULA = tuple("=+-@＝＋－＠")
@@ -55,11 +55,12 @@ def write_shot_list(graph: ContinuityMemoryGraph, part: Path, start: str = "00:0
                 "characters": ", ".join(names.get(asset_id, asset_id) for asset_id in shot.shown),
                 "action": panel.action,
                 "dialogue": " / ".join(f"{line.speaker_name}: {line.text}" for line in panel.dialogue),
-                "notes": " / ".join(panel.notes),
+                "notes": " / ".join(panel.open_notes),
                 "sound": shot.sound_effect or "",
                 "description": _description(panel, names, graph.scene(shot.scene_id).setup.place),
                 "script_start": min((span.start for span in spans), default=""),
                 "script_end": max((span.end for span in spans), default=""),
+                "status": panel.status.lower(),
             }
             writer.writerow({key: _inert(value) for key, value in row.items()})
 

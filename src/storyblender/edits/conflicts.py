@@ -20,7 +20,8 @@ _FIELDS: Final[dict[str, dict[str, str]]] = {
     "shots": {
         "camera_instruction": "camera", "camera_decision": "camera", "take": "camera", "takes": "camera",
         "moment": "camera", "duration": "duration",
-        "decided_duration": "duration", "blocking": "blocking", "cues": "blocking", "prop_states": "blocking",
+        "decided_duration": "duration", "notes": "notes", "approved": "approval",
+        "blocking": "blocking", "cues": "blocking", "prop_states": "blocking",
     },
     "scenes": {
         "layout": "layout", "layout_decision": "layout", "lighting": "light", "light_decision": "light",

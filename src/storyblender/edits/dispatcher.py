@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import groupby
+from typing import Final
 
 from storyblender.edits.conflicts import refuse_stale
 from storyblender.edits.effect import Effect
@@ -13,6 +14,8 @@ from storyblender.memory.edits import Edit
 from storyblender.memory.history import replace
 from storyblender.project import Project
 
+PRINTED: Final = frozenset({"notes", "approval", "cut"})
+"""Aspects that the deliverables show without a new frame."""
 _NAMED = 4
 """Most items whose names a sentence lists."""
 
@@ -24,11 +27,13 @@ class Applied(Frozen):
         version: Of the project now; the next edit names it.
         words: What was done, as the history has it.
         stale: Names of the shots whose frames show something else now; nothing else is drawn anew.
+        printed: Whether board, page and lists show something else now, such as a note, besides those frames.
     """
 
     version: str
     words: str
     stale: tuple[str, ...]
+    printed: bool = False
 
 
 def apply_edits(project: Project, edits: Sequence[Edit], version: str | None = None) -> Applied:
@@ -56,7 +61,8 @@ def apply_edits(project: Project, edits: Sequence[Edit], version: str | None = N
     )
     project.commit(graph, "user", words)
     stale = dict.fromkeys(name for each in effects for name in each.stale)
-    return Applied(version=project.version, words=words, stale=tuple(stale))
+    printed = any(each.aspects & PRINTED for each in effects)
+    return Applied(version=project.version, words=words, stale=tuple(stale), printed=printed)
 
 
 def _listed(names: Sequence[str]) -> str:

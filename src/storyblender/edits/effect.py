@@ -36,6 +36,8 @@ class Effect:
 
 def refuse_locked(item: ShotContext | SceneContext, part: ShotLock | SceneLock) -> None:
     """Refuse an edit of a part of a shot or a scene that is locked. Raises InputError."""
+    if isinstance(item, ShotContext) and item.approved is not None:
+        raise InputError(f"{name_of(item)} is approved", mend="withdraw the approval first")
     if part in item.locked:
         raise InputError(f"the {part} of {name_of(item)} is locked", mend="unlock it first")
 

@@ -7,12 +7,14 @@ from collections.abc import Collection, Sequence
 from storyblender.edits.asset_edits import asset_effects
 from storyblender.edits.effect import Effect, refuse_locked
 from storyblender.edits.lock_edits import lock_effect, unlock_effects
+from storyblender.edits.note_edits import approve_effects, note_effects
 from storyblender.edits.scene_edits import layout_effects, light_effects, set_effects
 from storyblender.edits.take_edits import take_effects
 from storyblender.edits.targets import person_or_thing, shots_named
 from storyblender.errors import InputError
 from storyblender.memory.base import shot_name
 from storyblender.memory.edits import (
+    ApproveEdit,
     AssetEdit,
     CameraEdit,
     DurationEdit,
@@ -20,6 +22,7 @@ from storyblender.memory.edits import (
     LayoutEdit,
     LightEdit,
     LockEdit,
+    NoteEdit,
     SetEdit,
     TakeEdit,
     UnlockEdit,
@@ -57,6 +60,10 @@ def effects_of(graph: ContinuityMemoryGraph, edit: Edit) -> list[Effect]:
             return asset_effects(graph, edit)
         case TakeEdit():
             return take_effects(graph, edit)
+        case NoteEdit():
+            return note_effects(graph, edit)
+        case ApproveEdit():
+            return approve_effects(graph, edit)
         case LockEdit():
             return [lock_effect(graph, edit)]
         case UnlockEdit():

@@ -58,6 +58,8 @@ def unlock_effects(graph: ContinuityMemoryGraph, edit: UnlockEdit) -> list[Effec
         return given_back(graph, item)
     if isinstance(item, SceneContext):
         return list(_scene_unlocked(graph, item, parts, words))
+    if item.approved is not None:
+        raise InputError(f"{name} is approved", mend="withdraw the approval first")
     update: dict[str, object] = {"locked": tuple(part for part in item.locked if part not in parts)}
     update |= {"camera_decision": None} if "camera" in parts else {}
     update |= {"decided_duration": None} if "duration" in parts else {}

@@ -8,6 +8,7 @@ from pydantic import Field, TypeAdapter, model_validator
 
 from storyblender.memory.base import Described, Frames
 from storyblender.memory.locks import LockName
+from storyblender.memory.notes import MOST_NOTES, NoteAuthor, NoteText
 from storyblender.memory.scene_decision import LightDecision, SetDecision
 from storyblender.memory.shot_context import CameraDecision
 
@@ -141,8 +142,54 @@ class TakeEdit(Described):
         return self
 
 
+class NoteEdit(Described):
+    """Writes a note on a shot, marks one as done, or takes one away."""
+
+    kind: Literal["note"] = "note"
+    """Which edit this is."""
+    shot: _Name
+    """Such as ``SC010_SH020``."""
+    action: Literal["add", "resolve", "reopen", "remove"] = "add"
+    """What is done."""
+    text: NoteText | None = None
+    """Words of the note that is added."""
+    author: NoteAuthor = ""
+    """Who writes it."""
+    number: int | None = Field(default=None, ge=1, le=MOST_NOTES)
+    """Of the note that is resolved, reopened or removed."""
+
+    @model_validator(mode="after")
+    def _is_whole(self) -> Self:
+        if self.action == "add" and (self.text is None or not self.text.strip() or self.number is not None):
+            raise ValueError("a note that is added takes its text, and gets its number")
+        if self.action != "add" and (self.number is None or self.text is not None):
+            raise ValueError(f"to {self.action} a note takes its number")
+        return self
+
+
+class ApproveEdit(Described):
+    """Approves a shot, which locks all of it; or withdraws the approval, and what was locked before is locked still."""
+
+    kind: Literal["approve"] = "approve"
+    """Which edit this is."""
+    shot: _Name
+    """Such as ``SC010_SH020``."""
+    approved: bool = True
+    """False withdraws the approval."""
+
+
 Edit = Annotated[
-    CameraEdit | DurationEdit | LightEdit | SetEdit | LayoutEdit | AssetEdit | TakeEdit | LockEdit | UnlockEdit,
+    CameraEdit
+    | DurationEdit
+    | LightEdit
+    | SetEdit
+    | LayoutEdit
+    | AssetEdit
+    | TakeEdit
+    | NoteEdit
+    | ApproveEdit
+    | LockEdit
+    | UnlockEdit,
     Field(discriminator="kind"),
 ]
 EDITS: TypeAdapter[tuple[Edit, ...]] = TypeAdapter(tuple[Edit, ...])

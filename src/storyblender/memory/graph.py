@@ -14,7 +14,7 @@ from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.shot_context import ShotContext
 from storyblender.memory.vocabulary import Age
 
-SCHEMA_VERSION = 7
+SCHEMA_VERSION = 8
 """Raised with every change of the stored models, with an upgrade in ``history_files.UPGRADES``."""
 
 _T = TypeVar("_T")

@@ -72,6 +72,8 @@ def _overruled(name: str, old: ShotContext, new: ShotContext) -> Iterator[str]:
     """Yield what the crew would change of a person's decisions."""
     if (new.take, [take.number for take in new.takes]) != (old.take, [take.number for take in old.takes]):
         yield f"a person keeps the takes of {name}"
+    if new.notes != old.notes or new.approved != old.approved:
+        yield f"people write the notes on {name}, and approve it"
     decision = old.camera_decision
     if decision is not None and (new.camera_decision != decision or not decision.holds(new.camera_instruction)):
         yield f"a person decided about the camera of {name}: {decision.words}"

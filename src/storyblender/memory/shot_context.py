@@ -20,6 +20,7 @@ from storyblender.memory.base import (
 )
 from storyblender.memory.camera_decision import CameraDecision, CameraInstruction, CameraRetake
 from storyblender.memory.locks import ShotLock
+from storyblender.memory.notes import Note
 from storyblender.memory.scene_context import Light, Lighting, Spot
 from storyblender.memory.thing_states import THING_STATES, state_values
 from storyblender.memory.vocabulary import (
@@ -343,6 +344,10 @@ class ShotContext(Frozen):
     """The other takes, by number."""
     stale: tuple[Literal["motion"], ...] = Field(default=(), exclude_if=lambda value: not value)
     """What an edit made stale and the crew has not made anew yet."""
+    notes: tuple[Note, ...] = Field(default=(), exclude_if=lambda value: not value)
+    """What people wrote about the shot; they stay with its words when the script changes."""
+    approved: tuple[ShotLock, ...] | None = Field(default=None, exclude_if=is_none)
+    """What was locked before a person approved the shot, which locks all of it; None where nobody did."""
     _former = dropping("new_lighting_description")
 
     @property

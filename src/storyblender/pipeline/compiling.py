@@ -28,7 +28,7 @@ MOST_SCENES = 40
 SEQUENCE = 20
 """Scenes in the file of a sequence."""
 
-_NOT_SHOWN = ("locked", "decided_duration", "stale")
+_NOT_SHOWN = ("locked", "decided_duration", "stale", "notes", "approved")
 """Fields of the graph that make no difference to a .blend."""
 
 

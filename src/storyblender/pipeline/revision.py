@@ -31,7 +31,7 @@ Designer = Callable[[ContinuityMemoryGraph, int], Environment]
 _DECIDED = tuple(name for name in CameraDecision.model_fields if name in CameraInstruction.model_fields)
 _STAGED = (
     "blocking", "cues", "prop_states", "asset_modifications", "duration", "lighting", "frame", "camera", "lights",
-    "flaws", "locked", "decided_duration", "stale", "take", "takes",
+    "flaws", "locked", "decided_duration", "stale", "take", "takes", "notes", "approved",
 )  # fmt: skip
 """What the crew, and later a person, adds to the Director's shot."""
 
@@ -207,7 +207,7 @@ def _as_locked(shot: ShotContext, past: ShotContext | None, graph: ContinuityMem
     """
     if past is None:
         return shot
-    update: dict[str, object] = {}
+    update: dict[str, object] = {"notes": past.notes}
     if past.decided_duration is not None:
         frames = max(1, round(past.decided_duration * rate))
         update |= {"duration": frames, "decided_duration": frames}
@@ -216,6 +216,8 @@ def _as_locked(shot: ShotContext, past: ShotContext | None, graph: ContinuityMem
     locked: list[ShotLock] = [lock for lock in past.locked if (lock == "duration" or used <= there) and rate == 1]
     fields = [field for lock in locked for field in SHOT_LOCKS[lock]]
     update |= {field: getattr(past, field) for field in fields} | {"locked": tuple(locked)}
+    if past.approved is not None and len(locked) == len(past.locked):
+        update["approved"] = past.approved
     if "camera" in locked and past.camera is not None and past.scene_id != shot.scene_id:
         update["camera"] = _renamed(past.camera, scene_name(past.scene_id), scene_name(shot.scene_id))
     return shot.model_copy(update=update)
@@ -234,6 +236,10 @@ def _lost_locks(
         gone = [f"the lock of its {lock}" for lock in shot.locked if after is None or lock not in after.locked]
         if shot.decided_duration is not None and after is None:
             gone.append(f"its length of {shot.decided_duration} frames")
+        if shot.approved is not None and (after is None or after.approved is None):
+            gone.append("its approval")
+        if after is None:
+            gone += [f"the note “{note.words}”" for note in shot.notes]
         yield shot_name(shot.scene_id, shot.shot_id), ", ".join(gone)
     for scene in old.scenes:
         if scene.scene_id not in kept.values():

@@ -81,8 +81,25 @@ class ShotDetails(ShotSummary):
     """What a person decided about light, set and staging of its scene."""
     locked: tuple[str, ...]
     """Parts of the shot that neither the crew nor an edit may change."""
+    approved: bool
+    """Whether a person approved it; nothing of it may change then."""
+    notes: tuple[NoteOn, ...]
+    """What people wrote about it."""
     problems: tuple[str, ...]
     """What the crew could not make right."""
+
+
+class NoteOn(Described):
+    """A note on a shot."""
+
+    number: int
+    """The edit of kind `note` resolves it or removes it by this."""
+    text: str
+    """Its words."""
+    author: str
+    """Who wrote it; may be empty."""
+    resolved: bool
+    """Whether it is done."""
 
 
 class TakeSummary(Described):
@@ -264,6 +281,8 @@ def details_of(panel: Panel, scene: SceneContext) -> ShotDetails:
         takes=takes_of(shot),
         scene_decided=tuple(f"{part}: {each.words}" for part, each in decisions.items() if each is not None),
         locked=(*shot.locked, *(f"{part} of the scene" for part in scene.locked)),
+        approved=shot.approved is not None,
+        notes=tuple(NoteOn(**note.model_dump()) for note in shot.notes),
         problems=tuple(flaw.message for flaw in (*shot.flaws, *(camera.residual if camera is not None else ()))),
     )
 

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import shutil
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.stand_in_engine import StandInEngine
+from tests.home import SCRIPT, SETTINGS
 
 from storyblender.catalog.sets import plan_of
 from storyblender.edits.words import edits_of
@@ -20,25 +18,8 @@ from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.shot_context import ShotContext
 from storyblender.project import Project
 from storyblender.session import Session
-from storyblender.settings import Settings
 from storyblender.studio import Studio
 
-SETTINGS = Settings(width=160, look="fast", animatic=False, jobs=1)
-SCRIPT = """INT. LIVING ROOM - DAY
-
-ANNA sits on the sofa. TOM stands by the window. A letter lies on the table.
-
-ANNA
-You said you would write.
-
-EXT. PARK - DAY
-
-TOM sits on a bench.
-
-INT. LIVING ROOM - NIGHT
-
-ANNA sits alone on the sofa.
-"""
 ROOM, PARK, LATER = "SC010", "SC020", "SC030"
 SHOT = "SC010_SH010"
 LIGHT = {"kind": "light", "scene": ROOM, "decision": {"time_of_day": "dusk", "warmth": 1}}
@@ -50,30 +31,6 @@ PIANO = {"kind": "asset", "action": "add", "scene": ROOM, "model": "piano"}
 CHAIR = {"kind": "asset", "action": "remove", "scene": ROOM, "thing": "rug"}
 TAKE = {"kind": "take", "shot": SHOT}
 EVERY = [LIGHT, BRICK, KIT, LAYOUT, BENCH, PIANO, CHAIR, TAKE]
-
-
-@pytest.fixture(scope="module")
-def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return a finished project, made without Blender."""
-    folder = tmp_path_factory.mktemp("made")
-    (folder / "home.fountain").write_text(SCRIPT)
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("storyblender.studio.BlenderEngine", StandInEngine)
-        Studio(SETTINGS).make(folder / "home.fountain", folder / "p")
-    return folder
-
-
-@pytest.fixture
-def folder(made: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.setattr("storyblender.studio.BlenderEngine", StandInEngine)
-    shutil.copy(made / "home.fountain", tmp_path)
-    return Path(shutil.copytree(made / "p", tmp_path / "p"))
-
-
-@pytest.fixture
-def session(folder: Path) -> Iterator[Session]:
-    with Studio(SETTINGS).open(folder) as session:
-        yield session
 
 
 def apply(session: Session, *edits: dict[str, Any], draw: bool = True) -> tuple[str, ...]:

@@ -14,15 +14,27 @@ from storyblender.agents.instructor.phrases import edits_of_clause
 from storyblender.agents.instructor.scene_faults import scene_faults
 from storyblender.agents.instructor.scene_phrases import edits_of_scene
 from storyblender.agents.instructor.scene_view import SceneNow, scene_now
+from storyblender.agents.instructor.shot_phrases import note_on
 from storyblender.errors import InputError
 from storyblender.memory.base import Described, Frozen, scene_name, shot_name
 from storyblender.memory.camera_decision import CameraDecision, CameraInstruction
-from storyblender.memory.edits import CameraEdit, DurationEdit, Edit, LightEdit, SetEdit, TakeEdit
+from storyblender.memory.edits import (
+    ApproveEdit,
+    CameraEdit,
+    DurationEdit,
+    Edit,
+    LightEdit,
+    NoteEdit,
+    SetEdit,
+    TakeEdit,
+)
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.scene_decision import LightDecision, SetDecision
 from storyblender.reflection import UNUSABLE, Critique, Fault
 
 _CLAUSES = re.compile(r"\s*(?:;|,(?!\d)|\.(?=\s|$)|\bthen\b)\s*", re.IGNORECASE)
+_OF_SHOTS = (CameraEdit, DurationEdit, TakeEdit, NoteEdit, ApproveEdit)
+"""Edits that name a shot."""
 _PLEASE = re.compile(r"[\s,]*\bplease\b[\s,]*", re.IGNORECASE)
 _AND = re.compile(r"\s+(?:and|but)\s+", re.IGNORECASE)
 
@@ -105,7 +117,9 @@ class RulesInstructor:
 
     def propose(self, view: InstructorView) -> Instruction:
         """Return the edits that the words mean, clause by clause."""
-        edits: list[Edit] = []
+        edits: list[Edit] = [note for shot in view.shots for note in note_on(view.words, shot.name)]
+        if edits:
+            return Instruction(edits=tuple(edits))
         unclear: dict[str, None] = {}
         for clause in filter(None, _CLAUSES.split(_PLEASE.sub("", view.words))):
             meant, left = _meant(clause, view)
@@ -181,7 +195,7 @@ class InstructorCritic:
         if not draft.edits and not draft.unclear:
             faults.append(Fault(kind="nothing", message="nothing is changed and nothing is unclear", severity=UNUSABLE))
         for edit in draft.edits:
-            if isinstance(edit, CameraEdit | DurationEdit | TakeEdit) and edit.shot.upper() not in shots:
+            if isinstance(edit, _OF_SHOTS) and edit.shot.upper() not in shots:
                 message = f"{edit.shot} is not among the shots that were named"
                 faults.append(Fault(kind="shot", subject=edit.shot, message=message, severity=UNUSABLE))
             for unknown in sorted(_named(edit) - view.names.keys()):

@@ -9,6 +9,7 @@ from typing import Any, Final
 from pydantic import ValidationError
 
 from storyblender.agents.director.camera_phrases import parse_note
+from storyblender.agents.instructor.shot_phrases import edits_of_shot
 from storyblender.memory.camera_decision import CameraDecision, CameraInstruction
 from storyblender.memory.edits import CameraEdit, DurationEdit, Edit, LockEdit, TakeEdit, UnlockEdit
 from storyblender.memory.shot_sizes import SHOT_SIZES
@@ -48,6 +49,8 @@ def edits_of_clause(
         return [LockEdit(target=shot)]
     if words == "unlock":
         return [UnlockEdit(target=shot)]
+    if whole := edits_of_shot(words, shot):
+        return whole
     if (take := _take(words, shot)) is not None:
         return [take]
     if (length := _length(words, seconds)) is not None:

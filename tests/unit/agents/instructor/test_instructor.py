@@ -163,3 +163,22 @@ def test_a_model_understands_what_the_rules_do_not() -> None:
     assert "not among the shots" in model.asked[1].feedback[0]
     shown = json.loads(model.asked[0].view)
     assert shown["words"] == "lonelier" and shown["shots"][0]["size"] == "MS"
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("Note: too slow, cut on the look. Really.", {"kind": "note", "text": "too slow, cut on the look. Really."}),
+        ("note from Ilsa: closer", {"kind": "note", "text": "closer", "author": "Ilsa"}),
+        ("resolve note 2", {"kind": "note", "action": "resolve", "number": 2}),
+        ("note 2 is done", {"kind": "note", "action": "resolve", "number": 2}),
+        ("approve it", {"kind": "approve", "approved": True}),
+        ("withdraw the approval", {"kind": "approve", "approved": False}),
+    ],
+)
+def test_notes_and_approval_in_words(words: str, said: dict[str, object]) -> None:
+    draft = RulesInstructor().propose(view(words))
+    assert not draft.unclear, draft.unclear
+    assert InstructorCritic().judge(draft, view(words)).score == 10
+    [edit] = draft.edits
+    assert edit == type(edit).model_validate({"shot": SHOT, **said})

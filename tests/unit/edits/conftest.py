@@ -1,0 +1,38 @@
+"""A finished project to edit, made once without Blender."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from tests.home import SCRIPT, SETTINGS
+from tests.stand_in_engine import StandInEngine
+
+from storyblender.session import Session
+from storyblender.studio import Studio
+
+
+@pytest.fixture(scope="session")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a finished project, made without Blender."""
+    folder = tmp_path_factory.mktemp("made")
+    (folder / "home.fountain").write_text(SCRIPT)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("storyblender.studio.BlenderEngine", StandInEngine)
+        Studio(SETTINGS).make(folder / "home.fountain", folder / "p")
+    return folder
+
+
+@pytest.fixture
+def folder(made: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setattr("storyblender.studio.BlenderEngine", StandInEngine)
+    shutil.copy(made / "home.fountain", tmp_path)
+    return Path(shutil.copytree(made / "p", tmp_path / "p"))
+
+
+@pytest.fixture
+def session(folder: Path) -> Iterator[Session]:
+    with Studio(SETTINGS).open(folder) as session:
+        yield session
