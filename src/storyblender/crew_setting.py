@@ -14,7 +14,7 @@ from typing import Final, Literal, get_args
 RoleName = Literal[
     "director", "shot_director", "asset_retriever", "asset_critic", "asset_formatter", "dimension_estimator",
     "environment_designer", "set_dresser", "spatial_planner", "layout_critic", "animator", "lighting_arranger",
-    "camera_operator", "camera_critic", "instructor",
+    "light_critic", "camera_operator", "camera_critic", "instructor",
 ]  # fmt: skip
 """The members of the crew, vision critics included."""
 

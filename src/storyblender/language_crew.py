@@ -41,6 +41,7 @@ from storyblender.agents.visual_effects_artist.language_lighting_arranger import
     language_lighting_arranger,
 )
 from storyblender.agents.visual_effects_artist.language_set_dresser import DressingNotes, language_set_dresser
+from storyblender.agents.visual_effects_artist.light_critic import LightCriticNotes, with_light_critic
 from storyblender.crew import Crew
 from storyblender.crew_setting import RoleName
 from storyblender.language.answer_folder import asked
@@ -60,6 +61,7 @@ ANSWERS: Final[Mapping[str, type[BaseModel]]] = {
     "spatial_planner": LayoutNotes,
     "layout_critic": LayoutCriticNotes,
     "lighting_arranger": LightNotes,
+    "light_critic": LightCriticNotes,
     "animator": StagingNotes,
     "set_dresser": DressingNotes,
     "instructor": Instruction,
@@ -107,6 +109,10 @@ def language_crew(
         played["asset_retriever"] = with_asset_critic(answerer, played.get("asset_retriever", crew.asset_retriever))
     if (answerer := answerers.get("layout_critic")) is not None:
         played["spatial_planner"] = with_layout_critic(answerer, played.get("spatial_planner", crew.spatial_planner))
+    if (answerer := answerers.get("light_critic")) is not None:
+        played["lighting_arranger"] = with_light_critic(
+            answerer, played.get("lighting_arranger", crew.lighting_arranger)
+        )
     operator = crew.camera_operator
     if (answerer := answerers.get("camera_operator")) is not None:
         operator = language_operator(answerer, operator)

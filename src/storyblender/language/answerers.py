@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from threading import Event as Signal
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from storyblender.crew_setting import LimitName, Player, RoleName, players
 from storyblender.errors import InputError
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 ANSWERS = "answers"
 """Folder in the project where the answers of models are kept; it can be replayed."""
+_ADDED: Final[frozenset[RoleName]] = frozenset({"asset_critic", "layout_critic", "light_critic", "camera_critic"})
+"""Roles that a recording may have been made without: nothing is drawn for them in vain."""
 
 
 def answerers(
@@ -50,7 +52,15 @@ def answerers(
             return Replay(folder, listener)
         return AnswerFolder(Folder(project / ANSWERS), provider_class()(player, budget, cancelled))
 
-    return {role: answerer(player) for role, player in players(crew).items() if player.kind != "rules"}
+    found: dict[RoleName, Answerer] = {
+        role: answerer(player) for role, player in players(crew).items() if player.kind != "rules"
+    }
+    return {role: each for role, each in found.items() if not _was_left_out(role, each)}
+
+
+def _was_left_out(role: RoleName, answerer: Answerer) -> bool:
+    """Return whether a recording was made without a role that a storyboard can do without."""
+    return role in _ADDED and isinstance(answerer, Replay) and not answerer.knows(role)
 
 
 def provider_class() -> type[Provider]:

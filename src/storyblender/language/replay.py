@@ -45,6 +45,10 @@ class Replay:
         exact = read_answer(Folder(self._folder), name_of(request))
         return self._most_similar(request) if exact is None else exact
 
+    def knows(self, role: str) -> bool:
+        """Return whether the recording has anything of a role; one that is missing has."""
+        return not self._folder.is_dir() or any(name.startswith(f"{role}-") for name, _ in asked(self._folder))
+
     def _most_similar(self, request: Request) -> str:
         """Return the answer to the recorded request that is most like another. Raises InputError or NoAnswer."""
         about = f"{request.role} {request.subject}".rstrip()
@@ -55,9 +59,7 @@ class Replay:
             if answer is not None and name[:-12] == stem
         }
         if not recorded:
-            if request.pictures_needed and not any(
-                name.startswith(f"{request.role}-") for name, _ in asked(self._folder)
-            ):
+            if request.pictures_needed and not self.knows(request.role):
                 raise NoAnswer(f"{request.role} is not in the recording", mend="record it anew")
             mend = "it was recorded from another script, or with other roles; record it anew"
             raise InputError(f"the recording has no answer for {about}", mend=mend, path=self._folder)

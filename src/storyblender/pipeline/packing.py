@@ -18,7 +18,7 @@ def pack_scenes(run: Run) -> None:
     build_states(run, jobs.values())
     waiting: dict[int, Future[PackRef]] = {}
     for scene_id, job in jobs.items():
-        known = run.outputs.read(job.record, PackRef.model_validate_json) if run.outputs.whole(job.out) else None
+        known = _known(run, job)
         if known is None:
             waiting[scene_id] = run.engine.pack_scene(job)
         else:
@@ -26,10 +26,36 @@ def pack_scenes(run: Run) -> None:
     for step, (scene_id, job) in enumerate(jobs.items()):
         run.progress("pack", step, len(jobs), scene_name(scene_id))
         if scene_id in waiting:
-            run.packs[scene_id] = waiting[scene_id].result()
-            run.outputs.note(job.out)
-            run.outputs.write(job.record, run.packs[scene_id].model_dump_json())
+            run.packs[scene_id] = _noted(run, job, waiting[scene_id].result())
     run.progress("pack", len(jobs), len(jobs))
+
+
+def pack_scene(run: Run, job: SceneJob) -> PackRef:
+    """Return the pack of one scene, built now if it is not there.
+
+    Args:
+        run: Its engine packs.
+        job: The scene, which need not be committed.
+
+    Raises:
+        EngineError: It cannot be packed.
+    """
+    if (known := _known(run, job)) is not None:
+        return known
+    build_states(run, (job,))
+    return _noted(run, job, run.engine.pack_scene(job).result())
+
+
+def _known(run: Run, job: SceneJob) -> PackRef | None:
+    """Return the pack of a scene if it is there already."""
+    return run.outputs.read(job.record, PackRef.model_validate_json) if run.outputs.whole(job.out) else None
+
+
+def _noted(run: Run, job: SceneJob, pack: PackRef) -> PackRef:
+    """Return a pack that was just built, after noting its files."""
+    run.outputs.note(job.out)
+    run.outputs.write(job.record, pack.model_dump_json())
+    return pack
 
 
 def scene_job(graph: ContinuityMemoryGraph, scene_id: int) -> SceneJob:

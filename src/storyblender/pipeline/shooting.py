@@ -161,7 +161,7 @@ def prune(run: Run, shots: Collection[ShotContext]) -> None:
         kept |= {job.out, f"{job.out}.json", f"{job.out}.review.json", _motion_folder(run, shot)}
         kept |= {f"frames/{name}.png", f"frames/slate_{name}.png"}
         kept |= {name for picture in pictures_of_takes(run, shot).values() for name in (picture, f"{picture}.json")}
-    for folder in ("build/frames/", "build/motion/", "build/scenes/", "build/figures/", "frames/"):
+    for folder in ("build/frames/", "build/motion/", "build/scenes/", "build/figures/", "build/light/", "frames/"):
         run.outputs.keep_only(folder, kept)
 
 

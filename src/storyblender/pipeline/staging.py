@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from functools import partial
 
 from storyblender.agents.layout_artist.bystanders import bystander_objects, crowd_size, place_bystanders
 from storyblender.agents.layout_artist.room_steps import RoomStep, drop_dressing, enlarge_set, find_fitting_room
@@ -25,6 +26,7 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
 from storyblender.memory.scene_context import Environment, Layout, Lighting, SceneContext
 from storyblender.memory.shot_context import ShotContext
+from storyblender.pipeline.light_preview import LightPreview
 from storyblender.pipeline.materializing import materialize
 from storyblender.pipeline.run import Run
 from storyblender.reflection import Outcome
@@ -204,11 +206,12 @@ def light_scene(
     """
     shots = tuple(shot.model_copy(update={"lighting": None}) for shot in shots)
     role, graph, scene_id = run.crew.lighting_arranger, run.graph, scene.scene_id
-    usual = run.reflect(role, scene_name(scene_id), graph, scene_id).draft
+    preview = LightPreview(run, scene, shots)
+    usual = run.reflect(role, scene_name(scene_id), graph, scene_id, draw=preview.draw_opening).draft
 
     def change(current: Lighting, shot: ShotContext) -> Lighting:
-        name = shot_name(scene_id, shot.shot_id)
-        return run.reflect(role, name, graph, scene_id, current, shot.light_change, shot.shot_id).draft
+        name, draw = shot_name(scene_id, shot.shot_id), partial(preview.draw_change, shot, current)
+        return run.reflect(role, name, graph, scene_id, current, shot.light_change, shot.shot_id, draw).draft
 
     first, lit, found = light_shots(usual, lighting_arranger_view(graph, scene_id), shots, scene.setup.found, change)
     setup = scene.setup if found == scene.setup.found else scene.setup.model_copy(update={"found": found})

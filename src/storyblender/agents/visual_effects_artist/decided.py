@@ -56,7 +56,7 @@ def decided_light(draft: Lighting, decision: LightDecision | None) -> Lighting:
         return draft
     update: dict[str, object] = {}
     if decision.warmth:
-        update |= _warmed(draft, decision.warmth)
+        update |= warmed(draft, decision.warmth)
     if decision.brightness:
         gain = 2.0**decision.brightness
         update["set_luminance"] = round(max(draft.set_luminance * gain, _NO_LESS), 4)
@@ -68,8 +68,13 @@ def decided_light(draft: Lighting, decision: LightDecision | None) -> Lighting:
     return draft.model_copy(update=update) if update else draft
 
 
-def _warmed(draft: Lighting, warmth: float) -> dict[str, object]:
-    """Return the colours of a plan, warmer by some steps, each as bright as before."""
+def warmed(draft: Lighting, warmth: float) -> dict[str, object]:
+    """Return the fields of a light plan with its colours warmer, each as bright as before.
+
+    Args:
+        draft: The light plan.
+        warmth: Steps; cooler below 0.
+    """
 
     def tinted(color: Color) -> Color:
         red, green, blue = (value * gain**warmth for value, gain in zip(color, _WARM, strict=True))

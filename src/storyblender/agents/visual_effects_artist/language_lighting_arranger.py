@@ -10,6 +10,7 @@ from pydantic import Field, StringConstraints
 
 from storyblender.agents.asking import Asker, LanguagePolicy, Notes
 from storyblender.agents.story_lines import story_lines
+from storyblender.agents.visual_effects_artist.light_operations import Air, with_air
 from storyblender.agents.visual_effects_artist.lighting_arranger import RulesLightingArranger
 from storyblender.agents.visual_effects_artist.lighting_arranger_view import LightingArrangerView, burning_lamps
 from storyblender.catalog.material_entry import hex_code, hex_color
@@ -22,10 +23,6 @@ from storyblender.reflection import Policy
 
 _UNLIT = 24
 """Most lamps that do not burn in a request."""
-_THINNER = 0.4
-"""Share of the density of the air that is left where it is clear."""
-_AIR: dict[str, tuple[float, float]] = {"haze": (0.014, 3.0), "smoke": (0.028, 2.0)}
-"""Least density per metre of the air, and metres from the camera to where it begins at most."""
 
 HexColor = Annotated[str, StringConstraints(pattern=r"^#[0-9a-fA-F]{6}$")]
 """Colour of light as #rrggbb; only its tint counts, not how bright it is."""
@@ -63,7 +60,7 @@ class LightNotes(Notes):
     """Side from which sun or moon shine."""
     lamps: tuple[LampNotes, ...] = ()
     """Only the lights that are not as planned."""
-    air: Literal["clear", "haze", "smoke"] | None = None
+    air: Air | None = None
 
 
 def language_lighting_arranger(
@@ -83,12 +80,13 @@ def language_lighting_arranger(
         show=lambda view: _shown(view, rules.propose(view)),
         check=lambda answer, view: _wrong_lamps(answer, view, rules),
         draft_of=lambda answer, view: _lighting(answer, view, rules),
-        subject=_subject,
+        subject=subject_of,
         mend=rules.refine,
     )
 
 
-def _subject(view: LightingArrangerView) -> str:
+def subject_of(view: LightingArrangerView) -> str:
+    """Return what a light plan is for, for people: the scene, or the shot in which the light changes."""
     if view.outline is None:
         return ""
     number = view.outline.scene_id
@@ -102,10 +100,14 @@ def _lamps(view: LightingArrangerView) -> dict[str, Light]:
     return {light.name: light for light in burning_lamps(replace(view, burning=dict.fromkeys(lit, True)), 1.0)}
 
 
+def known_lights(view: LightingArrangerView) -> set[str]:
+    """Return the names of the lights of a scene: those that rules plan, and the lamps that do not burn."""
+    return {light.name for light in RulesLightingArranger().propose(view).lights} | {*_lamps(view)}
+
+
 def _wrong_lamps(answer: LightNotes, view: LightingArrangerView, rules: RulesLightingArranger) -> Iterator[str]:
     """Yield a sentence for every lamp of an answer that does not exist, or that the story has just put out."""
-    planned = {light.name for light in rules.propose(view).lights}
-    known = planned | {*_lamps(view)}
+    planned, known = {light.name for light in rules.propose(view).lights}, known_lights(view)
     dark = view.change is not None and view.change.lamps == "off"
     for lamp in answer.lamps:
         if lamp.name not in known:
@@ -129,9 +131,7 @@ def _lighting(answer: LightNotes, view: LightingArrangerView, rules: RulesLighti
     update |= {"key_side": answer.key_side} if answer.key_side is not None else {}
     update |= {"key_fill_ratio": answer.key_to_fill} if answer.key_to_fill is not None else {}
     if plan.fog is not None and answer.air is not None:
-        density, start = _AIR.get(answer.air, (0.0, plan.fog.start))
-        density = max(density, plan.fog.density) if density else plan.fog.density * _THINNER
-        update["fog"] = plan.fog.model_copy(update={"density": density, "start": min(start, plan.fog.start)})
+        update["fog"] = with_air(plan.fog, answer.air)
     return plan.model_copy(update=update)
 
 
@@ -169,20 +169,20 @@ def _shown(view: LightingArrangerView, planned: Lighting) -> dict[str, Any]:
         "hour": view.setup.time_of_day,
         "weather": view.setup.weather,
         "size": {"left": size.x_negative, "right": size.x, "front": size.y_negative, "back": size.y},
-        "people_at_first": _people(view),
+        "people_at_first": people_at_first(view),
         "story": story_lines(view.outline),
     }
     if view.change is not None:
         shown["change"] = {"in_shot": view.shot_id, **view.change.model_dump(exclude_defaults=True)}
-        shown["before"] = _shown_levels(view.current) if view.current is not None else {}
+        shown["before"] = shown_levels(view.current) if view.current is not None else {}
     return shown | {
-        "planned": _shown_levels(planned) | {"qualities": list(view.setup.light)},
+        "planned": shown_levels(planned) | {"qualities": list(view.setup.light)},
         "lights": [_shown_light(light) for light in planned.lights],
         "lamps_off": [_shown_light(light) for name, light in _lamps(view).items() if name not in own][:_UNLIT],
     }
 
 
-def _people(view: LightingArrangerView) -> dict[str, list[float]]:
+def people_at_first(view: LightingArrangerView) -> dict[str, list[float]]:
     """Return where people are as the scene opens."""
     people = {asset.asset_id for asset in view.assets if asset.asset_type == "character"}
     objects = view.layout.objects if view.layout is not None else ()
@@ -190,7 +190,7 @@ def _people(view: LightingArrangerView) -> dict[str, list[float]]:
     return {item.asset_id: [round(each, 1) for each in item.location[:2]] for item in placed}
 
 
-def _shown_levels(plan: Lighting) -> dict[str, Any]:
+def shown_levels(plan: Lighting) -> dict[str, Any]:
     """Return the levels of a plan; luminances are shares of white."""
     colors = {name: hex_code(getattr(plan, name)) for name in ("key_color", "fill_color", "rim_color")}
     levels = {"set": plan.set_luminance, "faces": plan.face_luminance, "key_to_fill": plan.key_fill_ratio}

@@ -10,6 +10,7 @@ from dataclasses import replace
 
 from storyblender.agents.visual_effects_artist.exterior_light import light_exterior
 from storyblender.agents.visual_effects_artist.interior_light import light_interior
+from storyblender.agents.visual_effects_artist.light_operations import after_operations
 from storyblender.agents.visual_effects_artist.lighting_arranger_view import (
     MOST_LIGHTS,
     LightingArrangerView,
@@ -55,13 +56,14 @@ class RulesLightingArranger:
         return _light_scene(view) if view.current is None else _change_light(view.current, view)
 
     def refine(self, draft: Lighting, critique: Critique, view: LightingArrangerView) -> Lighting:
-        """Keep the strongest lamps; raise levels that are too dark to read.
+        """Keep the strongest lamps; raise levels that are too dark to read; do what a critic who looked names.
 
         Args:
             draft: The light plan.
             critique: Its faults.
             view: The scene.
         """
+        draft = after_operations(draft, critique.faults)
         kinds = {fault.kind for fault in critique.faults}
         update: dict[str, object] = {}
         if "too_many_lights" in kinds:

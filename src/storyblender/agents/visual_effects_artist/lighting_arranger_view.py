@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Literal, NamedTuple
 
@@ -14,11 +14,13 @@ from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import plan_of
+from storyblender.errors import NoAnswer
 from storyblender.memory.asset_sheet import Asset, ParamValue
 from storyblender.memory.base import Color, Vec3, is_none
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline
 from storyblender.memory.panorama import Panorama
+from storyblender.memory.request import Picture
 from storyblender.memory.scene_context import Environment, Layout, Light, Lighting, SceneSetup
 from storyblender.memory.shot_context import LightChange
 
@@ -26,6 +28,15 @@ MOST_LIGHTS = 20
 """Most lights of a plan; every one costs time in every frame."""
 _REACH = 26.0
 """Metres from the stage beyond which a lamp is scenery, not light."""
+
+
+DrawLight = Callable[[Lighting], tuple[Picture, ...]]
+"""Draws shots of a scene in a light plan. Raises NoAnswer."""
+
+
+def nothing_lit(plan: Lighting) -> tuple[Picture, ...]:
+    """Refuse to draw: there is no engine. Raises NoAnswer."""
+    raise NoAnswer("there is no picture of the light")
 
 
 class CarriedLamp(NamedTuple):
@@ -53,6 +64,7 @@ class LightingArrangerView:
         sun_side: Viewer's side from which the sun comes; None lets the set's seed decide.
         outline: The words of the scene, which only a language model reads.
         shot_id: Shot in which the light changes; 0 for the light of the scene.
+        draw: Draws shots of the scene in a light plan, for critics who look. Raises NoAnswer.
     """
 
     setup: SceneSetup
@@ -68,6 +80,7 @@ class LightingArrangerView:
     sun_side: Literal["left", "right"] | None = None
     outline: SceneOutline | None = None
     shot_id: int = 0
+    draw: Annotated[DrawLight, Field(exclude=True)] = nothing_lit
 
     @property
     def sun_from_left(self) -> bool:
@@ -81,6 +94,7 @@ def lighting_arranger_view(
     current: Lighting | None = None,
     change: LightChange | None = None,
     shot_id: int = 0,
+    draw: DrawLight = nothing_lit,
 ) -> LightingArrangerView:
     """Return the Lighting Arranger's projection of the graph.
 
@@ -90,13 +104,14 @@ def lighting_arranger_view(
         current: The light so far, if the script changes it.
         change: The change.
         shot_id: Shot of the change.
+        draw: Draws shots of the scene in a light plan. Raises NoAnswer.
     """
     scene = graph.scene(scene_id)
     assert scene.environment is not None, "the set comes before its light"
     plan, assets = plan_of(scene.environment), graph.assets_of(scene_id)
     return LightingArrangerView(
         scene.decided_setup, plan, scene.environment, scene.layout, assets, current, change,
-        panorama=graph.panorama, outline=graph.outline_of(scene_id), shot_id=shot_id,
+        panorama=graph.panorama, outline=graph.outline_of(scene_id), shot_id=shot_id, draw=draw,
     )  # fmt: skip
 
 
