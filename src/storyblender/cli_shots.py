@@ -44,7 +44,7 @@ def note(
         {"action": action, "number": number} for action, number in done.items() if number is not None
     ]
     if text is not None or not edits:
-        edits.append({"text": text or "", "author": author})
+        edits.append({"text": text, "author": author})
     _apply(folder, [{"kind": "note", "shot": shot, **each} for each in edits], draw, quiet, json_lines)
 
 
