@@ -34,13 +34,14 @@ _THINGS: dict[str, str] = {
     "pick_up": "suitcase", "take": "suitcase", "listen_close": "wardrobe", "lean_over": "round table",
     "stir": "pot", "cut": "crate", "wash": "plate", "knead": "round table", "iron": "round table",
     "hammer": "crate", "saw": "crate", "fix": "radio", "knock_over": "vase", "slam": "round table", "fold": "letter",
-    "tie": "rope", "lock": "wardrobe",
+    "tie": "rope", "lock": "wardrobe", "grip_rail": "ladder", "cross_out": "round table",
 }  # fmt: skip
 """What a motion is done to in its picture."""
 _HELD: dict[str, str] = {
     "put_down": "suitcase", "give": "book", "drop": "cup", "hold": "cup", "drink": "cup", "throw": "ball",
     "eat": "apple", "smoke": "cigarette", "pour": "bottle", "phone": "telephone", "read": "book", "write": "pen",
-    "aim": "gun", "shoot": "gun", "dress": "hat",
+    "aim": "gun", "lower_weapon": "gun", "lean_on_stick": "cane", "shoulder": "ladder", "play_guitar": "guitar",
+    "strike_match": "matchbox", "bid": "book", "shoot": "gun", "dress": "hat",
 }  # fmt: skip
 """What is in hand for it."""
 _FROM: dict[str, Posture] = {"rise": "kneel", "sleep": "lie", "wake": "lie", "get_up": "lie"}

@@ -236,7 +236,7 @@ def test_every_clip_plays_on_everybody_without_leaving_the_floor(bodies: dict[st
     if clip == "lie_down":
         target = None
     fields: dict[str, object] = {"target_id": target}
-    if clip in ("walk", "run", "sneak", "stagger", "crawl"):
+    if clip in ("walk", "run", "hurry", "sneak", "stagger", "crawl"):
         fields["mark"] = mark_at("man", -1.0, -2.0, 20)
     if MOTIONS[clip].hands == 1:
         fields["prop_id"] = "cup"

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, Final, TypeAlias
 
 from storyblender.agents.layout_artist.camera_operator import FIX_WORDS, OPERATION_WORDS
-from storyblender.catalog.motions import MOTIONS
+from storyblender.catalog.motions import MOTIONS, motion_words
 from storyblender.catalog.registry import Entry
 from storyblender.catalog.sets import SETS
 from storyblender.geometry.framing import ELEVATION
@@ -60,7 +60,7 @@ def vocabulary() -> dict[str, Any]:
         "camera": camera,
         "camera_operations": OPERATION_WORDS,
         "critic_fixes": FIX_WORDS,
-        "motions": dict(_entries(MOTIONS.values())),
+        "motions": {key: motion_words(key) for key in MOTIONS},
         "sets": {kit.key: kit.description or kit.name for kit in SETS.values()},
     }
 

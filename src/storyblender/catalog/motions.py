@@ -35,6 +35,8 @@ MOTIONS: Catalog[Motion] = Catalog(
         Motion("walk", "walk", ("go", "enter", "leave", "cross"), 0.9, ("walk",), 1.25, True, UPRIGHT, "stand",
             "place"),
         Motion("run", "run", ("rush", "flee", "chase"), 0.6, ("run",), 3.1, True, UPRIGHT, "stand", "place"),
+        Motion("hurry", "hurry", ("storm out", "stride off", "walk fast"), 0.7, ("hurry",), 1.9, True, UPRIGHT, "stand",
+            "place"),
         Motion("sneak", "sneak", ("tiptoe", "creep"), 0.8, ("sneak",), 0.7, True, UPRIGHT, "stand", "place"),
         Motion("stagger", "stagger", ("limp", "stumble"), 0.8, ("stagger",), 0.75, True, UPRIGHT, "stand", "place"),
         Motion("crawl", "crawl", ("on all fours",), 2.2, ("crawl",), 0.55, True, UPRIGHT, "stand", "place"),
@@ -107,6 +109,8 @@ MOTIONS: Catalog[Motion] = Catalog(
         Motion("phone", "telephone", ("call",), 2.5, ("phone",), stretches=True, hands=1, lasts=True),
         Motion("read", "read", ("leaf",), 3.0, ("read",), stretches=True, hands=2, lasts=True),
         Motion("write", "write", ("sign", "draw"), 3.0, ("write",), stretches=True, hands=2, lasts=True),
+        Motion("cross_out", "cross out a line of a text", ("strike out words", "tick off a list"), 2.0, ("cross_out",),
+            stretches=True, hands=2, lasts=True),
         Motion("aim", "aim a gun", ("point a gun",), 1.2, ("aim",), before=AWAKE, hands=2, telling=0.8, lasts=True),
         Motion("shoot", "shoot", ("fire",), 1.7, ("shoot",), before=AWAKE, hands=2, telling=0.55),
         # two people
@@ -133,7 +137,10 @@ MOTIONS: Catalog[Motion] = Catalog(
         Motion("push", "push", ("shove",), 2.9, ("push",), None, True, UPRIGHT, None, "thing", 0.5, 2, telling=0.6),
         Motion("pull", "pull", ("drag",), 2.9, ("pull",), None, True, UPRIGHT, None, "thing", 0.5, 2, telling=0.6),
         Motion("type", "type", ("keyboard",), 3.0, ("type",), stretches=True, hands=2, lasts=True),
-        Motion("play_piano", "play", ("piano", "music"), 4.0, ("play_music",), stretches=True, hands=2, lasts=True),
+        Motion("play_guitar", "play the guitar", ("strum", "banjo", "lute, ukulele"), 4.0, ("play_guitar",),
+            stretches=True, hands=2, lasts=True),
+        Motion("play_piano", "play the piano", ("keyboard, organ", "any other instrument", "music"), 4.0,
+            ("play_music",), stretches=True, hands=2, lasts=True),
         Motion("wipe", "wipe", ("clean", "stir", "cook"), 3.0, ("clean",), stretches=True, reach="thing",
             distance=0.5, hands=1, lasts=True),
         Motion("work", "work", ("hammer", "dig", "cut"), 3.2, ("work",), stretches=True, reach="thing", distance=0.5,
@@ -146,6 +153,36 @@ MOTIONS: Catalog[Motion] = Catalog(
     ),
 )  # fmt: skip
 """Every motion, in the order of the printed catalogue."""
+
+FIELDS: dict[str, str] = {
+    "give": "target: the person who gets it; prop: the thing",
+    "take": "target: the person it is taken from, or what it lies on; prop: the thing",
+    "catch": "target: the person who throws it; prop: the thing",
+    "throw": "target: the person or thing it is thrown at; prop: the thing",
+    "offer": "target: the person; prop: the thing held out, which is not yet taken",
+    "show": "target: the person; prop: the thing held up",
+    "drive": "target: the vehicle; no prop; a person who is driven has no action",
+    "ride": "target: the animal or the bicycle; no prop",
+    "pick_up": "prop: the thing; target: what it lies on",
+    "put_down": "prop: the thing; target: what it is put on or in",
+    "pull": "target: the person or thing that is pulled",
+    "push": "target: the person or thing that is pushed",
+    "aim": "target: the person or thing aimed at; prop: the weapon",
+    "shoot": "target: the person or thing shot at; prop: the weapon",
+    "write": "target: the paper or what it lies on; prop: the pen",
+    "cross_out": "target: the paper or what it lies on; prop: the pen",
+    "pour": "prop: the bottle; target: the glass",
+    "strike_match": "prop: the matches or the lighter; target: what is lit",
+    "feed": "target: the person; prop: the spoon or the food",
+    "lean_on_stick": "prop: the stick",
+    "lower_weapon": "prop: the weapon",
+    "bid": "prop: the paddle or card",
+    "shoulder": "prop: the long thing",
+    "grip_rail": "target: the ladder, rail or gate",
+    "adjust_mirror": "target: the mirror",
+    "peer_through": "target: what is looked at or through",
+}
+"""What ``target`` and ``prop`` of an action are, by motion, for those who write actions."""
 
 STANDING: frozenset[str] = frozenset({"idle", "stand"})
 """Motions that show no action; on ``stand`` who sits or lies gets up first."""
@@ -160,6 +197,13 @@ _CALLED: dict[str, str] = {
     for word in (*motion.tags, motion.name, motion.key)
 } | {word.replace("_", " "): key for word, key in MOTION_KEYS.items()}
 """Name or synonym -> key of the motion; the first motion with a name wins."""
+
+
+def motion_words(key: str, tags: int = 3) -> str:
+    """Return what a motion is in a line: its name, ``tags`` other words, and what target and prop are."""
+    motion = MOTIONS[key]
+    named = ", ".join(dict.fromkeys((motion.name, *motion.tags[:tags])))
+    return f"{named} ({FIELDS[key]})" if key in FIELDS else named
 
 
 def motion_called(words: str) -> str | None:

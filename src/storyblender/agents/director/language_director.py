@@ -35,7 +35,7 @@ from storyblender.agents.director.reading_file import reading_with_fixtures, unk
 from storyblender.agents.director.second_opinion import differences
 from storyblender.agents.nearest import nearest_entries
 from storyblender.catalog.fixtures import named_pieces
-from storyblender.catalog.motions import MOTIONS
+from storyblender.catalog.motions import MOTIONS, motion_words
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.memory.scene_context import Environment
 from storyblender.memory.vocabulary import SceneType
@@ -51,10 +51,8 @@ _KITS = 6
 """Set kits nearest to the heading, and to the action, that a request describes; of the others it has the keys."""
 _COMING = 6
 """Units of the next scene that a request shows, so that nothing is staged that they contradict."""
-_SHOWN_MOTIONS = {
-    key: ", ".join(dict.fromkeys((motion.name, *motion.tags[:3]))) for key, motion in sorted(MOTIONS.items())
-}
-"""Motions by key, with what they are."""
+_SHOWN_MOTIONS = {key: motion_words(key) for key in sorted(MOTIONS)}
+"""Motions by key, with what they are and what target and prop mean."""
 _FIXTURES = ("door", "window")
 """Parts of any set that may be named without being listed."""
 

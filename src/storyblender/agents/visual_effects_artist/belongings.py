@@ -6,6 +6,9 @@ from collections.abc import Callable, Sequence
 
 from storyblender.memory.shot_context import CharacterAction, ShotContext
 
+PLAYED = frozenset({"play_piano", "play_guitar", "violin", "flute", "trumpet"})
+"""Motions with an instrument, which may be carried."""
+
 
 def find_props_brought_along(shots: Sequence[ShotContext]) -> list[str]:
     """Return the asset ids of props taken out of clothes, or in a hand before anyone handled or looked at them.
@@ -38,7 +41,7 @@ def find_instrument_players(
     handled: set[str] = set()
     for action in (each for shot in shots for each in shot.character_actions):
         prop = prop_of(action)
-        if prop is not None and prop not in handled and action.motion == "play_piano":
+        if prop is not None and prop not in handled and action.motion in PLAYED:
             players[action.asset_id] = prop
         handled |= {prop} if prop is not None else set()
     return players

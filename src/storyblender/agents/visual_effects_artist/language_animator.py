@@ -13,7 +13,7 @@ from storyblender.agents.visual_effects_artist.animator import AnimatorDraft, An
 from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.agents.visual_effects_artist.rehearsal import FloorMark, ShotDirections, ShotStaging
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN
-from storyblender.catalog.motions import MOTIONS
+from storyblender.catalog.motions import MOTIONS, motion_words
 from storyblender.catalog.set_plan import Piece
 from storyblender.memory.base import Coordinate, Identifier, scene_name
 from storyblender.memory.shot_context import BodyState, CharacterAction, ShotContext
@@ -92,7 +92,7 @@ def language_animator(answerer: Answerer, embedder: Callable[[], Embedder]) -> P
         texts = [action.action_description for shot in view.shots for action in shot.character_actions]
         near = nearest_entries(MOTIONS.values(), texts, embedder(), _MOTIONS)
         keys = {*used, *SPOKEN, *(motion.key for motion in near)}
-        return {key: motion.name for key, motion in MOTIONS.items() if key in keys}
+        return {key: motion_words(key, tags=0) for key in MOTIONS if key in keys}
 
     return LanguagePolicy(
         Asker(answerer, "animator", StagingNotes),

@@ -59,6 +59,7 @@ class TravelStyle:
 
 
 WALK = TravelStyle(1.25, 0.54)
+HURRY = TravelStyle(1.9, 0.43, 0.57, toe_off=-52, strike=24, stoop=7)
 RUN = TravelStyle(3.1, 0.345, 0.36, True, -62, 6, 0.62, 0.055, 1.6, 2.2)
 SNEAK = TravelStyle(0.7, 0.70, 0.62, toe_off=-30, strike=2, stoop=20)
 STAGGER = TravelStyle(0.75, 0.62, 0.60, toe_off=-30, strike=8, width=1.5, stoop=12)

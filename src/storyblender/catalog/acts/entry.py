@@ -10,7 +10,7 @@ from storyblender.memory.vocabulary import Posture
 
 Triple = tuple[float, float, float]
 Frame = Literal[
-    "chest", "upright", "head", "work", "ground", "their_head", "their_chest", "their_shoulder", "their_hand"
+    "chest", "upright", "head", "work", "ground", "planted", "their_head", "their_chest", "their_shoulder", "their_hand"
 ]  # fmt: skip
 Gaze = Literal["target", "ahead", "down", "up", "left", "right", "back", "away", "hands", "around"]
 HOME_SECONDS = 0.6
@@ -24,7 +24,8 @@ class HandPose:
     Attributes:
         at: Palm centre. In arm lengths from the shoulder for ``chest`` and ``upright``; in metres at a stature of
             1.7 m from between the eyes for ``head``, from the work piece for ``work``, from between the feet for
-            ``ground``, from a part of the other person for ``their_...``; the last three in the actor's own axes.
+            ``ground``, from the grip of the held tool where it stands between the feet for ``planted``, from a part
+            of the other person for ``their_...``; the last four in the actor's own axes.
         fingers: Direction of the fingers.
         palm: Direction that the palm faces.
         elbow: Direction of the elbow.

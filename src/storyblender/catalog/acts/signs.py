@@ -105,7 +105,7 @@ SIGNS: tuple[Act, ...] = (
             face="smile",
             gaze="target"),
     )),
-    Act("raise_hand", "raise a hand", ("ask to speak", "swear", "volunteer"), (Key(0.6, 1.4, lead=at.AIR_OPEN),)),
+    Act("raise_hand", "raise a hand", ("ask to speak", "swear", "volunteer"), (Key(0.6, 1.4, lead=at.HAND_UP),)),
     Act("raise_fist", "raise a fist", ("shake a fist", "threaten"), (
         Key(0.4, 0.4, lead=replace(at.AIR_FIST, at=(0.12, 0.35, 0.45)), spine=(4, 0, 8), face="rage", gaze="target"),
         Key(0.2, 0.1, lead=replace(at.AIR_FIST, at=(0.12, 0.5, 0.38))),

@@ -35,6 +35,8 @@ WITHIN, BEFORE_SITTER = 0.62, 0.20
 """Metres at a stature of 1.7 m: the reach of a seated person, and how far in front of them they work on a table."""
 OVER_WORK = 0.12
 """Metres between working hands and the surface, at a stature of 1.7 m."""
+PLANTED = 0.85
+"""Metres above the floor of a hand that leans on something unseen, at a stature of 1.7 m."""
 STEP_LIFT = 0.03
 """Metres that a foot is lifted in a step, at a stature of 1.7 m."""
 
@@ -257,6 +259,9 @@ class _Playing:
                 return self.spot, who.facing, k
             case "ground":
                 return who.place, who.facing, k
+            case "planted":
+                held = self.stage.props.get(who.held.get(side, ""))
+                return who.place + UP * (PLANTED * k if held is None else held.grip(side).palm.z), who.facing, k
             case _:
                 return self._of_partner(side, pose.frame), who.facing, k
 

@@ -10,6 +10,7 @@ from mathutils import Vector
 from storyblender.blender.motion.channel import Floats, clamp, smooth
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.footsteps import (
+    HURRY,
     RUN,
     SNEAK,
     STAGGER,
@@ -179,6 +180,13 @@ def run(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     goal, yaw = find_goal(stage, who, cue)
     far = math.dist(who.position, goal) > 2.2 * who.scale
     return travel(stage, who, cue, goal, yaw, style=RUN if far else WALK.slowed(1.8, 1.0))
+
+
+@clip("hurry", "body")
+def hurry(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
+    """Walk fast to the mark, with long steps. Return the end in seconds."""
+    goal, yaw = find_goal(stage, who, cue)
+    return travel(stage, who, cue, goal, yaw, style=HURRY)
 
 
 @clip("sneak", "body")

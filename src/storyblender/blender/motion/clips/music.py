@@ -130,6 +130,12 @@ def type_(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     return _over_keys(stage, who, cue, 4.0, 0.012, 0.006)
 
 
+@clip("play_guitar", "hands", "head")
+def play_guitar(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
+    """Strum the instrument in hand, at hand or on the back; without one, the air. Return the end in seconds."""
+    return play_piano(stage, who, cue)
+
+
 @clip("play_piano", "hands", "head")
 def play_piano(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Play a keyboard, or the strings of a carried instrument, the trunk swaying. Return the end in seconds."""

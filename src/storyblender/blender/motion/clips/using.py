@@ -178,6 +178,28 @@ def _upright_sheet(prop: StagedProp) -> Matrix:
 @clip("write", "hands", "head")
 def write(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     """Write on the table in front, or on what the other hand holds. Return the end in seconds."""
+    return _move_pen(stage, who, cue, length=0.05, lines=0.35, wobble=0.006)
+
+
+@clip("cross_out", "hands", "head")
+def cross_out(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
+    """Draw straight lines through words, as on a paper that one writes on. Return the end in seconds."""
+    return _move_pen(stage, who, cue, length=0.16, lines=0.9, wobble=0.0)
+
+
+def _move_pen(
+    stage: MotionStage, who: Performer, cue: StagedCue, *, length: float, lines: float, wobble: float
+) -> float:
+    """Move the writing hand over a paper; return the end in seconds.
+
+    Args:
+        stage: The stage of the shot.
+        who: The person.
+        cue: Gives start, duration and hand.
+        length: Metres of a line.
+        lines: Lines a second.
+        wobble: Height in metres of the strokes of letters.
+    """
     t, end, k, side = cue.start, cue.start + (cue.duration or 3.0), who.scale, cue.side
     height = table_height(stage, who)
     ahead = (0.36 if who.posture == "sit" else 0.34) * k
@@ -191,9 +213,8 @@ def write(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 
     def pen(now: float) -> Floats:
         u = now - t
-        across = 0.05 * ((u * 0.35) % 1.0 - 0.5) * sign(other(side))
-        wobble = 0.006 * math.sin(17 * u)
-        spot = place(now, -sign(side) * -0.05 + across) + Vector((0, 0, wobble))
+        across = length * ((u * lines) % 1.0 - 0.5) * sign(other(side))
+        spot = place(now, -sign(side) * -0.05 + across) + Vector((0, 0, wobble * math.sin(17 * u)))
         fingers = who.facing @ Vector((-sign(side) * 0.55, -0.75, -0.25))
         return hand(spot, fingers, who.facing @ Vector((-sign(side) * 0.6, 0, -0.8)), _elbow(who, side), (50, 60, 15))
 
