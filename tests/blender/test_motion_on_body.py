@@ -75,3 +75,13 @@ def test_what_is_on_the_lap_is_on_the_thighs_of_who_sits(bodies: dict[str, Rigge
     shot = perform(bodies, (mark,), (), 1, furniture={"chair": chair_at(0, 0)}, props={"it": _worn("lap", "man")})
     x, y, z = shot.props["it"][0][:3, 3]
     assert abs(x) < 0.1 and -0.75 < y < -0.15 and 0.5 < z < 0.75
+
+
+def test_what_hangs_on_the_belt_touches_the_hip(bodies: dict[str, RiggedBody]) -> None:
+    size = (0.04, 0.14, 0.32)
+    hammer = StageProp(world_at(0, 0, -5), size, state=PropState(asset_id="it", held_by="man", place="hip"))
+    shot = perform(bodies, (mark_at("man", 0, 0),), (), 1, props={"it": hammer})
+    skin = Playback(bodies["man"], shot, "man").skin(0)
+    local = np.c_[skin, np.ones(len(skin))] @ np.linalg.inv(shot.props["it"][0]).T
+    outside = np.abs(local[:, :3] - (0, 0, size[2] / 2)) - np.array(size) / 2
+    assert np.linalg.norm(np.maximum(outside, 0), axis=1).min() < 0.03

@@ -21,11 +21,13 @@ from storyblender.catalog.hollows import OPEN_ABOVE
 from storyblender.catalog.motions import MOTIONS, Motion, natural_seconds
 from storyblender.geometry.boxes import shortest_turn
 from storyblender.memory.base import Vec3
-from storyblender.memory.shot_context import CharacterAction, Mark
+from storyblender.memory.shot_context import CharacterAction, Mark, PropState
 from storyblender.memory.vocabulary import Hand
 
 TAKING_MOTIONS = frozenset({"pick_up", "take", "hold", "catch"})
 """Motions after which a person has the prop in hand."""
+WRITING = frozenset({"write", "draw", "cross_out"})
+"""Motions with a tool on a page."""
 FETCH_DISTANCE = 5.0
 """Metres from which a person walks to a prop to take it."""
 USE_DISTANCE = 3.0
@@ -261,11 +263,14 @@ class Handling:
     ) -> None:
         """Write the cue of a motion with a held prop, from second ``now`` of an action begun at second ``start``."""
         target = action.target_id if action.target_id != prop else None
+        if target is not None and motion.key in WRITING:
+            now = self._come_to_page(person, target, now)
         hand = person.hand_of(prop)
         mark = None
         if motion.key in ("put_down", "drop", "throw"):
             now, mark, hand = self._prepare_release(action, person, prop, now, motion.key)
-        known = target if target in self.stage.people or self.stage.floor.thing(target) else None
+        held = target is not None and self.stage.holder_of(target) is not None
+        known = target if held or target in self.stage.people or self.stage.floor.thing(target) else None
         length = natural_seconds(motion)
         end = self.sheet.add_cue(
             person, motion.key, now, length, target_id=known, prop_id=prop, hand=hand, mark=mark, mood=action.mood
@@ -274,6 +279,19 @@ class Handling:
         size = self.stage.size_of(prop)
         if motion.key == "dress" and size is not None and size[2] < RING_SIZE:
             self.stage.put_on(prop)
+
+    def _come_to_page(self, person: StagedPerson, page: str, now: float) -> float:
+        """Go to the page (asset id) that is written on; before a sitter it lies within reach as the shot begins."""
+        lies = self.stage.prop_places.get(page)
+        if lies is None or person.upright:
+            return self._go_to_prop(person, page, USE_DISTANCE, now)
+        top = self.stage.floor.nearest_top(person.place, SEATED_TOP_DISTANCE, HIGHEST_TOP_SEATED)
+        if top is not None and SEATED_REACH < math.dist(lies[:2], person.place) < USE_DISTANCE:
+            spot = self.spots.find_on(top, person, page)
+            self.stage.lay_down(page, spot)
+            kept = [state for state in self.sheet.start_props if state.asset_id != page]
+            self.sheet.start_props = (*kept, PropState(asset_id=page, location=_prop_mark(person, page, spot).location))
+        return now
 
     def _is_used_in_place(self, prop: str) -> bool:
         """Tell whether a prop is too wide to be opened or typed on in the hand, such as a case or a laptop."""

@@ -18,6 +18,9 @@ LYING = Matrix.Rotation(math.radians(90), 3, "X")
 OVER = Matrix.Rotation(math.radians(-62), 3, "X")
 """Leans a long prop back over the shoulder."""
 
+HIP = math.radians(35)
+"""Angle behind the side of the body at which things hang on the belt."""
+
 
 def attach_to_body(who: Performer, prop: StagedProp, place: BodyPlace, t: float) -> None:
     """Let a prop follow a place on a body; an arm presses it to the side if it would fall.
@@ -86,8 +89,10 @@ def _by_trunk(who: Performer, size: Vector, place: BodyPlace) -> Matrix:
         case "back":
             return _about(shoulders + turn @ Vector((0, m.chest_back + size.y / 2, -tall / 2)), turn, size)
         case "hip":
-            aside = who.point("hips") + turn @ Vector((m.radius + 0.02 + thick / 2, 0.14 * k, 0.1 * k - tall / 2))
-            return _about(aside, turn @ _edgewise(size), size)
+            out = Vector((math.cos(HIP), math.sin(HIP), 0.0))  # behind the arm that hangs there
+            at = Vector((out.x * m.radius, out.y * m.buttocks_back, 0.0)) + out * (thick / 2)
+            aside = who.point("hips") + turn @ (at + Vector((0, 0, 0.1 * k - tall / 2)))
+            return _about(aside, turn @ Matrix.Rotation(HIP, 3, "Z") @ _edgewise(size), size)
         case "under_arm":
             aside = Vector((0.145 * k + thick / 2, -0.02, -0.17 * k))
             return _about(shoulders + turn @ aside, turn @ _edgewise(size, upright=False), size)

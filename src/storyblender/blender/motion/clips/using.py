@@ -1,4 +1,4 @@
-"""Props in use: drinking, eating, smoking, telephoning, reading, writing."""
+"""Props in use: drinking, eating, smoking, telephoning, reading."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.hands import by_head, hand
 from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.skeleton import SIDES, about, other, rigid_matrix, sign
+from storyblender.blender.motion.skeleton import SIDES, about, rigid_matrix, sign
 from storyblender.blender.motion.staged_props import MatrixOf, StagedProp, carrying_hand
 
 
@@ -161,7 +161,7 @@ def read(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
         who.held[cue.side] = prop.asset_id
         prop.holder = who
         flat = prop.size.z < 0.5 * min(prop.size.x, prop.size.y)
-        prop.follow(t + 0.4, lambda now: page(now) if flat else page(now) @ _upright_sheet(prop), 0.5)
+        prop.follow(t + 0.4, lambda now: page(now) if flat else page(now) @ upright_sheet(prop), 0.5)
 
     def text(now: float) -> tuple[float, ...]:
         return tuple(page(now).translation)
@@ -170,66 +170,9 @@ def read(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     return end
 
 
-def _upright_sheet(prop: StagedProp) -> Matrix:
+def upright_sheet(prop: StagedProp) -> Matrix:
     """Return the rotation of a prop modelled standing (front -Y) that faces its front out of the page."""
     return Matrix.Rotation(-math.pi / 2, 4, "X") @ Matrix.Translation((0, 0, -prop.size.z / 2))
-
-
-@clip("write", "hands", "head")
-def write(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Write on the table in front, or on what the other hand holds. Return the end in seconds."""
-    return _move_pen(stage, who, cue, length=0.05, lines=0.35, wobble=0.006)
-
-
-@clip("cross_out", "hands", "head")
-def cross_out(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
-    """Draw straight lines through words, as on a paper that one writes on. Return the end in seconds."""
-    return _move_pen(stage, who, cue, length=0.16, lines=0.9, wobble=0.0)
-
-
-def _move_pen(
-    stage: MotionStage, who: Performer, cue: StagedCue, *, length: float, lines: float, wobble: float
-) -> float:
-    """Move the writing hand over a paper; return the end in seconds.
-
-    Args:
-        stage: The stage of the shot.
-        who: The person.
-        cue: Gives start, duration and hand.
-        length: Metres of a line.
-        lines: Lines a second.
-        wobble: Height in metres of the strokes of letters.
-    """
-    t, end, k, side = cue.start, cue.start + (cue.duration or 3.0), who.scale, cue.side
-    height = table_height(stage, who)
-    ahead = (0.36 if who.posture == "sit" else 0.34) * k
-
-    def place(now: float, aside: float) -> Vector:
-        hips = who.point("hips")
-        turn = who.facing
-        spot = hips + turn @ Vector((aside, -ahead - 0.04, 0))
-        spot.z = height + 0.045 * k
-        return spot
-
-    def pen(now: float) -> Floats:
-        u = now - t
-        across = length * ((u * lines) % 1.0 - 0.5) * sign(other(side))
-        spot = place(now, -sign(side) * -0.05 + across) + Vector((0, 0, wobble * math.sin(17 * u)))
-        fingers = who.facing @ Vector((-sign(side) * 0.55, -0.75, -0.25))
-        return hand(spot, fingers, who.facing @ Vector((-sign(side) * 0.6, 0, -0.8)), _elbow(who, side), (50, 60, 15))
-
-    def flat(now: float) -> Floats:
-        fingers = who.facing @ Vector((-sign(other(side)) * 0.6, -0.8, 0))
-        aside = sign(other(side)) * 0.12
-        return hand(place(now, aside), fingers, Vector((0, 0, -1)), _elbow(who, other(side)), (10, 12, 0))
-
-    who.lean_after.set(t, 0, 0.0)
-    who.hands[side].set(t, 0.7, pen)
-    if other(side) not in who.held:
-        who.hands[other(side)].set(t, 0.7, flat)
-    who.accent.set(t, 0.6, (10, 0, 0))
-    look_at(who, t, lambda now: tuple(place(now, 0)))
-    return _stop(stage, who, end, cue)
 
 
 def table_height(stage: MotionStage, who: Performer) -> float:
@@ -249,12 +192,7 @@ def table_height(stage: MotionStage, who: Performer) -> float:
     return 0.5 * who.scale if who.posture == "sit" else 0.62 * who.measures.shoulder_height
 
 
-def _elbow(who: Performer, side: str) -> Vector:
-    """Return the elbow direction of a hand on a table."""
-    return who.facing @ Vector((sign(side) * 0.8, 0.4, -0.6))
-
-
-def _stop(stage: MotionStage, who: Performer, end: float, cue: StagedCue) -> float:
+def return_hands(stage: MotionStage, who: Performer, end: float) -> float:
     """Return the hands to rest at ``end``, if the shot goes on after it; return ``end``."""
     if end < stage.seconds - 0.3:
         for side in SIDES:
