@@ -22,6 +22,13 @@ from storyblender.agents.concept_artist.asset_retriever_view import (
     asset_retriever_view,
 )
 from storyblender.agents.concept_artist.generator import RulesAssetGenerator
+from storyblender.agents.concept_artist.image_prompt import (
+    ImagePromptCritic,
+    ImagePrompts,
+    ImagePromptView,
+    RulesImagePrompts,
+    image_prompt_view,
+)
 from storyblender.agents.concept_artist.retriever import RulesAssetRetriever
 from storyblender.agents.director.director import (
     DirectorCritic,
@@ -95,6 +102,8 @@ class Crew:
         Recipe,
     ]
     """Finds an asset; where nothing fits, the Asset Generator takes over."""
+    asset_generator: Role[[ContinuityMemoryGraph, Sequence[Asset]], ImagePromptView, ImagePrompts]
+    """Writes what an image service needs to make a thing that no source has."""
     asset_formatter: Role[[Asset, Callable[[Asset], AssetViews]], AssetFormatterView, ModelPose]
     """Finds the front and the top of a model file."""
     dimension_estimator: Role[
@@ -144,6 +153,7 @@ def rules_crew(settings: Settings, embedder: Callable[[], Embedder], sources: Se
             "asset_retriever", asset_retriever_view, retrievers, AssetRetrieverCritic(), Recipe,
             RETRIEVAL_THRESHOLD, horizon=1,
         ),
+        role("asset_generator", image_prompt_view, [RulesImagePrompts()], ImagePromptCritic(), dict[str, str]),
         role("asset_formatter", asset_formatter_view, [RulesAssetFormatter()], AssetFormatterCritic(), ModelPose),
         role(
             "dimension_estimator", dimension_estimator_view, [RulesDimensionEstimator()], DimensionEstimatorCritic(),

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from typing import Final, Literal, get_args
 
 RoleName = Literal[
-    "director", "shot_director", "asset_retriever", "asset_critic", "asset_formatter", "dimension_estimator",
-    "environment_designer", "set_dresser", "spatial_planner", "layout_critic", "animator", "lighting_arranger",
-    "light_critic", "camera_operator", "camera_critic", "instructor",
+    "director", "shot_director", "asset_retriever", "asset_critic", "asset_generator", "asset_formatter",
+    "dimension_estimator", "environment_designer", "set_dresser", "spatial_planner", "layout_critic", "animator",
+    "lighting_arranger", "light_critic", "camera_operator", "camera_critic", "instructor",
 ]  # fmt: skip
 """The members of the crew, vision critics included."""
 

@@ -14,6 +14,7 @@ from storyblender.agents.asking import read_answer_as
 from storyblender.agents.concept_artist.asset_critic import AssetCriticNotes, with_asset_critic
 from storyblender.agents.concept_artist.language_asset_formatter import PoseNotes, language_asset_formatter
 from storyblender.agents.concept_artist.language_asset_retriever import ChoiceNotes, language_asset_retriever
+from storyblender.agents.concept_artist.language_image_prompt import ImagePromptNotes, language_image_prompts
 from storyblender.agents.director.annotation import SceneNotes
 from storyblender.agents.director.director import RulesDirector, RulesShotDirector
 from storyblender.agents.director.language_director import LanguageDirector
@@ -51,6 +52,7 @@ from storyblender.reflection import Policy
 ANSWERS: Final[Mapping[str, type[BaseModel]]] = {
     "asset_critic": AssetCriticNotes,
     "asset_formatter": PoseNotes,
+    "asset_generator": ImagePromptNotes,
     "asset_retriever": ChoiceNotes,
     "camera_critic": CameraCriticNotes,
     "camera_operator": CameraNotes,
@@ -69,6 +71,7 @@ ANSWERS: Final[Mapping[str, type[BaseModel]]] = {
 """What each role answers with."""
 _Maker = Callable[[Answerer, Callable[[], Embedder]], Policy[Any, Any]]
 _POLICIES: Final[Mapping[RoleName, _Maker]] = {
+    "asset_generator": language_image_prompts,
     "asset_formatter": language_asset_formatter,
     "dimension_estimator": language_dimension_estimator,
     "director": lambda answerer, embedder: LanguageDirector(answerer, RulesDirector(embedder), embedder),

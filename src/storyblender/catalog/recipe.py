@@ -133,4 +133,5 @@ def made_from(asset: Asset, decision: AssetDecision) -> Asset:
     recipe = Recipe(source="catalog", key=decision.prop, params=decision.params, score=EXACT)
     width = AssetDimension(width=recipe.dimensions[0])
     made = {"decision": decision, "kind": decision.prop, "canonical": recipe.canonical(), "dimension": width}
+    made["image_prompt"] = ""
     return asset.model_copy(update=made)

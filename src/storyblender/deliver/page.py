@@ -12,6 +12,7 @@ from pathlib import Path
 from string import Template
 from types import MappingProxyType
 
+from storyblender.deliver.asset_list import ASSETS_FILE
 from storyblender.deliver.checklist import Check
 from storyblender.deliver.contact_sheet import sheets_in
 from storyblender.deliver.credits import CREDITS_FILE
@@ -25,6 +26,7 @@ FILES = (
     ("board.pdf", "Board (PDF)"),
     ("board_single.pdf", "One shot a page (PDF)"),
     ("shots.csv", "Shot list"),
+    (ASSETS_FILE, "Asset list"),
     ("timeline.otio", "Timeline"),
     ("animatic.mp4", "Animatic"),
     (CREDITS_FILE, "Credits"),
@@ -77,7 +79,7 @@ def write_page(
             video=_video(folder, shots, frames),
             contents=_contents(headings),
             scenes="\n".join(scenes),
-            checks=_checks(checks),
+            checks=_checks(checks) + _stand_ins(graph),
         ),
         encoding="utf-8",
     )
@@ -163,3 +165,15 @@ def _checks(checks: Sequence[Check]) -> str:
         items = "".join(f"<li>{escape(check.says)} <code>{escape(check.mend)}</code></li>" for check in group)
         shots.append(f'<dt id="check-{shot}"><a href="#{shot}">{shot}</a></dt><dd><ul>{items}</ul></dd>')
     return f'<h2 id="check">Please check</h2><dl class="checks">{"".join(shots)}</dl>'
+
+
+def _stand_ins(graph: ContinuityMemoryGraph) -> str:
+    """Return the things that something else stands in for as HTML, each with the prompt that makes it elsewhere."""
+    shown = [asset for asset in graph.assets if asset.image_prompt]
+    if not shown:
+        return ""
+    told = "Paste a prompt into a service that makes pictures or 3D models, and put the model in your folder of models."
+    items = "".join(
+        f"<dt>{escape(asset.name or asset.asset_id)}</dt><dd>{escape(asset.image_prompt)}</dd>" for asset in shown
+    )
+    return f'<h2 id="stand-ins">Stand-ins</h2><p class="dim">{told}</p><dl class="checks">{items}</dl>'

@@ -62,7 +62,7 @@ def write_shot_list(graph: ContinuityMemoryGraph, part: Path, start: str = "00:0
                 "script_end": max((span.end for span in spans), default=""),
                 "status": panel.status.lower(),
             }
-            writer.writerow({key: _inert(value) for key, value in row.items()})
+            writer.writerow({key: inert(value) for key, value in row.items()})
 
 
 def _description(panel: Panel, names: Mapping[str, str], place: str) -> str:
@@ -73,6 +73,6 @@ def _description(panel: Panel, names: Mapping[str, str], place: str) -> str:
     return camera_sentence(became, names, capwords(place))
 
 
-def _inert(value: object) -> object:
+def inert(value: object) -> object:
     """Quote text that a spreadsheet would run as a formula, also after blanks and in full-width characters."""
     return f"'{value}" if isinstance(value, str) and value.lstrip()[:1] in _FORMULA else value

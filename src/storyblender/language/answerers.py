@@ -22,7 +22,9 @@ if TYPE_CHECKING:
 
 ANSWERS = "answers"
 """Folder in the project where the answers of models are kept; it can be replayed."""
-_ADDED: Final[frozenset[RoleName]] = frozenset({"asset_critic", "layout_critic", "light_critic", "camera_critic"})
+_ADDED: Final[frozenset[RoleName]] = frozenset({
+    "asset_generator", "asset_critic", "layout_critic", "light_critic", "camera_critic",
+})  # fmt: skip
 """Roles that a recording may have been made without: nothing is drawn for them in vain."""
 
 

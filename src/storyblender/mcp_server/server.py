@@ -166,7 +166,7 @@ def _add_looking(server: FastMCP[None], place: Workplace) -> None:
         """Say everything about a shot: lines, camera, people on stage, what a person decided, what is wrong."""
         with _sentences():
             panel = place.panel(shot)
-            return details_of(panel, place.session.graph.scene(panel.shot.scene_id))
+            return details_of(panel, place.session.graph)
 
     @_tool(server, READS)
     def takes(shot: Shot) -> Takes:

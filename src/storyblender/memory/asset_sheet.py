@@ -16,6 +16,7 @@ _Length = Annotated[float, Field(ge=0, le=1e5)]
 NOTE_LENGTH = 500
 Note = Annotated[str, StringConstraints(max_length=NOTE_LENGTH)]
 """A line of text from outside."""
+PROMPT_LENGTH = 2000
 
 
 class Garment(Frozen):
@@ -204,6 +205,10 @@ class Asset(Frozen):
     canonical: CanonicalAsset | None = None
     decision: AssetDecision | None = Field(default=None, exclude_if=is_none)
     """What a person had it made from, whatever the script calls it."""
+    image_prompt: Annotated[str, StringConstraints(max_length=PROMPT_LENGTH)] = Field(
+        default="", exclude_if=lambda value: not value
+    )
+    """Text-to-image prompt of a thing that no source has, for services that make a picture and a model of it."""
     locked: bool = Field(default=False, exclude_if=lambda value: not value)
     """Whether a person locked its look, its size and its model."""
     _former = dropping("text_to_image_prompt")

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from storyblender.deliver import slate
 from storyblender.deliver.animatic import film_segments, write_animatic, write_subtitles
+from storyblender.deliver.asset_list import ASSETS_FILE, write_asset_list
 from storyblender.deliver.board import write_board
 from storyblender.deliver.checklist import Check, checklist
 from storyblender.deliver.contact_sheet import sheet_name, sheet_pages, shown_by, write_contact_sheet
@@ -70,6 +71,8 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
     run.progress("deliver", 2, steps, "shots.csv")
     with run.delivering("shots.csv") as part:
         write_shot_list(graph, part, run.settings.start_timecode)
+    with run.delivering(ASSETS_FILE) as part:
+        write_asset_list(graph, part)
     if credited_works(graph):
         with run.delivering(CREDITS_FILE) as part:
             write_credits(graph, part)
@@ -104,7 +107,7 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
     run.progress("deliver", steps, steps)
     names = [
         "index.html", "story.blend", "story/", "frames/", "board.pdf", "board_single.pdf", *sheets,
-        "animatic.mp4", "animatic.srt", "clips/", "shots.csv", CREDITS_FILE, "timeline.otio", "graph.json",
+        "animatic.mp4", "animatic.srt", "clips/", "shots.csv", ASSETS_FILE, CREDITS_FILE, "timeline.otio", "graph.json",
     ]  # fmt: skip
     return [name for name in names if (folder / name).exists()]
 

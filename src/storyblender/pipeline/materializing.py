@@ -41,7 +41,21 @@ def materialize(run: Run, assets: Sequence[Asset] | None = None) -> None:
         built.append(_built(run, concept, asset, future))
         note_asset(run, built[-1])
     run.progress("materialize", len(waiting), len(waiting))
-    run.commit("asset_formatter", f"{len(built)} assets built", *built)
+    run.commit("asset_formatter", f"{len(built)} assets built", *_with_prompts(run, built))
+
+
+def _with_prompts(run: Run, assets: Sequence[Asset]) -> list[Asset]:
+    """Return the assets, those that something stands in for with a text-to-image prompt, the others with none."""
+    wanted = [asset for asset in assets if _is_stood_in_for(asset)]
+    prompts = run.reflect(run.crew.asset_generator, "assets", run.graph, wanted).draft if wanted else {}
+    return [asset.model_copy(update={"image_prompt": prompts.get(asset.asset_id, "")}) for asset in assets]
+
+
+def _is_stood_in_for(asset: Asset) -> bool:
+    """Return whether no source has what the script means."""
+    made = asset.canonical
+    fits = made is None or made.match_score is None or made.match_score >= RETRIEVAL_THRESHOLD
+    return not fits and asset.asset_type == "object" and asset.origin != "dressing"
 
 
 def _built(run: Run, concept: ConceptArtist, asset: Asset, future: Future[AssetMeasure]) -> Asset:

@@ -268,17 +268,20 @@ def _with_assets(old: ContinuityMemoryGraph, plan: ContinuityMemoryGraph) -> Con
         if past is not None and _told(past) == _told(asset):
             kept.append(past)
         elif past is not None and past.locked:
-            same = {name: getattr(past, name) for name in ("look", "dimension", "canonical", "locked", "decision")}
+            same = {name: getattr(past, name) for name in ("look", *_MADE)}
             kept.append(asset.model_copy(update=same))
         elif past is not None and past.decision is not None:
             kept.append(made_from(asset, past.decision))
     return replace(plan, *kept)
 
 
+_MADE = ("dimension", "canonical", "locked", "decision", "image_prompt")
+"""Fields of an asset that neither the script nor the Director decides."""
+
+
 def _told(asset: Asset) -> Asset:
-    return asset.model_copy(
-        update={"canonical": None, "dimension": None, "locked": False, "kind": None, "decision": None}
-    )
+    usual = {name: Asset.model_fields[name].default for name in (*_MADE, "kind")}
+    return asset.model_copy(update=usual)
 
 
 def _same_scene(old: ContinuityMemoryGraph, scene: SceneOutline, matched: dict[ShotKey, ShotKey]) -> int | None:

@@ -11,7 +11,6 @@ from storyblender.geometry.orbit import Orbit
 from storyblender.memory.base import Described
 from storyblender.memory.camera_decision import CameraInstruction
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.reviewing import FrameReview
 from storyblender.trace import Event
@@ -85,6 +84,8 @@ class ShotDetails(ShotSummary):
     """Whether a person approved it; nothing of it may change then."""
     notes: tuple[NoteOn, ...]
     """What people wrote about it."""
+    stand_ins: dict[str, str]
+    """Things of its scene that no source has, by id: a prompt for a service that makes a picture or a model of it."""
     problems: tuple[str, ...]
     """What the crew could not make right."""
 
@@ -253,13 +254,14 @@ def described(camera: CameraInstruction) -> str:
     return ", ".join(filter(None, said))
 
 
-def details_of(panel: Panel, scene: SceneContext) -> ShotDetails:
+def details_of(panel: Panel, graph: ContinuityMemoryGraph) -> ShotDetails:
     """Return everything about a shot.
 
     Args:
         panel: The shot.
-        scene: Its scene.
+        graph: The story.
     """
+    scene = graph.scene(panel.shot.scene_id)
     decisions = {part: getattr(scene, f"{part}_decision") for part in ("light", "set", "layout")}
     shot, camera = panel.shot, panel.shot.camera
     first = camera.poses[0] if camera is not None else None
@@ -283,6 +285,9 @@ def details_of(panel: Panel, scene: SceneContext) -> ShotDetails:
         locked=(*shot.locked, *(f"{part} of the scene" for part in scene.locked)),
         approved=shot.approved is not None,
         notes=tuple(NoteOn(**note.model_dump()) for note in shot.notes),
+        stand_ins={
+            asset.asset_id: asset.image_prompt for asset in graph.assets_of(scene.scene_id) if asset.image_prompt
+        },
         problems=tuple(flaw.message for flaw in (*shot.flaws, *(camera.residual if camera is not None else ()))),
     )
 
