@@ -65,7 +65,7 @@ class AnswerAwaited(StoryBlenderError):
     def of(cls, awaited: Sequence[AnswerAwaited]) -> AnswerAwaited:
         """Return several as one; there is at least one."""
         first, names = awaited[0], tuple(name for each in awaited for name in each.names)
-        more = f", and so do {len(names) - 1} more" if len(names) > 1 else ""
+        more = f", and {len(names) - 1} more wait" if len(names) > 1 else ""
         return cls(f"{first.problem}{more}", mend=first.mend, names=names)
 
 

@@ -45,7 +45,7 @@ from storyblender.agents.visual_effects_artist.language_set_dresser import Dress
 from storyblender.agents.visual_effects_artist.light_critic import LightCriticNotes, with_light_critic
 from storyblender.crew import Crew
 from storyblender.crew_setting import RoleName
-from storyblender.language.answer_folder import asked
+from storyblender.language.answer_folder import asked, is_unfinished
 from storyblender.ports import Answerer, AssetSource, Embedder
 from storyblender.reflection import Policy
 
@@ -150,5 +150,7 @@ def check_answers(folder: Path) -> list[CheckedAnswer]:
     for name, answer in asked(folder):
         kind = ANSWERS.get(name.partition("-")[0])
         wrong = read_answer_as(kind, answer)[1] if answer is not None and kind is not None else []
+        if answer is not None and is_unfinished(answer):
+            wrong = ["it ends in the middle; complete it"]
         checked.append(CheckedAnswer(name, answer is not None, wrong[0] if wrong else ""))
     return checked

@@ -27,6 +27,8 @@ _REPAIRS = 2
 _COMPLAINTS = 12
 """Most sentences of feedback in one request."""
 _FENCED = re.compile(r"\A\s*```[a-z]*\s*\n(.*?)\n?\s*```\s*\Z", re.DOTALL)
+_THOUGHT = re.compile(r"\A\s*<think>.*?</think>", re.DOTALL)
+"""What a reasoning model says before its answer, where its server does not take it away."""
 
 
 class Notes(Described):
@@ -118,16 +120,24 @@ def read_answer_as(kind: type[Answer], given: str) -> tuple[Answer | None, list[
 
     Args:
         kind: Type of the answer.
-        given: The answer as JSON; a Markdown fence around it is taken off.
+        given: The answer as JSON; it may be the only Markdown block among words, or follow a model's thoughts.
 
     Returns:
         The value and no sentences, or None and a sentence for each fault.
     """
-    inside = _FENCED.match(given)
     try:
-        return kind.model_validate_json(inside[1] if inside else given), []
+        return kind.model_validate_json(_json_in(given)), []
     except ValidationError as error:
         return None, [f"{_place(each['loc'])}: {each['msg']}" for each in error.errors()]
+
+
+def _json_in(given: str) -> str:
+    """Return the part of an answer that is meant to be JSON."""
+    said = _THOUGHT.sub("", given).strip()
+    if inside := _FENCED.match(said):
+        return inside[1]
+    parts = said.split("```")
+    return parts[1].partition("\n")[2] if len(parts) == 3 and not said.startswith(("{", "[")) else said
 
 
 def _place(location: tuple[int | str, ...]) -> str:

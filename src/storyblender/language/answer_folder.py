@@ -13,6 +13,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from pydantic_core import from_json
+
 from storyblender.errors import AnswerAwaited, InputError
 from storyblender.folder import Folder
 from storyblender.memory.request import Request
@@ -21,6 +23,7 @@ from storyblender.ports import Answerer
 REQUEST, ANSWER = ".request.md", ".answer.json"
 BEFORE = "## Your answer before"
 """Heading in a request that is not the first."""
+_FENCE = re.compile(r"\A\s*```[a-z]*\s*")
 LONGEST = 5_000_000
 """Bytes of an answer; a longer one is refused."""
 
@@ -37,7 +40,7 @@ class AnswerFolder:
         self._files, self._otherwise = files, otherwise
 
     def answer(self, request: Request) -> str:
-        """Return the kept answer of a request, or a new one.
+        """Return the kept answer of a request, or a new one. What a person has not finished writing is no answer.
 
         Raises:
             InputError: A kept answer cannot be read.
@@ -46,7 +49,7 @@ class AnswerFolder:
         """
         name = name_of(request)
         kept = read_answer(self._files, name)
-        if kept is not None:
+        if kept is not None and not (isinstance(self._otherwise, Mailbox) and is_unfinished(kept)):
             return kept
         given = self._otherwise.answer(request)
         write_request(self._files, request)
@@ -65,12 +68,14 @@ class Mailbox:
     folder: Path
 
     def answer(self, request: Request) -> str:
-        """Write the request, and stop. Raises AnswerAwaited."""
-        name = write_request(Folder(self.folder), request)
-        mend = (
-            f"write it to {self.folder / (name + ANSWER)}, see `storyblender answer {self.folder}`, and run this again"
-        )
-        raise AnswerAwaited(f"{self.folder / (name + REQUEST)} waits for its answer", mend=mend, names=(name,))
+        """Write the request, and stop; an answer that is there is not whole yet. Raises AnswerAwaited."""
+        files = Folder(self.folder)
+        name = write_request(files, request)
+        answer, again = self.folder / (name + ANSWER), f"see `storyblender answer {self.folder}`, and run this again"
+        if read_answer(files, name) is not None:
+            raise AnswerAwaited(f"{answer} ends in the middle", mend=f"complete it, {again}", names=(name,))
+        problem = f"{self.folder / (name + REQUEST)} waits for its answer"
+        raise AnswerAwaited(problem, mend=f"write it to {answer}, {again}", names=(name,))
 
 
 def name_of(request: Request) -> str:
@@ -80,7 +85,7 @@ def name_of(request: Request) -> str:
 
 
 def read_answer(files: Folder, name: str) -> str | None:
-    """Return a kept answer as it was given; None if there is none yet.
+    """Return a kept answer as it was given; None if there is none yet, or an empty file.
 
     Args:
         files: The folder.
@@ -93,11 +98,25 @@ def read_answer(files: Folder, name: str) -> str | None:
     try:
         if path.stat().st_size > LONGEST:
             raise InputError("is too long for an answer", mend="give a shorter one", path=path)
-        return path.read_text(encoding="utf-8")
+        answer = path.read_text(encoding="utf-8-sig")
     except FileNotFoundError:
         return None
     except UnicodeDecodeError as error:
         raise InputError("is no text in UTF-8", mend="save it as UTF-8", path=path) from error
+    return answer if answer.strip() else None
+
+
+def is_unfinished(answer: str) -> bool:
+    """Return whether an answer is JSON that ends in the middle: a person still writes it, or it was cut off.
+
+    Args:
+        answer: As it was given; it may stand in a Markdown fence.
+    """
+    try:
+        from_json(_FENCE.sub("", answer).strip().removesuffix("```"))
+    except ValueError as error:
+        return "EOF while parsing" in str(error)
+    return False
 
 
 def write_request(files: Folder, request: Request) -> str:

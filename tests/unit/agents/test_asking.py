@@ -24,7 +24,13 @@ def asker(answers: Iterable[str | Exception]) -> tuple[Asker[Light], Scripted]:
     return Asker(model, "director", Light), model
 
 
-@pytest.mark.parametrize("fence", ["{}", "```json\n{}\n```", "\n```\n{}```\n"])
+@pytest.mark.parametrize(
+    "fence",
+    [
+        "{}", "```json\n{}\n```", "\n```\n{}```\n", "Here it is:\n\n```json\n{}\n```\nI hope it helps.",
+        "<think>\nWarm, or {cold}?\n</think>\n\n{}", "<think></think>Sure.\n```\n{}\n```",
+    ],
+)  # fmt: skip
 def test_an_answer_may_stand_in_a_fence(fence: str) -> None:
     ask, _ = asker([fence.replace("{}", '{"mood": "warm"}')])
     assert ask.ask("SC010", {}) == Light(mood="warm")
@@ -39,6 +45,14 @@ def test_an_answer_may_stand_in_a_fence(fence: str) -> None:
         ('{"mood": "warm", "lamps": "many"}', "lamps: "),
         (json.dumps(Light.model_json_schema()), "mood: "),
         ("I am sorry, I cannot do that.", "Invalid JSON"),
+        ('```json\n{"mood": "warm"}\n```\nor\n```json\n{"mood": "hot"}\n```', "Invalid JSON"),
+        ("[" * 100_000, "Invalid JSON"),
+        ('{"mood": "\\ud800"}', "Invalid JSON"),
+        ('{"mood": "warm", "lamps": ' + "9" * 5000 + "}", "Invalid JSON"),
+        ('{"mood": "warm", "lamps": NaN}', "lamps: "),
+        ("```json\n" * 100_000, "Invalid JSON"),
+        ('{"mood": "warm\x00"', "Invalid JSON"),
+        ("null", "the answer: "),
     ],
 )
 def test_an_answer_of_the_wrong_form_is_sent_back_with_the_reason(wrong: str, why: str) -> None:

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import json
+import os
+import signal
+from collections.abc import Callable
+from itertools import count
 from pathlib import Path
+from typing import Any
 
 import pytest
 from tests.answering import Scripted
 
 from storyblender.errors import AnswerAwaited, InputError
 from storyblender.folder import Folder
-from storyblender.language.answer_folder import AnswerFolder, Mailbox, asked, name_of
+from storyblender.language.answer_folder import AnswerFolder, Mailbox, asked, is_unfinished, name_of
 from storyblender.memory.request import Picture, Request
 
 REQUEST = Request(
@@ -40,6 +45,63 @@ def test_a_request_waits_in_the_folder_until_somebody_answers_it(tmp_path: Path)
     (tmp_path / f"{name}.answer.json").write_text('{"mood": "warm"}')
     assert crew.answer(REQUEST) == '{"mood": "warm"}'
     assert list(asked(tmp_path)) == [(name, '{"mood": "warm"}')]
+
+
+@pytest.mark.parametrize("text", ["", " \n", '{"mood": "wa', "```json\n{", '{"a": [1, 2', '[{"a": 1},'])
+def test_an_answer_that_is_not_whole_yet_is_waited_for(text: str, tmp_path: Path) -> None:
+    crew, answer = AnswerFolder(Folder(tmp_path), Mailbox(tmp_path)), tmp_path / f"{name_of(REQUEST)}.answer.json"
+    answer.write_text(text)
+    with pytest.raises(AnswerAwaited, match="ends in the middle; complete it" if text.strip() else "waits for its"):
+        crew.answer(REQUEST)
+    answer.write_text('\ufeff{"mood": "warm"}', encoding="utf-8")
+    assert crew.answer(REQUEST) == '{"mood": "warm"}'
+    assert [name for name, _ in asked(tmp_path)] == [name_of(REQUEST)], "nothing more is asked"
+
+
+@pytest.mark.parametrize("text", ["{}", '{"a": 1} x', "I would rather not.", "```json\n{}\n```", "{'a': 1", "[1] ["])
+def test_what_no_more_words_would_complete_is_an_answer(text: str) -> None:
+    assert not is_unfinished(text)
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="kills a forked process")
+def test_a_run_killed_while_it_asks_leaves_whole_pages_or_none(tmp_path: Path) -> None:
+    """Killed at each flush and each renaming of its files in turn, until there is nothing left to be killed at."""
+    for at in range(1, 20):
+        folder = tmp_path / str(at)
+        survived = _asked_and_killed(folder, at)
+        pages = sorted(folder.glob("*.request.md"))
+        for page in pages:
+            assert page.read_text().rstrip().endswith("```"), "a page is whole"
+            assert (folder / f"{name_of(REQUEST)}.1.plan.png").is_file(), "and has its pictures"
+        with pytest.raises(AnswerAwaited):
+            Mailbox(folder).answer(REQUEST)
+        assert list(asked(folder)) == [(name_of(REQUEST), None)]
+        if survived:
+            break
+    assert survived and at > 4
+
+
+def _asked_and_killed(folder: Path, at: int) -> bool:
+    """Ask in a child process that is killed at a call that changes the disk; return whether it came to its end."""
+    child = os.fork()
+    if not child:
+        calls = count(1)
+
+        def deadly(call: Callable[..., Any]) -> Callable[..., Any]:
+            def called(*given: Any, **more: Any) -> Any:
+                if next(calls) == at:
+                    os.kill(os.getpid(), signal.SIGKILL)
+                return call(*given, **more)
+
+            return called
+
+        for name in ("fsync", "replace", "rename", "link"):
+            setattr(os, name, deadly(getattr(os, name)))
+        try:
+            Mailbox(folder).answer(REQUEST)
+        finally:
+            os._exit(0)
+    return os.waitpid(child, 0)[1] == 0
 
 
 def test_a_request_is_a_page_with_all_that_the_answer_rests_on(tmp_path: Path) -> None:
