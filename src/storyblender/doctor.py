@@ -119,7 +119,9 @@ def check_player(player: Player) -> Finding:
         took, tokens = time.monotonic() - began, budget.spent["tokens"]
     except (InputError, NoAnswer) as error:
         mend = "" if isinstance(error, NoAnswer) else error.mend
-        return Finding(name, False, error.problem.removeprefix(f"{name} did not answer: "), mend)
+        says = error.problem.removeprefix(f"{name} did not answer: ").removeprefix("doctor question: ")
+        wrong = says.startswith("no answer of the right form")
+        return Finding(name, False, says, "take a larger model: small ones cannot direct" if wrong else mend)
     says = f"answers in the {provider.form} form, {took:.1f} s, {tokens:.0f} tokens"
     return Finding(name, True, f"{says}, {'sees' if _sees(provider) else 'does not see'} pictures")
 

@@ -35,11 +35,13 @@ class Say:
         text: The answer.
         end: ``stop``, ``length`` (cut at the limit of tokens) or ``refusal``.
         tokens: In and out.
+        calls: Whether a tool that is offered is called.
     """
 
     text: str
     end: str = "stop"
     tokens: tuple[int, int] = (20, 10)
+    calls: bool = True
 
 
 @dataclass(frozen=True)

@@ -85,6 +85,24 @@ def test_a_wrong_answer_reaches_the_asker_as_it_was_given_and_is_repaired(
         assert asker.ask("SC010", {"walls": 4}).number == 3
 
 
+@every_service
+def test_a_model_that_talks_where_it_is_given_a_tool_is_asked_in_words(service: Service, provider: Make) -> None:
+    talk = Say("Let me see: there are three.", calls=False)
+    with serving(service.wire, Fail(400, "no such form", NATIVE), talk, GOOD) as server:
+        assert provider(service, server).answer(request_of()) == GOOD.text
+    assert server.forms == list(service.forms)
+    with serving(service.wire, Fail(400, "no such form", NATIVE), Say(GOOD.text, calls=False)) as server:
+        assert provider(service, server).answer(request_of()) == GOOD.text, "an answer without a call is one"
+
+
+def test_words_alone_are_sent_as_text(provider: Make) -> None:
+    """Chat templates of small servers join texts, and fail where there is a list."""
+    service = SERVICES["openai_chat"]
+    with serving(service.wire, GOOD) as server:
+        provider(service, server).answer(request_of(pictures=()))
+    assert isinstance(server.bodies[0]["messages"][-1]["content"], str)
+
+
 def _hurry(act: Act) -> dict[str, float]:
     """Return how long to wait for a server: not long for one that never answers."""
     return {"timeout": 0.5} if isinstance(act, Late) else {}

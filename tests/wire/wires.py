@@ -55,7 +55,7 @@ class Chat:
         message: dict[str, Any] = {"role": "assistant", "content": say.text, "refusal": None}
         if say.end == "refusal":
             message |= {"content": None, "refusal": say.text}
-        elif asked.form == "tool" and say.text:
+        elif asked.form == "tool" and say.calls and say.text:
             call = {"id": "call_1", "type": "function", "function": {"name": "answer", "arguments": say.text}}
             message |= {"content": None, "tool_calls": [call]}
         end = {"refusal": "stop"}.get(say.end, say.end)
@@ -80,7 +80,7 @@ class Responses:
     def write(self, say: Say, asked: Asked, body: dict[str, Any]) -> tuple[str, bytes]:
         cut = say.end == "length"
         status = "incomplete" if cut else "completed"
-        if asked.form == "tool" and say.text and say.end != "refusal":
+        if asked.form == "tool" and say.calls and say.text and say.end != "refusal":
             item: dict[str, Any] = {
                 "type": "function_call", "id": "fc_1", "call_id": "call_1", "name": "answer", "arguments": say.text,
                 "status": status,
@@ -117,7 +117,7 @@ class Gemini:
 
     def write(self, say: Say, asked: Asked, body: dict[str, Any]) -> tuple[str, bytes]:
         part: dict[str, Any] = {"text": say.text}
-        if asked.form == "tool" and say.text:
+        if asked.form == "tool" and say.calls and say.text:
             part = {"functionCall": {"name": "answer", "args": _as_arguments(say.text)}}
         end = {"stop": "STOP", "length": "MAX_TOKENS", "refusal": "SAFETY"}[say.end]
         content = {"role": "model", "parts": [part] if say.text and say.end != "refusal" else []}
@@ -144,7 +144,7 @@ class Anthropic:
         return _asked(body, native, pictures)
 
     def write(self, say: Say, asked: Asked, body: dict[str, Any]) -> tuple[str, bytes]:
-        tool = asked.form == "tool" and say.text and say.end != "refusal"
+        tool = asked.form == "tool" and say.calls and say.text and say.end != "refusal"
         end = {"stop": "tool_use" if tool else "end_turn", "length": "max_tokens", "refusal": "refusal"}[say.end]
         message: dict[str, Any] = {
             "id": "msg_1", "type": "message", "role": "assistant", "model": body["model"], "content": [],

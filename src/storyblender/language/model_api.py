@@ -86,7 +86,7 @@ class ModelApi:
                 model_request_parameters=parameters,
             )
         self._budget.spend(tokens=response.usage.total_tokens, dollars=_dollars(response))
-        return _answer(response)
+        return _answer(response, form)
 
 
 def _traced(model: Model) -> Model:
@@ -187,9 +187,10 @@ def _message(request: Request, form: str) -> ModelRequest:
     if form == "prompted":
         words += ["## Your answer", "Answer with one JSON value of this schema, and nothing else:"]
         words.append(fenced(request.answer_schema))
+    text = "\n\n".join(words)
     named = [(f"Picture `{each.name}`:", BinaryContent(each.png, media_type="image/png")) for each in request.pictures]
-    prompt = UserPromptPart(content=["\n\n".join(words), *(part for pair in named for part in pair)])
-    return ModelRequest(parts=[prompt], instructions=request.instructions)
+    content = [text, *(part for pair in named for part in pair)] if named else text  # some servers read only text
+    return ModelRequest(parts=[UserPromptPart(content=content)], instructions=request.instructions)
 
 
 def _form(request: Request, form: str) -> ModelRequestParameters:
@@ -204,18 +205,21 @@ def _form(request: Request, form: str) -> ModelRequestParameters:
     return ModelRequestParameters(output_mode="text")
 
 
-def _answer(response: ModelResponse) -> str:
+def _answer(response: ModelResponse, form: str) -> str:
     """Return the text of a response, or the arguments of its tool call. Raises ModelFailure."""
     details = response.provider_details or {}
     if response.finish_reason == "content_filter" or "refusal" in details:
         said = str(details.get("refusal", "")).strip()[:160]
         raise ModelFailure(f"it refuses to answer ({said})" if said else "it refuses to answer")
-    given = next((part.args for part in response.parts if isinstance(part, ToolCallPart)), None) or response.text or ""
+    called = next((part.args for part in response.parts if isinstance(part, ToolCallPart)), None)
+    given = called or response.text or ""
     text = given if isinstance(given, str) else json.dumps(given, ensure_ascii=False)
     text = text.encode(errors="replace").decode()  # JSON can escape half a surrogate pair, which no file can hold
     if not text.strip():
         cut = response.finish_reason == "length"
         raise ModelFailure("its limit of tokens was reached" if cut else "its answer is empty", 2, other_form=True)
+    if form == "tool" and called is None and not text.lstrip().startswith(("{", "[", "```")):
+        raise ModelFailure("it does not call the tool", other_form=True)  # nor has it seen the schema then
     if len(text.encode()) > LONGEST:
         raise ModelFailure(f"its answer is too long, {len(text):,} characters", 2)
     return text
