@@ -23,19 +23,22 @@ from storyblender.geometry.solids import Floats
 MaterialRef: TypeAlias = "bpy.types.Material | str"
 Faces = Sequence[Sequence[int]]
 
+PANEL, PANELS = "panel", "panels"
+"""Face attribute with the number of a wild panel, from 1 on; property of the mesh with the panels' names."""
 SHARP_ANGLE = math.radians(38)
 """Radians; edges that bend more are shaded sharp, and the ink draws creases at nearly the same angle."""
 
 
 @dataclass(frozen=True)
 class _MeshPart:
-    """Vertices (V, 3), corner indices, corners per face, material slot and uv (corners, 2) of one part."""
+    """Vertices (V, 3), corner indices, corners per face, material slot, uv (corners, 2) and panel of one part."""
 
     vertices: Floats
     loops: NDArray[np.int64]
     sizes: NDArray[np.int64]
     material: int
     uv: Floats
+    panel: str = ""
 
 
 class MeshBuilder:
@@ -51,6 +54,20 @@ class MeshBuilder:
         self._materials: list[bpy.types.Material] = []
         self._frames: list[Floats] = [np.eye(4)]
         self._vertex_count = 0
+        self._panel = ""
+
+    @contextmanager
+    def panel(self, name: str) -> Iterator[MeshBuilder]:
+        """Make what is added inside the ``with`` block a wild panel: a shot can hide it, as a stage takes out a wall.
+
+        Args:
+            name: Of the panel, such as ``roof``; parts of one name are one panel.
+        """
+        before, self._panel = self._panel, name
+        try:
+            yield self
+        finally:
+            self._panel = before
 
     @contextmanager
     def at(
@@ -329,7 +346,8 @@ class MeshBuilder:
         loops = np.fromiter((corner for face in faces for corner in face), np.int64, int(sizes.sum()))
         if block.get("grain", False):  # neighbouring boards show different parts of the picture
             uv = uv + np.array([0.37, 0.61]) * len(self._parts)
-        self._parts.append(_MeshPart(placed, loops + self._vertex_count, sizes, self._materials.index(block), uv))
+        index = self._materials.index(block)
+        self._parts.append(_MeshPart(placed, loops + self._vertex_count, sizes, index, uv, self._panel))
         self._vertex_count += len(placed)
         return self
 
@@ -363,10 +381,21 @@ class MeshBuilder:
         mesh.polygons.foreach_set("use_smooth", np.ones(len(sizes), bool))
         mesh.update(calc_edges=True)
         mesh.uv_layers.new(name="UV").data.foreach_set("uv", uv.astype(np.float32).ravel())
+        self._mark_panels(mesh)
         mesh.validate()
         mesh.set_sharp_from_angle(angle=SHARP_ANGLE)
         mesh.update()
         return mesh
+
+    def _mark_panels(self, mesh: bpy.types.Mesh) -> None:
+        """Write the panel of each face as a number, 0 for none, and the names of the panels beside them."""
+        names = sorted({part.panel for part in self._parts} - {""})
+        if not names:
+            return
+        numbers = [names.index(part.panel) + 1 if part.panel else 0 for part in self._parts]
+        each = np.repeat(numbers, [len(part.sizes) for part in self._parts]).astype(np.int32)
+        mesh.attributes.new(PANEL, "INT", "FACE").data.foreach_set("value", each)
+        mesh[PANELS] = " ".join(names)
 
 
 def _resolve(material: MaterialRef) -> bpy.types.Material:

@@ -7,10 +7,11 @@ the interface: scene ``SC010``, objects ``SC010.<node_id>`` with ``node_id``, ``
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import bpy
+from mathutils import Euler, Matrix, Vector
 
 from storyblender.blender.asset_store import AssetStore, CastMember
 from storyblender.blender.doors import Door, swing_doors
@@ -19,12 +20,14 @@ from storyblender.blender.merge import merge_duplicates
 from storyblender.blender.motion.bake import bake
 from storyblender.blender.motion.solve import solve_shot
 from storyblender.blender.progress import Report, ignore
+from storyblender.blender.sections import split_sections, with_sections
 from storyblender.blender.sets.build import build_set
 from storyblender.blender.staging import StagePlanner, moved_assets
 from storyblender.blender.state_parts import StateParts
 from storyblender.blender.tags import surface_of, tag
 from storyblender.catalog.fixtures import fixtures_called
 from storyblender.catalog.openings import openings_of
+from storyblender.catalog.parts import DRAWN
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import plan_of
 from storyblender.memory.base import scene_name, shot_name
@@ -102,15 +105,16 @@ class ScenePacker:
         layout = self._job.scene.layout
         assert layout is not None, "the Spatial Planner comes before the pack"
         collection = self._collection("props")
+        parts = [item for item in layout.objects if self._assets[item.asset_id].fitted_part]
         for item in layout.objects:
-            if self._assets[item.asset_id].asset_type == "object":
-                self._place(item, collection)
+            if self._assets[item.asset_id].asset_type == "object" and item not in parts:
+                self._place(item, collection, [each for each in parts if each.anchor_asset_id == item.node_id])
         for asset_id in moved_assets(self._job):
-            if asset_id not in self._props:
+            if asset_id not in self._props and not self._assets[asset_id].fitted_part:
                 self._place(LayoutObject(node_id=asset_id, asset_id=asset_id, location=(0, 0, -5)), collection)
 
-    def _place(self, item: LayoutObject, collection: bpy.types.Collection) -> None:
-        """Place one object."""
+    def _place(self, item: LayoutObject, collection: bpy.types.Collection, parts: Sequence[LayoutObject] = ()) -> None:
+        """Place one object, and the story's parts of it: its own where its model has them, else drawn there."""
         asset = self._assets[item.asset_id]
         obj = bpy.data.objects.new(f"{self._name}.{item.node_id}", self._store.append_mesh(asset))
         obj.location = item.location
@@ -119,6 +123,23 @@ class ScenePacker:
         collection.objects.link(obj)
         self._props.setdefault(item.asset_id, obj)
         self._nodes.setdefault(item.asset_id, []).append(obj)
+        named = {self._assets[each.asset_id].fitted_part: (each.node_id, each.asset_id) for each in reversed(parts)}
+        own = split_sections(obj, named)
+        for each in parts:
+            if self._assets[each.asset_id].fitted_part not in own:
+                self._fit(each, obj, collection)
+
+    def _fit(self, item: LayoutObject, whole: bpy.types.Object, collection: bpy.types.Collection) -> None:
+        """Place a part whose vehicle's model does not have it apart; a seat or a door is in the model already."""
+        asset = self._assets[item.asset_id]
+        drawn = asset.fitted_part in DRAWN
+        mesh = self._store.append_mesh(asset) if drawn else bpy.data.meshes.new(f"{self._name}.{item.node_id}")
+        part = bpy.data.objects.new(f"{self._name}.{item.node_id}", mesh)
+        placed = Matrix.LocRotScale(Vector(item.location), Euler([math.radians(a) for a in item.rotation]), None)
+        part.parent = whole
+        part.matrix_local = whole.matrix_basis.inverted() @ placed
+        tag(part, kind="prop", node_id=item.node_id, asset_id=item.asset_id, surface=surface_of(part))
+        collection.objects.link(part)
 
     def _place_people(self) -> None:
         """Append the people who appear in any shot."""
@@ -169,7 +190,8 @@ class ScenePacker:
                 for shot in self._job.shots
             }
             for obj, shown in self._states.visibility(asset_id, seen, self.timing):
-                key_hidden(obj, shown)
+                for each in with_sections(obj):
+                    key_hidden(each, shown)
 
 
 def _left_open(plan: SetPlan, name: str, found: Mapping[str, Condition]) -> bool | None:

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import bpy
 
 from storyblender.blender.asset_store import AssetStore
+from storyblender.blender.sections import fitted_in, split_sections
 from storyblender.blender.tags import surface_of, tag
 from storyblender.look.surface import Surface
 from storyblender.memory.jobs import AssetInState, PlayedCue, SceneJob
@@ -109,6 +110,7 @@ def _part(thing: bpy.types.Object, each: AssetInState, store: AssetStore) -> bpy
     tag(part, kind="prop", node_id=thing["node_id"], asset_id=each.asset.asset_id, surface=surface)
     for collection in thing.users_collection:
         collection.objects.link(part)
+    split_sections(part, fitted_in(thing))
     return part
 
 

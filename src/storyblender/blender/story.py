@@ -17,6 +17,7 @@ from storyblender.blender.library_scene import LIBRARY, add_assets, new_file
 from storyblender.blender.merge import merge_duplicates
 from storyblender.blender.pack import save_pack
 from storyblender.blender.progress import Report, ignore
+from storyblender.blender.sections import SECTION
 from storyblender.blender.story_light import light_scene
 from storyblender.blender.tidying import set_render_defaults, show_on_opening, tidy, write_version_note
 from storyblender.folder import Folder
@@ -94,7 +95,7 @@ def _add_scene(
             for node_id in shot.camera.hidden_node_ids:
                 hidden.setdefault(node_id, []).append(shot.shot_id)
     for obj in scene.objects:
-        away = hidden.get(str(obj.get("node_id", "")))
+        away = [*hidden.get(str(obj.get("node_id", "")), ()), *hidden.get(str(obj.get(SECTION, "")), ())]
         if away:
             starts = [(shot.shot_id, pack.start_of(shot.shot_id)) for shot in shots]
             shown = [(start, shot_id not in away and not is_hidden(obj, start)) for shot_id, start in starts]

@@ -53,19 +53,19 @@ class Anchor(Frozen):
     All coordinates are in the asset's own frame: bottom-centre origin, front -Y, metres, after scaling.
     """
 
-    kind: Literal["seat", "bed", "top", "grip", "lean", "handle", "mouth", "door"]
+    kind: Literal["seat", "bed", "top", "grip", "lean", "handle", "mouth", "door", "part", "panel"]
     name: str = ""
     location: Vec3
     """seat: middle of the front edge at sitting height; door: the floor point beside it for getting in; top:
-    centre of the surface; grip: palm centre."""
+    centre of the surface; grip: palm centre; part, panel: bottom centre."""
     direction: Vec3 = (0.0, -1.0, 0.0)
     """seat: where the sitter faces; bed: from head to feet; grip: the fingers' direction."""
     normal: Vec3 = (0.0, 0.0, 1.0)
     """top: up; grip: the palm's normal, out of the palm into the object."""
     size: Vec2 = (0.0, 0.0)
-    """seat: width, depth; bed: width, length; top: extent in x, y."""
+    """seat: width, depth; bed: width, length; top, part, panel: extent in x, y."""
     clearance: _Length | None = None
-    """top: free height above it in metres; None means open."""
+    """top, seat: free height above it in metres; None means open. part, panel: their own height."""
     curl: Vec3 = (0.6, 0.6, 0.4)
     """grip: finger curls 0..1 of index, fingers, thumb."""
 
@@ -177,6 +177,10 @@ class AssetDecision(Described):
     """Parameters of its builder."""
 
 
+FITTED = "fitted"
+"""Tag of a part that is in one place on its vehicle; the tag after it is a key of ``catalog.parts.PART_PROPS``."""
+
+
 class Asset(Frozen):
     """A single unique character or object in the story."""
 
@@ -212,3 +216,8 @@ class Asset(Frozen):
     locked: bool = Field(default=False, exclude_if=lambda value: not value)
     """Whether a person locked its look, its size and its model."""
     _former = dropping("text_to_image_prompt")
+
+    @property
+    def fitted_part(self) -> str:
+        """Which part of a vehicle it is, a key of ``catalog.parts.PART_PROPS``; empty for any other thing."""
+        return self.tags[self.tags.index(FITTED) + 1] if FITTED in self.tags else ""

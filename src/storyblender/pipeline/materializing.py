@@ -8,6 +8,7 @@ from concurrent.futures import Future
 from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD
 from storyblender.agents.layout_artist.dimension_estimator import RulesDimensionEstimator
 from storyblender.catalog.meanings import WORDS_BY_AGE
+from storyblender.catalog.parts import PART_PROPS
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.recipe import Recipe
@@ -77,7 +78,7 @@ def _built(run: Run, concept: ConceptArtist, asset: Asset, future: Future[AssetM
 
 def _sized(run: Run, assets: list[Asset], draw: Callable[[Asset], AssetViews]) -> list[Asset]:
     """The Dimension Estimator on everything that the script names; dressing comes in its catalog's size."""
-    named = [asset for asset in assets if asset.origin != "dressing" and asset.dimension is None]
+    named = [each for each in assets if each.origin != "dressing" and each.dimension is None and not each.fitted_part]
     if not named:
         return assets
     outcome = run.reflect(run.crew.dimension_estimator, "assets", run.graph, named, draw)
@@ -177,6 +178,9 @@ class ConceptArtist:
         if asset.asset_type == "character":
             canonical = CanonicalAsset(source="person", key="person", dimensions=(0.5, 0.4, 1.7), digest="")
             return asset.model_copy(update={"canonical": canonical})
+        if asset.fitted_part:
+            recipe = Recipe(source="catalog", key=PART_PROPS[asset.fitted_part], score=10.0, reason="a vehicle's part")
+            return asset.model_copy(update={"canonical": recipe.canonical()})
         role = self._run.crew.asset_retriever
         outcome = self._run.reflect(
             role, asset.asset_id, self._run.graph, asset, self._means, self._rejected, self._draw

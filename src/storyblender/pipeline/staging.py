@@ -6,6 +6,7 @@ from collections.abc import Collection, Mapping
 from functools import partial
 
 from storyblender.agents.layout_artist.bystanders import bystander_objects, crowd_size, place_bystanders
+from storyblender.agents.layout_artist.fitted_places import with_fitted_parts
 from storyblender.agents.layout_artist.room_steps import RoomStep, drop_dressing, enlarge_set, find_fitting_room
 from storyblender.agents.layout_artist.spatial_planner import free_floor_of
 from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView, measures_of
@@ -78,6 +79,7 @@ def stage_scene(run: Run, scene_id: int) -> None:
 
     fitted = find_fitting_room(stage_in, threshold=run.crew.spatial_planner.threshold)
     layout = _with_crowd(run, fitted.outcome.view, fitted.outcome.draft)
+    layout = with_fitted_parts(layout, run.graph.assets, before.setup.asset_ids)
     scene = fitted.tried.model_copy(update={"layout": layout})
     run.commit("spatial_planner", f"layout of {name}", scene)
     shots = _animate(run, scene_id)

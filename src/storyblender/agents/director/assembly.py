@@ -26,10 +26,11 @@ from storyblender.agents.director.writing import writing_on
 from storyblender.catalog.fixtures import named_pieces
 from storyblender.catalog.homelands import homeland_of
 from storyblender.catalog.liquids import liquid_named
+from storyblender.catalog.parts import PART_PROPS, part_named
 from storyblender.catalog.props.prop_names import kind_named
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.catalog.states import SEEN_AGAIN
-from storyblender.memory.asset_sheet import Asset, CharacterLook, Garment
+from storyblender.memory.asset_sheet import FITTED, Asset, CharacterLook, Garment
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline, SourceSpan
 from storyblender.memory.scene_context import Environment, Relation, SceneContext, SceneSetup
 
@@ -101,18 +102,20 @@ class Assembly:
     def _thing(self, thing: Thing) -> Asset:
         """Return the asset of a thing."""
         name, modifiers = self.story.names[thing.id], modifiers_of(thing, self.text)
+        part = part_named(thing.name) if thing.id in self.story.fitted else ""
+        whole = self.story.fitted.get(thing.id) or thing.part_of
         description = thing.description or one_line(f"{size_in_script(thing, self.text)} {modifiers} {thing.name}")
         return Asset(
             asset_id=thing.id,
             asset_type="object",
             description=description,
             name=name,
-            kind=kind_named(name),
+            kind=PART_PROPS.get(part) or kind_named(name),
             stated_size=stated_size(name, description, person=False, kind=kind_named(name)),
             writing=thing.writing or writing_on(thing.name, thing.first, self.text),
             liquid=liquid_named(f"{description} {name}"),
-            part_of=thing.part_of if thing.part_of in self.story.assets else None,
-            tags=(thing.kind, *(("handled",) if thing.handled else ())),
+            part_of=whole if whole in self.story.assets else None,
+            tags=(thing.kind, *(("handled",) if thing.handled else ()), *((FITTED, part) if part else ())),
         )
 
     def scene_outline(self, scene: SceneReading, drafts: Sequence[ShotDraft]) -> SceneOutline:
@@ -183,6 +186,7 @@ class Assembly:
             if each in self.story.assets
         )
         stated = [id_ for relation in relations for id_ in (relation.asset_id, relation.anchor_asset_id)]
+        present += [whole for each in present if (whole := self.story.fitted.get(each)) in self.story.assets]
         ids = unique((*present, *(thing for thing in scene.furniture if thing in self.story.assets), *stated))
         action = "\n".join(line.text for shot in outline.shots for line in shot.lines if line.kind == "action")
         chosen = self.sets.decide(scene, ids, self._contents(scene, relations), action)

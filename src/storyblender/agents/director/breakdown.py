@@ -11,6 +11,7 @@ from storyblender.agents.director.directions import camera_notes_by_unit
 from storyblender.agents.director.draft import ShotDraft
 from storyblender.agents.director.economy import economise
 from storyblender.agents.director.extras import expand_groups
+from storyblender.agents.director.fitted_parts import FittedParts
 from storyblender.agents.director.reading import Reading
 from storyblender.agents.director.reading_passes import copy_shared_things, use_directed_motions
 from storyblender.agents.director.settings import DirectorSettings
@@ -34,7 +35,9 @@ def storyboard(reading: Reading, settings: DirectorSettings | None = None) -> St
     """
     settings = settings or DirectorSettings()
     reading = add_writing_changes(copy_shared_things(expand_groups(use_directed_motions(reading))))
-    story = StoryAssets(reading)
+    fitted = FittedParts.of(reading)
+    reading = fitted.rewritten(reading)
+    story = StoryAssets(reading, fitted.whole)
     summary = _summary(reading, story)
     assembly = Assembly(reading, story, summary)
     coverage = Coverage(reading)

@@ -18,6 +18,7 @@ class StoryAssets:
 
     Args:
         reading: The reading of the script.
+        fitted: Part -> vehicle of the parts that are in one place on it; empty for the car of the set.
 
     Attributes:
         people: Those of ``reading.people`` who appear on stage.
@@ -29,7 +30,8 @@ class StoryAssets:
         names: Id -> display name, also of people who only speak from outside.
     """
 
-    def __init__(self, reading: Reading) -> None:
+    def __init__(self, reading: Reading, fitted: Mapping[str, str] | None = None) -> None:
+        self.fitted = fitted or {}
         staged = {person for unit in reading.units for person in unit.on_stage}
         self.people = [person for person in reading.people if person.id in staged]
         self.actors = {person.id for person in self.people if not is_creature(person, reading)}
@@ -37,7 +39,8 @@ class StoryAssets:
         in_hand = _held_things(reading)
         self.fixtures = {thing.id for thing in reading.things if thing.id not in in_hand and is_fixture(thing)}
         self.wholes = _fixed_parts(reading) | _taps_of_basins(reading)
-        self.fixtures |= set(self.wholes)
+        self.wholes = {part: whole for part, whole in self.wholes.items() if part not in self.fitted}
+        self.fixtures = (self.fixtures | set(self.wholes)) - {*self.fitted}
         things = {thing.id for thing in reading.things} - self.fixtures
         self.assets = {person.id for person in self.people} | things
         self.names = {each.id: _display_name(each) for each in (*reading.people, *reading.things)}

@@ -85,6 +85,7 @@ class CameraOperatorView:
         used: node_ids of the things that people handle; they are never hidden.
         asked: What a person decided about the camera.
         lines: The lines that the shot covers.
+        panels: Boxes of the panels of vehicles that a shot can hide, by the id that hides them.
     """
 
     scene_id: int
@@ -106,6 +107,7 @@ class CameraOperatorView:
     used: tuple[str, ...] = ()
     asked: CameraDecision = field(default_factory=CameraDecision)
     lines: tuple[str, ...] = ()
+    panels: Mapping[str, Box] = field(default_factory=dict)
 
     def node(self, asset_id: str) -> str:
         """Return the node_id that shows an asset."""
@@ -192,9 +194,8 @@ class CameraOperatorView:
 
     def subjects(self, moment: Moment) -> tuple[Figure, ...]:
         """Return the focus people and the over-the-shoulder partner at a moment."""
-        over = (self.over.node_id,) if self.over is not None else ()
-        there = (moment.figure(node) for node in dict.fromkeys((*self.focus, *over)))
-        return tuple(figure for figure in there if figure is not None)
+        nodes = dict.fromkeys((*self.focus, *((self.over.node_id,) if self.over is not None else ())))
+        return tuple(figure for node in nodes if (figure := moment.figure(node)) is not None)
 
     @cached_property
     def walker_id(self) -> str:
@@ -222,9 +223,7 @@ class CameraOperatorView:
     @cached_property
     def in_stride(self) -> bool:
         """Whether a lone subject who walks is still walking at the story moment."""
-        if not (self.walks and self.people):
-            return False
-        last = self.moments[-1].figure(self.people[0].node_id)
+        last = self.moments[-1].figure(self.people[0].node_id) if self.walks and self.people else None
         return last is not None and float(np.hypot(*np.subtract(last.base, self.people[0].base)[:2])) > TRAVEL / 2
 
     def upright(self, figure: Figure) -> Figure:

@@ -12,6 +12,7 @@ from storyblender.agents.layout_artist.camera_operator import Operator, operate,
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment, too_far_to_frame
 from storyblender.agents.layout_artist.layout_things import size_of
 from storyblender.agents.layout_artist.story_moment import AT_REST, board_frame
+from storyblender.agents.layout_artist.vehicle_panels import panel_boxes
 from storyblender.agents.story_lines import lines_of_shot
 from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.set_plan import SetPlan
@@ -144,6 +145,7 @@ def camera_operator_view(
     layout = graph.scene(shot.scene_id).layout
     props: dict[str, Box] = {}
     nodes: dict[str, str] = {}
+    panels: dict[str, Box] = {}
     carried: dict[str, tuple[str, ...]] = {}
     used: list[str] = []
     handled = {name for deed in shot.character_actions for name in (deed.target_id, deed.prop_id) if name is not None}
@@ -157,6 +159,7 @@ def camera_operator_view(
             location, yaw = state.location, state.rotation[2]
         if state is None or state.held_by is None:
             props[item.node_id] = Box(*location, *size_of(measure), math.radians(yaw))
+            panels |= panel_boxes(item.node_id, location, yaw, measure.anchors)
         nodes.setdefault(item.asset_id, item.node_id)
         if item.asset_id in handled or item.node_id in handled:
             used.append(item.node_id)
@@ -203,4 +206,5 @@ def camera_operator_view(
         used=tuple(used),
         lines=lines_of_shot(graph.outline_of(shot.scene_id), shot.shot_id),
         asked=shot.camera_decision or CameraDecision(),
+        panels=panels,
     )

@@ -44,6 +44,7 @@ from storyblender.agents.layout_artist.camera_visibility import (
     is_in_picture,
     share_of_points_hidden,
 )
+from storyblender.agents.layout_artist.vehicle_panels import wild_vehicles
 from storyblender.geometry.boxes import Box, distance_to_point
 from storyblender.geometry.framing import Figure, head_share, project
 from storyblender.geometry.gaps import MAX_FACE_GAP, widest_face_gap
@@ -198,7 +199,9 @@ def _foreground_cost(view: CameraOperatorView, take: CameraOperatorDraft) -> flo
     deep = max(float(project(camera, shown or [camera.pivot])[1].mean()), 0.5) - OWN_SPACE
     spots = camera.position + rays(camera, columns, rows) * deep
     own = () if view.people else view.focus
-    boxes = solid_boxes(dict(view.props) if shown else {}, view.plan, (*take.hidden, *view.vessels, *own))
+    boxes = solid_boxes(
+        dict(view.props) if shown else {}, view.plan, (*take.hidden, *view.vessels, *wild_vehicles(view), *own)
+    )
     taken = find_hidden(boxes, camera.position, spots).reshape(rows, columns).mean(0)
     third = columns // 3
     share = (taken.sum() + taken[third : columns - third].sum()) / (2 * columns - 2 * third)
@@ -278,7 +281,7 @@ def _is_near_box(box: Box, x: float, y: float, z: float, near: float = _NEAR) ->
 def _solid_boxes(view: CameraOperatorView, hidden: Sequence[str]) -> list[Box]:
     """Return the boxes of the set and of the things that a camera must not be in, without those the shot is about."""
     own = with_carried_things(view, view.named) if view.detail is not None else view.focus
-    return solid_boxes(dict(view.props), view.plan, (*hidden, *own))
+    return solid_boxes(dict(view.props), view.plan, (*hidden, *own, *wild_vehicles(view)))
 
 
 def _people_cost(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
@@ -286,7 +289,7 @@ def _people_cost(view: CameraOperatorView, take: CameraOperatorDraft) -> float:
     moment = view.story_moment
     camera, instruction, points = take.camera, view.instruction, 0.0
     there = [figure for figure in moment.figures if figure.node_id not in take.hidden]
-    solid = solid_boxes(dict(view.props), view.plan, take.hidden)
+    solid = solid_boxes(dict(view.props), view.plan, (*take.hidden, *wild_vehicles(view)))
     wanted = SIZES[instruction.size].head
     points += _gap_cost(view, camera)
     bodies = {figure.node_id: body_boxes(figure) for figure in there}

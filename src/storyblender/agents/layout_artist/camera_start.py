@@ -23,6 +23,7 @@ from storyblender.agents.layout_artist.camera_operator_view import (
     time_share,
 )
 from storyblender.agents.layout_artist.camera_room import fit_lens_to_room, move_into_room
+from storyblender.agents.layout_artist.vehicle_panels import hidden_panels
 from storyblender.agents.layout_artist.wild_walls import find_hidden_nodes
 from storyblender.geometry import framing
 from storyblender.geometry.boxes import corners, distance_to_point
@@ -106,8 +107,7 @@ def take_with_camera(view: CameraOperatorView, camera: Orbit) -> CameraOperatorD
     instruction = view.instruction
     first = last = camera
     span, still = (0.0, 1.0), _holds_all_walks(view)
-    if not still and _follows_walk(view, camera):
-        # The story moment is composed; before and after it the camera follows the walk.
+    if not still and _follows_walk(view, camera):  # composed for the story moment; around it the camera follows
         span, done, travel = *_walk_span(view), np.asarray(view.travel)
         first = follow_subject(camera, instruction.movement, tuple(-done * travel))
         last = follow_subject(camera, instruction.movement, tuple((1 - done) * travel))
@@ -119,6 +119,7 @@ def take_with_camera(view: CameraOperatorView, camera: Orbit) -> CameraOperatorD
         hidden = find_hidden_nodes(
             view.plan, view.removable_props, dict.fromkeys((first, camera, last)), _sight_targets(view)
         )
+    hidden += hidden_panels(view, (first, camera, last), _sight_targets(view))
     if instruction.kind == "pov" and instruction.pov_id is not None:
         hidden.append(view.node(instruction.pov_id))
     return CameraOperatorDraft(camera, first, last, tuple(hidden), span)
@@ -136,10 +137,11 @@ def placed_take(view: CameraOperatorView, placed: FreeCamera) -> CameraOperatorD
     ends = [placed.start, placed.end or placed.start]
     first, last = (camera_looking_at(end.location, end.target, lens, roll=end.roll, **film) for end in ends)
     middle = interpolate_cameras(first, last, 0.5)
-    hidden = ()
+    hidden: list[str] = []
     if view.plan is not None:
         cameras = dict.fromkeys((first, middle, last))
         hidden = find_hidden_nodes(view.plan, view.removable_props, cameras, _sight_targets(view))
+    hidden += hidden_panels(view, (first, middle, last), _sight_targets(view))
     return CameraOperatorDraft(middle, first, last, tuple(hidden))
 
 
@@ -156,11 +158,8 @@ def _sight_targets(view: CameraOperatorView) -> list[np.ndarray]:
 
 def _holds_all_walks(view: CameraOperatorView) -> bool:
     """Return whether the picture holds a group and its walks, so that the camera need not move unless a person asks."""
-    return (
-        view.asked.movement in (None, "static")
-        and len(view.people) > 1
-        and len(view.people_over_time) > len(view.people)
-    )
+    still, count = view.asked.movement in (None, "static"), len(view.people)
+    return still and 1 < count < len(view.people_over_time)
 
 
 def _follows_walk(view: CameraOperatorView, camera: Orbit) -> bool:

@@ -130,6 +130,7 @@ class RulesSetDresser:
                 asset.asset_id
                 for asset in view.objects
                 if asset.asset_id not in shown
+                and not asset.fitted_part
                 and not _is_too_large_for_room(asset, view.plan)
                 and not (served and prop_of(asset) in _COUNTERS)
             ),
@@ -196,7 +197,7 @@ def _assign_furnishing_places(view: SetDresserView) -> dict[str, Asset]:
         for relation in view.setup.relations
         if relation.kind in ("on", "in", "inside", "under", "over") and relation.anchor_asset_id not in places
     }
-    ids = {asset.asset_id for asset in view.objects} - places
+    ids = {asset.asset_id for asset in view.objects if not asset.fitted_part} - places
     waiting = [asset for asset in view.objects if asset.asset_id in ids - floating]
     waiting.sort(key=lambda asset: anchors.get(asset.asset_id) in ids)  # stable: anchors of others go first
     for asset in waiting:

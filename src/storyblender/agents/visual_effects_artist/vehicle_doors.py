@@ -20,6 +20,9 @@ from storyblender.memory.shot_context import AssetModification, BodyState, Chara
 
 _BESIDE, _BEHIND = 0.1, 0.34
 """Metres outward and to the rear from a door's middle to the passenger, clear of the open door."""
+_DOOR_STATES = ("open", "closed")
+_REACHES = 1.6
+"""Metres from a door's middle to a person who opens it."""
 _AT_DOOR = 0.75
 """Metres from a door's middle within which a person counts as at that door."""
 
@@ -73,7 +76,7 @@ def _station_at_door(thing: PlacedObject, name: str) -> Station | None:
 def add_open_doors(
     shots: Sequence[ShotContext], objects: Sequence[LayoutObject], assets: Sequence[Asset]
 ) -> tuple[ShotContext, ...]:
-    """Return the shots with vehicle doors open while a passenger gets in or out, and closed after.
+    """Return the shots with vehicle doors open while a passenger gets in or out, and while the script has them open.
 
     Args:
         shots: All shots of one scene, staged, in order.
@@ -83,13 +86,18 @@ def add_open_doors(
     made = {asset.asset_id: asset.canonical for asset in assets if asset.canonical is not None}
     vehicles = [item for item in objects if item.asset_id in made and _door_names(made[item.asset_id].anchors)]
     open_now: dict[str, list[str]] = {}
+    told: dict[str, set[str]] = {}
     done: list[ShotContext] = []
     for index, shot in enumerate(shots):
         before, after = shots[index - 1] if index else None, shots[index + 1] if index + 1 < len(shots) else None
         changes: list[AssetModification] = []
         for item in vehicles:
-            doors = sorted({*_doors_in_use(shot, before, after, item, made[item.asset_id].anchors)})
-            if doors != open_now.get(item.node_id, []):
+            anchors = made[item.asset_id].anchors
+            stated = _told_states(shot, item.asset_id)
+            for state in stated:
+                told[item.node_id] = {_door_told(shot, item, anchors)} if state == "open" else set()
+            doors = sorted({*_doors_in_use(shot, before, after, item, anchors), *told.get(item.node_id, ())})
+            if stated or doors != open_now.get(item.node_id, []):
                 state = "open" if doors else "closed"
                 change = AssetModification(
                     asset_id=item.asset_id, modification_type="transform", state=state, doors=tuple(doors)
@@ -107,6 +115,24 @@ def add_open_doors(
 def _door_names(anchors: Sequence[Anchor]) -> bool:
     """Return whether any of the anchors is a door with a name."""
     return any(anchor.kind == "door" and anchor.name for anchor in anchors)
+
+
+def _told_states(shot: ShotContext, asset_id: str) -> list[str]:
+    """Return the states of a vehicle's door that a shot states, in order."""
+    told = (each for each in shot.asset_modifications if each.asset_id == asset_id and each.doors is None)
+    return [each.state for each in told if each.state in _DOOR_STATES]
+
+
+def _door_told(shot: ShotContext, item: LayoutObject, anchors: Sequence[Anchor]) -> str:
+    """Return the door that a shot has open: of the nearest person who acts on the vehicle, else the driver's."""
+    world, names = transform(item.location, item.rotation, 1.0), (item.node_id, item.asset_id)
+    acting = {each.asset_id for each in shot.character_actions if {each.target_id, each.prop_id} & {*names}}
+    marks = [each.end for each in shot.blocking if each.end.asset_id in acting and each.end.support_id not in names]
+    doors = [anchor for anchor in anchors if _door_names((anchor,))]
+    near = min(((_distance_to_door(mark, world, door), door.name) for mark in marks for door in doors), default=None)
+    if near is not None and near[0] < _REACHES:
+        return near[1]
+    return next((door.name for door in doors if door.name == "driver"), doors[0].name)
 
 
 def _doors_in_use(

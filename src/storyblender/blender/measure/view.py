@@ -20,6 +20,7 @@ from storyblender.blender.hiding import out_of_picture
 from storyblender.blender.measure.figures import figures
 from storyblender.blender.render.passes import flat_workbench
 from storyblender.blender.render.session import RenderSession, changed, temporary_camera
+from storyblender.blender.sections import is_hidden_by
 from storyblender.blender.still import held_still
 from storyblender.geometry.framing import Figure, project
 from storyblender.geometry.orbit import Orbit
@@ -52,7 +53,7 @@ class ViewfinderPose:
         frame: Timeline frame; None for the current one.
         sensor_width: Millimetres.
         focus_ids: node_ids of the shot's subjects.
-        hidden: node_ids left out of the picture.
+        hidden: node_ids and sections of things left out of the picture.
         other_ids: node_ids that are also measured but are not subjects of the shot.
     """
 
@@ -189,7 +190,7 @@ class OpenViewfinder:
         """Return the objects that need not be drawn: hidden, or outside the picture by their boxes."""
         frustum = View(orbit.position, orbit.axes, 1, 1, orbit.tangent * orbit.aspect, orbit.tangent)
         gone = frustum.misses(self._corners)
-        return [obj for obj, out in zip(self.objects, gone, strict=True) if out or _node_id(obj) in hidden]
+        return [obj for obj, out in zip(self.objects, gone, strict=True) if out or is_hidden_by(obj, hidden)]
 
     def _sky(self, ids: Ints, blue: Ints, orbit: Orbit) -> NDArray[np.bool_]:
         """Return the pixels that show sky: cards, and empty pixels above the horizon of an open scene."""
@@ -242,7 +243,7 @@ class OpenViewfinder:
         point = Vector(position.tolist())
         found: dict[str, None] = {}
         for obj in self.objects:
-            if obj.get("surface") == int(Surface.CARD) or obj.type != "MESH" or _node_id(obj) in hidden:
+            if obj.get("surface") == int(Surface.CARD) or obj.type != "MESH" or is_hidden_by(obj, hidden):
                 continue
             evaluated = obj.evaluated_get(self.depsgraph)
             local = evaluated.matrix_world.inverted_safe() @ point

@@ -46,6 +46,7 @@ class Seat:
         yaw: Facing of the sitter, radians.
         node_id: Of the furniture; empty for the floor.
         width: Of the furniture, metres.
+        headroom: Metres from the sitting surface to the roof above; None in the open.
     """
 
     edge: Vector
@@ -54,6 +55,7 @@ class Seat:
     yaw: float
     node_id: str = ""
     width: float = 0.5
+    headroom: float | None = None
 
     @property
     def before(self) -> Vector:
@@ -228,7 +230,8 @@ class MotionStage:
             slide = (Vector(mark.location).xy - edge).dot(along)
             room = max(0.0, anchor.size[0] / 2 - 0.22)
             edge = edge + along * max(-room, min(room, slide))
-        return Seat(edge, place.z, anchor.size[1] or 0.4, yaw, self._name_of(furniture), furniture.dimensions[0])
+        name, wide = self._name_of(furniture), furniture.dimensions[0]
+        return Seat(edge, place.z, anchor.size[1] or 0.4, yaw, name, wide, anchor.clearance)
 
     def _bedside(self, world: Matrix, bed: Anchor, mark: Mark | None, node_id: str) -> Seat:
         """Return the seat on the long edge of a bed that is nearest to the mark."""

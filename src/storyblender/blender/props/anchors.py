@@ -18,7 +18,13 @@ WRAP: Vec3 = (0.5, 0.55, 0.35)
 """Curl of a hand around a tumbler."""
 
 
-def seat(location: Vec3, size: Vec2, direction: Vec3 = (0.0, -1.0, 0.0), name: str = "") -> Anchor:
+def seat(
+    location: Vec3,
+    size: Vec2,
+    direction: Vec3 = (0.0, -1.0, 0.0),
+    name: str = "",
+    headroom: float | None = None,
+) -> Anchor:
     """Return a seat.
 
     Args:
@@ -26,8 +32,26 @@ def seat(location: Vec3, size: Vec2, direction: Vec3 = (0.0, -1.0, 0.0), name: s
         size: Width and depth.
         direction: Where the sitter faces.
         name: Tells the seats of one prop apart.
+        headroom: Metres from it to the ceiling above; None in the open.
     """
-    return Anchor(kind="seat", name=name, location=location, direction=direction, size=size)
+    return Anchor(kind="seat", name=name, location=location, direction=direction, size=size, clearance=headroom)
+
+
+def part(name: str, location: Vec3, size: Vec3) -> Anchor:
+    """Return a part of a prop that people look at or touch.
+
+    Args:
+        name: A key of ``catalog.parts``, such as ``steering_wheel``.
+        location: Its middle.
+        size: Its width, depth and height.
+    """
+    (x, y, z), (width, depth, height) = location, size
+    return Anchor(kind="part", name=name, location=(x, y, z - height / 2), size=(width, depth), clearance=height)
+
+
+def panel(name: str, location: Vec3, size: Vec3) -> Anchor:
+    """Return a panel that a shot can hide, built under ``MeshBuilder.panel`` of the same name; as ``part``."""
+    return part(name, location, size).model_copy(update={"kind": "panel"})
 
 
 def seats_in_row(count: int, width: float, front: float, height: float, depth: float) -> Anchors:

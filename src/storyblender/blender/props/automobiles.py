@@ -11,16 +11,20 @@ from typing import Literal
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
-from storyblender.blender.props.anchors import Anchors, handle, seat
+from storyblender.blender.props.anchors import Anchors, handle, panel, part, seat
+from storyblender.blender.props.car_parts import lever, mirror, pedals, seat_cushions, steering_wheel
 from storyblender.blender.props.parts import wheel
 from storyblender.blender.props.registry import PropSpec, prop
 from storyblender.memory.asset_sheet import Anchor
+from storyblender.memory.base import Vec3
 
 DARK = "plastic_black"
 SILL, FLOOR, SIT = 0.27, 0.3, 0.47
 """Heights in metres of the lower door edge, the floor and the seats."""
 PANEL = 0.07
 """Thickness of a door in metres."""
+LINING = 0.1
+"""Metres from the top of a car to the lining of its roof."""
 AJAR = 62.0
 """Opening angle of an open door in degrees."""
 ASIDE = 0.55
@@ -74,37 +78,41 @@ def automobile(b: MeshBuilder, spec: PropSpec, style: Style) -> Anchors:
         style: Dimensions of the car type.
 
     Returns:
-        Seats (driver, passenger, rear_left, rear_right), the points beside its doors, and their handles.
+        Seats (driver, passenger, rear_left, rear_right), the points beside its doors and their handles, the parts
+        that people handle, and the panels that a shot can hide.
     """
     (w, d, _), paint = spec.size, spec.material("body")
     half, front, back = w / 2, -d / 2 + style.nose, d / 2 - style.tail
     middle = back if style.rows == 1 else (front + back) / 2 + 0.08
-    _ends(b, spec, style, front, back)
+    anchors = _ends(b, spec, style, front, back)
     b.box(DARK, (0, (front + back) / 2, FLOOR - 0.03), (w - 0.1, back - front + 0.2, 0.06))
     for x in (-1, 1):
         b.box(paint, (x * (half - 0.07), (front + back) / 2, SILL - 0.03), (0.1, back - front, 0.1), bevel=0.02)
     if style.roof:
-        _roof(b, spec, style, front, middle, back)
-    _inside(b, spec, style, front, back)
+        anchors += _roof(b, spec, style, front, middle, back)
+    anchors += _inside(b, spec, style, front, back)
     _running_gear(b, spec, style)
-    anchors: list[Anchor] = []
     rows = [("driver", "passenger", front + 0.06, middle), ("rear_left", "rear_right", middle, back)][: style.rows]
     for left, right, start, end in rows:
         for x, name in ((1, left), (-1, right)):
             is_open = bool({name, "all"} & {*spec.word("open").split()})
-            _door(b, spec, style, x, start, end, is_open)
-            anchors += _places(x, name, half, start, end, style)
+            with b.panel(f"door_{name}"):
+                _door(b, spec, style, x, start, end, is_open)
+            anchors += _places(x, name, spec.size, start, end, style)
+            size = (0.2, end - start, style.belt - SILL)
+            anchors.append(panel(f"door_{name}", (x * (half - 0.06), (start + end) / 2, (SILL + style.belt) / 2), size))
     return tuple(anchors)
 
 
-def _places(x: int, name: str, half: float, start: float, end: float, style: Style) -> list[Anchor]:
+def _places(x: int, name: str, size: Vec3, start: float, end: float, style: Style) -> list[Anchor]:
     """Return the seat ``name``, the place to get in and the handle of the door from ``start`` to ``end`` (y)."""
+    half, roof = size[0] / 2, size[2] - LINING - SIT if style.roof else None
     row = start + 0.45 if name in ("driver", "passenger") else end - 0.62
     at = Anchor(
         kind="door", name=name, location=(x * (half + ASIDE), (start + end) / 2, 0.0), direction=(-float(x), 0.0, 0.0)
     )
     return [
-        seat((x * half * 0.44, row, SIT), (half * 0.6, 0.5), name=name),
+        seat((x * half * 0.44, row, SIT), (half * 0.6, 0.5), name=name, headroom=roof),
         at,
         handle((x * half, end - 0.14, style.belt - 0.12), (float(x), 0.0, 0.0), f"door_{name}"),
     ]
@@ -120,13 +128,18 @@ def _block(b: MeshBuilder, paint: MaterialRef, sections: list[tuple[float, float
     b.loft(paint, rings)
 
 
-def _ends(b: MeshBuilder, spec: PropSpec, style: Style, front: float, back: float) -> None:
-    """Add the parts in front of and behind the cabin: bonnet, boot or bed, lamps, bumpers and plates."""
+def _ends(b: MeshBuilder, spec: PropSpec, style: Style, front: float, back: float) -> list[Anchor]:
+    """Add the parts in front of and behind the cabin: bonnet, boot or bed, lamps, bumpers and plates.
+
+    Returns:
+        The panel of the bonnet.
+    """
     (w, d, h), paint = spec.size, spec.material("body")
     half, f, r = w / 2, -d / 2, d / 2
     hood = [(f, half * 0.84, style.bonnet - 0.12), (f + 0.12, half * 0.94, style.bonnet)]
     hood += [(f + style.nose * 0.5, half, (style.bonnet + style.belt) / 2 + 0.02), (front + 0.04, half, style.belt)]
-    _block(b, paint, hood)
+    with b.panel("bonnet"):
+        _block(b, paint, hood)
     if style.rear == "boot":
         ends = [(back - 0.04, half, style.belt + 0.02), (back + style.tail * 0.6, half * 0.98, style.deck + 0.05)]
         _block(b, paint, [*ends, (r - 0.1, half * 0.94, style.deck), (r, half * 0.86, style.deck - 0.12)])
@@ -154,10 +167,15 @@ def _ends(b: MeshBuilder, spec: PropSpec, style: Style, front: float, back: floa
     for y in (f - 0.02, r + 0.02):
         b.rounded_box(spec.material("trim"), (0, y, 0.42), (w * 0.93, 0.1, 0.15), 0.04)
         b.box("porcelain", (0, y + (0.056 if y > 0 else -0.056), 0.42), (0.44, 0.012, 0.1), bevel=0.003)
+    return [panel("bonnet", (0.0, (f + front) / 2, (SILL + style.belt) / 2), (w, front - f, style.belt - SILL))]
 
 
-def _roof(b: MeshBuilder, spec: PropSpec, style: Style, front: float, middle: float, back: float) -> None:
-    """Add the roof and its posts, given the y of the windscreen, the door post and the rear window."""
+def _roof(b: MeshBuilder, spec: PropSpec, style: Style, front: float, middle: float, back: float) -> list[Anchor]:
+    """Add the roof, its posts and the mirror, given the y of the windscreen, the door post and the rear window.
+
+    Returns:
+        The mirror, and the panels of the roof, of the windscreen's frame and of the other posts.
+    """
     (w, _, h), paint = spec.size, spec.material("body")
     half, top, skin = w / 2, h - 0.05, 0.035
     low, wide = style.belt - 0.03, half * 0.79
@@ -177,32 +195,66 @@ def _roof(b: MeshBuilder, spec: PropSpec, style: Style, front: float, middle: fl
                 for s, up in ((-1, -0.05), (1, -0.05), (0.95, -0.01), (0.7, 0.01), (-0.7, 0.01), (-0.95, -0.01))
             ]
         )
-    b.loft(paint, [np.array(ring) for ring in rings])
-    for x in (-1, 1):
-        posts = [((front + 0.03, half * 0.93), (fore, wide)), ((back - 0.03, half * 0.93), (aft, wide))]
-        posts += [((middle, half * 0.95), (middle, wide * 1.02))] * (style.rows > 1)
-        for (y0, x0), (y1, x1) in posts:
-            b.tube(paint, [(x * x0, y0, low), (x * x1, y1, top - 0.01)], skin, segments=8)
-    b.box(DARK, (0, fore + 0.04, top - 0.14), (0.22, 0.03, 0.07), bevel=0.012)
+    with b.panel("roof"):
+        b.loft(paint, [np.array(ring) for ring in rings])
+    glass = top - style.belt
+    anchors = [panel("roof", (0.0, (fore + aft) / 2, top), (2 * wide, aft - fore + 0.1, 0.16))]
+    posts = {
+        "windscreen": ((front + 0.03, half * 0.93), (fore, wide)),
+        "rear": ((back - 0.03, half * 0.93), (aft, wide)),
+    }
+    posts |= {"middle": ((middle, half * 0.95), (middle, wide * 1.02))} if style.rows > 1 else {}
+    for x, side in ((-1, "right"), (1, "left")):
+        for name, ((y0, x0), (y1, x1)) in posts.items():
+            with b.panel(f"post_{name}_{side}"):
+                b.tube(paint, [(x * x0, y0, low), (x * x1, y1, top - 0.01)], skin, segments=8)
+            at, size = (x * (x0 + x1) / 2, (y0 + y1) / 2, style.belt + glass / 2), (0.28, abs(y1 - y0) + 0.2, glass)
+            anchors.append(panel(f"post_{name}_{side}", at, size))
+    place = (0.0, fore + 0.04, top - 0.14)
+    with b.panel("mirror"), b.at(place):
+        mirror(b)
+    return [*anchors, part("mirror", place, (0.24, 0.05, 0.09))]
 
 
-def _inside(b: MeshBuilder, spec: PropSpec, style: Style, front: float, back: float) -> None:
-    """Add dashboard, steering wheel and seats between the y of the windscreen and that of the rear seat's back."""
-    half, cover = spec.size[0] / 2, "leather_black"
-    b.box(DARK, (0, front + 0.16, style.belt - 0.13), (2 * half - 0.2, 0.3, 0.22), bevel=0.05)
-    middle = np.array((half * 0.44, front + 0.42, style.belt - 0.06))
-    turn = np.linspace(0, 2 * np.pi, 23)[:-1]
-    rim = middle + 0.18 * np.c_[np.cos(turn), -0.47 * np.sin(turn), 0.88 * np.sin(turn)]
-    b.tube(DARK, rim, 0.016, segments=6, closed=True)
-    b.tube(DARK, [middle, middle - (0, 0.22, 0.12)], 0.03, segments=6)
-    for x in (-1, 1):
-        b.tube(DARK, [middle, np.add(middle, (x * 0.17, 0, 0.02))], 0.014, segments=5)
-    rows = [(x * half * 0.44, front + 0.45, half * 0.62) for x in (-1, 1)]
-    rows += [(0.0, back - 0.62, half * 1.6)] * (style.rows > 1)
-    for x, y, wide in rows:
-        b.box(DARK, (x, y + 0.24, (FLOOR + SIT) / 2 - 0.03), (wide * 0.9, 0.4, SIT - FLOOR - 0.06))
-        b.cushion(cover, (x, y + 0.25, SIT - 0.06), (wide, 0.52, 0.16), softness=0.25)
-        b.cushion(cover, (x, y + 0.56, SIT + 0.3), (wide, 0.15, 0.66), softness=0.25, rotation=(-12, 0, 0))
+def _inside(b: MeshBuilder, spec: PropSpec, style: Style, front: float, back: float) -> list[Anchor]:
+    """Add dashboard, steering wheel and seats between the y of the windscreen and that of the rear seat's back.
+
+    Returns:
+        The parts that the driver handles, and the panel of the dashboard.
+    """
+    half = spec.size[0] / 2
+    at, across = (0.0, front + 0.16, style.belt - 0.13), (2 * half - 0.2, 0.3, 0.22)
+    with b.panel("dashboard"):
+        b.box(DARK, at, across, bevel=0.05)
+        for x in (-0.08, 0.08):
+            b.cylinder(
+                "lamp_cool",
+                (half * 0.44 + x, front + 0.312, at[2] + 0.02),
+                (half * 0.44 + x, front + 0.316, at[2] + 0.02),
+                0.05,
+            )
+    anchors = [panel("dashboard", at, across)]
+    left, row = half * 0.44, front + 0.45
+    held = {
+        "steering_wheel": (steering_wheel, (left, front + 0.42, style.belt - 0.06), (0.4, 0.2, 0.36)),
+        "lever": (lever, (left, row + 0.0, SIT - 0.14), (0.34, 0.08, 0.05)),
+        "pedals": (pedals, (left, front + 0.12, FLOOR + 0.1), (0.36, 0.14, 0.16)),
+    }
+    for name, (build, place, size) in held.items():
+        with b.panel(name), b.at(place):
+            build(b)
+        anchors.append(part(name, place, size))
+    mat = (left, front + 0.3, FLOOR + 0.006)
+    with b.panel("mat"):
+        b.box("rubber", mat, (0.5, 0.5, 0.012), bevel=0.004)
+    anchors.append(part("mat", mat, (0.5, 0.5, 0.02)))
+    rows = [("seat_driver", left, row, half * 0.62), ("seat_passenger", -left, row, half * 0.62)]
+    rows += [("seat_rear", 0.0, back - 0.62, half * 1.6)] * (style.rows > 1)
+    for name, x, y, wide in rows:
+        with b.panel(name), b.at((x, y, SIT)):
+            seat_cushions(b, wide, SIT - FLOOR)
+        anchors.append(part(name, (x, y + 0.32, SIT + 0.24), (wide, 0.66, 0.82)))
+    return anchors
 
 
 def _door(b: MeshBuilder, spec: PropSpec, style: Style, x: int, start: float, end: float, is_open: bool) -> None:

@@ -120,4 +120,5 @@ def _rescale_anchor(anchor: Anchor, origin: np.ndarray, factors: np.ndarray) -> 
     turned = abs(anchor.direction[0]) > abs(anchor.direction[1])
     across, along = (factors[1], factors[0]) if turned and anchor.kind != "top" else (factors[0], factors[1])
     size = (anchor.size[0] * float(across), anchor.size[1] * float(along))
-    return anchor.model_copy(update={"location": (x, y, z), "size": size})
+    high = None if anchor.clearance is None else anchor.clearance * float(factors[2])
+    return anchor.model_copy(update={"location": (x, y, z), "size": size, "clearance": high})

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from storyblender.blender.hiding import out_of_picture
 from storyblender.blender.render.exr import Channels, read_channels
+from storyblender.blender.sections import is_hidden_by
 from storyblender.look.gbuffer import View
 from storyblender.look.optics import Lens
 from storyblender.look.raster import Window
@@ -114,7 +115,7 @@ class RenderSession:
             for obj in self.scene.objects:
                 if obj.type not in DRAWN or obj.hide_render:
                     continue
-                if obj.get("node_id") in self._hidden:
+                if is_hidden_by(obj, self._hidden):
                     self.hidden_objects.append(obj)
                 elif obj.get("surface") == int(Surface.SMOKE) and not self._smoke:
                     self.hidden_objects.append(obj)

@@ -8,6 +8,9 @@ from storyblender.memory.base import Vec3
 _CAR = {"body": "paint", "trim": "plastic_black", "chrome": "chrome", "tyre": "rubber", "lamp": "lamp_warm"}
 
 
+_PART = {"body": "plastic_black", "metal": "chrome"}
+
+
 def _car(
     key: str, words: str, size: Vec3, description: str, color: str = "", band: str = "", **params: str
 ) -> PropEntry:
@@ -82,4 +85,14 @@ VEHICLES: tuple[PropEntry, ...] = (
         {"hull": "wood", "inside": "wood_light", "oar": "wood"}, "A rowing boat with oars.", seats=2),
     entry("vehicle", "pram", "baby carriage, stroller, pushchair", (0.6, 1.0, 1.05),
         {"body": "fabric_blue", "metal": "chrome", "tyre": "rubber"}, "A baby carriage."),
+    entry("fitting", "steering_wheel", "car wheel rim, steering column", (0.37, 0.28, 0.34), _PART,
+        "The steering wheel of a car.", placement="surface"),
+    entry("fitting", "rear_view_mirror", "rearview mirror, rear-view mirror, driving mirror, car mirror",
+        (0.24, 0.06, 0.16), _PART, "The mirror over a car's windscreen.", placement="surface"),
+    entry("fitting", "seat_lever", "seat adjuster, seat release", (0.34, 0.08, 0.03), _PART,
+        "The bar by which a car's seat slides.", placement="surface"),
+    entry("fitting", "car_pedals", "pedals, brake pedal, gas pedal, clutch pedal, accelerator pedal",
+        (0.36, 0.1, 0.2), _PART, "The pedals of a car."),
+    entry("fitting", "car_mat", "floor mat, car floor mat, rubber mat", (0.5, 0.5, 0.012), {"cover": "rubber"},
+        "A rubber mat."),
 )  # fmt: skip

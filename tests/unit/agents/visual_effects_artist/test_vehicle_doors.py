@@ -10,7 +10,14 @@ from storyblender.agents.visual_effects_artist.vehicle_doors import add_open_doo
 from storyblender.catalog.states import state_looks
 from storyblender.memory.asset_sheet import Anchor, Asset, CanonicalAsset
 from storyblender.memory.scene_context import LayoutObject
-from storyblender.memory.shot_context import Blocking, BodyState, CameraInstruction, Mark, ShotContext
+from storyblender.memory.shot_context import (
+    AssetModification,
+    Blocking,
+    BodyState,
+    CameraInstruction,
+    Mark,
+    ShotContext,
+)
 from storyblender.memory.thing_states import Condition
 
 _SIDES = {"driver": 1.4, "passenger": -1.4}
@@ -53,6 +60,16 @@ def test_the_door_of_who_gets_out_is_open(door: str) -> None:
     assert _states(_shot(1, door, aboard=True), _shot(2, door), _shot(3, None)) == [
         [], [("open", (door,))], [("closed", ())],
     ]  # fmt: skip
+
+
+def test_a_door_that_the_script_opens_stays_open_until_it_is_shut() -> None:
+    def told(shot: ShotContext, state: str) -> ShotContext:
+        change = AssetModification(asset_id="car", modification_type="transform", state=state)
+        return shot.model_copy(update={"asset_modifications": (change,)})
+
+    first, second, third = told(_shot(1, None), "open"), _shot(2, None), told(_shot(3, None), "closed")
+    states = _states(first, second, third)
+    assert [shot[-1:] for shot in states] == [[("open", ("driver",))], [], [("closed", ())]]
 
 
 def test_who_only_stands_by_a_car_opens_no_door() -> None:

@@ -25,6 +25,10 @@ OFF_THE_FLOOR = ("hang", "upside_down", "float", "ride", "crawl")
 """Postures in which the feet carry no weight."""
 ASIDE = 0.12
 """Metres; a person farther from the position before a seat reaches or leaves it sideways."""
+STATURE = 1.7
+"""Metres of a person of scale 1."""
+HAT, SINKS = 0.06, 0.12
+"""Metres kept free over a head under a roof; most metres by which a sitter slouches into the seat for that."""
 FLOOR_SEAT = 0.30
 """Metres; on lower seats the legs are stretched out."""
 
@@ -116,6 +120,8 @@ def lower_onto_seat(stage: MotionStage, who: Performer, seat: Seat, t: float) ->
     before = feet_before_seat(who, seat)
     back = depth - (seat.edge - before).dot(forward)
     dy, height = back - m.hip_y, seat.height + m.seat_drop
+    sunk, bent = _under_a_roof(who, seat)
+    height -= sunk
     whole = 1.15 * math.sqrt(k)
     if (who.position - before).length > ASIDE:
         t = _slide(who, t, before, (0, 0.55 * dy, 0.84 * m.hip_height, 24, 0, 0))
@@ -126,7 +132,7 @@ def lower_onto_seat(stage: MotionStage, who: Performer, seat: Seat, t: float) ->
     hips = who.position - forward * back
     table = find_table_before(stage, who, hips, seat.height)
     who.table = hand_places_on(who, hips, table)
-    who.spine.set(t + 0.5 * whole, 0.6 * whole, (seated_bend(who, table), 0, 0))
+    who.spine.set(t + 0.5 * whole, 0.6 * whole, (seated_bend(who, table) + bent, 0, 0))
     who.pinned.set(t, 0.9 * whole, 1.0)
     who.life.set(t, whole, 0.5)
     who.seated.set(t + 0.25 * whole, 0.70 * whole, 1.0)
@@ -136,6 +142,17 @@ def lower_onto_seat(stage: MotionStage, who: Performer, seat: Seat, t: float) ->
     return_hands(stage, who, t + 0.15 * whole, 0.8 * whole)
     who.posture = "sit"
     return t + 1.1 * whole
+
+
+def _under_a_roof(who: Performer, seat: Seat) -> tuple[float, float]:
+    """Return how a tall person fits under the roof over a seat: metres sunk into it, degrees bent forward."""
+    if seat.headroom is None:
+        return 0.0, 0.0
+    trunk = who.scale * STATURE - who.measures.hip_height
+    over = who.measures.seat_drop + trunk + HAT - seat.headroom
+    sunk = min(max(over, 0.0), SINKS)
+    left = max(over - sunk, 0.0)
+    return sunk, math.degrees(math.acos(max(1.0 - left / trunk, 0.5)))
 
 
 def _slide(who: Performer, t: float, place: Vector, hips: tuple[float, ...]) -> float:
