@@ -110,7 +110,7 @@ class ScenePacker:
             if self._assets[item.asset_id].asset_type == "object" and item not in parts:
                 self._place(item, collection, [each for each in parts if each.anchor_asset_id == item.node_id])
         for asset_id in moved_assets(self._job):
-            if asset_id not in self._props and not self._assets[asset_id].fitted_part:
+            if asset_id not in self._props:
                 self._place(LayoutObject(node_id=asset_id, asset_id=asset_id, location=(0, 0, -5)), collection)
 
     def _place(self, item: LayoutObject, collection: bpy.types.Collection, parts: Sequence[LayoutObject] = ()) -> None:

@@ -17,7 +17,7 @@ from storyblender.memory.asset_sheet import Anchor, Asset
 from storyblender.memory.base import content_hash
 from storyblender.memory.jobs import SceneJob
 from storyblender.memory.scene_context import LayoutObject
-from storyblender.memory.shot_context import PropState, ShotContext
+from storyblender.memory.shot_context import Cue, PropState, ShotContext
 
 LOW_TOP = 0.12
 """Metres; lower objects (rugs, kerbs) are stepped over."""
@@ -64,13 +64,20 @@ class StagePlanner:
         return StagePlan(
             people=people,
             frames=shot.duration,
-            cues=shot.cues,
+            cues=tuple(self._of_whole(cue) for cue in shot.cues),
             props=self._props(shot),
             furniture={**self._openings, **self._furniture},
             obstacles=self._obstacles,
             bounds=self._bounds,
             seed=int(content_hash(shot.scene_id, shot.shot_id)[:8], 16),
         )
+
+    def _of_whole(self, cue: Cue) -> Cue:
+        """Return a cue in which a part of a vehicle is not picked up but reached for where it is."""
+        prop = self._assets.get(cue.prop_id or "")
+        if prop is None or not prop.fitted_part:
+            return cue
+        return cue.model_copy(update={"prop_id": None, "target_id": cue.target_id or cue.prop_id})
 
     def _wears_jacket(self, asset_id: str) -> bool:
         """Return whether a person wears something open with breast pockets."""
@@ -107,7 +114,7 @@ class StagePlanner:
 
 def moved_assets(job: SceneJob) -> list[str]:
     """Return the ids of objects that people touch or that change place in any shot, in order of appearance."""
-    objects = {asset.asset_id for asset in job.assets if asset.asset_type == "object"}
+    objects = {asset.asset_id for asset in job.assets if asset.asset_type == "object" and not asset.fitted_part}
     moved: dict[str, None] = {}
     for shot in job.shots:
         for cue in shot.cues:

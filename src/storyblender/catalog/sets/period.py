@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping
 from typing import Final
 
 from storyblender.catalog.props import PROPS
+from storyblender.catalog.props.prop_families import family_of
 from storyblender.catalog.set_plan import Furnishing, Piece, SetPlan
 from storyblender.catalog.sets.drawing import Period
 from storyblender.catalog.sets.kit import SetKit
@@ -75,7 +76,8 @@ def fit_to_period(plan: SetPlan, period: Period) -> SetPlan:
     furnishings: list[Furnishing] = []
     pieces: list[Piece] = [piece for piece in plan.pieces if piece.part not in gone]
     for item in plan.furnishings:
-        prop = instead.get(item.prop, item.prop)
+        itself = plan.kit in family_of(item.prop)  # the inside of a car has its car in every period
+        prop = item.prop if itself else instead.get(item.prop, item.prop)
         if prop == item.prop:
             furnishings.append(item)
         elif prop:
