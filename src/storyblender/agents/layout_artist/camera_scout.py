@@ -44,7 +44,7 @@ from storyblender.agents.layout_artist.camera_visibility import (
     is_in_picture,
     share_of_points_hidden,
 )
-from storyblender.agents.layout_artist.vehicle_panels import wild_vehicles
+from storyblender.agents.layout_artist.vehicle_panels import aboard, wild_vehicles
 from storyblender.geometry.boxes import Box, distance_to_point
 from storyblender.geometry.framing import Figure, head_share, project
 from storyblender.geometry.gaps import MAX_FACE_GAP, widest_face_gap
@@ -145,9 +145,10 @@ def _without_strangers(view: CameraOperatorView, take: CameraOperatorDraft) -> C
         return take
     moments = view.moments if take.moves else (view.story_moment,)
     gone: list[str] = []
+    strangers = [node for node in view.strangers if node not in aboard(view)]
     for moment in moments:
         camera = take.at(time_share(view, moment.frame))
-        for node in view.strangers:
+        for node in strangers:
             figure = moment.figure(node)
             if figure is not None and (is_in_picture(camera, figure) or _is_beside_insert(view, figure)):
                 gone.append(node)

@@ -10,6 +10,7 @@ import numpy as np
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView
 from storyblender.agents.layout_artist.camera_solids import is_anyone_aboard
 from storyblender.geometry.boxes import Box, distance_to_point
+from storyblender.geometry.framing import Figure
 from storyblender.geometry.orbit import Floats, Orbit
 from storyblender.geometry.sight import find_hidden as hidden_from
 from storyblender.memory.asset_sheet import Anchor
@@ -23,6 +24,10 @@ _ABOUT = 0.11
 """Metres around a target that have to be seen with it: the half of a face."""
 _STAYS = ("_steering_wheel", "_lever", "_pedals", "_mat")
 """Parts that people handle: they are small, and hands are on them."""
+_MIDDLE = 0.02
+"""Metres from the middle of a vehicle at which a target is the vehicle itself, which stays whole."""
+_ON_SEAT = 0.25
+"""Metres on the floor from a seat to the face of who sits on it."""
 _TOUCHES = 0.12
 """Metres from the camera to a panel within which it fills the picture."""
 
@@ -56,10 +61,36 @@ def hidden_panels(view: CameraOperatorView, cameras: Iterable[Orbit], targets: S
     """
     if view.instruction.kind == "establishing" or not view.panels:
         return []
-    cabins = [box for node, box in view.props.items() if f"{node}_dashboard" in view.panels]
-    inside = [each for each in targets if any(_is_in(box, each) for box in cabins)]
-    wild = {id_: box for id_, box in view.panels.items() if not id_.endswith(_STAYS)}
+    cabins = {node: box for node, box in view.props.items() if f"{node}_dashboard" in view.panels}
+    wholes = [(box.x, box.y) for node, box in cabins.items() if node in view.focus]
+    inside = [
+        each
+        for each in targets
+        if any(_is_in(box, each) for box in cabins.values())
+        and not any(math.dist(middle, each[:2]) < _MIDDLE for middle in wholes)
+    ]
+    figures = view.story_moment.figures if view.instruction.kind != "insert" else ()
+    wild = {
+        id_: box
+        for id_, box in view.panels.items()
+        if not id_.endswith(_STAYS) and not ("_seat_" in id_ and any(_sits_on(box, each) for each in figures))
+    }
     return find_hidden_panels(wild, dict.fromkeys(cameras), inside, view.things)
+
+
+def aboard(view: CameraOperatorView) -> set[str]:
+    """Return the node_ids of the people in vehicles that can be taken apart: these are never empty for a picture.
+
+    Args:
+        view: The shot.
+    """
+    boxes = [view.props[node] for node in wild_vehicles(view)]
+    return {each.node_id for each in view.story_moment.figures if is_anyone_aboard(boxes, [each])}
+
+
+def _sits_on(seat: Box, figure: Figure) -> bool:
+    """Return whether a person is on a seat, given its box."""
+    return distance_to_point(seat, figure.face[0], figure.face[1]) < _ON_SEAT and figure.face[2] > seat.z
 
 
 def wild_vehicles(view: CameraOperatorView) -> tuple[str, ...]:

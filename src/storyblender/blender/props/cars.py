@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
-from storyblender.blender.props.anchors import Anchors, handle, seat
+from storyblender.blender.props.anchors import Anchors, boarding_place, handle, seat
 from storyblender.blender.props.parts import wheel
 from storyblender.blender.props.registry import PropSpec, prop
 from storyblender.memory.asset_sheet import Anchor
@@ -130,7 +130,12 @@ def truck(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.rounded_box(spec.material("chrome"), (0, f + 0.02, 0.6), (w * 0.9, 0.08, 0.16), 0.03)
     for k in range(8):
         b.box(spec.material("chrome"), ((k - 3.5) * 0.1, f + 0.1, 0.98), (0.035, 0.03, 0.5), bevel=0.008)
-    return _door_handles(cab, (f + 2.0, f + 2.1), 1.2)
+    high, row = 1.05, f + 1.62
+    places: list[Anchor] = []
+    for x, name in ((1, "driver"), (-1, "passenger")):
+        places.append(seat((x * cab * 0.45, row, high), (0.5, 0.45), name=name, headroom=h - 0.16 - high))
+        places.append(boarding_place(x * (half + 0.45), row, name))
+    return (*places, *_door_handles(cab, (f + 2.0, f + 2.1), 1.2))
 
 
 @prop("bus")

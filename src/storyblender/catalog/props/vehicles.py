@@ -49,7 +49,7 @@ VEHICLES: tuple[PropEntry, ...] = (
     _car("ambulance", "emergency ambulance, paramedics' van", (1.95, 5.2, 2.15), "An ambulance.", "#e8e8e4"),
     entry("vehicle", "truck", "lorry, army truck, dump truck, moving truck, semi, juggernaut", (2.2, 6.2, 2.5),
         {"body": "paint", "glass": "glass_dark", "chrome": "chrome", "tyre": "rubber", "lamp": "lamp_warm",
-        "bed": "wood"}, "A truck with a wooden bed."),
+        "bed": "wood"}, "A truck with a wooden bed.", seats=2),
     entry("vehicle", "bus", "coach, school bus, city bus", (2.5, 9.0, 3.0),
         {"body": "paint", "glass": "glass_dark", "chrome": "chrome", "tyre": "rubber", "lamp": "lamp_warm"},
         "A bus to sit in.", params={"open": False}, seats=9),
