@@ -12,6 +12,7 @@ from tests.blender.motion_stage import Playback, build_bodies, cue_of, mark_at, 
 from storyblender.blender.motion.clips.phrasing import GESTURES, REST, phrases
 from storyblender.blender.motion.clips.speech import MANNERS, QUIET_HANDS
 from storyblender.blender.people.body import RiggedBody
+from storyblender.catalog.motions import stressed_moment
 from storyblender.memory.vocabulary import Mood
 
 pytestmark = pytest.mark.blender
@@ -55,6 +56,16 @@ def test_hands_rise_and_rest_while_somebody_talks(bodies: dict[str, RiggedBody],
     assert np.ptp(tops, axis=1).max() > 0.08
     steps = [abs(b - a) for each in heights.values() for a, b in itertools.pairwise(each)]
     assert max(steps) < 0.55, "nothing jumps"
+
+
+@pytest.mark.parametrize("length", [24, 60, 200])
+def test_mouth_and_eyes_are_open_where_a_picture_shows_a_speech(bodies: dict[str, RiggedBody], length: int) -> None:
+    shot = perform(bodies, (mark_at("man", 0, 0),), (cue_of("man", "talk", 4, duration=length),), 10)
+    track = shot.people["man"]
+    frame = round(24 * stressed_moment(4 / 24, (4 + length) / 24))
+    mouth, lids = (track.face[:, track.face_keys.index(key)] for key in ("mouth_open", "blink"))
+    assert mouth[frame] > 0.85 * mouth.max() > 0.1
+    assert lids[frame] < 0.2
 
 
 def test_who_talks_with_a_full_hand_gestures_with_the_other(bodies: dict[str, RiggedBody]) -> None:

@@ -184,6 +184,9 @@ FIELDS: dict[str, str] = {
 }
 """What ``target`` and ``prop`` of an action are, by motion, for those who write actions."""
 
+FIRST_STRESS = 1.1
+"""Seconds into a speech at which a picture shows it: hands raised, mouth open; half of a short speech."""
+
 STANDING: frozenset[str] = frozenset({"idle", "stand"})
 """Motions that show no action; on ``stand`` who sits or lies gets up first."""
 
@@ -240,6 +243,11 @@ def natural_seconds(motion: Motion, *, distance: float = 0.0, stature: float = 1
     if motion.speed and distance > 0:
         seconds += distance / (motion.speed * root)
     return seconds
+
+
+def stressed_moment(start: float, end: float) -> float:
+    """Return the second of a speech from ``start`` to ``end`` at which a picture shows it."""
+    return start + min((end - start) / 2, FIRST_STRESS)
 
 
 def turning_seconds(degrees: float, stature: float = 1.7) -> float:

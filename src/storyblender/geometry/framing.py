@@ -42,18 +42,6 @@ DUTCH_ROLL = 12.0
 """Degrees."""
 THIRD_FROM_CENTRE = 1 / 6
 """Distance of a third line from the middle of the picture, as a share of the picture."""
-SHOULDER_CROWN_Y = -0.04
-"""Least screen y of the near crown of an over-the-shoulder: a little hair may be cut, not the head."""
-_SHOULDER_HEAD_RATIO = 3.2
-"""Largest ratio of the near head of an over-the-shoulder to the far one."""
-_SHOULDER_DISTANCE_RATIO = 1.6
-"""Largest ratio of an over-the-shoulder's camera distance to the distance that the shot size asks for."""
-_SHOULDER_RISE_SHARE = 0.5
-"""Share of the height of a partner's face above the subject's by which the camera goes up."""
-_SHOULDER_FACE_OFFSET = 0.13
-"""Screen distance from the middle to the face of an over-the-shoulder, on the side without the shoulder."""
-_SHOULDER_FACE_LOWEST_Y = 0.55
-"""Largest screen y of the subject's face in an over-the-shoulder."""
 _MIN_FACE_DEPTH = 0.8
 """Least metres along the view from the camera to a face of a group."""
 _MIN_CROWN_Y = 0.12
@@ -290,65 +278,6 @@ def frame_group_from(
     way = np.array([math.sin(ahead), math.cos(ahead), math.tan(pitch)])
     distance = max(float((ways[:, :2] @ way[:2]).mean()), 0.6)
     return camera_looking_at(eye, eye + way * distance, lens, sensor_width=film.sensor_width, aspect=film.aspect)
-
-
-def can_frame_over_shoulder(film: Film, focus: Figure, over: Figure, size: ShotSize, lens: float) -> bool:
-    """Return whether a camera behind ``over`` (lens in mm) sees ``focus`` about as large as the shot size asks."""
-    apart = math.dist(focus.face[:2], over.face[:2])
-    return _distance_over_shoulder(apart) <= _SHOULDER_DISTANCE_RATIO * distance_for(
-        focus.head, SIZES[size].head, film.tangent(lens)
-    )
-
-
-def _distance_over_shoulder(apart: float) -> float:
-    """Return the least metres from camera to subject behind a partner who is ``apart`` metres from the subject."""
-    return apart + max(0.75, apart / (_SHOULDER_HEAD_RATIO - 1))
-
-
-def frame_over_shoulder(
-    film: Film, focus: Figure, over: Figure, size: ShotSize, side: float, elevation: float, lens: float
-) -> Orbit:
-    """Return the camera behind a shoulder: the listener's head a dark third, the speaker's face in the other.
-
-    Args:
-        film: Sensor and aspect.
-        focus: Person who is seen.
-        over: Person whose shoulder is in the picture.
-        size: Shot size of ``focus``.
-        side: +1 if the camera is on the left of the line from ``over`` to ``focus``, -1 if on the right.
-        elevation: Degrees above the eyes of ``focus``, added to the height that clears the shoulder.
-        lens: Focal length, mm.
-    """
-    tangent = film.tangent(lens)
-    line = np.asarray(focus.face) - np.asarray(over.face)
-    apart = max(float(np.hypot(line[0], line[1])), 0.4)
-    ahead = np.array([line[0], line[1], 0.0]) / apart
-    left = np.array([-ahead[1], ahead[0], 0.0])
-    distance = max(distance_for(focus.head, SIZES[size].head, tangent), _distance_over_shoulder(apart))
-    behind = distance - apart
-    spread = 0.42 * 2 * tangent * film.aspect
-    # Placing the face on its third takes the camera back by as much.
-    taken = _SHOULDER_FACE_OFFSET * 2 * tangent * film.aspect * distance
-    aside = min(spread / (1 / behind - 1 / distance) + taken, 0.75 * behind, 0.7 * distance)
-    aside = max(aside, 0.32)
-    lift = distance * math.tan(math.radians(elevation))
-    position = np.asarray(over.face) - ahead * behind + left * side * aside
-    taller = max(over.face[2] - focus.face[2], 0.0)
-    position[2] = max(focus.face[2], over.face[2]) + 0.06 + lift + _SHOULDER_RISE_SHARE * taller
-    camera = camera_looking_at(position, focus.face, lens, sensor_width=film.sensor_width, aspect=film.aspect)
-    height = min(face_screen_y(size) + 0.03, 0.42)
-    camera = place_on_screen(camera, focus.face, 0.5 - side * _SHOULDER_FACE_OFFSET, height)
-    screen, depth = project(camera, [over.crown, focus.face])
-    if screen[0, 1] >= SHOULDER_CROWN_Y:
-        return camera
-    # A camera that goes up moves a near head further down its picture than the face behind it.
-    lower = (SHOULDER_CROWN_Y - float(screen[0, 1])) * float(depth[0] / depth[1])
-    return place_on_screen(
-        camera,
-        focus.face,
-        0.5 - side * _SHOULDER_FACE_OFFSET,
-        max(height, min(height + lower, _SHOULDER_FACE_LOWEST_Y)),
-    )
 
 
 def frame_point_of_view(film: Film, eyes: Figure, target: ArrayLike, lens: float) -> Orbit:

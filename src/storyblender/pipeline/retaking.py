@@ -6,25 +6,34 @@ speaker or actor, or else of the subject. What still fails is on the checklist w
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Final
 
 from storyblender.agents.frame_critic.frame_view import actions_to_see, speakers
 from storyblender.memory.base import shot_name
 from storyblender.memory.shot_context import CameraRetake, ShotContext
-from storyblender.memory.shot_sizes import SHOT_SIZES
+from storyblender.memory.shot_sizes import SHOT_SIZES, SIZES, ShotSize
 from storyblender.pipeline.filming import film
 from storyblender.pipeline.reviewing import FrameReview, foresee_frames, review_frames
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import shoot_frames
 
-_WIDER: Final = ("person_missing", "people_missing", "face_out", "thing_missing", "nothing")
-_TIGHTER: Final = ("person_small", "flat", "void", "dark")
-_AROUND: Final = ("person_hidden", "face_hidden", "foreground", "inside")
+_WIDER: Final = (
+    "person_missing",
+    "people_missing",
+    "face_out",
+    "thing_missing",
+    "nothing",
+    "partner_missing",
+    "no_shoulder",
+)
+_TIGHTER: Final = ("person_small", "thing_small", "flat", "void", "dark")
+_AROUND: Final = ("person_hidden", "headless", "face_hidden", "foreground", "inside")
 _PASSING: Final = ("face_away", "backs", "face_hidden", "person_hidden", "person_missing", "thing_missing", "nothing")
 """Faults that may be gone at another moment of the shot."""
 _CROWDED: Final = ("person_missing", "people_missing", "person_small", "person_hidden", "apart", "backs", "void",
-                   "foreground", "face_hidden", "face_out", "face_away", "nothing", "inside")  # fmt: skip
+                   "foreground", "face_hidden", "face_out", "face_away", "nothing", "inside", "headless")  # fmt: skip
 """Faults of pictures that hold too much: a simpler one has fewer of them."""
 _UNSEEN: Final = ("person_missing", "people_missing", "thing_missing")
 _GAIN, _GAIN_FROM_ABOVE = 0.5, 1.5
@@ -149,7 +158,10 @@ def _another_camera(shot: ShotContext, review: FrameReview) -> CameraRetake | No
     faults = [fault for fault in review.faults if fault.kind in kinds]
     if not faults or instruction.kind == "insert":
         return None
-    worst = max(faults, key=lambda fault: fault.severity).kind
+    fault = max(faults, key=lambda fault: fault.severity)
+    worst = fault.kind
+    if worst == "partner_missing":
+        return CameraRetake(size=_size_for_all(shot)) if fault.subject in shot.on_stage else None
     if worst in _WIDER and instruction.angle == "low angle" and not instruction.explicit:
         return CameraRetake(angle="eye-level")  # a head that is cut off from below
     if worst in _AROUND and instruction.angle == "eye-level":
@@ -160,6 +172,16 @@ def _another_camera(shot: ShotContext, review: FrameReview) -> CameraRetake | No
         return CameraRetake(angle="high angle") if from_above else None
     at = SHOT_SIZES.index(instruction.size) + (1 if worst in _TIGHTER else -1)
     return CameraRetake(size=SHOT_SIZES[at]) if 0 <= at <= SHOT_SIZES.index("CU") else None
+
+
+def _size_for_all(shot: ShotContext) -> ShotSize:
+    """Return the tightest size that holds all subjects as far apart as they stand, no tighter than the shot's own."""
+    marks = {each.start.asset_id: each.start.location for each in shot.blocking}
+    places = [marks[each] for each in shot.camera_instruction.focus_on_ids if each in marks]
+    apart = max((math.dist(place[:2], places[0][:2]) for place in places), default=0.0)
+    wider: tuple[ShotSize, ...] = SHOT_SIZES[: SHOT_SIZES.index(shot.camera_instruction.size)]
+    holding: list[ShotSize] = [size for size in wider if SIZES[size].reach >= apart]
+    return holding[-1] if holding else SHOT_SIZES[0]
 
 
 def _another_moment(shot: ShotContext, review: FrameReview) -> CameraRetake | None:

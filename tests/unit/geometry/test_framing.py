@@ -19,12 +19,12 @@ from storyblender.geometry.framing import (
     frame_group_from,
     frame_insert,
     frame_master,
-    frame_over_shoulder,
     frame_point_of_view,
     frame_single,
     project,
 )
 from storyblender.geometry.orbit import orbit
+from storyblender.geometry.over_shoulder import frame_over_shoulder, lens_over_shoulder
 from storyblender.memory.shot_sizes import SIZES
 
 FILM = Film()
@@ -169,3 +169,11 @@ def test_mirrored_singles_match_their_eyelines() -> None:
     first, second = frame_single(FILM, ANNA, "MCU", azimuth, 2, 65), frame_single(FILM, TOM, "MCU", reverse, 2, 65)
     assert do_looks_match(first, ANNA.forward, second, TOM.forward)
     assert not do_looks_match(first, ANNA.forward, frame_single(FILM, TOM, "MCU", reverse + 180, 2, 65), TOM.forward)
+
+
+def test_people_far_apart_get_a_longer_lens_over_the_shoulder_and_too_far_apart_none() -> None:
+    near, far, beyond = (figure("tom", x, 0, -90) for x in (1.0, 2.9, 9.0))
+    assert lens_over_shoulder(FILM, ANNA, near, "MS", 50) == 50
+    assert lens_over_shoulder(FILM, ANNA, far, "MS", 50, (35, 50, 75)) == 75
+    assert lens_over_shoulder(FILM, ANNA, far, "MS", 50, (50,)) is None
+    assert lens_over_shoulder(FILM, ANNA, beyond, "MS", 50) is None

@@ -8,10 +8,12 @@ import pytest
 from tests.stage import Stage
 
 from storyblender.memory.shot_context import (
+    Blocking,
     CameraDecision,
     CameraInstruction,
     CameraRetake,
     CharacterAction,
+    Mark,
     ShotContext,
 )
 from storyblender.pipeline.retaking import _another_camera, _another_moment, _better, _choice, _simpler, _with_camera
@@ -38,6 +40,22 @@ def _shot(**camera: object) -> ShotContext:
 )
 def test_the_worst_fault_chooses_the_camera(kind: str, choice: CameraRetake) -> None:
     assert _another_camera(_shot(), _review(kind)) == choice
+
+
+@pytest.mark.parametrize(("apart", "size"), [(2.8, "MWS"), (3.6, "FS"), (11.0, "WS")])
+def test_a_two_shot_grows_until_both_are_in_it(apart: float, size: str) -> None:
+    both = _shot(kind="two_shot", focus_on_ids=("anna", "tom"))
+    marks = [Mark(asset_id=name, location=(x, 0.0, 0.0), yaw=0.0) for name, x in (("anna", 0.0), ("tom", apart))]
+    there = both.model_copy(update={"on_stage": ("anna", "tom"), "blocking": tuple(map(_stands, marks))})
+    review = FrameReview(
+        shot="SC010_SH010", judged="", score=4.0, faults=(Fault(kind="partner_missing", subject="tom", message=""),)
+    )
+    assert _another_camera(there, review) == CameraRetake(size=size)
+    assert _another_camera(both, review) is None, "no size shows who is not there"
+
+
+def _stands(mark: Mark) -> Blocking:
+    return Blocking(start=mark, end=mark)
 
 
 def test_what_passes_or_was_decided_stays() -> None:

@@ -34,6 +34,12 @@ _LEAST_EXTENT = {"ECU": 0.3, "CU": 0.22, "MCU": 0.16}
 """Least width or height, as a share of the picture's, of the first thing of an insert."""
 _LEAST_WIDE = {"WS": 0.25, "EWS": 0.16}
 """Least height, as a share of the picture's, of the subject of a wide shot that the frame does not crop."""
+_LEAST_DETAIL = 0.02
+"""Least share of the picture that the person of an insert's hand or feet fills."""
+_LEAST_SHOULDER = 0.01
+"""Least share of the picture that the partner of an over-the-shoulder fills."""
+_MOST_HEADLESS = 0.06
+"""Largest share of the picture of a body whose head is outside it."""
 _FACES_FROM: ShotSize = "FS"
 """The widest shot size in which faces must be readable."""
 _PROFILE = 100.0
@@ -53,6 +59,8 @@ class FrameCritic:
         """Return the critique of a frame; every fault says what is missing, and for which person or thing."""
         faults = (
             *_people_faults(draft),
+            *_blocking_faults(draft),
+            *_detail_faults(draft),
             *_face_faults(draft),
             *_gap_faults(draft),
             *_back_faults(draft),
@@ -100,11 +108,56 @@ def _people_faults(view: FrameView) -> list[Fault]:
             found.append(fault("face_out", asset_id, 2.2, f"the head of {asset_id} is cut by the frame"))
         elif central and _hidden_share(subject) > 0.6 and subject.face_visible < 0.5:
             found.append(fault("person_hidden", asset_id, 2.5, f"{asset_id} is {_hidden_share(subject):.0%} hidden"))
+    found += _partner_faults(view)
     others = [each for each in shot.shown if each not in main and each != instruction.pov_id and not chosen]
     unseen = [each for each in others if (seen := view.subject(each)) is None or seen.pixels < _LEAST_PERSON["EWS"]]
     if not tight and unseen:
         told = ", ".join(unseen[:3])
         found.append(fault("people_missing", unseen[0], min(0.8 * len(unseen), 2.5), f"{told} not in the picture"))
+    return found
+
+
+def _partner_faults(view: FrameView) -> list[Fault]:
+    """Return the faults of a two-shot without its second person, an OTS without a shoulder, a POV of itself."""
+    shot, instruction = view.shot, view.shot.camera_instruction
+    people = [each for each in instruction.focus_on_ids if _is_person(view, each)]
+    left = shot.camera.leaves_out if shot.camera else ()
+    found: list[Fault] = []
+    if instruction.kind in ("two_shot", "group"):
+        for asset_id in people[:2]:
+            if asset_id in left or asset_id not in shot.on_stage:
+                text = f"{asset_id} is not in the picture of {' and '.join(people[:2])}"
+                found.append(fault("partner_missing", asset_id, 3.0, text))
+    if instruction.kind == "ots" and instruction.over_id is not None:
+        over = view.subject(instruction.over_id)
+        if over is None or over.pixels < _LEAST_SHOULDER:
+            text = f"the shoulder of {instruction.over_id} is not in the picture"
+            found.append(fault("no_shoulder", instruction.over_id, NOT_ACCEPTED, text))
+    own = view.subject(instruction.pov_id) if instruction.kind == "pov" and instruction.pov_id else None
+    if own is not None and own.pixels > _LEAST_PERSON["WS"]:
+        text = f"{own.node_id}, who looks, is in the picture"
+        found.append(fault("pov_seen", own.node_id, 2.5, text))
+    return found
+
+
+def _is_person(view: FrameView, asset_id: str) -> bool:
+    """Return whether an asset is a person, on stage or not."""
+    asset = view.assets.get(asset_id)
+    return asset_id in view.people or (asset is not None and asset.asset_type == "character")
+
+
+def _blocking_faults(view: FrameView) -> list[Fault]:
+    """Return the fault of a body without a head in the picture that takes much of it, and is not its subject."""
+    instruction = view.shot.camera_instruction
+    if instruction.kind in ("insert", "establishing"):
+        return []
+    found = []
+    for subject in view.seen.subjects:
+        person = subject.node_id in view.people and subject.node_id not in instruction.focus_on_ids[:1]
+        head = subject.face is not None and 0 < subject.face[0] < 1 and 0 < subject.face[1] < 1
+        if person and not head and subject.pixels > _MOST_HEADLESS:
+            text = f"{subject.pixels:.0%} of the picture is {subject.node_id} without a head"
+            found.append(fault("headless", subject.node_id, NOT_ACCEPTED + 4 * subject.pixels, text))
     return found
 
 
@@ -138,12 +191,36 @@ def _replacement_fault(view: FrameView, asset_id: str, focus: bool) -> Fault | N
     return fault("loose_match", asset_id, NOT_ACCEPTED, f"{asset_id} is only like what the words say")
 
 
+def _detail_faults(view: FrameView) -> list[Fault]:
+    """Return the fault of an insert of a person's hand or feet with next to nothing of that person in it."""
+    instruction = view.shot.camera_instruction
+    first = instruction.focus_on_ids[:1]
+    if instruction.kind != "insert" or not first or first[0] not in view.shot.on_stage:
+        return []
+    subject = view.subject(first[0])
+    if subject is not None and subject.pixels >= _LEAST_DETAIL:
+        return []
+    text = f"the part of {first[0]} that the picture is about is not seen"
+    return [fault("detail_missing", first[0], 4.0, text)]
+
+
 def _is_insert_too_small(subject: SubjectView | None, instruction: CameraInstruction) -> bool:
     """Return whether the first thing of an insert is too small in the picture."""
     if subject is None or subject.box is None or subject.node_id not in instruction.focus_on_ids[:1]:
         return False
     left, top, right, bottom = subject.box
     return max(right - left, bottom - top) < _LEAST_EXTENT.get(instruction.size, 0.0)
+
+
+def _is_close_up_too_wide(view: FrameView, subject: SubjectView | None) -> bool:
+    """Return whether a close picture of things alone shows the first of them much smaller than its size asks for."""
+    instruction = view.shot.camera_instruction
+    alone = not any(each in view.shot.on_stage for each in instruction.focus_on_ids)
+    if instruction.kind == "insert" or not alone or subject is None or subject.box is None:
+        return False
+    left, top, right, bottom = subject.box
+    first = subject.node_id in view.nodes.get(instruction.focus_on_ids[0], instruction.focus_on_ids[:1])
+    return first and max(right - left, bottom - top) < 0.6 * _LEAST_EXTENT.get(instruction.size, 0.0)
 
 
 def _hidden_share(subject: SubjectView) -> float:
@@ -230,6 +307,8 @@ def _thing_faults(view: FrameView) -> list[Fault]:
             and (pixels < _LEAST_INSERT or _is_insert_too_small(subject, instruction))
         ):
             found.append(fault("thing_missing", asset_id, 4.0, f"{asset_id}, which the picture is about, is not seen"))
+        elif focus and _is_close_up_too_wide(view, subject):
+            found.append(fault("thing_small", asset_id, NOT_ACCEPTED, f"{asset_id} is too small for a close picture"))
         elif pixels < _LEAST_THING and (focus or not tight):
             found.append(fault("thing_missing", asset_id, 2.5 if focus else NOT_ACCEPTED, f"{asset_id} is not seen"))
         elif (replaced := _replacement_fault(view, asset_id, focus)) is not None:

@@ -21,6 +21,8 @@ from storyblender.agents.layout_artist.camera_operator_view import (
 from storyblender.agents.layout_artist.camera_room import share_outside, void_points
 from storyblender.agents.layout_artist.camera_scout import AT_EDGE, CLEARED, FROM_BEHIND, LEAST_OVER
 from storyblender.agents.layout_artist.camera_start import max_face_angle, requires_shoulder
+from storyblender.geometry.boxes import corners
+from storyblender.geometry.framing import project
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.measure import CameraView, SubjectView
 from storyblender.memory.shot_sizes import TIGHT, WHOLE
@@ -35,6 +37,14 @@ _FOREGROUND = 0.22
 _FOREGROUND_OTS = 0.38
 _LEFT_OUT = 1.2
 """Most points for a thing that a picture of people does not show."""
+_LEAST_DETAIL = 0.02
+"""Least share of the picture that the person of an insert's hand or feet fills."""
+_BLOCKS = 14.0
+"""Points for the whole picture being a body without a head in it."""
+_EYE_LINE = 0.4
+"""Screen y to which a face is panned."""
+_NEAREST = 0.3
+"""Metres before the camera from which a subject can be panned to."""
 _PASSING = 0.5
 """Factor on the weight of faults outside the story moment, which the board does not show."""
 _ARMS = 0.5
@@ -149,7 +159,7 @@ def _find_faults(
     main = view.story_moment
     for moment, seen in sorted(looks, key=lambda pair: pair[0] is not main):
         camera = take.at(time_share(view, moment.frame))
-        found = _visibility_faults(view, moment, seen)
+        found = _visibility_faults(view, camera, moment, seen)
         if moment is not main:
             found = [
                 each.model_copy(update={"severity": _PASSING * each.severity})
@@ -168,9 +178,9 @@ def _find_faults(
     return tuple(told)
 
 
-def _visibility_faults(view: CameraOperatorView, moment: Moment, seen: CameraView) -> list[Fault]:
+def _visibility_faults(view: CameraOperatorView, camera: Orbit, moment: Moment, seen: CameraView) -> list[Fault]:
     """Return the faults of what is visible at a moment: focus, faces, and other people who belong in the picture."""
-    found: list[Fault] = []
+    found: list[Fault] = _detail_faults(view, seen)
     faces: dict[str, list[Fault]] = {}
     kind, size = view.instruction.kind, view.instruction.size
     subjects = {subject.node_id: subject for subject in seen.subjects}
@@ -183,7 +193,7 @@ def _visibility_faults(view: CameraOperatorView, moment: Moment, seen: CameraVie
         if subject.in_frame_fraction < 0.02 and not shows_face:
             text = f"{node} is not in the picture"
             weight = 5.0 if is_person or not view.people else _LEFT_OUT
-            found.append(fault("out_of_frame", node, weight, text, ops="zoom_out", dolly=-4.0))
+            found.append(fault("out_of_frame", node, weight, text, **_way_back(view, camera, moment, node, -4.0)))
             continue
         hidden = 1 - subject.visible_fraction / max(subject.in_frame_fraction, 1e-6)
         if hidden > _HIDDEN and subject.in_frame_fraction >= 0.02:
@@ -196,7 +206,7 @@ def _visibility_faults(view: CameraOperatorView, moment: Moment, seen: CameraVie
             cut = 1 - subject.in_frame_fraction
             found.append(fault("cropped", node, 0.5 + 2 * cut, f"{node} is cut off", ops="zoom_out pan_down pan_up"))
         if is_person and kind != "establishing":
-            faces[node] = _face_faults(view, subject)
+            faces[node] = _face_faults(view, camera, moment, subject)
     for node, faults in faces.items():
         # In an embrace one visible face is enough.
         held = [other for other in faces if other != node and _is_embrace(moment, node, other)]
@@ -209,6 +219,42 @@ def _visibility_faults(view: CameraOperatorView, moment: Moment, seen: CameraVie
     if view.over is not None and (over := subjects.get(view.over.node_id)) is not None:
         found += _shoulder_faults(view, over)
     return found
+
+
+def _detail_faults(view: CameraOperatorView, seen: CameraView) -> list[Fault]:
+    """Return the fault of an insert of a hand or of feet that something hides: little of their person is seen."""
+    if view.detail is None or not view.named:
+        return []
+    node = view.named[0]
+    pixels = sum(subject.pixels for subject in seen.subjects if subject.node_id == node)
+    if pixels >= _LEAST_DETAIL:
+        return []
+    text = f"the part of {node} that the insert is about is hidden"
+    return [fault("hidden", node, 4.0, text, ops=f"{_AROUND} orbit_up orbit_down")]
+
+
+def _way_back(
+    view: CameraOperatorView, camera: Orbit, moment: Moment, node: str, steps: float | None = None
+) -> dict[str, float | str]:
+    """Return the fix that brings a subject into the picture: panned by numbers if it is the only one.
+
+    Args:
+        view: The shot.
+        camera: The camera at the moment.
+        moment: Everybody's place.
+        node: node_id of the person or thing.
+        steps: Steps of the dolly where other subjects must stay in the picture.
+    """
+    figure, box = moment.figure(node), view.props.get(node)
+    place = figure.face if figure is not None else corners(box).mean(0) if box is not None else None
+    others = [each for each in view.focus if each != node and moment.figure(each) is not None]
+    if place is not None and not others:
+        screen, depth = project(camera, [place])
+        if depth[0] > _NEAREST:
+            (x, y), nearness = screen[0], float(depth[0]) / camera.distance
+            up = _EYE_LINE if figure is not None else 0.5
+            return {"pan_x": float(x - 0.5) * camera.aspect * nearness, "pan_y": float(up - y) * nearness}
+    return {"ops": "zoom_out"} if steps is None else {"ops": "zoom_out", "dolly": steps}
 
 
 def _shoulder_faults(view: CameraOperatorView, over: SubjectView) -> list[Fault]:
@@ -230,12 +276,13 @@ def _is_embrace(moment: Moment, one: str, other: str) -> bool:
     return first is not None and second is not None and math.dist(first.face, second.face) < _ARMS
 
 
-def _face_faults(view: CameraOperatorView, subject: SubjectView) -> list[Fault]:
+def _face_faults(view: CameraOperatorView, camera: Orbit, moment: Moment, subject: SubjectView) -> list[Fault]:
     """Return the faults of a focus face: out of the picture, turned away or hidden."""
     node = subject.node_id
     limit = max_face_angle(view)
     if subject.face is None or not (0.02 < subject.face[0] < 0.98 and -0.02 < subject.face[1] < 0.98):
-        return [fault("face_out", node, 4.0, f"the face of {node} is out of the picture", ops="zoom_out")]
+        text = f"the face of {node} is out of the picture"
+        return [fault("face_out", node, 4.0, text, **_way_back(view, camera, moment, node))]
     found: list[Fault] = []
     if subject.face_angle > limit:
         over = (subject.face_angle - limit) / 45
@@ -281,7 +328,7 @@ def _surrounding_faults(view: CameraOperatorView, seen: CameraView) -> list[Faul
         text = f"{seen.foreground:.0%} of the picture is in front of the subject"
         ops = "zoom_in zoom_out orbit_left orbit_right orbit_up"
         found.append(fault("foreground", "", 0.5 + 4 * (seen.foreground - allowed), text, ops=ops))
-    own = {*(view.focus or view.named), view.node(view.instruction.over_id or "")} - {""}
+    own = {*(view.focus or view.named), *((view.over.node_id,) if view.over is not None else ())}
     covered = sum(subject.pixels for subject in seen.subjects if subject.node_id in own)
     if own and covered < 0.003 and kind not in ("establishing", "pov") and view.instruction.size != "EWS":
         found.append(fault("empty", "", 3.0, "there is nothing to look at", ops="zoom_in"))
@@ -310,7 +357,8 @@ def _bystander_faults(view: CameraOperatorView, seen: CameraView, own: set[str])
         if subject.pixels > 0.012 and (top < 0 or subject.face[1] > 1):
             text = f"the frame takes the head off {subject.node_id}"
             ops = f"{_AROUND} zoom_in zoom_out"
-            found.append(fault("beheaded", subject.node_id, 1.0, text, pan_y=max(0.04 - top, 0.0), ops=ops))
+            weight = min(1.0 + _BLOCKS * max(0.0, subject.pixels - 0.04), 3.0)
+            found.append(fault("beheaded", subject.node_id, weight, text, pan_y=max(0.04 - top, 0.0), ops=ops))
         left, _, right, _ = subject.box
         if (left < 0.004) != (right > 0.996) or (left < 0.004 and right > 0.996):
             x = right if left < 0.004 else 1 - left

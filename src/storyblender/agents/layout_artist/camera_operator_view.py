@@ -12,9 +12,10 @@ import numpy as np
 from storyblender.agents.layout_artist.camera_solids import is_anyone_aboard
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box, corners, distance_to_point
-from storyblender.geometry.framing import Figure, Film, can_frame_over_shoulder
+from storyblender.geometry.framing import Figure, Film
 from storyblender.geometry.moves import ease_in_out, interpolate_cameras
 from storyblender.geometry.orbit import Floats, Orbit
+from storyblender.geometry.over_shoulder import lens_over_shoulder
 from storyblender.memory.camera_decision import CameraDecision
 from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Flaw
 from storyblender.memory.shot_sizes import SHOT_SIZES, SIZES, TIGHT, WHOLE, ShotSize
@@ -182,7 +183,8 @@ class CameraOperatorView:
         if self.instruction.kind != "ots" or over is None or not self.people:
             return None
         lead, size = self.people[0], self.instruction.size
-        meets = lead.turned_from(over.face) < TALKS and can_frame_over_shoulder(self.film, lead, over, size, self.lens)
+        kit = (self.lens,) if self.instruction.lens else self.kit
+        meets = lead.turned_from(over.face) < TALKS and lens_over_shoulder(self.film, lead, over, size, self.lens, kit)
         return over if over.node_id != lead.node_id and (meets or self.instruction.explicit) else None
 
     @cached_property
@@ -238,13 +240,9 @@ class CameraOperatorView:
     @property
     def people_over_time(self) -> tuple[Figure, ...]:
         """The focus people at the story moment, and again at every other place they walk to during the shot."""
-        found: list[Figure] = list(self.people)
-        for moment in self.moments:
-            for person in self.people:
-                there = moment.figure(person.node_id)
-                if there is not None and np.hypot(*np.subtract(there.base, person.base)[:2]) > TRAVEL:
-                    found.append(there)
-        return tuple(found)
+        later = ((moment.figure(person.node_id), person) for moment in self.moments for person in self.people)
+        far = (there for there, person in later if there and math.dist(there.base[:2], person.base[:2]) > TRAVEL)
+        return (*self.people, *far)
 
     @cached_property
     def strangers(self) -> tuple[str, ...]:

@@ -22,6 +22,7 @@ from storyblender.agents.layout_artist.camera_operator_view import (
     CameraOperatorView,
     time_share,
 )
+from storyblender.agents.layout_artist.camera_pov import frame_pov
 from storyblender.agents.layout_artist.camera_room import fit_lens_to_room, move_into_room
 from storyblender.agents.layout_artist.vehicle_panels import hidden_panels
 from storyblender.agents.layout_artist.wild_walls import find_hidden_nodes
@@ -32,6 +33,7 @@ from storyblender.geometry.continuity import JUMP_CUT_DEGREES, mirror_azimuth, s
 from storyblender.geometry.framing import Figure
 from storyblender.geometry.moves import ease_in_out, follow_subject, interpolate_cameras, move_camera
 from storyblender.geometry.orbit import Orbit, camera_looking_at, orbit, pan, roll
+from storyblender.geometry.over_shoulder import frame_over_shoulder, lens_over_shoulder
 from storyblender.memory.camera_decision import FreeCamera
 from storyblender.memory.shot_sizes import SIZES, TIGHT, WHOLE
 
@@ -52,8 +54,6 @@ _NEAR_THING = 3.5
 """Most metres from the camera to the thing of an insert that a person asked for, unless they chose the lens."""
 _COMPANY = 6.0
 """Metres from a large thing within which people belong in a wide picture of it."""
-_EYES = 50.0
-"""Longest lens in mm of a point of view, unless the script asks for a longer one."""
 _SQUATS = 0.5
 """Metres that a face is below its upright height when a picture that cuts the body would lose it."""
 _SHOULDER_TURN, _LEAVING_TURN = 45.0, 20.0
@@ -196,7 +196,7 @@ def _compose_camera(view: CameraOperatorView, lens: float, turn: float, rise: fl
     """Return the camera of the story moment for a lens in mm; ``turn`` and ``rise`` in degrees as in `compose_take`."""
     instruction, film, people = view.instruction, view.film, view.people
     elevation = framing.elevation_of(instruction.angle, instruction.size) + rise
-    if instruction.kind == "pov" and (pov := _frame_pov(view, lens)) is not None:
+    if instruction.kind == "pov" and (pov := frame_pov(view, lens)) is not None:
         return pov
     if instruction.kind == "establishing" or not (people or view.things):
         up = max(elevation, _MASTER_ELEVATION)
@@ -212,7 +212,9 @@ def _compose_camera(view: CameraOperatorView, lens: float, turn: float, rise: fl
         return _frame_things(view, lens, turn, rise)
     if (over := view.over) is not None:
         side = line_side(view, lead, over)
-        camera = framing.frame_over_shoulder(film, lead, over, instruction.size, side, elevation - 2, lens)
+        kit = (lens,) if instruction.lens else view.kit
+        lens = lens_over_shoulder(film, lead, over, instruction.size, lens, kit) or lens
+        camera = frame_over_shoulder(film, lead, over, instruction.size, side, elevation - 2, lens)
         if abs(turn) > (_LEAVING_TURN if view.in_stride and ignored_partner(view) is not None else _SHOULDER_TURN):
             return framing.frame_group(film, (lead, over), instruction.size, camera.azimuth + turn, elevation, lens)
         return orbit(camera, turn) if turn else camera
@@ -300,20 +302,6 @@ def _has_people_near_things(view: CameraOperatorView) -> bool:
     people = [figure for figure in view.story_moment.figures if figure.node_id in view.in_frame]
     near = (distance_to_point(box, *figure.base[:2]) < _COMPANY for figure in people for box in view.things)
     return bool(people) and any(near)
-
-
-def _frame_pov(view: CameraOperatorView, lens: float) -> Orbit | None:
-    """Return the camera at the eyes of the instruction's ``pov_id``; None if that person is not on stage."""
-    eyes = view.story_moment.figure(view.node(view.instruction.pov_id or ""))
-    if eyes is None:
-        return None
-    target = np.asarray(eyes.face) + 3 * np.asarray(eyes.forward)
-    if view.people:
-        target = np.mean([figure.face for figure in view.people], axis=0)
-    elif view.things:
-        target = np.mean([corners(box).mean(0) for box in view.things], axis=0)
-    lens = view.instruction.lens or (lens if lens <= _EYES else view.widened(_EYES))
-    return framing.frame_point_of_view(view.film, eyes, target, lens)
 
 
 def _frame_things(view: CameraOperatorView, lens: float, turn: float, rise: float) -> Orbit:

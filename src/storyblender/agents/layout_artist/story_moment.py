@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from storyblender.catalog.motions import MOTIONS
+from storyblender.catalog.motions import FIRST_STRESS, MOTIONS
 from storyblender.memory.jobs import PlayedCue
 from storyblender.memory.shot_context import CharacterAction, Cue, ShotContext
 
@@ -20,8 +20,6 @@ _BENT = ("pick_up", "put_down")
 """Clips that bend the body; in an insert of the hand they are drawn earlier."""
 _SPOKEN = ("talk", "shout", "whisper")
 """Clips of speech."""
-_FIRST_STRESS = 1.1
-"""Seconds into a speech at which the speaker's hands are raised; later they rest between phrases."""
 AT_REST = ("idle", "stand", "look", "listen", "turn", "face")
 """Clips that show no action."""
 _ADDED_CLIPS = {"put_down": (), "rise": ("stand", "get_up")}
@@ -77,7 +75,7 @@ def story_moment(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> int:
     share = _ARRIVAL if arrives else 0.5 if insert else motion.telling
     start, length = cue_span(cue, shot, played)
     told = round(length * share)
-    return min(last, start + (min(told, round(_FIRST_STRESS * _FPS)) if cue.clip in _SPOKEN else told))
+    return min(last, start + (min(told, round(FIRST_STRESS * _FPS)) if cue.clip in _SPOKEN else told))
 
 
 def _named_moment(shot: ShotContext, played: Sequence[PlayedCue]) -> int | None:

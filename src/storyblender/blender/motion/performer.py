@@ -15,7 +15,7 @@ from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Channel, Floats, TargetOf, clamp, smooth
 from storyblender.blender.motion.gait import Gait
-from storyblender.blender.motion.liveliness import angles_of, moments_of
+from storyblender.blender.motion.liveliness import angles_of, lid_at, moments_of, mouth_at
 from storyblender.blender.motion.measures import measure
 from storyblender.blender.motion.skeleton import IDENTITY, SIDES, Skeleton, about, frame, sign
 from storyblender.blender.people.body import RiggedBody
@@ -382,13 +382,8 @@ class Performer:
     def face_at(self, t: float) -> Floats:
         """Return the ``FACE`` values at ``t`` seconds, with blinks and the mouth movement of speech."""
         values = np.array(self.face(t), float)
-        for start in self.blinks:
-            if start <= t < start + 0.17:
-                values[BLINK] = max(values[BLINK], 1.0 if 0.03 < t - start < 0.13 else 0.6)
-        for start, end, opening, rate in self.speeches:
-            if start <= t < end:
-                syllable = abs(math.sin(math.pi * t * rate)) * (0.45 + 0.55 * abs(math.sin(1.7 * t + 1)))
-                values[MOUTH] = max(values[MOUTH], opening * syllable * clamp(8 * (t - start)) * clamp(8 * (end - t)))
+        values[BLINK] = max(values[BLINK], lid_at(t, self.blinks, self.speeches))
+        values[MOUTH] = max(values[MOUTH], mouth_at(t, self.speeches))
         return np.clip(values, 0, 1)
 
     def hand_matrix(self, side: str) -> tuple[Matrix, Vector]:

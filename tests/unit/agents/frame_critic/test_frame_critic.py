@@ -99,6 +99,51 @@ def test_what_is_wrong_with_a_frame_is_named_and_costs(view: FrameView, fault: s
     assert critique.score < FrameCritic().judge(_view(*_GOOD)).score
 
 
+_TOM = _seen("tom", 0.1)
+_TWO = {"on_stage": ("mara", "tom"), "in_frame": ("mara", "tom"), "character_actions": (), "cues": ()}
+_BOTH = frozenset({"mara", "tom"})
+
+
+def _asks(**fields: object) -> ShotContext:
+    usual = {"focus_on_ids": ("mara",), "size": "MS", **fields}
+    return _shot(**_TWO, camera_instruction=CameraInstruction.model_validate(usual))
+
+
+@pytest.mark.parametrize(
+    ("shot", "good", "bad", "kind"),
+    [
+        (_asks(kind="ots", over_id="tom"), (_GOOD[0], _TOM), (_GOOD[0], _seen("tom", 0.001)), "no_shoulder"),
+        (_asks(kind="pov", pov_id="tom"), (_GOOD[0],), (_GOOD[0], _TOM), "pov_seen"),
+        (_asks(), (_GOOD[0], _TOM), (_GOOD[0], _seen("tom", 0.3, face=(0.5, -0.2))), "headless"),
+        (_asks(kind="insert", size="CU"), (_seen("mara", 0.1),), (_seen("mara", 0.001),), "detail_missing"),
+    ],
+)
+def test_a_picture_without_what_its_kind_promises_is_no_such_picture(
+    shot: ShotContext, good: tuple[SubjectView, ...], bad: tuple[SubjectView, ...], kind: str
+) -> None:
+    assert kind not in _faults(_view(*good, shot=shot, people=_BOTH))
+    assert kind in _faults(_view(*bad, shot=shot, people=_BOTH))
+
+
+def test_a_two_shot_needs_both_even_where_the_camera_left_one_out() -> None:
+    shot = _asks(kind="two_shot", focus_on_ids=("mara", "tom"))
+    assert "partner_missing" not in _faults(_view(_GOOD[0], _TOM, shot=shot, people=_BOTH))
+    alone = CameraState(
+        poses=(CameraPose(frame=0, pivot=(0, 0, 0), rotation=(1, 0, 0, 0), distance=1, lens=50),), leaves_out=("tom",)
+    )
+    left = shot.model_copy(update={"camera": alone})
+    critique = FrameCritic().judge(_view(_GOOD[0], shot=left, people=_BOTH))
+    assert [fault.subject for fault in critique.faults if fault.kind == "partner_missing"] == ["tom"]
+    assert verdict_of(critique.score) != "pass"
+
+
+def test_a_close_picture_of_a_thing_is_close() -> None:
+    shot = _asks(kind="action", size="CU", focus_on_ids=("cup",))
+    boxes = {"wide": (0.48, 0.48, 0.52, 0.52), "close": (0.2, 0.2, 0.7, 0.7)}
+    small, large = (_view(_seen("cup", 0.002, box=box, face=None), shot=shot) for box in boxes.values())
+    assert "thing_small" in _faults(small) and "thing_small" not in _faults(large)
+
+
 def test_the_face_of_a_speaker_is_asked_for_and_of_others_not() -> None:
     away = (_seen("mara", 0.2, face_angle=170.0), _GOOD[1])
     assert "face_away" not in _faults(_view(*away))

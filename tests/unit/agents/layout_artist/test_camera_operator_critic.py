@@ -13,7 +13,8 @@ from storyblender.agents.layout_artist.camera_operator_view import CameraOperato
 from storyblender.agents.layout_artist.camera_scout import take_cost
 from storyblender.agents.layout_artist.camera_start import compose_take, take_with_camera
 from storyblender.geometry.boxes import Box
-from storyblender.geometry.orbit import roll
+from storyblender.geometry.framing import project
+from storyblender.geometry.orbit import pan, roll
 from storyblender.memory.camera_decision import CameraDecision, FreeCamera
 from storyblender.memory.measure import CameraView, SubjectView, ViewRequest
 from storyblender.reflection import Fault
@@ -80,6 +81,41 @@ def test_a_shoulder_has_its_head_in_the_picture_or_nearly() -> None:
     view = view_of(kind="ots", size="MS", focus_on_ids=("anna",), over_id="tom")
     assert ("no_shoulder", "tom") in faults(view, sight("anna"), sight("tom", face=(1.2, 0.2)))
     assert ("no_shoulder", "tom") not in faults(view, sight("anna"), sight("tom", face=(0.9, 0.2)))
+
+
+@pytest.mark.parametrize("kind", ["face_out", "out_of_frame"])
+@pytest.mark.parametrize(("dx", "dy"), [(0.9, 0.0), (-0.7, 0.2), (0.1, -0.8)])
+def test_a_lone_subject_outside_the_picture_is_panned_back_by_numbers(kind: str, dx: float, dy: float) -> None:
+    view = view_of((ANNA,), kind="single", size="MCU", focus_on_ids=("anna",))
+    good = compose_take(view).camera
+    take = take_with_camera(view, pan(good, dx, dy))
+    gone = {"face": (1.4, 0.3), "in_frame_fraction": 0.5 if kind == "face_out" else 0.0}
+    finder = Written({view.story_moment.frame: (sight("anna", **gone),)})
+    told = {fault.kind: fault for fault in CameraOperatorCritic(finder).judge(take, view).faults}
+    assert "ops" not in told[kind].fix, "numbers alone, which code applies"
+    back = apply_numbers(take.camera, numbers_of(told[kind]))
+    assert project(back, [ANNA.face])[0][0] == pytest.approx((0.5, 0.4), abs=0.01)
+
+
+def test_of_two_subjects_neither_is_panned_out_for_the_other() -> None:
+    view = view_of(kind="two_shot", size="MS", focus_on_ids=("anna", "tom"))
+    fix = faults(view, sight("anna", face=(1.3, 0.3)), sight("tom"))["face_out", "anna"].fix
+    assert fix == {"ops": "zoom_out"}
+
+
+@pytest.mark.parametrize(("pixels", "hidden"), [(0.001, True), (0.2, False)])
+def test_an_insert_of_hidden_feet_is_taken_from_elsewhere(pixels: float, hidden: bool) -> None:
+    feet = Box(0.0, 0.0, 0.0, 0.3, 0.3, 0.1)
+    view = replace(view_of((ANNA,), kind="insert", size="CU", focus_on_ids=("anna",)), detail=feet)
+    found = faults(view, sight("anna", pixels=pixels))
+    assert (("hidden", "anna") in found) == hidden
+
+
+def test_the_larger_a_body_without_a_head_the_worse() -> None:
+    view = view_of((ANNA, TOM, GUARD), kind="single", size="MS", focus_on_ids=("anna",))
+    bodies = (sight("guard", head_top=-0.3, face=(0.8, -0.2), pixels=pixels) for pixels in (0.02, 0.12, 0.3))
+    costs = [faults(view, sight("anna"), body)["beheaded", "guard"].severity for body in bodies]
+    assert costs == sorted(set(costs)) and costs[0] == 1.0 and costs[-1] == 3.0
 
 
 def test_of_an_insert_nobody_is_asked_to_be_whole() -> None:

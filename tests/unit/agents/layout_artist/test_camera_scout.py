@@ -19,8 +19,9 @@ from storyblender.catalog.footprints import piece_boxes
 from storyblender.catalog.set_plan import Piece, SetPlan, Slab
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.camera_path import camera_at
-from storyblender.geometry.framing import frame_group, frame_over_shoulder, head_share, project
+from storyblender.geometry.framing import frame_group, head_share, project
 from storyblender.geometry.orbit import pan
+from storyblender.geometry.over_shoulder import frame_over_shoulder
 from storyblender.memory.scene_context import SceneSize
 
 ARCADE = Piece(
