@@ -12,7 +12,7 @@ from storyblender.agents.layout_artist.camera_operator import Operator, operate,
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment, too_far_to_frame
 from storyblender.agents.layout_artist.layout_things import size_of
 from storyblender.agents.layout_artist.story_moment import AT_REST, board_frame
-from storyblender.agents.layout_artist.vehicle_panels import panel_boxes
+from storyblender.agents.layout_artist.vehicle_panels import open_doors, panel_boxes
 from storyblender.agents.story_lines import lines_of_shot
 from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.set_plan import SetPlan
@@ -159,7 +159,8 @@ def camera_operator_view(
             location, yaw = state.location, state.rotation[2]
         if state is None or state.held_by is None:
             props[item.node_id] = Box(*location, *size_of(measure), math.radians(yaw))
-            panels |= panel_boxes(item.node_id, location, yaw, measure.anchors)
+            doors = open_doors(graph.shots_of(shot.scene_id), shot.shot_id, item.asset_id) if measure.anchors else ()
+            panels |= panel_boxes(item.node_id, location, yaw, measure.anchors, doors)
         nodes.setdefault(item.asset_id, item.node_id)
         if item.asset_id in handled or item.node_id in handled:
             used.append(item.node_id)

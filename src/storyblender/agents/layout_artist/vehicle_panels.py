@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from storyblender.geometry.orbit import Floats, Orbit
 from storyblender.geometry.sight import find_hidden as hidden_from
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.base import Vec3
+from storyblender.memory.shot_context import ShotContext
 
 _FAR = 4.2
 """Metres from the camera to what it shows beyond which a vehicle stays whole."""
@@ -24,6 +25,8 @@ _ABOUT = 0.11
 """Metres around a target that have to be seen with it: the half of a face."""
 _STAYS = ("_steering_wheel", "_lever", "_pedals", "_mat")
 """Parts that people handle: they are small, and hands are on them."""
+_AJAR = math.radians(62.0)
+"""Angle of an open door, as ``blender.props.automobiles`` builds it."""
 _MIDDLE = 0.02
 """Metres from the middle of a vehicle at which a target is the vehicle itself, which stays whole."""
 _ON_SEAT = 0.25
@@ -32,7 +35,25 @@ _TOUCHES = 0.12
 """Metres from the camera to a panel within which it fills the picture."""
 
 
-def panel_boxes(node_id: str, location: Vec3, yaw: float, anchors: Sequence[Anchor]) -> dict[str, Box]:
+def open_doors(shots: Sequence[ShotContext], shot_id: int, asset_id: str) -> frozenset[str]:
+    """Return the names of a vehicle's doors that are open at the end of a shot.
+
+    Args:
+        shots: Of the scene, staged, in order.
+        shot_id: The shot.
+        asset_id: The vehicle.
+    """
+    now: tuple[str, ...] = ()
+    for shot in shots:
+        for change in shot.asset_modifications if shot.shot_id <= shot_id else ():
+            if change.asset_id == asset_id and change.doors is not None:
+                now = change.doors
+    return frozenset(now)
+
+
+def panel_boxes(
+    node_id: str, location: Vec3, yaw: float, anchors: Sequence[Anchor], doors: Collection[str] = ()
+) -> dict[str, Box]:
     """Return the boxes in the world of the panels and the parts of a placed thing, by the id that hides each.
 
     Args:
@@ -40,14 +61,19 @@ def panel_boxes(node_id: str, location: Vec3, yaw: float, anchors: Sequence[Anch
         location: Its bottom centre, world metres.
         yaw: Degrees.
         anchors: In its own frame.
+        doors: Names of its open doors.
     """
     base = Box(*location, 0.0, 0.0, 0.0, math.radians(yaw))
     found: dict[str, Box] = {}
     for anchor in anchors:
         if anchor.kind in ("panel", "part"):
-            x, y = base.to_world(*anchor.location[:2])
+            (x, y, z), turn = anchor.location, 0.0
+            if anchor.name.removeprefix("door_") in doors:  # it swings out about its front edge
+                turn, half = math.copysign(_AJAR, x), anchor.size[1] / 2
+                x, y = x + math.sin(turn) * half, y - half + math.cos(turn) * half
+            x, y = base.to_world(x, y)
             size = (*anchor.size, anchor.clearance or 0.1)
-            found[f"{node_id}_{anchor.name}"] = Box(x, y, location[2] + anchor.location[2], *size, base.yaw)
+            found[f"{node_id}_{anchor.name}"] = Box(x, y, location[2] + z, *size, base.yaw - turn)
     return found
 
 

@@ -52,6 +52,8 @@ class ActionResolver:
         if held is not None and action.prop_id is None:
             return held
         prop, thing = self.stage.prop_of(action), self.stage.floor.thing(action.target_id)
+        if prop is not None and self._fitted_part(prop):
+            return None
         stands_fast = thing is not None and thing.size[2] > FIXED_HEIGHT
         return None if prop != action.prop_id and stands_fast else prop
 
@@ -80,12 +82,22 @@ class ActionResolver:
             return MOTIONS["touch"]
         if person.posture == "float" and motion.speed is not None and not action.prop_id:
             return MOTIONS["float"]
+        part = self._fitted_part(action.target_id or action.prop_id)
+        if part == "steering_wheel" and person.posture == "sit" and motion.hands:
+            return MOTIONS["drive"]
+        if part and (motion.key in GRASPED or (motion.before and person.posture not in motion.before)):
+            return MOTIONS["touch"]
         if motion.before and person.posture not in motion.before and self._keeps_posture(person):
             return MOTIONS[IN_THEIR_SEAT.get(motion.key, "idle")]
         if instead is None or motion.key not in MOTION_WITH_PERSON:
             return motion
         key = MOTION_WITH_PERSON[motion.key]
         return MOTIONS["hug" if key == "lift" and instead.scale > MAX_LIFTED_STATURE * person.scale else key]
+
+    def _fitted_part(self, asset_id: str | None) -> str:
+        """Return which part of a vehicle a thing is; empty for any other: a part is reached for where it is."""
+        asset = self.stage.assets.get(asset_id or "")
+        return asset.fitted_part if asset is not None else ""
 
     def _keeps_posture(self, person: StagedPerson) -> bool:
         """Tell whether the script keeps a person in a posture, such as seated, to the end of the shot."""

@@ -295,7 +295,8 @@ def car(b: MeshBuilder, spec: PropSpec) -> Anchors:
     anchors = automobile(b, spec, VINTAGE)
     for x in (-1, 1):
         for y, length in ((f + 0.85, 1.35), (r - 0.75, 1.1)):
-            b.cushion(paint, (x * (half - 0.06), y, 0.58), (0.36, length, 0.6), softness=0.75)
+            with b.panel("bonnet" if y < 0 else ""):  # the front wings go with it
+                b.cushion(paint, (x * (half - 0.06), y, 0.58), (0.36, length, 0.6), softness=0.75)
         b.box(paint, (x * (half - 0.02), 0.05, 0.3), (0.26, d * 0.42, 0.05), bevel=0.012)
         b.lathe(chrome, [(0.15, -0.12), (0.15, 0.0)], origin=(x * half * 0.66, f + 0.04, 0.86), axis=(0, -1, 0))
         profile = [(0.13, 0.0), (0.08, 0.03), (0.003, 0.045)]

@@ -57,3 +57,11 @@ def test_what_the_shot_is_about_stays() -> None:
 def test_panels_turn_with_their_vehicle() -> None:
     turned = panel_boxes("car", (5.0, 1.0, 0.0), 90.0, _ANCHORS)["car_door_driver"]
     assert (turned.x, turned.y) == (pytest.approx(5.4), pytest.approx(1.85))
+
+
+def test_an_open_door_is_beside_the_vehicle() -> None:
+    shut, ajar = PANELS["car_door_driver"], panel_boxes("car", (0.0, 0.0, 0.0), 0.0, _ANCHORS, ("driver",))
+    swung = ajar["car_door_driver"]
+    assert swung.x > shut.x + 0.3 and swung.y < shut.y and swung.yaw == pytest.approx(-np.radians(62))
+    hinge = swung.to_world(0.0, -swung.depth / 2)
+    assert hinge == pytest.approx((shut.x, shut.y - shut.depth / 2), abs=0.01)
