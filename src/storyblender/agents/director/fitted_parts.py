@@ -26,11 +26,13 @@ class FittedParts:
         whole: Part -> its vehicle; empty where it is the car of the set.
         shell: Doors, windows and the like -> the vehicle: for whoever acts on them they are it.
         names: Id -> name of both.
+        vehicles: Ids of the motor vehicles.
     """
 
     whole: Mapping[str, str]
     shell: Mapping[str, str]
     names: Mapping[str, str]
+    vehicles: frozenset[str] = frozenset()
 
     @classmethod
     def of(cls, reading: Reading) -> FittedParts:
@@ -46,11 +48,12 @@ class FittedParts:
                 whole[thing.id] = found
             elif found:
                 shell[thing.id] = found
-        return cls(whole, shell, {id_: things[id_].name for id_ in (*whole, *shell)})
+        names = {id_: things[id_].name for id_ in (*whole, *shell)}
+        return cls(whole, shell, names, frozenset(each.id for each in reading.things if _is_motor_vehicle(each)))
 
     def rewritten(self, reading: Reading) -> Reading:
         """Return the reading with people at, in and on the vehicles where it has them at, in and on their parts."""
-        if not (self.whole or self.shell):
+        if not (self.names or self.vehicles):
             return reading
         own = {*self.whole, *self.shell}
         relations = [
@@ -81,6 +84,12 @@ class FittedParts:
         grips = {
             who: {id_: grip for id_, grip in told.items() if id_ not in self.names} for who, told in unit.grips.items()
         }
+        spots = {who: self._spot(spot) for who, spot in unit.spots.items() if who not in self.names}
+        for deed in unit.deeds:  # who drives sits at the wheel
+            vehicle = next((each for each in (deed.target, deed.prop) if each in self.vehicles), None)
+            if deed.motion == "drive" and vehicle is not None and posture.get(deed.actor, ("sit", None))[0] == "sit":
+                posture[deed.actor] = ("sit", vehicle)
+                spots.setdefault(deed.actor, Spot(relation="inside", anchor_id=vehicle, side="driver"))
         return replace(
             unit,
             deeds=[self._deed(deed, seats) for deed in unit.deeds],
@@ -88,7 +97,7 @@ class FittedParts:
             held=loose,
             grips=grips,
             gaze={who: self._shown(each) or each for who, each in unit.gaze.items()},
-            spots={who: self._spot(spot) for who, spot in unit.spots.items() if who not in self.names},
+            spots=spots,
             things=list(dict.fromkeys(self._shown(each) or each for each in unit.things)),
             absent=[each for each in unit.absent if each not in self.names],
             changes=[

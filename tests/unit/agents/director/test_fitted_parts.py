@@ -89,3 +89,11 @@ def test_a_chair_keeps_its_seat() -> None:
     chair, seat = Thing("chair", "old chair"), Thing("seat", "seat", part_of="chair")
     assert FittedParts.of(_reading(chair, seat)).whole == {}
     assert is_shell("driver's door") and not is_shell("door handle")
+
+
+def test_who_drives_sits_at_the_wheel() -> None:
+    reading = _reading(deeds=[Deed("ann", "drive", "sedan")])
+    (unit,) = FittedParts.of(reading).rewritten(reading).units
+    assert unit.posture == {"ann": ("sit", "sedan")} and unit.spots["ann"].side == "driver"
+    stands = _reading(deeds=[Deed("ann", "drive", "sedan")], posture={"ann": ("stand", None)})
+    assert FittedParts.of(stands).rewritten(stands).units[0].posture == {"ann": ("stand", None)}
