@@ -16,7 +16,9 @@ Draw = Annotated[
     bool, typer.Option("--render/--no-render", help="Draw what changed at once, and write board, lists and page anew.")
 ]
 app = typer.Typer(
-    no_args_is_help=True, rich_markup_mode="rich", help="Write notes on shots and approve them; `undo` takes it back."
+    no_args_is_help=True,
+    rich_markup_mode="rich",
+    help="Change the cut, write notes on shots and approve them; `undo` takes it back.",
 )
 
 
@@ -65,6 +67,45 @@ def approve(
     """Approve shots: all of them is locked, and marked on board, page and shot list."""
     edits = [{"kind": "approve", "shot": shot, "approved": not withdraw} for shot in shots]
     _apply(folder, edits, draw, quiet, json_lines)
+
+
+Targets = Annotated[
+    list[str],
+    typer.Argument(metavar="NAME...", help="Shots (SC010_SH020) or scenes (SC010).", show_default=False),
+]
+
+
+@app.command(epilog=examples("shot omit my_film.storyboard SC010_SH020", "shot omit my_film.storyboard SC030"))
+def omit(folder: Folder, names: Targets, draw: Draw = True, quiet: Quiet = False, json_lines: Json = False) -> None:
+    """Leave shots or scenes out of film, board and timeline; their numbers stay, as on a set, and nothing is lost."""
+    _apply(folder, [{"kind": "omit", "target": name} for name in names], draw, quiet, json_lines)
+
+
+@app.command(epilog=examples("shot restore my_film.storyboard SC010_SH020"))
+def restore(folder: Folder, names: Targets, draw: Draw = True, quiet: Quiet = False, json_lines: Json = False) -> None:
+    """Bring back shots or scenes that were omitted."""
+    _apply(folder, [{"kind": "restore", "target": name} for name in names], draw, quiet, json_lines)
+
+
+@app.command(
+    epilog=examples(
+        "shot move my_film.storyboard SC010_SH040 --before SC010_SH020",
+        "shot move my_film.storyboard SC020 --after SC030",
+    )
+)
+def move(
+    folder: Folder,
+    name: Annotated[
+        str, typer.Argument(metavar="NAME", help="A shot (SC010_SH020) or a scene (SC010).", show_default=False)
+    ],
+    before: Annotated[str | None, typer.Option(help="The shot or scene that it comes before.")] = None,
+    after: Annotated[str | None, typer.Option(help="The shot or scene that it comes after.")] = None,
+    draw: Draw = True,
+    quiet: Quiet = False,
+    json_lines: Json = False,
+) -> None:
+    """Move a shot in its scene, or a scene in the film; names stay as they are, and no frame is drawn."""
+    _apply(folder, [{"kind": "reorder", "target": name, "before": before, "after": after}], draw, quiet, json_lines)
 
 
 def _apply(folder: Path, edits: list[dict[str, Any]], draw: bool, quiet: bool, json_lines: bool) -> None:

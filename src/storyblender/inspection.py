@@ -87,6 +87,7 @@ def inspect(
         reviews: Reviews of the Frame Critic, by shot name.
         progress: Callback with the number of scenes checked, their total, and the next scene.
     """
+    graph = graph.as_cut
     waiting = [
         (Sighting(graph, engine, pack), engine.find_collisions(pack), engine.measure_drift(pack)) for pack in packs
     ]

@@ -189,7 +189,7 @@ class Session:
             make_stale_anew(run)
             pack_scenes(run)
             film(run)
-            files, reviews = draw_shots(run, run.graph.shots)
+            files, reviews = draw_shots(run, run.graph.cut)
             return Delivery(self.folder, files, run.graph, reviews=reviews)
 
     def apply(self, edits: Sequence[Edit], revision: str | None = None) -> Applied:
@@ -315,8 +315,8 @@ class Session:
             self._refuse_unmade()
             self._bring_up_to_date(run)
             film(run)
-            shoot_frames(run, run.graph.shots)
-            return list(review_frames(run, run.graph.shots).values())
+            shoot_frames(run, run.graph.cut)
+            return list(review_frames(run, run.graph.cut).values())
 
     def export(self, kinds: Sequence[str]) -> Delivery:
         """Write scenes as glTF or USD, the timeline as EDL or FCPXML.

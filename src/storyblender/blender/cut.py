@@ -14,7 +14,7 @@ from storyblender.blender.tidying import show_on_opening, write_version_note
 from storyblender.folder import Folder
 from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.graph import ProjectFormat
-from storyblender.memory.jobs import CutJob, PackRef, SequenceFile
+from storyblender.memory.jobs import CutJob, PackRef, SequenceFile, StoryJob
 from storyblender.memory.shot_context import ShotContext
 
 EDIT = "EDIT"
@@ -42,7 +42,7 @@ def compile_cut(job: CutJob, files: Folder) -> None:
             names = [scene_name(scene_id) for scene_id in sequence.scene_ids]
             with bpy.data.libraries.load(str(beside.path(sequence.path)), link=True, relative=True) as (_, target):
                 target.scenes = names
-        add_edit(job.format, job.packs, job.shots)
+        add_edit(job.format, job.packs, in_film(job))
         show_on_opening(bpy.data.scenes[scene_name(job.packs[0].scene_id)])
         with files.writing(job.out) as part:
             bpy.ops.wm.save_as_mainfile(filepath=str(part), compress=True, copy=True, relative_remap=False)
@@ -55,7 +55,7 @@ def add_edit(film: ProjectFormat, packs: Sequence[PackRef], shots: Sequence[Shot
     Args:
         film: Size and frame rate.
         packs: The scenes in the file.
-        shots: In order; those of other scenes are left out.
+        shots: Of the film, in its order; those of other scenes are left out.
     """
     edit = bpy.data.scenes.new(EDIT)
     edit.render.resolution_x, edit.render.resolution_y = film.width, film.height
@@ -78,6 +78,12 @@ def add_edit(film: ProjectFormat, packs: Sequence[PackRef], shots: Sequence[Shot
         strip.frame_final_duration = shot.duration
         frame += shot.duration
     edit.frame_start, edit.frame_end = 1, max(1, frame - 1)
+
+
+def in_film(job: StoryJob | CutJob) -> tuple[ShotContext, ...]:
+    """Return the shots of a job that are in the film, in its order."""
+    shots = {(shot.scene_id, shot.shot_id): shot for shot in job.shots}
+    return tuple(shots[key] for key in job.cut) if job.cut else job.shots
 
 
 def _stand_in(beside: Folder, sequence: SequenceFile, job: CutJob) -> None:

@@ -11,7 +11,7 @@ import bpy
 from storyblender.blender.appending import append
 from storyblender.blender.asset_store import AssetStore
 from storyblender.blender.cameras import make_camera
-from storyblender.blender.cut import EDIT, add_edit
+from storyblender.blender.cut import EDIT, add_edit, in_film
 from storyblender.blender.hiding import is_hidden, key_hidden
 from storyblender.blender.library_scene import LIBRARY, add_assets, new_file
 from storyblender.blender.merge import merge_duplicates
@@ -50,7 +50,7 @@ def compile_story(job: StoryJob, files: Folder, report: Report = ignore) -> None
     if changed is None:
         add_assets(job.assets, AssetStore(files))
     write_version_note()
-    add_edit(job.format, job.packs, job.shots)
+    add_edit(job.format, job.packs, in_film(job))
     show_on_opening(bpy.data.scenes[scene_name(job.packs[0].scene_id)])
     bpy.data.orphans_purge(do_recursive=True)
     with files.writing(job.out) as part:

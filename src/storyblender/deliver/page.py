@@ -61,10 +61,14 @@ def write_page(
     pictures = {
         name: (_source(thumbnails.get(name, path), folder), _source(path, folder)) for name, path in frames.items()
     }
-    for _, group in groupby(shots, key=lambda panel: panel.scene.scene_id):
+    listed = panels(graph, with_omitted=True)
+    for _, group in groupby(listed, key=lambda panel: panel.scene.scene_id):
         shown = list(group)
         scene = shown[0].scene
-        cards = "\n".join(_card(panel, pictures.get(panel.name), counts[panel.name], film) for panel in shown)
+        cards = "\n".join(
+            _omitted(panel) if panel.omitted else _card(panel, pictures.get(panel.name), counts[panel.name], film)
+            for panel in shown
+        )
         headings.append((scene_name(scene.scene_id), escape(scene.numbered_title)))
         scenes.append(f'<h2 id="{headings[-1][0]}">{headings[-1][1]}</h2>\n<div class="grid">\n{cards}\n</div>')
     counted = " · ".join(filter(None, (length_of(shots), escape(graph.edition))))
@@ -154,6 +158,11 @@ def _card(panel: Panel, sources: tuple[str, str] | None, to_check: int, film: bo
         f'<div class="slate"><span>{panel.name}{status}</span><span>{length}</span></div>'
         f'<div class="facts">{escape(panel.facts)}</div>{"".join(words)}</div></article>'
     )
+
+
+def _omitted(panel: Panel) -> str:
+    """Return what stands for a shot that is not in the film."""
+    return f'<article id="{panel.name}" class="omitted"><div class="text">{panel.name} OMITTED</div></article>'
 
 
 def _checks(checks: Sequence[Check]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import accumulate
 from string import capwords
 from typing import Literal
 
@@ -52,6 +53,8 @@ class Panel:
         fps: Frames a second.
         action: The script's own action lines, with an ellipsis where a sentence is cut.
         description: What happens: the lines in order, with who speaks to whom; without lines, whom or what it shows.
+        omitted: Whether a person left the shot, or its scene, out of the film.
+        opens: Whether it is the first of its scene in the film.
     """
 
     name: str
@@ -62,6 +65,8 @@ class Panel:
     fps: int
     action: str
     description: str
+    omitted: bool = False
+    opens: bool = False
 
     @property
     def lens(self) -> float:
@@ -149,8 +154,8 @@ class Panel:
 
     @property
     def status(self) -> str:
-        """``APPROVED`` where a person approved the shot; else empty."""
-        return "APPROVED" if self.shot.approved is not None else ""
+        """``OMITTED`` or ``APPROVED`` where a person left the shot out of the film, or approved it; else empty."""
+        return "OMITTED" if self.omitted else "APPROVED" if self.shot.approved is not None else ""
 
     @property
     def open_notes(self) -> tuple[str, ...]:
@@ -160,27 +165,38 @@ class Panel:
     @property
     def notes(self) -> tuple[str, ...]:
         """The writer's notes: the scene's at its first shot, then the shot's own."""
-        first = self.scene.shots and self.scene.shots[0].shot_id == self.outline.shot_id
-        return (*(self.scene.notes if first else ()), *self.outline.notes)
+        return (*(self.scene.notes if self.opens else ()), *self.outline.notes)
 
 
-def panels(graph: ContinuityMemoryGraph) -> list[Panel]:
-    """Return every shot of the story in order."""
-    contexts = {(shot.scene_id, shot.shot_id): shot for shot in graph.shots}
+def panels(graph: ContinuityMemoryGraph, *, with_omitted: bool = False) -> list[Panel]:
+    """Return every shot of the film in order.
+
+    Args:
+        graph: The story.
+        with_omitted: Whether to return also the shots that are not in the film, where they would be.
+    """
     names = {asset.asset_id: asset.name for asset in graph.assets if asset.name}
     places = {scene.scene_id: capwords(scene.setup.place) for scene in graph.scenes}
+    outlines = {scene.scene_id: scene for scene in graph.outline}
     result: list[Panel] = []
     start = 0
-    for scene in graph.outline:
+    for context in graph.scenes_in_order:
+        scene, opens = outlines[context.scene_id], True
         lines = [line for outline in scene.shots for line in outline.lines]
-        first = 0
-        for outline in scene.shots:
-            shot = contexts[scene.scene_id, outline.shot_id]
-            name = shot_name(scene.scene_id, outline.shot_id)
+        firsts = accumulate((len(outline.lines) for outline in scene.shots), initial=0)
+        planned = {outline.shot_id: (first, outline) for first, outline in zip(firsts, scene.shots, strict=False)}
+        for shot in graph.shots_in_order(scene.scene_id):
+            omitted = context.omitted or shot.omitted
+            if omitted and not with_omitted:
+                continue
+            first, outline = planned[shot.shot_id]
+            name = shot_name(scene.scene_id, shot.shot_id)
             action = _action(lines, first, first + len(outline.lines))
             words = _description(outline.lines, shot, names, places.get(scene.scene_id, ""))
-            result.append(Panel(name, scene, outline, shot, start, graph.format.fps, action, words))
-            start, first = start + shot.duration, first + len(outline.lines)
+            numbers = (start, graph.format.fps)
+            result.append(Panel(name, scene, outline, shot, *numbers, action, words, omitted, opens and not omitted))
+            if not omitted:
+                start, opens = start + shot.duration, False
     return result
 
 

@@ -1,4 +1,4 @@
-"""The shot list as CSV, one row a shot."""
+"""The shot list as CSV, one row a shot; those that are omitted have theirs, without a place in the film."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def write_shot_list(graph: ContinuityMemoryGraph, part: Path, start: str = "00:0
     with part.open("w", encoding="utf-8-sig", newline="") as file:
         writer = csv.DictWriter(file, COLUMNS)
         writer.writeheader()
-        for panel in panels(graph):
+        for panel in panels(graph, with_omitted=True):
             shot, instruction = panel.shot, panel.shot.camera_instruction
             spans = [line.span for line in panel.outline.lines]
             row = {
@@ -50,8 +50,8 @@ def write_shot_list(graph: ContinuityMemoryGraph, part: Path, start: str = "00:0
                 "f_number": f"{shot.camera.f_number:g}" if shot.camera else "",
                 "frames": shot.duration,
                 "seconds": f"{panel.seconds:.2f}",
-                "record_in": timecode(first + panel.start, panel.fps),
-                "record_out": timecode(first + panel.start + shot.duration, panel.fps),
+                "record_in": "" if panel.omitted else timecode(first + panel.start, panel.fps),
+                "record_out": "" if panel.omitted else timecode(first + panel.start + shot.duration, panel.fps),
                 "characters": ", ".join(names.get(asset_id, asset_id) for asset_id in shot.shown),
                 "action": panel.action,
                 "dialogue": " / ".join(f"{line.speaker_name}: {line.text}" for line in panel.dialogue),

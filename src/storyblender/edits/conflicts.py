@@ -15,18 +15,21 @@ from storyblender.project import Project
 Aspect = tuple[str, str]
 """Name of an item and what of it: ``("SC010_SH020", "camera")``."""
 
+FILM: Final = "film"
+"""Name of the whole, where the order of scenes is edited."""
 _VERSION: Final = re.compile(r"(\d{1,9})(?:\.([0-9a-f]{0,16}))?")
 _FIELDS: Final[dict[str, dict[str, str]]] = {
     "shots": {
         "camera_instruction": "camera", "camera_decision": "camera", "take": "camera", "takes": "camera",
         "moment": "camera", "duration": "duration",
-        "decided_duration": "duration", "notes": "notes", "approved": "approval",
+        "decided_duration": "duration", "notes": "notes", "approved": "approval", "omitted": "cut",
         "blocking": "blocking", "cues": "blocking", "prop_states": "blocking",
     },
     "scenes": {
         "layout": "layout", "layout_decision": "layout", "lighting": "light", "light_decision": "light",
-        "environment": "set", "set_decision": "set",
+        "environment": "set", "set_decision": "set", "omitted": "cut", "shot_order": "cut",
     },
+    "head": {"scene_order": "cut"},
     "assets": {"look": "asset", "dimension": "asset", "canonical": "asset", "decision": "asset", "locked": "asset"},
 }  # fmt: skip
 """Which field of an item is which aspect. What the crew derives from them, such as lamps, is none."""
@@ -94,4 +97,4 @@ def _name(change: Change) -> str:
         case "scenes", (int(scene_id),):
             return scene_name(scene_id)
         case _:
-            return str(change.key[0]) if change.key else change.layer
+            return str(change.key[0]) if change.key else FILM

@@ -52,7 +52,9 @@ def apply_edits(project: Project, edits: Sequence[Edit], version: str | None = N
     graph, effects = project.graph, list[Effect]()
     for edit in edits:
         done = effects_of(graph, edit)
-        graph = replace(graph, *(each.item for each in done))
+        graph = replace(graph, *(each.item for each in done if each.item is not None))
+        for order in (each.scene_order for each in done if each.scene_order is not None):
+            graph = graph.model_copy(update={"scene_order": order})
         effects += done
     if version is not None:
         refuse_stale(project, version, {(each.name, aspect) for each in effects for aspect in each.aspects})

@@ -20,18 +20,20 @@ class Effect:
     """What one edit comes to for one item of the graph.
 
     Attributes:
-        item: The item of the graph as it is then.
+        item: The item of the graph as it is then; None where it is the graph itself.
         name: Of the item, for people.
         words: What was done to it.
         aspects: What of it was touched, such as ``camera``: two edits of one item may touch different things.
         stale: Shots whose frames show something else now.
+        scene_order: The order of the scenes in the film then; None leaves it.
     """
 
-    item: Item
+    item: Item | None
     name: str
     words: str
     aspects: frozenset[str]
     stale: tuple[str, ...] = ()
+    scene_order: tuple[int, ...] | None = None
 
 
 def refuse_locked(item: ShotContext | SceneContext, part: ShotLock | SceneLock) -> None:
@@ -65,8 +67,9 @@ def name_of(item: ShotContext | SceneContext) -> str:
 
 
 def shot_names(graph: ContinuityMemoryGraph, scene_id: int) -> tuple[str, ...]:
-    """Return the names of the shots of a scene."""
-    return tuple(shot_name(scene_id, shot.shot_id) for shot in graph.shots_of(scene_id))
+    """Return the names of the shots of a scene that are in the film."""
+    shots = () if graph.scene(scene_id).omitted else graph.shots_of(scene_id)
+    return tuple(shot_name(scene_id, shot.shot_id) for shot in shots if not shot.omitted)
 
 
 def scene_effect(

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
+from typing import Any, Final
 
 from storyblender.edits.asset_edits import asset_effects
-from storyblender.edits.effect import Effect, refuse_locked
-from storyblender.edits.lock_edits import lock_effect, unlock_effects
+from storyblender.edits.cut_edits import omit_effects, reorder_effects, restore_effects
+from storyblender.edits.effect import Effect, refuse_locked, shot_names
+from storyblender.edits.lock_edits import lock_effects, unlock_effects
 from storyblender.edits.note_edits import approve_effects, note_effects
 from storyblender.edits.scene_edits import layout_effects, light_effects, set_effects
 from storyblender.edits.take_edits import take_effects
@@ -23,6 +25,9 @@ from storyblender.memory.edits import (
     LightEdit,
     LockEdit,
     NoteEdit,
+    OmitEdit,
+    ReorderEdit,
+    RestoreEdit,
     SetEdit,
     TakeEdit,
     UnlockEdit,
@@ -45,32 +50,10 @@ def effects_of(graph: ContinuityMemoryGraph, edit: Edit) -> list[Effect]:
     Raises:
         InputError: It names what does not exist, what is locked, or what cannot be.
     """
-    match edit:
-        case CameraEdit():
-            return [_camera(graph, edit)]
-        case DurationEdit():
-            return [_duration(graph, edit)]
-        case LightEdit():
-            return light_effects(graph, edit)
-        case SetEdit():
-            return set_effects(graph, edit)
-        case LayoutEdit():
-            return layout_effects(graph, edit)
-        case AssetEdit():
-            return asset_effects(graph, edit)
-        case TakeEdit():
-            return take_effects(graph, edit)
-        case NoteEdit():
-            return note_effects(graph, edit)
-        case ApproveEdit():
-            return approve_effects(graph, edit)
-        case LockEdit():
-            return [lock_effect(graph, edit)]
-        case UnlockEdit():
-            return unlock_effects(graph, edit)
+    return _FAMILIES[type(edit)](graph, edit)
 
 
-def _camera(graph: ContinuityMemoryGraph, edit: CameraEdit) -> Effect:
+def _camera(graph: ContinuityMemoryGraph, edit: CameraEdit) -> list[Effect]:
     [shot] = shots_named(graph, [edit.shot])
     name = shot_name(shot.scene_id, shot.shot_id)
     decision = _with_ids(graph, edit.decision)
@@ -93,7 +76,7 @@ def _camera(graph: ContinuityMemoryGraph, edit: CameraEdit) -> Effect:
         "lights": (),
         "in_frame": (*shot.in_frame, *shown),
     }
-    return Effect(shot.model_copy(update=update), name, decision.words, frozenset({"camera"}), (name,))
+    return [Effect(shot.model_copy(update=update), name, decision.words, frozenset({"camera"}), (name,))]
 
 
 def _with_kind(decision: CameraDecision, now: CameraInstruction, people: Collection[str]) -> CameraDecision:
@@ -136,7 +119,7 @@ def _refuse_impossible(kind: str, focus: Sequence[str], over: str | None, pov: s
         raise InputError("a point of view needs whose eyes", mend="name them with --pov")
 
 
-def _duration(graph: ContinuityMemoryGraph, edit: DurationEdit) -> Effect:
+def _duration(graph: ContinuityMemoryGraph, edit: DurationEdit) -> list[Effect]:
     [shot] = shots_named(graph, [edit.shot])
     name, fps = shot_name(shot.scene_id, shot.shot_id), graph.format.fps
     refuse_locked(shot, "duration")
@@ -150,9 +133,9 @@ def _duration(graph: ContinuityMemoryGraph, edit: DurationEdit) -> Effect:
         "frame": None,
         "stale": ("motion",),
     }
-    scene = tuple(shot_name(each.scene_id, each.shot_id) for each in graph.shots_of(shot.scene_id))
+    scene = shot_names(graph, shot.scene_id)
     words = f"length {frames} frames ({frames / fps:.3g} s)"
-    return Effect(shot.model_copy(update=update), name, words, frozenset({"duration"}), scene)
+    return [Effect(shot.model_copy(update=update), name, words, frozenset({"duration"}), scene)]
 
 
 def retimed(camera: CameraState, before: int, after: int) -> CameraState:
@@ -169,3 +152,21 @@ def retimed(camera: CameraState, before: int, after: int) -> CameraState:
         for field in ("poses", "focus")
     }
     return camera.model_copy(update=keys)
+
+
+_FAMILIES: Final[dict[type[Edit], Callable[[ContinuityMemoryGraph, Any], list[Effect]]]] = {
+    CameraEdit: _camera,
+    DurationEdit: _duration,
+    LightEdit: light_effects,
+    SetEdit: set_effects,
+    LayoutEdit: layout_effects,
+    AssetEdit: asset_effects,
+    TakeEdit: take_effects,
+    NoteEdit: note_effects,
+    ApproveEdit: approve_effects,
+    OmitEdit: omit_effects,
+    RestoreEdit: restore_effects,
+    ReorderEdit: reorder_effects,
+    LockEdit: lock_effects,
+    UnlockEdit: unlock_effects,
+}

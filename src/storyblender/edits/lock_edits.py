@@ -19,11 +19,11 @@ from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.shot_context import ShotContext
 
 
-def lock_effect(graph: ContinuityMemoryGraph, edit: LockEdit) -> Effect:
+def lock_effects(graph: ContinuityMemoryGraph, edit: LockEdit) -> list[Effect]:
     """Return what a lock does. Raises InputError."""
     item, name, parts = _parts(graph, edit)
     if isinstance(item, Asset):
-        return Effect(item.model_copy(update={"locked": True}), name, "locked", frozenset({"asset"}))
+        return [Effect(item.model_copy(update={"locked": True}), name, "locked", frozenset({"asset"}))]
     there = tuple(part for part in parts if _is_there(item, part))
     missing = [part for part in edit.parts or parts[: not there] if part not in there]
     if missing:
@@ -31,7 +31,7 @@ def lock_effect(graph: ContinuityMemoryGraph, edit: LockEdit) -> Effect:
     parts = there
     locked = tuple(dict.fromkeys([*item.locked, *parts]))
     words = f"{', '.join(parts)} locked"
-    return Effect(item.model_copy(update={"locked": locked}), name, words, frozenset(parts))
+    return [Effect(item.model_copy(update={"locked": locked}), name, words, frozenset(parts))]
 
 
 def _is_there(item: ShotContext | SceneContext, part: LockName) -> bool:

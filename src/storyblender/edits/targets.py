@@ -16,7 +16,7 @@ Target = ShotContext | SceneContext | Asset
 
 
 def shots_named(graph: ContinuityMemoryGraph, names: Sequence[str]) -> list[ShotContext]:
-    """Return the shots with these names, in that order; all shots if no name is given.
+    """Return the shots with these names, in that order; all shots of the film if no name is given.
 
     Args:
         graph: The story.
@@ -26,7 +26,7 @@ def shots_named(graph: ContinuityMemoryGraph, names: Sequence[str]) -> list[Shot
         InputError: There is no shot of that name.
     """
     known = {shot_name(shot.scene_id, shot.shot_id): shot for shot in graph.shots}
-    return [known[_known("shot", name, name.upper(), known)] for name in names] if names else list(graph.shots)
+    return [known[_known("shot", name, name.upper(), known)] for name in names] if names else list(graph.cut)
 
 
 def target_named(graph: ContinuityMemoryGraph, name: str) -> Target:

@@ -167,6 +167,43 @@ class NoteEdit(Described):
         return self
 
 
+class OmitEdit(Described):
+    """Leaves a shot or a scene out of the film, board and timeline; its number stays, and nothing of it is lost."""
+
+    kind: Literal["omit"] = "omit"
+    """Which edit this is."""
+    target: _Name
+    """A shot such as ``SC010_SH020``, or a scene such as ``SC010``."""
+
+
+class RestoreEdit(Described):
+    """Brings a shot or a scene back that was omitted."""
+
+    kind: Literal["restore"] = "restore"
+    """Which edit this is."""
+    target: _Name
+    """As for omitting."""
+
+
+class ReorderEdit(Described):
+    """Moves a shot to another place in its scene, or a scene in the film; names stay as they are."""
+
+    kind: Literal["reorder"] = "reorder"
+    """Which edit this is."""
+    target: _Name
+    """A shot such as ``SC010_SH020``, or a scene such as ``SC010``."""
+    before: _Name | None = None
+    """The shot or scene that follows it then; or give after."""
+    after: _Name | None = None
+    """The shot or scene that it follows then; or give before."""
+
+    @model_validator(mode="after")
+    def _has_one_place(self) -> Self:
+        if (self.before is None) == (self.after is None):
+            raise ValueError("a new place is before something or after something")
+        return self
+
+
 class ApproveEdit(Described):
     """Approves a shot, which locks all of it; or withdraws the approval, and what was locked before is locked still."""
 
@@ -188,6 +225,9 @@ Edit = Annotated[
     | TakeEdit
     | NoteEdit
     | ApproveEdit
+    | OmitEdit
+    | RestoreEdit
+    | ReorderEdit
     | LockEdit
     | UnlockEdit,
     Field(discriminator="kind"),

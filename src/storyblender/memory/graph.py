@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TypeVar
 
 from pydantic import Field
 
 from storyblender.memory.asset_sheet import Asset
-from storyblender.memory.base import Digest, Frozen, is_none
+from storyblender.memory.base import Digest, Frozen, SceneId, is_none
 from storyblender.memory.outline import SceneOutline
 from storyblender.memory.panorama import Panorama
 from storyblender.memory.scene_context import SceneContext
@@ -66,6 +67,8 @@ class ContinuityMemoryGraph(Frozen):
     """When the story plays, where its words tell it."""
     panorama: Panorama | None = Field(default=None, exclude_if=is_none)
     """The user's, that may light exteriors."""
+    scene_order: tuple[SceneId, ...] = Field(default=(), exclude_if=lambda value: not value)
+    """The order that a person gave the scenes in the film; empty for that of the script."""
     outline: tuple[SceneOutline, ...] = ()
     assets: tuple[Asset, ...] = ()
     scenes: tuple[SceneContext, ...] = ()
@@ -108,6 +111,31 @@ class ContinuityMemoryGraph(Frozen):
         """
         return _find(self.shots_of(scene_id), shot_id, "shot_id")
 
+    def shots_in_order(self, scene_id: int) -> tuple[ShotContext, ...]:
+        """Return the shots of a scene in the order of the film, with those that are omitted in their places."""
+        shots = {shot.shot_id: shot for shot in self.shots_of(scene_id)}
+        return tuple(shots[shot_id] for shot_id in in_order(tuple(shots), self.scene(scene_id).shot_order))
+
+    @property
+    def scenes_in_order(self) -> tuple[SceneContext, ...]:
+        """The scenes in the order of the film, with those that are omitted in their places."""
+        scenes = {scene.scene_id: scene for scene in self.scenes}
+        return tuple(scenes[scene_id] for scene_id in in_order(tuple(scenes), self.scene_order))
+
+    @property
+    def cut(self) -> tuple[ShotContext, ...]:
+        """The shots of the film, in its order."""
+        edited = any(scene.omitted or scene.shot_order for scene in self.scenes)
+        if not self.scene_order and not edited:
+            return tuple(shot for shot in self.shots if not shot.omitted)
+        scenes = (scene for scene in self.scenes_in_order if not scene.omitted)
+        return tuple(shot for scene in scenes for shot in self.shots_in_order(scene.scene_id) if not shot.omitted)
+
+    @property
+    def as_cut(self) -> ContinuityMemoryGraph:
+        """The graph with the shots of the film alone, in its order: for what is said about the film."""
+        return self.model_copy(update={"shots": self.cut})
+
     def outline_of(self, scene_id: int) -> SceneOutline | None:
         """Return the words of a scene, if the outline has it."""
         return next((outline for outline in self.outline if outline.scene_id == scene_id), None)
@@ -115,6 +143,25 @@ class ContinuityMemoryGraph(Frozen):
     def people_in(self, scene_id: int) -> int:
         """Return how many characters are on stage at once in a scene, at most."""
         return max((len(shot.on_stage) for shot in self.shots_of(scene_id)), default=0)
+
+
+def in_order(known: Sequence[int], wanted: Sequence[int]) -> tuple[int, ...]:
+    """Return ids in the order that a person gave them; one that they did not know follows the one before it.
+
+    Args:
+        known: All ids, in the order of the script.
+        wanted: Ids in the order of the film; may be empty, and may hold ids that are gone.
+    """
+    there = set(known)
+    result = [each for each in wanted if each in there]
+    if not result:
+        return tuple(known)
+    placed = set(result)
+    for index, each in enumerate(known):
+        if each not in placed:
+            result.insert(result.index(known[index - 1]) + 1 if index else 0, each)
+            placed.add(each)
+    return tuple(result)
 
 
 def _find(items: tuple[_T, ...], wanted: object, field: str) -> _T:

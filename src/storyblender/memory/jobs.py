@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
+from pydantic import Field
+
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen, Vec3, content_hash, scene_name
 from storyblender.memory.graph import ProjectFormat
@@ -73,7 +75,16 @@ class AssetInState(Frozen):
     """Whether it stays level under an asset that lies on its side."""
 
 
-_NOT_PACKED = {"lighting", "locked", "light_decision", "set_decision", "layout_decision", "stale"}
+_NOT_PACKED = {
+    "lighting",
+    "locked",
+    "light_decision",
+    "set_decision",
+    "layout_decision",
+    "stale",
+    "omitted",
+    "shot_order",
+}
 """Fields of a scene that its geometry and motion do not depend on: what was decided is in set and layout by then."""
 
 
@@ -221,6 +232,10 @@ class MotionJob(Frozen):
         return content_hash(*parts, *([through] if through else []))
 
 
+Cut = tuple[tuple[int, int], ...]
+"""Scene id and shot id of each shot of a film."""
+
+
 class StoryJob(Frozen):
     """Compile a .blend from packed scenes: the whole story, or one sequence of it."""
 
@@ -230,6 +245,8 @@ class StoryJob(Frozen):
     scenes: tuple[SceneContext, ...]
     shots: tuple[ShotContext, ...]
     packs: tuple[PackRef, ...]
+    cut: Cut = Field(default=(), exclude_if=lambda value: not value)
+    """The shots of the film in its order; empty where that is all of them in the order of the script."""
     changed: tuple[int, ...] | None = None
     """Scenes to put in anew; the others stay in the file as they are. None compiles it whole."""
     out: str
@@ -251,6 +268,8 @@ class CutJob(Frozen):
     assets: tuple[Asset, ...]
     shots: tuple[ShotContext, ...]
     packs: tuple[PackRef, ...]
+    cut: Cut = Field(default=(), exclude_if=lambda value: not value)
+    """As of a story."""
     sequences: tuple[SequenceFile, ...]
     """In order; they need not be there yet."""
     out: str

@@ -34,6 +34,8 @@ def lock_violations(old: Item, new: Item, author: str) -> Iterator[str]:
             name = scene_name(old.scene_id)
             yield from _changed(name, old, new, {lock: SCENE_LOCKS[lock] for lock in old.locked}, author)
             if author not in PEOPLE:
+                if (new.omitted, new.shot_order) != (old.omitted, old.shot_order):
+                    yield f"people decide what of {name} is in the film, in which order"
                 for part in ("light", "set", "layout"):
                     decision = getattr(old, f"{part}_decision")
                     if decision is not None and getattr(new, f"{part}_decision") != decision:
@@ -72,8 +74,10 @@ def _overruled(name: str, old: ShotContext, new: ShotContext) -> Iterator[str]:
     """Yield what the crew would change of a person's decisions."""
     if (new.take, [take.number for take in new.takes]) != (old.take, [take.number for take in old.takes]):
         yield f"a person keeps the takes of {name}"
-    if new.notes != old.notes or new.approved != old.approved:
+    if (new.notes, new.approved) != (old.notes, old.approved):
         yield f"people write the notes on {name}, and approve it"
+    if new.omitted != old.omitted:
+        yield f"people decide whether {name} is in the film"
     decision = old.camera_decision
     if decision is not None and (new.camera_decision != decision or not decision.holds(new.camera_instruction)):
         yield f"a person decided about the camera of {name}: {decision.words}"

@@ -7,7 +7,7 @@ from typing import Any, Literal
 from pydantic import Field, model_validator
 
 from storyblender.memory.asset_sheet import AssetDecision, ParamValue
-from storyblender.memory.base import Color, Coordinate, Frozen, Identifier, SceneId, Vec3, dropping, is_none
+from storyblender.memory.base import Color, Coordinate, Frozen, Identifier, SceneId, ShotId, Vec3, dropping, is_none
 from storyblender.memory.locks import SceneLock
 from storyblender.memory.panorama import PanoramaLight
 from storyblender.memory.scene_decision import LayoutDecision, LightDecision, SetDecision
@@ -216,6 +216,11 @@ class SceneContext(Frozen):
     """The same of the staging."""
     stale: tuple[SceneLock, ...] = Field(default=(), exclude_if=lambda value: not value)
     """What an edit made stale and the crew has not made anew yet; a set takes layout and light with it."""
+
+    omitted: bool = Field(default=False, exclude_if=lambda value: not value)
+    """Whether a person left the scene out of the film."""
+    shot_order: tuple[ShotId, ...] = Field(default=(), exclude_if=lambda value: not value)
+    """The order that a person gave its shots in the film; empty for that of the script."""
 
     @property
     def decided_setup(self) -> SceneSetup:

@@ -348,6 +348,8 @@ class ShotContext(Frozen):
     """What people wrote about the shot; they stay with its words when the script changes."""
     approved: tuple[ShotLock, ...] | None = Field(default=None, exclude_if=is_none)
     """What was locked before a person approved the shot, which locks all of it; None where nobody did."""
+    omitted: bool = Field(default=False, exclude_if=lambda value: not value)
+    """Whether a person left it out of the film; its number stays."""
     _former = dropping("new_lighting_description")
 
     @property

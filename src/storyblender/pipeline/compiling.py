@@ -6,7 +6,7 @@ that links them.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from concurrent.futures import Future
 from contextlib import suppress
 
@@ -15,7 +15,7 @@ from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen, content_hash
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.jobs import GEOMETRY_VERSION, CutJob, PackRef, SequenceFile, StoryJob
+from storyblender.memory.jobs import GEOMETRY_VERSION, Cut, CutJob, PackRef, SequenceFile, StoryJob
 from storyblender.pipeline.run import Run
 
 STORY = "story.blend"
@@ -28,7 +28,7 @@ MOST_SCENES = 40
 SEQUENCE = 20
 """Scenes in the file of a sequence."""
 
-_NOT_SHOWN = ("locked", "decided_duration", "stale", "notes", "approved")
+_NOT_SHOWN = ("locked", "decided_duration", "stale", "notes", "approved", "omitted", "shot_order")
 """Fields of the graph that make no difference to a .blend."""
 
 
@@ -39,6 +39,8 @@ class StoryRecord(Frozen):
     """Hash of what all scenes share."""
     scenes: dict[int, str]
     """Scene id and the hash of everything that its part of the file depends on."""
+    cut: str = ""
+    """Hash of the order of its film; empty for all shots in the order of the script."""
 
 
 class Compilation:
@@ -129,7 +131,7 @@ class _File:
         if former is not None and former.common == fresh.common and run.outputs.whole(name):
             changed = tuple(key for key, digest in fresh.scenes.items() if former.scenes.get(key) != digest)
         self._compiled: Future[str] | None = None
-        if changed != ():
+        if changed != () or former is None or former.cut != fresh.cut:
             run.copy_aside(name)
             self._compiled = compiled(changed)
             self._compiled.add_done_callback(self._note)
@@ -170,8 +172,16 @@ def _story_job(run: Run, packs: Sequence[PackRef], sequence: SequenceFile | None
         scenes=tuple(scene for scene in graph.scenes if scene.scene_id in ids),
         shots=tuple(shot for shot in graph.shots if shot.scene_id in ids),
         packs=tuple(pack for pack in packs if pack.scene_id in ids),
+        cut=_film_of(graph, ids),
         out=STORY if sequence is None else sequence.path,
     )
+
+
+def _film_of(graph: ContinuityMemoryGraph, scenes: Collection[int]) -> Cut:
+    """Return the film of some scenes; empty where it is all their shots in the order of the script."""
+    shots = [(shot.scene_id, shot.shot_id) for shot in graph.shots if shot.scene_id in scenes]
+    film = [(shot.scene_id, shot.shot_id) for shot in graph.cut if shot.scene_id in scenes]
+    return () if film == shots else tuple(film)
 
 
 def _cut(run: Run, packs: Sequence[PackRef], sequences: tuple[SequenceFile, ...]) -> _File:
@@ -181,10 +191,11 @@ def _cut(run: Run, packs: Sequence[PackRef], sequences: tuple[SequenceFile, ...]
         assets=graph.assets,
         shots=graph.shots,
         packs=tuple(packs),
+        cut=_film_of(graph, {pack.scene_id for pack in packs}),
         sequences=sequences,
         out=STORY,
     )
-    lengths = [[shot.scene_id, shot.shot_id, shot.duration] for shot in graph.shots]
+    lengths = [[shot.scene_id, shot.shot_id, shot.duration] for shot in graph.cut]
     plain = job.model_dump(
         mode="json", include={"format", "assets", "sequences"}, exclude={"assets": {"__all__": {"locked"}}}
     )
@@ -206,4 +217,5 @@ def _record_of(job: StoryJob) -> StoryRecord:
         scenes[pack.scene_id] = content_hash(pack, list(of_scene))
     common = [plain[name] for name in ("format", "outline", "assets")]
     versions = [GEOMETRY_VERSION, STORY_VERSION]
-    return StoryRecord(common=content_hash(__version__, list(versions), common, list(scenes)), scenes=scenes)
+    cut = content_hash([list(key) for key in job.cut]) if job.cut else ""
+    return StoryRecord(common=content_hash(__version__, list(versions), common, list(scenes)), scenes=scenes, cut=cut)

@@ -25,7 +25,7 @@ from storyblender.pipeline.filming import with_cuts_judged
 from storyblender.pipeline.prints import make_prints
 from storyblender.pipeline.reviewing import kept_reviews
 from storyblender.pipeline.run import Run
-from storyblender.pipeline.shooting import shots_not_in_film
+from storyblender.pipeline.shooting import FILM_RECORD, cut_record, shots_not_in_film
 from storyblender.trace import Event
 
 CLIPS = "clips"
@@ -93,6 +93,7 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
             write_animatic(graph, segments, part)
         with run.delivering("animatic.srt") as part:
             write_subtitles(graph, part)
+        run.outputs.write(FILM_RECORD, cut_record(run))
         _place_clips(run, {panel.name: path for panel, path in zip(panels(graph), segments, strict=True)})
     elif film.exists() and (stale := shots_not_in_film(run)):
         told = f"still shows {', '.join(stale)} as before; `storyblender render --animatic` shoots it again"
@@ -125,7 +126,7 @@ def _place_clips(run: Run, clips: Mapping[str, Path]) -> None:
 def checks_of(run: Run) -> list[Check]:
     """Return what a person should check: unsure readings, staging problems, pictures with flaws."""
     staged = [flaw for _, pack in sorted(run.packs.items()) for flaw in pack.problems]
-    poor = [review for review in kept_reviews(run, run.graph.shots).values() if review.verdict != "pass"]
+    poor = [review for review in kept_reviews(run, run.graph.cut).values() if review.verdict != "pass"]
     faults = [
         Flaw(kind=fault.kind, subject=fault.subject, weight=fault.severity, message=fault.message, shot=review.shot)
         for review in poor

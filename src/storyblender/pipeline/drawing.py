@@ -9,7 +9,7 @@ from storyblender.pipeline.compiling import Compilation
 from storyblender.pipeline.retaking import retake_poor_frames
 from storyblender.pipeline.reviewing import FrameReview
 from storyblender.pipeline.run import Run
-from storyblender.pipeline.shooting import damaged_frames, prune, shoot_frames, shoot_motion
+from storyblender.pipeline.shooting import damaged_frames, is_cut_otherwise, prune, shoot_frames, shoot_motion
 
 
 def draw_shots(run: Run, shots: Sequence[ShotContext]) -> tuple[list[str], dict[str, FrameReview]]:
@@ -23,13 +23,14 @@ def draw_shots(run: Run, shots: Sequence[ShotContext]) -> tuple[list[str], dict[
         Names of the files in the project, in the order people open them, and the reviews of the frames by shot name.
     """
     asked = {(shot.scene_id, shot.shot_id) for shot in shots}
-    others = [shot for shot in run.graph.shots if (shot.scene_id, shot.shot_id) not in asked]
+    film = run.graph.cut
+    others = [shot for shot in film if (shot.scene_id, shot.shot_id) not in asked]
     shoot_frames(run, [*shots, *damaged_frames(run, others)])
     reviews = retake_poor_frames(run, shots)
     story = Compilation(run)
     from storyblender.pipeline.delivery import deliver
 
-    clips = shoot_motion(run, run.graph.shots) if run.settings.animatic else None
-    if len(shots) == len(run.graph.shots):
+    clips = shoot_motion(run, film) if run.settings.animatic or is_cut_otherwise(run) else None
+    if len(shots) >= len(film):
         prune(run, run.graph.shots)
     return deliver(run, clips, story), reviews

@@ -115,10 +115,15 @@ def with_cuts_judged(run: Run, scenes: Collection[int] | None = None) -> Continu
     for scene_id, pack in run.packs.items():
         if scenes is not None and scene_id not in scenes:
             continue
-        shots, environment = graph.shots_of(scene_id), graph.scene(scene_id).environment
+        environment = graph.scene(scene_id).environment
+        shots = [shot for shot in graph.shots_in_order(scene_id) if not shot.omitted]
         if environment is None or len(shots) < 2 or not run.outputs.whole(figures_of(pack)):
             continue
-        faces, plan, measures = PackViewfinder(run, pack, shots), plan_of(environment), measures_of(graph.assets)
+        faces, plan, measures = (
+            PackViewfinder(run, pack, graph.shots_of(scene_id)),
+            plan_of(environment),
+            measures_of(graph.assets),
+        )
         states = judge_cuts([(s, camera_operator_view(graph, s, plan, measures, faces.moments(s))) for s in shots])
         fresh += [shot.model_copy(update={"camera": states.get(shot.shot_id, shot.camera)}) for shot in shots]
     return replace(graph, *fresh)

@@ -20,10 +20,9 @@ from storyblender.memory.locks import SCENE_LOCKS, SHOT_LOCKS, ShotLock
 from storyblender.memory.outline import SceneOutline, ShotOutline
 from storyblender.memory.scene_context import Environment, SceneContext
 from storyblender.memory.shot_context import CameraDecision, CameraInstruction, CameraState, ShotContext
+from storyblender.pipeline.kept_cut import ShotKey, with_cut
 from storyblender.pipeline.kept_decisions import takes_of, with_decided_models, with_scene_decisions
 
-ShotKey = tuple[int, int]
-"""Scene id and shot id."""
 Words = tuple[tuple[str, str], ...]
 Designer = Callable[[ContinuityMemoryGraph, int], Environment]
 """The set that a scene of a graph would get."""
@@ -31,7 +30,7 @@ Designer = Callable[[ContinuityMemoryGraph, int], Environment]
 _DECIDED = tuple(name for name in CameraDecision.model_fields if name in CameraInstruction.model_fields)
 _STAGED = (
     "blocking", "cues", "prop_states", "asset_modifications", "duration", "lighting", "frame", "camera", "lights",
-    "flaws", "locked", "decided_duration", "stale", "take", "takes", "notes", "approved",
+    "flaws", "locked", "decided_duration", "stale", "take", "takes", "notes", "approved", "omitted",
 )  # fmt: skip
 """What the crew, and later a person, adds to the Director's shot."""
 
@@ -117,6 +116,7 @@ def revise(
     takes = {key: takes_of(planned[key], past) for key, past in kept_shots.items()}
     shots = [shot.model_copy(update=takes.get((shot.scene_id, shot.shot_id), {})) for shot in shots]
     graph = with_scene_decisions(old, graph.model_copy(update={"shots": tuple(shots)}), matched)
+    graph = with_cut(old, graph, matched)
     kept: dict[int, int] = {}
     for scene in graph.outline:
         former = _same_scene(old, scene, matched)
@@ -207,7 +207,7 @@ def _as_locked(shot: ShotContext, past: ShotContext | None, graph: ContinuityMem
     """
     if past is None:
         return shot
-    update: dict[str, object] = {"notes": past.notes}
+    update: dict[str, object] = {"notes": past.notes, "omitted": past.omitted}
     if past.decided_duration is not None:
         frames = max(1, round(past.decided_duration * rate))
         update |= {"duration": frames, "decided_duration": frames}

@@ -15,6 +15,8 @@ from storyblender.pipeline.filming import figures_of
 from storyblender.pipeline.run import Run
 
 MOTION_WIDTH_STEP = 4
+FILM_RECORD = "build/film.txt"
+"""Names and lengths of the shots of the film, in its order."""
 
 
 def light_of(run: Run, shot: ShotContext) -> Lighting:
@@ -88,7 +90,7 @@ def _commit_lights(run: Run, shots: Sequence[ShotContext]) -> None:
 
 def drawn_shots(run: Run) -> list[ShotContext]:
     """Return the shots whose current version is drawn."""
-    return [shot for shot in run.graph.shots if run.outputs.whole(frame_picture(run, shot))]
+    return [shot for shot in run.graph.cut if run.outputs.whole(frame_picture(run, shot))]
 
 
 def damaged_frames(run: Run, shots: Collection[ShotContext]) -> list[ShotContext]:
@@ -142,9 +144,22 @@ def shots_not_in_film(run: Run) -> list[str]:
     """Return the names of the shots that look otherwise than when the film was shot."""
     return [
         shot_name(shot.scene_id, shot.shot_id)
-        for shot in run.graph.shots
+        for shot in run.graph.cut
         if not run.outputs.whole(_motion_folder(run, shot))
     ]
+
+
+def is_cut_otherwise(run: Run) -> bool:
+    """Return whether the film has other shots, or another order, than the graph, and can be cut without shooting."""
+    known = run.outputs.read(FILM_RECORD, bytes)
+    film = known is not None and (run.project.folder / "animatic.mp4").exists()
+    return film and known != cut_record(run) and not shots_not_in_film(run)
+
+
+def cut_record(run: Run) -> bytes:
+    """Return what is kept beside a film of the order of its shots."""
+    names = (f"{shot_name(shot.scene_id, shot.shot_id)} {shot.duration}" for shot in run.graph.cut)
+    return "\n".join(names).encode()
 
 
 def prune(run: Run, shots: Collection[ShotContext]) -> None:

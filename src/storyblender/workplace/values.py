@@ -45,6 +45,8 @@ class ShotSummary(Described):
     """Ids of the characters it is meant to show."""
     description: str
     """What happens in it."""
+    omitted: bool = False
+    """Whether a person left it out of the film; the edit of kind `restore` brings it back."""
 
 
 class ShotDetails(ShotSummary):
@@ -232,6 +234,7 @@ def summary_of(panel: Panel) -> ShotSummary:
         seconds=round(panel.seconds, 2),
         shows=panel.shot.shown,
         description=panel.description,
+        omitted=panel.omitted,
     )
 
 

@@ -140,8 +140,8 @@ class Workplace:
         return self.wait(60)
 
     def panels(self) -> tuple[Panel, ...]:
-        """Return every shot of the open project."""
-        return tuple(panels(self.session.graph))
+        """Return every shot of the open project, with those that are omitted."""
+        return tuple(panels(self.session.graph, with_omitted=True))
 
     def panel(self, shot: str) -> Panel:
         """Return a shot of the open project by its name. Raises InputError."""

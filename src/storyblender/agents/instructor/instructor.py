@@ -14,7 +14,7 @@ from storyblender.agents.instructor.phrases import edits_of_clause
 from storyblender.agents.instructor.scene_faults import scene_faults
 from storyblender.agents.instructor.scene_phrases import edits_of_scene
 from storyblender.agents.instructor.scene_view import SceneNow, scene_now
-from storyblender.agents.instructor.shot_phrases import note_on
+from storyblender.agents.instructor.shot_phrases import edits_of_cut, note_on
 from storyblender.errors import InputError
 from storyblender.memory.base import Described, Frozen, scene_name, shot_name
 from storyblender.memory.camera_decision import CameraDecision, CameraInstruction
@@ -25,6 +25,9 @@ from storyblender.memory.edits import (
     Edit,
     LightEdit,
     NoteEdit,
+    OmitEdit,
+    ReorderEdit,
+    RestoreEdit,
     SetEdit,
     TakeEdit,
 )
@@ -60,6 +63,7 @@ class InstructorView:
         names: Name of every character and object by id.
         fps: Frames a second.
         scenes: Their scenes.
+        named: The shots and scenes as the person names them; empty for the shots.
     """
 
     words: str
@@ -67,6 +71,12 @@ class InstructorView:
     names: Mapping[str, str]
     fps: int
     scenes: tuple[SceneNow, ...] = ()
+    named: tuple[str, ...] = ()
+
+    @property
+    def targets(self) -> tuple[str, ...]:
+        """Names of the shots and scenes that the words are about."""
+        return self.named or tuple(shot.name for shot in self.shots)
 
 
 class Instruction(Described):
@@ -89,7 +99,8 @@ def instructor_view(graph: ContinuityMemoryGraph, words: str) -> InstructorView:
         InputError: There is no shot of that name, or nothing is said.
     """
     named, _, said = words.partition(":")
-    wanted = {name.upper() for name in re.split(r"[\s,]+", named.strip()) if name}
+    listed = tuple(dict.fromkeys(name.upper() for name in re.split(r"[\s,]+", named.strip()) if name))
+    wanted = {*listed}
     known = {shot_name(shot.scene_id, shot.shot_id) for shot in graph.shots}
     scenes = {scene_name(scene.scene_id) for scene in graph.scenes}
     if not wanted or not said.strip() or wanted - known - scenes:
@@ -109,7 +120,7 @@ def instructor_view(graph: ContinuityMemoryGraph, words: str) -> InstructorView:
     names = {asset.asset_id: asset.name or asset.asset_id for asset in graph.assets if asset.origin != "dressing"}
     involved = {name.partition("_")[0] for name in wanted}
     now = tuple(scene_now(graph, scene) for scene in graph.scenes if scene_name(scene.scene_id) in involved)
-    return InstructorView(" ".join(said.split()), tuple(shots), names, graph.format.fps, now)
+    return InstructorView(" ".join(said.split()), tuple(shots), names, graph.format.fps, now, listed)
 
 
 class RulesInstructor:
@@ -142,6 +153,8 @@ def _meant(clause: str, view: InstructorView) -> tuple[list[Edit], list[str]]:
     """Return the edits of a clause, and its words that are not known; ``and`` may join people, or two wishes."""
 
     def edits(words: str) -> list[Edit]:
+        if cut := edits_of_cut(words, view.targets):
+            return cut
         told = [edit for scene in view.scenes for edit in edits_of_scene(words, scene)]
         return told or [
             edit
@@ -198,6 +211,9 @@ class InstructorCritic:
             if isinstance(edit, _OF_SHOTS) and edit.shot.upper() not in shots:
                 message = f"{edit.shot} is not among the shots that were named"
                 faults.append(Fault(kind="shot", subject=edit.shot, message=message, severity=UNUSABLE))
+            if isinstance(edit, OmitEdit | RestoreEdit | ReorderEdit) and edit.target.upper() not in view.targets:
+                message = f"{edit.target} is not among the shots and scenes that were named"
+                faults.append(Fault(kind="shot", subject=edit.target, message=message, severity=UNUSABLE))
             for unknown in sorted(_named(edit) - view.names.keys()):
                 message = f"{unknown!r} is no person or thing of the story"
                 faults.append(Fault(kind="unknown", subject=unknown, message=message, severity=UNUSABLE))

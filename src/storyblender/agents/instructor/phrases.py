@@ -9,7 +9,7 @@ from typing import Any, Final
 from pydantic import ValidationError
 
 from storyblender.agents.director.camera_phrases import parse_note
-from storyblender.agents.instructor.shot_phrases import edits_of_shot
+from storyblender.agents.instructor.shot_phrases import FILLER, edits_of_shot
 from storyblender.memory.camera_decision import CameraDecision, CameraInstruction
 from storyblender.memory.edits import CameraEdit, DurationEdit, Edit, LockEdit, TakeEdit, UnlockEdit
 from storyblender.memory.shot_sizes import SHOT_SIZES
@@ -21,7 +21,6 @@ _F_NUMBERS: Final = {"shallow": 1.4, "deep": 32.0}
 _HEIGHTS: Final[tuple[Angle, ...]] = ("worm's-eye", "low angle", "eye-level", "high angle", "bird's-eye")
 _LONGER_LENS, _LONGER_SHOT = 1.4, 1.5
 """Times that ``a longer lens`` is longer, and ``longer`` a shot."""
-_FILLER = re.compile(r"\b(?:make (?:it|this)|a bit|a little|slightly|go|get|the|it|this|camera|shot)\b")
 _SHOWN = re.compile(
     r"(?:(?P<kind>single|two[- ]shot|group(?: shot)?|insert|reaction)\s*)?"
     r"(?:on|of|show|see|look at|frame)\s+(?P<who>.+)",
@@ -44,7 +43,7 @@ def edits_of_clause(
         seconds: Length of the shot now.
         names: Name of every character and object by id.
     """
-    words = " ".join(_FILLER.sub(" ", clause.lower()).split())
+    words = " ".join(FILLER.sub(" ", clause.lower()).split())
     if re.fullmatch(r"lock(?: as is)?|keep(?: as is)?|leave(?: as is)?", words):
         return [LockEdit(target=shot)]
     if words == "unlock":

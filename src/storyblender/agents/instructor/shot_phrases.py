@@ -1,12 +1,15 @@
-"""The phrases of notes and approval that the rules know."""
+"""The phrases of notes, approval and the cut that the rules know."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import Final
 
-from storyblender.memory.edits import ApproveEdit, Edit, NoteEdit
+from storyblender.memory.edits import ApproveEdit, Edit, NoteEdit, OmitEdit, ReorderEdit, RestoreEdit
 
+FILLER: Final = re.compile(r"\b(?:make (?:it|this)|a bit|a little|slightly|go|get|the|it|this|camera|shot)\b")
+"""Words that add nothing to a wish."""
 _NOTE: Final = re.compile(
     r"(?:add (?:a )?)?note(?: (?:from|by) (?P<author>[^:]{1,64}))?\s*[:,]\s*(?P<text>.+)", re.IGNORECASE
 )
@@ -15,6 +18,7 @@ _NUMBERED: Final = (
     (r"reopen note (\d{1,3})", "reopen"),
     (r"(?:remove|delete|drop) note (\d{1,3})", "remove"),
 )  # fmt: skip
+_PLACE: Final = re.compile(r"(?:move |put |play |comes? )?(?P<where>before|after) (?P<near>sc\d+(?:_sh\d+)?)")
 
 
 def note_on(words: str, shot: str) -> list[Edit]:
@@ -26,6 +30,25 @@ def note_on(words: str, shot: str) -> list[Edit]:
     """
     match = _NOTE.fullmatch(words.strip())
     return [NoteEdit(shot=shot, text=match["text"], author=match["author"] or "")] if match is not None else []
+
+
+def edits_of_cut(clause: str, names: Sequence[str]) -> list[Edit]:
+    """Return what words do with shots or scenes in the film; none where they mean something else.
+
+    Args:
+        clause: ``omit``, ``bring it back``, ``before SC010_SH010``.
+        names: Of the shots or scenes.
+    """
+    words = " ".join(FILLER.sub(" ", clause.lower()).replace(" scene", "").split())
+    if re.fullmatch(r"omit(?:ted)?|leave out|cut out|drop|lose", words):
+        return [OmitEdit(target=name) for name in names]
+    if re.fullmatch(r"restore|bring back|put back|back in", words):
+        return [RestoreEdit(target=name) for name in names]
+    if match := _PLACE.fullmatch(words):
+        near, where = match["near"].upper(), match["where"]
+        moved = names if where == "before" else names[::-1]
+        return [ReorderEdit.model_validate({"target": name, where: near}) for name in moved]
+    return []
 
 
 def edits_of_shot(words: str, shot: str) -> list[Edit]:

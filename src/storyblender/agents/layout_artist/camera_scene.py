@@ -94,11 +94,12 @@ def shoot_scene(
     """
     cameras: dict[int, CameraState] = {}
     cuts = SceneCuts()
-    for shot in graph.shots_of(scene_id):
+    for shot in graph.shots_in_order(scene_id):
         view = cuts.match(shot, replace(camera_operator_view(graph, shot, plan, measures, moments(shot)), kit=kit))
         state = shot.camera or _with_people_left_out(operate(view, viewfinder, operator, listener), shot, view)
         cameras[shot.shot_id] = state
-        cuts.remember(shot, view, state)
+        if not shot.omitted:
+            cuts.remember(shot, view, state)
     return cameras
 
 

@@ -182,3 +182,26 @@ def test_notes_and_approval_in_words(words: str, said: dict[str, object]) -> Non
     assert InstructorCritic().judge(draft, view(words)).score == 10
     [edit] = draft.edits
     assert edit == type(edit).model_validate({"shot": SHOT, **said})
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("omit it", {"kind": "omit"}),
+        ("leave this shot out", {}),
+        ("bring it back", {"kind": "restore"}),
+        ("before SC010_SH010", {"kind": "reorder", "before": "SC010_SH010"}),
+        ("move it after SC010_SH030", {"kind": "reorder", "after": "SC010_SH030"}),
+    ],
+)
+def test_the_cut_in_words(words: str, said: dict[str, object]) -> None:
+    draft = RulesInstructor().propose(view(words))
+    if not said:
+        assert draft.unclear and not draft.edits
+        return
+    [edit] = draft.edits
+    assert edit == type(edit).model_validate({"target": SHOT, **said})
+    scene = replace(view(words), named=("SC010",))
+    [edit] = RulesInstructor().propose(scene).edits
+    assert edit == type(edit).model_validate({"target": "SC010", **said})
+    assert InstructorCritic().judge(Instruction(edits=(edit,)), view(words)).score < 8, "another one than was named"
