@@ -197,7 +197,8 @@ def test_board_heads_every_scene_where_it_begins(
     outline = graph.outline[0]
     other = outline.model_copy(update={"scene_id": 2, "heading": "EXT. ROAD - DAY", "shots": outline.shots[:1]})
     shot = graph.shots[0].model_copy(update={"scene_id": 2})
-    graph = graph.model_copy(update={"outline": (outline, other), "shots": (*graph.shots, shot)})
+    scenes = (*graph.scenes, graph.scenes[0].model_copy(update={"scene_id": 2}))
+    graph = graph.model_copy(update={"outline": (outline, other), "scenes": scenes, "shots": (*graph.shots, shot)})
     said = drawn(monkeypatch, graph, tmp_path, "grid")
     assert said.count("INT. BAR - NIGHT") == 1 and said.index("EXT. ROAD - DAY") > said.index("SC010_SH020")
 
