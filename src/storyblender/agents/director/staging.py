@@ -135,6 +135,8 @@ class Staging:
             body.held = [thing for thing in body.held if thing in kept or (person, thing) in used]
         for unit in units:
             self._set_faces(unit)
+            drivers = {person for person in unit.posture if _drives(person, unit)}
+            posing, movers = posing - drivers, movers - drivers
             for person in unit.posture.keys() - posing:
                 self._pose(person, unit)
             for person in unit.spots.keys() - movers:
@@ -185,12 +187,13 @@ class Staging:
         given = {deed.prop for deed in unit.deeds if deed.motion == "give" and deed.target == person}
         held = [thing for thing in unit.held.get(person, []) if thing not in taken | given]
         body = _Body(posture=usual, held=held)
-        if any(self.already(deed, unit) for deed in mine) or (not mine and person in unit.posture):
+        drives = _drives(person, unit)
+        if any(self.already(deed, unit) for deed in mine) or (not mine and person in unit.posture) or drives:
             body.posture, body.support = unit.posture.get(person, (usual, None))
         instrument = _keyboard(mine)
         if instrument is not None and body.posture in ("stand", "sit"):
             body.posture, body.support = "sit", instrument
-        if all(deed.motion not in TRAVEL for deed in mine):
+        if drives or all(deed.motion not in TRAVEL for deed in mine):
             body.spot = unit.spots.get(person)
         return body
 
@@ -270,6 +273,12 @@ def _keyboard(deeds: Sequence[Deed]) -> str | None:
     at_it = (deed for deed in deeds if deed.motion in ("play_music", "sit"))
     played = (thing for deed in at_it for thing in (deed.target, deed.prop) if thing)
     return next((thing for thing in played if thing.endswith(_KEYBOARDS)), None)
+
+
+def _drives(person: str, unit: Unit) -> bool:
+    """Whether a person drives in a unit and sits for it: they are at the wheel from its first frame."""
+    seated = unit.posture.get(person, ("", None))[0] == "sit"
+    return seated and any(deed.actor == person and deed.motion == "drive" for deed in unit.deeds)
 
 
 def _comes_in(person: str, unit: Unit) -> bool:

@@ -97,3 +97,9 @@ def test_who_drives_sits_at_the_wheel() -> None:
     assert unit.posture == {"ann": ("sit", "sedan")} and unit.spots["ann"].side == "driver"
     stands = _reading(deeds=[Deed("ann", "drive", "sedan")], posture={"ann": ("stand", None)})
     assert FittedParts.of(stands).rewritten(stands).units[0].posture == {"ann": ("stand", None)}
+
+
+def test_who_drives_as_the_scene_opens_is_at_the_wheel_from_the_first_frame() -> None:
+    (shot, *_) = storyboard(_reading(deeds=[Deed("ann", "drive", "sedan")])).shot_details
+    (state,) = shot.states
+    assert (state.posture, state.support_id) == ("sit", "sedan")
