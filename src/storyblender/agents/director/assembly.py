@@ -12,7 +12,7 @@ from storyblender.agents.director.casting import age_word, cast_look, describe_p
 from storyblender.agents.director.creatures import describe_creature, size_in_script
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.fixtures import is_piece, is_scenery
-from storyblender.agents.director.lighting import usual_light
+from storyblender.agents.director.lighting import opening_light, usual_light
 from storyblender.agents.director.motion_families import GETTING, PARTING
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Thing, Unit
 from storyblender.agents.director.scene_continuity import LIGHT, inherited_positions, inherited_states
@@ -203,7 +203,7 @@ class Assembly:
                 crowd=chosen.crowd,
                 time_of_day=scene.time,
                 weather=scene.weather,
-                light=usual_light(scene.scene_type, scene.time),
+                light=opening_light(units) or usual_light(scene.scene_type, scene.time),
                 relations=tuple(relations),
                 scenery=tuple(self._scenery(scene, chosen, ids)),
                 found={each: states for each, states in self.inherited[scene.id].items() if self._is_known(each)},

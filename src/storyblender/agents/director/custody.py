@@ -64,7 +64,7 @@ class Custody:
                 self._claim(person, thing, unit.held)
                 if thing not in before:
                     self.since[thing] = number
-        for thing in {*unit.absent} - {thing for told in unit.held.values() for thing in told}:
+        for thing in {*unit.absent, *unit.spots} - {thing for told in unit.held.values() for thing in told}:
             self._let_go(thing)
         return wrong
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import Final
 
+from storyblender.agents.director.reading import Unit
 from storyblender.memory.shot_context import LightChange
 from storyblender.memory.vocabulary import LightQuality, SceneType, TimeOfDay
 
@@ -61,3 +63,15 @@ def light_change(words: str) -> LightChange | None:
     hours: list[TimeOfDay] = [time for pattern, time in _HOURS if re.search(pattern, plain)]
     change = LightChange(lamps=lamps, hour=next(iter(hours), None), qualities=light_qualities(words))
     return None if change == LightChange() else change
+
+
+def opening_light(units: Sequence[Unit]) -> tuple[LightQuality, ...]:
+    """Return the character of the light that the first unit of a scene states, if nobody changes it there.
+
+    Args:
+        units: Of the scene, in order; empty for a scene without any.
+    """
+    told = units[0].changes if units else ()
+    change = next((light_change(each.state) for each in told if each.subject == "light"), None)
+    still = change is not None and change.lamps is None and change.hour is None
+    return change.qualities if change is not None and still else ()

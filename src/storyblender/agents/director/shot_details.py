@@ -14,7 +14,7 @@ from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import frame_count, shot_seconds
 from storyblender.agents.director.feelings import mood_of
 from storyblender.agents.director.fine_motions import UNREAD, fine_motion
-from storyblender.agents.director.lighting import light_change
+from storyblender.agents.director.lighting import light_change, opening_light
 from storyblender.agents.director.motion_families import GETTING, SPOKEN, TRAVEL
 from storyblender.agents.director.reading import Deed, Unit
 from storyblender.agents.director.scene_continuity import LIGHT, absent_until_brought
@@ -91,6 +91,8 @@ class ShotDetails:
         kit = SETS[scene.setup.kit]
         self.staging = Staging(units, story.assets, story.fixtures, seated=kit.seated, on_foot=kit.on_foot)
         self.later = absent_until_brought(units, story.assets - story.actors - story.creatures)
+        self.lit_at_first = units[0] if opening_light(units) else None
+        """The unit that states the light of the scene, which is no change of it."""
         self.told: set[int] = set()
         """Starts of the units that a shot has played."""
         self.seen: set[str] = set()
@@ -114,7 +116,8 @@ class ShotDetails:
         # A thing in a person's hands is not shown without them.
         holders = [state.asset_id for state in states if draft.kind == "insert" and {*state.held} & {*draft.focus}]
         line = max((index for index, unit in enumerate(units) if unit.moment), default=None)
-        light = next((change.state for unit in fresh for change in unit.changes if change.subject == "light"), "")
+        changed = [unit for unit in fresh if unit is not self.lit_at_first]
+        light = next((change.state for unit in changed for change in unit.changes if change.subject == "light"), "")
         return ShotContext(
             scene_id=self.scene_id,
             shot_id=number,

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from storyblender.agents.visual_effects_artist.cue_sheet import REACH, CueSheet
 from storyblender.agents.visual_effects_artist.floor import facing
 from storyblender.agents.visual_effects_artist.person import StagedPerson
-from storyblender.agents.visual_effects_artist.placed_objects import TOPS
+from storyblender.agents.visual_effects_artist.placed_objects import TOPS, is_put_on
 from storyblender.agents.visual_effects_artist.prop_spots import PropSpots
 from storyblender.agents.visual_effects_artist.stage_state import StageState
 from storyblender.catalog.carrying import hand_towards
@@ -350,7 +350,7 @@ class Handling:
             return Release(now, None, hand)
         spot: Vec3 | None = None
         hollow = thing is not None and self.stage.floor.kinds.get(thing.asset_id) in OPEN_ABOVE
-        if thing is None or not (hollow or thing.anchors_of("top") or thing.size[2] < 1.4):
+        if thing is None or not (hollow or is_put_on(thing)):
             near = (
                 0.0 if self.spots.is_bag(prop, min_depth=CASE_DEPTH) else 2.5 if person.upright else SEATED_TOP_DISTANCE
             )

@@ -140,6 +140,11 @@ def light_shots(
         change: Returns the light after the change that a shot has.
     """
     lamps = LampStates(view, found)
+    first_changes: dict[str, str] = {}
+    for each in (each for shot in shots for each in shot.asset_modifications):
+        first_changes.setdefault(each.asset_id, each.state)
+    for lamp in (lamp for lamp, state in first_changes.items() if state in ON_STATES):
+        lamps.burning.setdefault(lamp, False)  # nobody has lit it yet, though it is in a hand
     plan = lights_out(usual, indoor=view.plan.indoor) if lamps.dark else usual
     first = current = plan_with_lamps(plan, replace(view, burning=dict(lamps.burning)), dark=lamps.dark)
     lit: list[ShotContext] = []

@@ -108,6 +108,12 @@ def has_room_on_top(thing: PlacedObject) -> bool:
     return top is not None and min(top.size) > ROOMY and TOPS[0] < thing.location[2] + top.location[2] < TOPS[1]
 
 
+def is_put_on(thing: PlacedObject) -> bool:
+    """Tell whether a prop that is said to be on an object can lie on its top: not on a tree or up on a mast."""
+    top = next(iter(thing.anchors_of("top")), None)
+    return thing.location[2] + (top.location[2] if top is not None else thing.size[2]) < (OVERHEAD if top else TOPS[1])
+
+
 def has_seat_as_top(thing: PlacedObject) -> bool:
     """Tell whether the first top of an object is also its seat or bed."""
     top = thing.anchors_of("top")[0].location[2]

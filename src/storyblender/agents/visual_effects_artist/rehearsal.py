@@ -14,6 +14,7 @@ from storyblender.agents.visual_effects_artist.animals import Animals
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
 from storyblender.agents.visual_effects_artist.fallen_props import FallenProps
 from storyblender.agents.visual_effects_artist.floor import Floor
+from storyblender.agents.visual_effects_artist.left_props import held_props, lay_left_props
 from storyblender.agents.visual_effects_artist.person import StagedPerson
 from storyblender.agents.visual_effects_artist.posture_cues import PostureCues, extend_lasting_cues
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN, Speeches
@@ -121,8 +122,10 @@ class Rehearsal:
         """
         stage = self.stage
         cast = [stage.people[name] for name in shot.on_stage if name in stage.people]
+        held = held_props(stage)
         stage.bring_on_stage(shot, cast, stay)
         stage.apply_states(shot.states, shot.character_actions)
+        lay_left_props(stage, held, shot)
         self._take_marks(directions.marks)
         stage.place_loose_props(shot)
         standing = stage.prop_states(shot)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
+from storyblender.agents.visual_effects_artist.placed_objects import is_put_on
 from storyblender.agents.visual_effects_artist.spot_finder import SpotFinder
 from storyblender.catalog.hollows import place_inside
 from storyblender.geometry.stations import stations
@@ -57,6 +58,11 @@ class ScriptedProps:
                 moved.append(thing)
         return moved
 
+    def told_place(self, thing: str) -> Vec3 | None:
+        """Return the position in metres of the spot at which the script had a thing last; None if it had none."""
+        spot = self._told.get(thing)
+        return self._find_location(thing, spot) if spot is not None and thing in self.sizes else None
+
     def _find_location(self, thing: str, spot: Spot) -> Vec3 | None:
         """Return the position in metres of a thing (asset id) at a spot; None if the spot's anchor is unknown."""
         found = self.spot_finder.find_anchor(spot.anchor_id)
@@ -72,7 +78,7 @@ class ScriptedProps:
                 return base.to_world(place)
         if sort == "window" and spot.relation == "on":
             return box.x, box.y, box.z
-        if base is not None and spot.relation in _ON:
+        if base is not None and spot.relation in _ON and is_put_on(base):
             return self.spot_finder.floor.point_on_top(
                 base, base.location[:2]
             ) or self.spot_finder.floor.nearest_point_on_top(base, base.location[:2])

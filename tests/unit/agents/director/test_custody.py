@@ -8,6 +8,7 @@ import pytest
 
 from storyblender.agents.director.custody import Custody, things_in_hands, with_things_in_hands
 from storyblender.agents.director.reading import Deed, Thing, Unit
+from storyblender.memory.scene_context import Spot
 
 THINGS = [Thing(each, each, handled=True) for each in ("cup", "pen", "ladder")]
 Deeds = Sequence[tuple[str, str, str | None]]
@@ -34,6 +35,12 @@ def test_what_is_held_stays_in_hand_until_a_deed_or_a_word_takes_it() -> None:
 @pytest.mark.parametrize("motion", ["put_down", "drop", "throw", "pocket"])
 def test_what_is_let_go_is_in_no_hand(motion: str) -> None:
     assert hands(unit(1, held={"ada": ["cup"]}), unit(2, [("ada", motion, None)]))[1] == {"ada": [], "ben": []}
+
+
+def test_what_has_a_spot_is_in_no_hand() -> None:
+    slid = unit(2, [("ada", "give", "ben")])
+    slid.spots["cup"] = Spot(relation="on", anchor_id="pen")
+    assert hands(unit(1, held={"ada": ["cup"]}), slid)[1] == {"ada": [], "ben": []}
 
 
 def test_what_is_handed_over_later_is_in_hand_from_the_start() -> None:

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from tests.answering import Alike, Answering, Scripted
 
+from storyblender.agents.director.breakdown import storyboard
 from storyblender.agents.director.director import DirectorCritic, RulesDirector
 from storyblender.agents.director.kit_choice import choose_kit
 from storyblender.agents.director.language_director import LanguageDirector
@@ -285,3 +286,11 @@ def test_the_rest_of_a_long_scene_knows_how_everyone_is() -> None:
     before = json.loads(model.asked[1].view)["goes_on_from"]
     assert before["kit"] == "shop" and before["absent"] == ["cake"]
     assert before["states"] == {"mira": {"posture": "sit", "on": None, "holds": ["parcel"]}}
+
+
+def test_the_light_that_the_first_unit_states_is_the_light_of_the_scene() -> None:
+    lit = change(changes=[{"subject": "light", "state": "warm, dim"}])
+    lit.answer = lambda request, wrong=lit.answer: wrong(request.model_copy(update={"feedback": ()}))
+    board = storyboard(director(lit).propose(SCRIPT))
+    assert {"warm", "dim"} <= {*board.scene_details[0].setup.light}
+    assert all(shot.light_change is None for shot in board.shot_details)
