@@ -88,9 +88,13 @@ def test_a_lamp_burns_from_the_shot_that_lights_it_to_the_one_that_puts_it_out(k
 @pytest.mark.parametrize("key", _KEYS)
 def test_a_lamp_in_a_hand_is_dark_until_it_is_lit(key: str) -> None:
     mark = Mark(asset_id="ann", location=(1.0, -1.0, 0.0), yaw=90.0)
-    had = {"blocking": (Blocking(start=mark, end=mark),)}
-    had["prop_states"] = (PropState(asset_id=key, held_by="ann", hand="R"),)
-    plans, _ = _plans(_view(key), _shot(1, **had), _shot(2, (key, "lit"), **had))
+    blocking = (Blocking(start=mark, end=mark),)
+    held = (PropState(asset_id=key, held_by="ann", hand="R"),)
+    plans, _ = _plans(
+        _view(key),
+        _shot(1, blocking=blocking, prop_states=held),
+        _shot(2, (key, "lit"), blocking=blocking, prop_states=held),
+    )
     assert [f"{key}_1_light" in _names(plan) for plan in plans] == [False, True]
 
 
