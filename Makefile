@@ -6,8 +6,9 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
 CREW := $(VENV)/.crew
+LOCAL := $(VENV)/.local-llm
 
-.PHONY: storyboard test test-all crew test-crew check bench clean
+.PHONY: storyboard test test-all crew test-crew test-local-model check bench clean
 
 storyboard: $(READY)  ## Make the example storyboard into out/casablanca.storyboard
 	$(BIN)/storyblender make examples/casablanca.fountain --out out/casablanca.storyboard
@@ -22,6 +23,9 @@ crew: $(CREW)  ## Install what language models in the crew need
 
 test-crew: $(CREW)  ## Run the tests of language models, against servers on this machine
 	$(BIN)/python -m pytest -n 0 tests/wire
+
+test-local-model: $(LOCAL)  ## Install a small model with its server, compiled here in some ten minutes, and run a crew on it
+	$(BIN)/python -m pytest -n 0 -s tests/local_model
 
 check: $(READY)  ## Lint, types, layers
 	$(BIN)/ruff check .
@@ -42,6 +46,10 @@ $(READY): requirements.lock pyproject.toml
 
 $(CREW): $(READY) requirements-crew.lock
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-crew.lock
+	@touch $@
+
+$(LOCAL): $(CREW) requirements-local-llm.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-local-llm.lock
 	@touch $@
 
 clean:  ## Remove what was made, not the environment

@@ -238,8 +238,12 @@ class Terminal:
                 self._write({"name": each.name, "answered": each.answered, "problem": each.problem or None})
             state = "[red]wrong[/]" if each.problem else "[green]there[/]" if each.answered else "waits"
             self._results.print(f"{state:5} {_plain(each.name)} {_plain(each.problem)}".rstrip())
-        waiting = sum(not each.answered for each in checked)
-        self._results.print(f"{waiting} of {len(checked)} requests wait for an answer")
+        waiting, wrong = sum(not each.answered for each in checked), sum(bool(each.problem) for each in checked)
+        if not checked:
+            self._results.print("nothing was asked in this folder; `storyblender make SCRIPT --crew ask:FOLDER` asks")
+            return
+        mend = f"; {wrong} must be mended" if wrong else "" if waiting else "; run the same `make` again to go on"
+        self._results.print(f"{waiting} of {len(checked)} requests wait for an answer{mend}")
 
     def catalog(self, catalogs: Mapping[str, Sequence[Entry]]) -> None:
         """Print catalogues."""
