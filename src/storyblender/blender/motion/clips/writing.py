@@ -195,8 +195,8 @@ def _held_page(stage: MotionStage, who: Performer, page: StagedProp, side: str, 
         matrix, s = sheet(now), sign(far)
         turn = matrix.to_3x3()
         return hand(
-            matrix @ Vector((s * (0.5 * width - 0.03), -0.05, -0.02)), turn @ Vector((-s * 0.6, 0.75, 0)),
-            turn @ Vector((0, 0, 1)), who.direction("upper_chest", Vector((s * 0.8, 0, -0.7))), (10, 12, -35),
+            matrix @ Vector((s * (0.5 * width - 0.03), -0.05, -0.03)), turn @ Vector((-s * 0.6, 0.75, 0)),
+            turn @ Vector((0, 0, 1)), who.direction("upper_chest", Vector((s * 0.8, 0, -0.7))), (0, 0, -15),
         )  # fmt: skip
 
     release_prop(stage, page)
