@@ -6,7 +6,6 @@ import numpy as np
 
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView
 from storyblender.geometry import framing
-from storyblender.geometry.boxes import corners
 from storyblender.geometry.orbit import Orbit
 
 _EYES = 50.0
@@ -29,11 +28,8 @@ def frame_pov(view: CameraOperatorView, lens: float) -> Orbit | None:
     if view.people:
         target = np.mean([figure.face for figure in view.people], axis=0)
     elif view.things:
-        # A look up or down goes to the top or the foot of the first thing.
-        share = {"low angle": 0.75, "worm's-eye": 0.9, "high angle": 0.25, "bird's-eye": 0.1}.get(
-            view.instruction.angle
-        )
-        first, middles = view.things[0], [corners(box).mean(0) for box in view.things]
-        target = np.mean(middles, axis=0) if share is None else (first.x, first.y, first.z + share * first.height)
+        # A look up or down goes to the tops or the feet of the things, and holds them all.
+        share = _LOOKED_AT.get(view.instruction.angle, 0.5)
+        target = np.mean([(box.x, box.y, box.z + share * box.height) for box in view.things], axis=0)
     lens = view.instruction.lens or (lens if lens <= _EYES else view.widened(_EYES))
     return framing.frame_point_of_view(view.film, eyes, target, lens)
