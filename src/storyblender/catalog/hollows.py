@@ -46,6 +46,7 @@ HOLLOWS: dict[str, Hollow] = {
     "fridge": Hollow(0.45, -0.2),
     "washing_machine": Hollow(0.36, -0.32, 0.5, 0.5),
     "fireplace": Hollow(0.06, -0.1, 0.5, 0.4),
+    "nest_box": Hollow(0.2, -0.28, 0.9, 0.6),
 }
 """By prop key."""
 OPEN_ABOVE = frozenset({*_VESSELS, "suitcase"}) - {"hat", "bag", "backpack", "briefcase", "coffin"}

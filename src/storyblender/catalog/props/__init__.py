@@ -17,6 +17,7 @@ from storyblender.catalog.props.music_and_sport import MUSIC_AND_SPORT
 from storyblender.catalog.props.nature import ANIMALS, NATURE
 from storyblender.catalog.props.ordinary import ORDINARY
 from storyblender.catalog.props.pantry import PANTRY
+from storyblender.catalog.props.partitions import PARTITIONS
 from storyblender.catalog.props.places import PLACES
 from storyblender.catalog.props.rooms import ROOMS
 from storyblender.catalog.props.seats import SEATS
@@ -55,6 +56,7 @@ PROPS: Catalog[PropEntry] = Catalog(
     + EVERYDAY
     + ERRANDS
     + ORDINARY
-    + COMMONPLACE,
+    + COMMONPLACE
+    + PARTITIONS,
 )
 """In the order they are listed to people."""
