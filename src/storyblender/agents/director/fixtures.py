@@ -10,6 +10,7 @@ from typing import Final
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reading import Thing
 from storyblender.catalog.props import PROPS
+from storyblender.catalog.props.prop_names import kind_named
 from storyblender.catalog.sets.kit import SetKit
 
 FIXTURES = lexicon.words("fixtures")
@@ -25,7 +26,12 @@ def head_of(name: str) -> str:
 
 
 def is_fixture(thing: Thing) -> bool:
-    """Whether the set shows a thing: its parts, and land, sky and weather that the catalog does not build."""
+    """Whether the set shows a thing: its parts, and land, sky and weather that the catalog does not build.
+
+    A window or hatch that the catalog has under a name of its own, such as a service window, is a thing.
+    """
+    if kind_named(thing.name) not in _kinds_of_fixtures():
+        return False
     heads = {thing.id.rsplit("_", 1)[-1], head_of(thing.name)}
     if heads & FIXTURES:
         return True
@@ -77,6 +83,12 @@ def is_scenery(name: str, place: str, kit: SetKit) -> bool:
     name, place = name.lower(), place.lower()
     part = any(name == word or name.endswith(f" {word}") for word in kit.has)
     return part or (kit.indoor and bool(place) and name.split()[-1:] == place.split()[-1:])
+
+
+@cache
+def _kinds_of_fixtures() -> frozenset[str]:
+    """Return the props that are meant by nouns of parts of the set, and none."""
+    return frozenset({"", *map(kind_named, FIXTURES)})
 
 
 @cache

@@ -30,7 +30,7 @@ from storyblender.agents.director.custody import Custody, things_in_hands, with_
 from storyblender.agents.director.directions import camera_notes_by_unit, camera_words
 from storyblender.agents.director.director import RulesDirector
 from storyblender.agents.director.kit_choice import choose_kit
-from storyblender.agents.director.reading import CameraNote, Person, Reading, Thing, Unit
+from storyblender.agents.director.reading import CameraNote, Person, Reading, Thing, Unit, ids_in
 from storyblender.agents.director.reading_file import reading_with_fixtures, unknown_names, unknown_sets
 from storyblender.agents.director.second_opinion import differences
 from storyblender.agents.nearest import nearest_entries
@@ -361,13 +361,8 @@ def _add_fixtures(reading: Reading) -> None:
     """Add the doors and windows to the things that units name without listing them."""
     named = {relation.anchor_asset_id: 0 for _, relation in reading.relations if relation.anchor_asset_id in _FIXTURES}
     for unit in reading.units:
-        done_to = (each for deed in unit.deeds for each in (deed.target, deed.prop))
-        anchors = (each for spot in unit.spots.values() for each in (spot.anchor_id, spot.facing))
-        supports = (support for _, support in unit.posture.values())
-        changed = (change.subject for change in unit.changes)
-        for each in (*unit.things, *unit.absent, *unit.gaze.values(), *done_to, *anchors, *supports, *changed):
-            if each in _FIXTURES:
-                named.setdefault(each, unit.start)
+        for each in ids_in(unit) & {*_FIXTURES}:
+            named.setdefault(each, unit.start)
     listed = {thing.id for thing in reading.things}
     reading.things += [
         Thing(each, each, kind="set_piece", first=first) for each, first in named.items() if each not in listed

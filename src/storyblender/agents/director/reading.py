@@ -226,3 +226,13 @@ class Reading:
     flags: list[Flag] = field(default_factory=list)
     age: Age | None = None
     """The age the story plays in; None where its words do not tell."""
+
+
+def ids_in(unit: Unit) -> set[str]:
+    """Return the ids that a unit names as things, targets, supports or anchors, or that people look at."""
+    done_to = (each for deed in unit.deeds for each in (deed.target, deed.prop))
+    anchors = (each for spot in unit.spots.values() for each in (spot.anchor_id, spot.facing))
+    supports = (support for _, support in unit.posture.values())
+    changed = (change.subject for change in unit.changes)
+    named = (*unit.things, *unit.absent, *unit.spots, *unit.gaze.values(), *done_to, *anchors, *supports, *changed)
+    return {each for each in named if each}

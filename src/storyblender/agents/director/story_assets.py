@@ -7,9 +7,15 @@ from string import capwords
 
 from storyblender.agents.director.creatures import is_creature
 from storyblender.agents.director.fixtures import head_of, is_fixture
-from storyblender.agents.director.reading import Person, Reading, Thing
+from storyblender.agents.director.reading import Person, Reading, Thing, ids_in
+from storyblender.catalog.fixtures import fixtures_called
+from storyblender.catalog.sets import SETS, plan_of
+from storyblender.memory.scene_context import Environment
 
 _TAPS = frozenset({"tap", "taps", "faucet", "faucets"})
+_RAILS = frozenset({"rail", "rails", "railing", "railings"})
+_HUNG = 0.8
+"""Metres above the floor from which a part of a set hangs on a wall, such as a rail with pegs: nobody leans on it."""
 _BASINS = frozenset({"sink", "basin", "washbasin", "bath", "bathtub", "tub"})
 
 
@@ -37,7 +43,8 @@ class StoryAssets:
         self.actors = {person.id for person in self.people if not is_creature(person, reading)}
         self.creatures = {person.id for person in self.people} - self.actors
         in_hand = _held_things(reading)
-        self.fixtures = {thing.id for thing in reading.things if thing.id not in in_hand and is_fixture(thing)}
+        own = in_hand | _rails_of_their_own(reading)
+        self.fixtures = {thing.id for thing in reading.things if thing.id not in own and is_fixture(thing)}
         self.wholes = _fixed_parts(reading) | _taps_of_basins(reading)
         self.wholes = {part: whole for part, whole in self.wholes.items() if part not in self.fitted}
         self.fixtures = (self.fixtures | set(self.wholes)) - {*self.fitted}
@@ -56,6 +63,20 @@ def _held_things(reading: Reading) -> set[str]:
     """Return the ids of all things that are ever held: a held lid is no part of the set."""
     held = {id_ for unit in reading.units for things in unit.held.values() for id_ in things}
     return held | {id_ for unit in reading.units for things in unit.grips.values() for id_ in things}
+
+
+def _rails_of_their_own(reading: Reading) -> set[str]:
+    """Return the ids of the rails that are no part of a set: the set kits of their scenes have none."""
+    found: set[str] = set()
+    for thing in reading.things:
+        if thing.kind != "set_piece" or head_of(thing.name) not in _RAILS:
+            continue
+        kits = {reading.scenes[unit.scene].kit for unit in reading.units if thing.id in ids_in(unit)}
+        if kits and kits <= SETS.keys():
+            plans = (plan_of(Environment(kit=kit)) for kit in kits)
+            if not any(part.box.z < _HUNG for plan in plans for part in fixtures_called(plan, thing.id)):
+                found.add(thing.id)
+    return found
 
 
 def _fixed_parts(reading: Reading) -> dict[str, str]:

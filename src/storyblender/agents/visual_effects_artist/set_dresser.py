@@ -20,6 +20,7 @@ from storyblender.agents.visual_effects_artist.furniture import (
     box_at,
     draw_up_seats,
     drop_clutter,
+    prop_size,
     raise_to_new_tops,
     size_of_asset,
 )
@@ -28,7 +29,7 @@ from storyblender.catalog.props.prop_names import kind_named, prop_of
 from storyblender.catalog.set_plan import Furnishing, SetPlan
 from storyblender.catalog.sets import furnished_in, plan_of
 from storyblender.catalog.sets.drawing import Period
-from storyblender.geometry.boxes import penetration
+from storyblender.geometry.boxes import Box, footprint_gap, penetration
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen, Identifier, Vec2
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -43,6 +44,10 @@ _TOGETHER = 1.8
 """Most metres from a thing of the script to a furnishing that is replaced by the thing beside it."""
 _LARGEST_SHARE_OF_FLOOR = 0.25
 """Share of a room's floor above which an object is too large for the room."""
+_BESIDE_STAGE = 0.5
+"""Metres outside the playing area at which people still get to a thing."""
+_LARGEST_LENGTH = 0.6
+"""Share of the longer side of the playing area above which an object is left where the set has its like."""
 _VEHICLES = family_of("car")
 """Vehicles: those in the script replace all vehicles of the kit."""
 _COUNTERS = frozenset({"bar_counter", "counter"})
@@ -114,7 +119,8 @@ class RulesSetDresser:
         """Return the dressed set."""
         taken = _assign_furnishing_places(view)
         drives = any(prop_of(asset) in _VEHICLES for asset in view.objects)
-        parked = {item.node_id for item in view.plan.furnishings if drives and item.prop in _VEHICLES} - taken.keys()
+        vehicles = [item for item in view.plan.furnishings if drives and item.prop in _VEHICLES]
+        parked = {item.node_id for item in vehicles if _is_within_reach(item, None, view.plan)} - taken.keys()
         kept_items = [item for item in view.plan.furnishings if item.node_id not in parked]
         standing = [PlacedFurnishing.of(item, taken.get(item.node_id)) for item in kept_items]
         raise_to_new_tops(standing)
@@ -205,7 +211,7 @@ def _assign_furnishing_places(view: SetDresserView) -> dict[str, Asset]:
         if (anchor in ids and anchor not in where) or (prop_of(asset) in _COUNTERS and _has_counter(taken)):
             continue
         near = where.get(anchor, _STAGE) if anchor else _STAGE
-        found = _best_place(view.plan, _written_prop(asset), near, taken)
+        found = _best_place(view.plan, asset, near, taken)
         if found is not None and (anchor not in where or math.dist(found.location[:2], near) < _TOGETHER):
             taken[found.node_id] = asset
             where[asset.asset_id] = found.location[:2]
@@ -241,25 +247,39 @@ def _is_too_large_for_room(asset: Asset, plan: SetPlan) -> bool:
     return plan.indoor and height > ceiling and width * depth > _LARGEST_SHARE_OF_FLOOR * floor
 
 
-def _best_place(plan: SetPlan, prop: str, near: Vec2, taken: dict[str, Asset]) -> Furnishing | None:
+def _best_place(plan: SetPlan, asset: Asset, near: Vec2, taken: dict[str, Asset]) -> Furnishing | None:
     """Return the free furnishing nearest to a floor point that an object can replace.
 
     Args:
         plan: The set.
-        prop: Catalog key of the object; empty if it is not of the catalog.
+        asset: The object.
         near: Floor point, metres in the set.
         taken: Objects that have a place already, by the node id of the furnishing they replace.
 
     Returns:
-        A furnishing with the same prop, else with one of its family; None if there is none.
+        A furnishing with the same prop, else with one of its family; None if there is none, or only where nobody
+        gets to the object although the playing area has room for it.
     """
+    prop = _written_prop(asset)
     choices = [
         item
         for item in plan.furnishings
         if item.prop in family_of(prop) and item.node_id not in taken and not item.loose
+        if _is_within_reach(item, asset, plan)
     ]
     return min(
         choices,
         key=lambda item: (item.prop != prop, not item.required, round(math.dist(item.location[:2], near), 3)),
         default=None,
     )
+
+
+def _is_within_reach(item: Furnishing, asset: Asset | None, plan: SetPlan) -> bool:
+    """Return whether people get to a furnishing, or to an object in its place, or it is too large for the stage."""
+    area, size = plan.size, size_of_asset(asset) if asset is not None else prop_size(item.prop, item.params)
+    across, along = area.x - area.x_negative, area.y - area.y_negative
+    if plan.indoor or max(size[:2]) > _LARGEST_LENGTH * max(across, along):
+        return True
+    box = box_at(item.location, item.yaw, size)
+    middle = Box((area.x + area.x_negative) / 2, (area.y + area.y_negative) / 2, 0.0, across, along, 1.0, 0.0)
+    return footprint_gap(box, middle)[0] < _BESIDE_STAGE

@@ -30,6 +30,9 @@ from storyblender.screenplay.source import read
         ("house of cards", False),
         ("dining table", False),
         ("pair of boots", False),
+        ("bulletproof service window", False),
+        ("tea hatch", False),
+        ("hatch", True),
         ("rowing boat", False),
     ],
 )
@@ -106,3 +109,16 @@ def test_a_piece_of_the_set_is_scenery_and_is_found_under_its_id(tmp_path: Path)
     assert scene.setup.scenery == ("lamp_lens",)
     plan = plan_of(Environment(kit="lighthouse"))
     assert fixtures_called(plan, "lamp_lens")[0].name.startswith("great_lens")
+
+
+@pytest.mark.parametrize(("kit", "own"), [("barn", True), ("bridge", False)])
+def test_a_rail_that_the_set_has_not_is_a_thing_of_its_own(kit: str, own: bool, tmp_path: Path) -> None:
+    script = read("INT. HALL - NIGHT\n\nAda (40) leans on the rail.\n", "fountain")
+    plain = json.loads(write_reading(read_script(script)))
+    plain["scenes"][0]["scene"]["kit"] = kit
+    plain["things"] = [{"id": "ring_rail", "name": "steel ring rail", "kind": "set_piece"}]
+    plain["units"][0]["unit"] |= {"things": ["ring_rail"], "gaze": {"ada": "ring_rail"}}
+    file = tmp_path / "ada.json"
+    file.write_text(json.dumps(plain))
+    board = storyboard(read_reading(file, script))
+    assert ("ring_rail" in {asset.asset_id for asset in board.asset_sheet}) == own
