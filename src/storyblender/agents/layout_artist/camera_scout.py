@@ -12,6 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from storyblender.agents.layout_artist.camera_composition import AT_SIDE
+from storyblender.agents.layout_artist.camera_crowd import compose_without_crowd
 from storyblender.agents.layout_artist.camera_cuts import find_cut_faults
 from storyblender.agents.layout_artist.camera_details import held_things
 from storyblender.agents.layout_artist.camera_furniture import (
@@ -31,7 +32,6 @@ from storyblender.agents.layout_artist.camera_solids import (
     top_slab,
 )
 from storyblender.agents.layout_artist.camera_start import (
-    compose_take,
     ignored_partner,
     max_face_angle,
     requires_shoulder,
@@ -119,14 +119,14 @@ def scout_takes(view: CameraOperatorView) -> list[CameraOperatorDraft]:
     Each take competes with variants that hide people who have no part in the shot and furniture in front of its people.
     """
     if view.instruction.kind == "pov":
-        return [compose_take(view)]
+        return [compose_without_crowd(view)]
     turns, rises = _TURNS, _HIGH_RISES if len(view.people) > 2 else _RISES
     if view.over is not None:
         turns = _OVER_TURNS if requires_shoulder(view) else (*_OVER_TURNS, *_PROFILE_TURNS)
     takes: dict[CameraOperatorDraft, float] = {}
     for rise in _BOAT_RISES if is_anyone_aboard(view.props.values(), view.people) else rises:
         for turn in turns:
-            take = compose_take(view, turn, rise)
+            take = compose_without_crowd(view, turn, rise)
             away = abs(turn) / 240 + rise / 45
             takes.setdefault(take, take_cost(view, take) + away)
             cleared = _without_strangers(view, take)

@@ -5,7 +5,11 @@ from dataclasses import replace
 import pytest
 from test_camera_operator import ANNA, FILM, TOM, figure, view_of
 
-from storyblender.agents.layout_artist.camera_furniture import find_furniture_in_front, share_of_backs
+from storyblender.agents.layout_artist.camera_crowd import find_crowd_in_front
+from storyblender.agents.layout_artist.camera_furniture import (
+    find_furniture_in_front,
+    share_of_backs,
+)
 from storyblender.agents.layout_artist.camera_scout import scout_takes, take_cost
 from storyblender.agents.layout_artist.camera_start import compose_take, take_with_camera
 from storyblender.geometry.boxes import Box
@@ -38,6 +42,36 @@ def test_what_is_used_or_theirs_or_behind_them_stays_and_a_place_is_shown_as_it_
 ) -> None:
     view = view_of((ANNA, TOM), props=props, **{**PAIR, **more})
     assert find_furniture_in_front(view, compose_take(replace(view, props={})).camera) == []
+
+
+EXTRA = Box(0.0, -1.6, 0.0, 0.5, 0.4, 1.7)
+
+
+@pytest.mark.parametrize("kind", ["single", "two_shot"])
+def test_an_extra_before_the_subject_is_out_of_the_picture_and_one_behind_stays(kind: str) -> None:
+    view = view_of((ANNA, TOM), **{**PAIR, "kind": kind})
+    camera = compose_take(view).camera
+    (x, y, _), (to_x, to_y, _) = camera.position, view.people[0].base
+    extras = {
+        "set_bystander_1": replace(EXTRA, x=float(x + to_x) / 2, y=float(y + to_y) / 2),
+        "set_bystander_2": replace(EXTRA, x=float(2 * to_x - x), y=float(2 * to_y - y)),
+    }
+    crowded = replace(view, props=extras)
+    assert find_crowd_in_front(crowded, camera) == ["set_bystander_1"]
+    takes = scout_takes(crowded)
+    assert takes
+    assert all({*find_crowd_in_front(crowded, take.camera)} <= {*take.hidden} for take in takes)
+
+
+def test_a_place_keeps_its_crowd_and_a_named_guest_stays() -> None:
+    crowd = [figure(f"guest_{index}", 0.4 * index - 1.0, -1.6, 0) for index in range(4)]
+    place = view_of((ANNA, TOM, *crowd), kind="establishing", size="WS", focus_on_ids=("anna",))
+    assert find_crowd_in_front(place, compose_take(place).camera) == []
+    single = view_of((ANNA, TOM, *crowd), kind="single", size="FS", focus_on_ids=("anna",))
+    gone = find_crowd_in_front(single, compose_take(single).camera)
+    assert gone and all(node.startswith("guest_") for node in gone)
+    told = view_of((ANNA, TOM, *crowd), kind="group", size="FS", focus_on_ids=("anna", "guest_1"))
+    assert "guest_1" not in find_crowd_in_front(told, compose_take(told).camera)
 
 
 def test_the_back_of_a_piano_counts_and_its_front_does_not() -> None:
