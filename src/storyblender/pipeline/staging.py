@@ -6,6 +6,7 @@ from collections.abc import Collection, Mapping
 from functools import partial
 
 from storyblender.agents.layout_artist.bystanders import bystander_objects, crowd_size, place_bystanders
+from storyblender.agents.layout_artist.cleared_action import clear_action
 from storyblender.agents.layout_artist.fitted_places import with_fitted_parts
 from storyblender.agents.layout_artist.room_steps import RoomStep, drop_dressing, enlarge_set, find_fitting_room
 from storyblender.agents.layout_artist.spatial_planner import free_floor_of
@@ -78,7 +79,8 @@ def stage_scene(run: Run, scene_id: int) -> None:
         return _laid_out(run, scene_id, enlarge_set(environment, 1.0 if fixed else room.set_scale), room, faulty)
 
     fitted = find_fitting_room(stage_in, threshold=run.crew.spatial_planner.threshold)
-    layout = _with_crowd(run, fitted.outcome.view, fitted.outcome.draft)
+    layout = clear_action(fitted.outcome.view, fitted.outcome.draft)
+    layout = _with_crowd(run, fitted.outcome.view, layout)
     layout = with_fitted_parts(layout, run.graph.assets, before.setup.asset_ids)
     scene = fitted.tried.model_copy(update={"layout": layout})
     run.commit("spatial_planner", f"layout of {name}", scene)

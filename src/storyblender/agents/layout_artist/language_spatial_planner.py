@@ -240,12 +240,7 @@ def _unmet(answer: LayoutNotes, layout: Layout, view: SpatialPlannerView) -> Ite
 
 def _laid_out(answer: LayoutNotes, view: SpatialPlannerView, rules: RulesSpatialPlanner) -> Layout:
     """Return the solved layout in which things and people are where the model wants them."""
-    spots = {
-        each.id: Spot(
-            relation=each.relation, anchor_id=each.anchor, side=each.side, distance=each.distance, facing=each.facing
-        )
-        for each in answer.places
-    }  # fmt: skip
+    spots = {each.id: _spot(each, view.scripted_spots.get(each.id)) for each in answer.places}
     between = tuple(
         Relation(
             asset_id=each.id, kind="between", anchor_asset_id=each.anchor, second_anchor_asset_id=each.second_anchor
@@ -265,6 +260,15 @@ def _laid_out(answer: LayoutNotes, view: SpatialPlannerView, rules: RulesSpatial
     if turned == layout.objects:
         return layout
     return rules.refine(layout.model_copy(update={"objects": turned}), Critique(score=10.0), view)
+
+
+def _spot(place: Placement, told: Spot | None) -> Spot:
+    """Return the spot of a placement; the height is the script's, if that has the same anchor."""
+    height = told.height if told is not None and told.anchor_id == place.anchor else None
+    return Spot(
+        relation=place.relation, anchor_id=place.anchor, side=place.side, distance=place.distance, height=height,
+        facing=place.facing,
+    )  # fmt: skip
 
 
 def _with_spots(states: Iterable[BodyState], spots: dict[str, Spot]) -> tuple[BodyState, ...]:

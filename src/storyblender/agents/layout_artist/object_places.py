@@ -8,7 +8,13 @@ import numpy as np
 
 from storyblender.agents.layout_artist.layout_stage import LayoutStage
 from storyblender.agents.layout_artist.layout_things import anchors_of, size_of, tops_of
-from storyblender.agents.layout_artist.nested_places import box_under, place_at_wall, place_in_hollow, place_outside
+from storyblender.agents.layout_artist.nested_places import (
+    box_under,
+    place_at_wall,
+    place_high,
+    place_in_hollow,
+    place_outside,
+)
 from storyblender.agents.layout_artist.wall_places import hang, stand_against
 from storyblender.geometry.boxes import Box, footprint_gap, wrap_angle, yaw_along
 from storyblender.geometry.relations import BEARING, LayoutThing, slide_to_gap
@@ -121,6 +127,10 @@ def _place_at_spot(stage: LayoutStage, asset_id: str, spot: Spot, anchor: Layout
     if kind == "behind" and place_outside(stage, asset_id, spot, anchor):
         return True
     if kind == "in" and place_in_hollow(stage, asset_id, anchor):
+        return True
+    if kind == "on" and spot.height is None and _place_on(stage, asset_id, anchor):
+        return True
+    if not part and place_high(stage, asset_id, spot, anchor):
         return True
     if kind in ("on", "in"):
         return _place_on(stage, asset_id, anchor)

@@ -9,6 +9,7 @@ from typing import Any, Final
 from pydantic import Field
 
 from storyblender.agents.asking import Asker, LanguagePolicy, Notes
+from storyblender.agents.layout_artist.cleared_action import ADDED
 from storyblender.agents.nearest import nearest_entries
 from storyblender.agents.story_lines import story_lines
 from storyblender.agents.visual_effects_artist.extra_furnishings import TOPS, At, PictureSide, Standing, find_place
@@ -40,8 +41,6 @@ _LARGEST = 2.4
 """Metres of the largest prop that is added."""
 _MOST = 8
 """Props that an answer may add."""
-_ADDED = "set_added_"
-"""How the node ids of added props begin."""
 _BY = ("on", "next_to", "in_front_of", "behind")
 """Where a prop is put by another one."""
 
@@ -114,7 +113,7 @@ def _dressed(answer: DressingNotes, view: SetDresserView, rules: RulesSetDresser
     standing = _standing(rules.propose(view), view)
     added, no_room = list[Furnishing](), list[str]()
     for number, extra in enumerate(answer.add, start=1):
-        node_id = f"{_ADDED}{extra.prop}_{number}"
+        node_id = f"{ADDED}{extra.prop}_{number}"
         place = find_place(view.plan, standing, extra.prop, extra.at, extra.anchor, extra.side)
         if place is None:
             no_room.append(node_id)
@@ -136,7 +135,7 @@ def _dressed_as_before(view: SetDresserView, rules: RulesSetDresser) -> SetDress
             node_id=item.node_id, prop=item.asset_id.removeprefix("set_"), location=item.location,
             yaw=item.rotation[2], required=False, loose=True,
         )
-        for item in view.before if item.node_id.startswith(_ADDED)
+        for item in view.before if item.node_id.startswith(ADDED)
     ]  # fmt: skip
     return rules.propose(replace(view, plan=_with(_without(view.plan, gone), added)))
 

@@ -29,7 +29,8 @@ PLAN = plan_of(Environment(kit="room")).model_copy(update={"furnishings": ()})
 def _measure(key: str) -> AssetMeasure:
     size = PROPS[key].size
     top = Anchor(kind="top", location=(0, 0, size[2]), size=size[:2])
-    anchors = () if key in SMALL else (top,)
+    pointed = key in (*SMALL, "tree", "pine", "dead_tree", "lamppost")
+    anchors = () if pointed else (top,)
     return AssetMeasure(asset_id=key, digest="", geometry_hash="", dimensions=size, anchors=anchors)
 
 
@@ -145,3 +146,26 @@ def test_a_house_behind_a_window_is_outside_in_front_of_it(opening: str, as_thin
     at = laid_out({**({opening: Spot(relation="against")} if as_thing else {}), **told})
     x, y, _ = at["house"].location
     assert max(abs(x) - PLAN.size.x, abs(y) - PLAN.size.y) > 5.0
+
+
+TREE_PLAN = plan_of(Environment(kit="open_ground")).model_copy(update={"furnishings": (), "pieces": ()})
+
+
+@pytest.mark.parametrize("tree", ["tree", "pine", "dead_tree"])
+@pytest.mark.parametrize("height", [None, 3.0])
+def test_what_is_in_a_tree_is_up_at_its_trunk_and_holds_what_is_in_it(tree: str, height: float | None) -> None:
+    told = {
+        "nest_box": Spot(relation="in", anchor_id=tree, height=height),
+        "ball": Spot(relation="inside", anchor_id="nest_box"),
+    }
+    found = laid_out(told, tree, plan=TREE_PLAN)
+    box, trunk, ball = found["nest_box"], found[tree], found["ball"]
+    assert box.location[2] == pytest.approx(height or 0.36 * PROPS[tree].size[2], abs=0.02)
+    assert math.dist(box.location[:2], trunk.location[:2]) < 0.5
+    assert box.location[1] < trunk.location[1], "on the side of the audience"
+    assert 0.0 < ball.location[2] - box.location[2] < PROPS["nest_box"].size[2]
+
+
+def test_what_is_on_a_tall_thing_without_a_level_top_is_up_there() -> None:
+    found = laid_out({"lantern": Spot(relation="on", anchor_id="lamppost")}, "lamppost", plan=TREE_PLAN)
+    assert found["lantern"].location[2] > 1.3
