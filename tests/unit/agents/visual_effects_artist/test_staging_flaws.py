@@ -7,6 +7,7 @@ from storyblender.deliver.checklist import checklist
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline, ShotOutline
+from storyblender.memory.scene_context import SceneContext, SceneSetup
 from storyblender.memory.shot_context import (
     Blocking,
     CameraInstruction,
@@ -72,7 +73,8 @@ def test_every_flaw_of_a_shot_is_on_the_checklist_in_plain_words() -> None:
     flaws = staging_flaws(SHOT, vase(3.0), ("vase",))
     outline = SceneOutline(scene_id=1, scene_description="", shots=(ShotOutline(shot_id=1),))
     shot = SHOT.model_copy(update={"flaws": flaws})
-    graph = ContinuityMemoryGraph(assets=tuple(vase(3.0).values()), outline=(outline,), shots=(shot,))
+    scene = SceneContext(scene_id=1, setup=SceneSetup())
+    graph = ContinuityMemoryGraph(assets=tuple(vase(3.0).values()), outline=(outline,), scenes=(scene,), shots=(shot,))
     told = [check.says for check in checklist(graph, [], [], "p")]
     assert len(told) == len(flaws) == 3
     assert any("No place was found for the vase" in says for says in told)
