@@ -14,6 +14,7 @@ from typing import Any
 from pydantic import Field
 
 from storyblender.agents.asking import Asker, LanguagePolicy, Notes
+from storyblender.agents.layout_artist.free_room import room_told
 from storyblender.agents.layout_artist.layout_stage import LayoutStage
 from storyblender.agents.layout_artist.layout_things import anchors_of
 from storyblender.agents.layout_artist.plan_picture import plan_picture
@@ -229,13 +230,17 @@ def _unmet(answer: LayoutNotes, layout: Layout, view: SpatialPlannerView) -> Ite
             stage.add_object(item, fixed=True)
     for each in answer.places:
         thing, anchor = stage.find(each.id), stage.find_anchor(each.anchor)
-        if thing is None or anchor is None:
-            yield f"there is no room for {each.id} {each.relation} {each.anchor}; give it another place"
+        said = f"there is no room for {each.id} {each.relation} {each.anchor}"
+        if anchor is None:
+            yield f"{said}; give it another place"
             continue
-        gap = footprint_gap(thing.box, anchor.box)[0] - (each.distance or 0.0)
-        if gap > _REACH or (each.relation == "on" and anchor.name in stage.things and gap > 0):
-            where = f"it came {max(gap, 0.1):.1f} m from there"
-            yield f"there is no room for {each.id} {each.relation} {each.anchor}, {where}; give it another place"
+        where = ""
+        if thing is not None:
+            gap = footprint_gap(thing.box, anchor.box)[0] - (each.distance or 0.0)
+            if gap <= _REACH and not (each.relation == "on" and anchor.name in stage.things and gap > 0):
+                continue
+            where = f", it came {max(gap, 0.1):.1f} m from there"
+        yield f"{said}{where}; {room_told(stage, each.id, anchor, each.relation)}; give it another place"
 
 
 def _laid_out(answer: LayoutNotes, view: SpatialPlannerView, rules: RulesSpatialPlanner) -> Layout:

@@ -103,7 +103,8 @@ def test_where_there_is_no_room_the_model_is_told_once() -> None:
     answer = json.dumps({"places": [{"id": "crate", "relation": "on", "anchor": "vase"}]})
     model = Scripted([answer, answer])
     layout = planner(model).propose(VIEW)
-    assert any("no room for crate on vase" in sentence for sentence in model.asked[1].feedback)
+    (sentence,) = (each for each in model.asked[1].feedback if "no room for crate on vase" in each)
+    assert "crate needs 0.8 x 0.6 m; the top of vase is 0.2 x 0.2 m" in sentence
     assert "crate" in {item.asset_id for item in layout.objects}
 
 
