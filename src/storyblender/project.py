@@ -59,7 +59,7 @@ class Project:
         except OSError as error:
             mend = "give another --out, or mend that, then run the same command again to go on"
             raise InputError(f"cannot make the folder ({error.strerror})", mend=mend, path=folder) from error
-        self._lock = FileLock(self.folder / ".lock", timeout=0)
+        self._lock = FileLock(self.folder / ".lock", timeout=0, thread_local=False)  # any thread may close it
         try:
             self._lock.acquire()
         except Timeout as error:

@@ -6,27 +6,25 @@ its next step or job. The graph and the files are whole at every moment, so the 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import CancelledError
 from contextlib import AbstractContextManager, ExitStack, contextmanager
-from dataclasses import dataclass, field
 from functools import cached_property, partial
 from pathlib import Path
 from threading import Event as Signal
 from threading import Lock, RLock
 from types import TracebackType
-from typing import TYPE_CHECKING, Self
+from typing import Self
 
 from storyblender.crew import Crew
 from storyblender.edits.dispatcher import Applied, apply_edits
 from storyblender.edits.targets import shots_named
-from storyblender.edits.undo import redo_edit, undo_edit
+from storyblender.edits.undo import next_steps, redo_edit, undo_edit
 from storyblender.errors import Cancelled, InputError, StoryBlenderError
 from storyblender.inspection import Inspection, inspect
 from storyblender.memory.edits import Edit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit
-from storyblender.memory.shot_context import Flaw
 from storyblender.pipeline.adopting import adopt_earlier_outputs
 from storyblender.pipeline.asset_files import assets_to_build
 from storyblender.pipeline.compiling import story_files
@@ -34,44 +32,23 @@ from storyblender.pipeline.drawing import draw_shots
 from storyblender.pipeline.filming import cuts_made_wrong, film, with_cuts_judged
 from storyblender.pipeline.packing import pack_scenes
 from storyblender.pipeline.panorama import keep_panorama
+from storyblender.pipeline.previewing import preview_shots
 from storyblender.pipeline.reviewing import FrameReview, review_frames
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import (
     drawn_shots,
     pictures_of_takes,
     shoot_frames,
+    undrawn_shots,
 )
 from storyblender.ports import AssetSource, Engine
 from storyblender.project import Project
+from storyblender.results import Delivery
 from storyblender.settings import REMEMBERED, Settings
 from storyblender.trace import Event, Listener
 
-if TYPE_CHECKING:
-    from storyblender.agents.director.reader.reasons import Reason
-
 EngineMaker = Callable[[Listener], AbstractContextManager[Engine]]
 """Opens the engine; the listener hears the progress of its jobs."""
-
-
-@dataclass(frozen=True)
-class Delivery:
-    """What a call made.
-
-    Attributes:
-        folder: The project.
-        files: Names in it, in the order people open them.
-        graph: The story as it is now.
-        reasons: Which rule read what in the script, if that was asked.
-        wrong_cuts: What is wrong with the cuts to and from cameras that the call set.
-        reviews: What the Frame Critic finds in the frames that were asked for, by shot name.
-    """
-
-    folder: Path
-    files: list[str]
-    graph: ContinuityMemoryGraph
-    reasons: list[Reason] = field(default_factory=list)
-    wrong_cuts: tuple[Flaw, ...] = ()
-    reviews: Mapping[str, FrameReview] = field(default_factory=dict)
 
 
 class Session:
@@ -253,6 +230,21 @@ class Session:
             files, reviews = draw_shots(run, [run.graph.shot(shot.scene_id, shot.shot_id) for shot in shots])
             return Delivery(self.folder, files, run.graph, wrong_cuts=tuple(wrong), reviews=reviews)
 
+    def preview(self, names: Sequence[str]) -> dict[str, Path]:
+        """Draw shots small and quickly, to see what an edit did, and return the pictures; raises as ``render``."""
+        with self._filming() as run:
+            return preview_shots(run, shots_named(run.graph, names))
+
+    def stale_frames(self) -> list[str]:
+        """Return the names of the shots whose frames do not show the story as it is; raises as ``render``."""
+        with self._filming() as run:
+            return undrawn_shots(run)
+
+    @property
+    def next_steps(self) -> tuple[str, str]:
+        """What undo would take back and what redo would make again, in words."""
+        return next_steps(self._project)
+
     def undo(self) -> list[Commit]:
         """Take back the last change and what followed from it; the next render draws only what that changes.
 
@@ -311,10 +303,7 @@ class Session:
             InputError: A project that is only planned or not finished.
             Cancelled: ``cancel`` was called.
         """
-        with self._call() as run:
-            self._refuse_unmade()
-            self._bring_up_to_date(run)
-            film(run)
+        with self._filming() as run:
             shoot_frames(run, run.graph.cut)
             return list(review_frames(run, run.graph.cut).values())
 
@@ -371,6 +360,15 @@ class Session:
                 if isinstance(error, CancelledError):
                     raise Cancelled from error
                 raise
+
+    @contextmanager
+    def _filming(self) -> Iterator[Run]:
+        """Make one call on a made project, with its packs up to date and all cameras set."""
+        with self._call() as run:
+            self._refuse_unmade()
+            self._bring_up_to_date(run)
+            film(run)
+            yield run
 
     def _tell(self, event: Event) -> None:
         with self._telling:

@@ -39,7 +39,8 @@ from storyblender.memory.history import Commit
 from storyblender.memory.jobs import AssetJob
 from storyblender.pipeline.reviewing import FrameReview
 from storyblender.project import Project, read_project_graph
-from storyblender.session import Delivery, Session
+from storyblender.results import Delivery
+from storyblender.session import Session
 from storyblender.settings import Settings
 from storyblender.trace import Listener, silent
 

@@ -123,3 +123,12 @@ def test_undo_starts_no_blender(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
 
     monkeypatch.setattr("storyblender.studio.BlenderEngine", none)
     Studio(SETTINGS).undo(stage.folder)
+
+
+def test_a_session_may_be_closed_on_another_thread(stage: Stage) -> None:
+    session = Studio(STILL).open(stage.folder)
+    closing = threading.Thread(target=session.close)
+    closing.start()
+    closing.join()
+    with Studio(STILL).open(stage.folder) as again:
+        assert again.made

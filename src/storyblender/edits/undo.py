@@ -27,6 +27,13 @@ def undo_edit(project: Project) -> list[Commit]:
     raise InputError("there is nothing to undo", mend="nothing was changed since the script was read")
 
 
+def next_steps(project: Project) -> tuple[str, str]:
+    """Return what undo would take back and what redo would make again, in words; empty where there is nothing."""
+    undo = next((each for each in project.backwards() if each.author in CAUSED_BY_PERSON or each.revision == 1), None)
+    redo = next(project.forwards(), None)
+    return undo.reason if undo is not None and undo.revision > 1 else "", redo.reason if redo is not None else ""
+
+
 def redo_edit(project: Project) -> list[Commit]:
     """Make a change again that was undone, with the crew's work on it.
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from storyblender.agents.layout_artist.story_moment import board_frame
 from storyblender.memory.base import scene_name, shot_name
+from storyblender.memory.graph import ProjectFormat
 from storyblender.memory.jobs import FrameJob, FrameReport, Look, MotionJob
 from storyblender.memory.scene_context import Lighting
 from storyblender.memory.shot_context import ShotContext
@@ -52,7 +53,7 @@ def shoot_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, FrameRep
     """
     waiting: list[tuple[ShotContext, FrameJob, FrameReport | Future[FrameReport]]] = []
     for shot in shots:
-        job = _frame_job(run, shot, run.settings.look)
+        job = frame_job(run, shot, run.settings.look)
         drawn = run.outputs.whole(job.out)
         known = run.outputs.read(f"{job.out}.json", FrameReport.model_validate_json) if drawn else None
         waiting.append((shot, job, run.engine.render_frame(job) if known is None else known))
@@ -91,6 +92,12 @@ def _commit_lights(run: Run, shots: Sequence[ShotContext]) -> None:
 def drawn_shots(run: Run) -> list[ShotContext]:
     """Return the shots whose current version is drawn."""
     return [shot for shot in run.graph.cut if run.outputs.whole(frame_picture(run, shot))]
+
+
+def undrawn_shots(run: Run) -> list[str]:
+    """Return the names of the shots of the film whose current version is not drawn."""
+    shots = (shot for shot in run.graph.cut if not run.outputs.whole(frame_picture(run, shot)))
+    return [shot_name(shot.scene_id, shot.shot_id) for shot in shots]
 
 
 def damaged_frames(run: Run, shots: Collection[ShotContext]) -> list[ShotContext]:
@@ -171,7 +178,7 @@ def prune(run: Run, shots: Collection[ShotContext]) -> None:
     """
     kept = {name for pack in run.packs.values() for name in (pack.path, pack.record, figures_of(pack))}
     for shot in shots:
-        job = _frame_job(run, shot, run.settings.look)
+        job = frame_job(run, shot, run.settings.look)
         name = shot_name(shot.scene_id, shot.shot_id)
         kept |= {job.out, f"{job.out}.json", f"{job.out}.review.json", _motion_folder(run, shot)}
         kept |= {f"frames/{name}.png", f"frames/slate_{name}.png"}
@@ -197,15 +204,23 @@ def frame_picture(run: Run, shot: ShotContext) -> str:
         run: With the packs.
         shot: With its camera.
     """
-    return _frame_job(run, shot, run.settings.look).out
+    return frame_job(run, shot, run.settings.look).out
 
 
-def _frame_job(run: Run, shot: ShotContext, look: Look) -> FrameJob:
+def frame_job(run: Run, shot: ShotContext, look: Look, form: ProjectFormat | None = None) -> FrameJob:
+    """Return what the engine is asked for a shot's frame; its picture is named by all that it depends on.
+
+    Args:
+        run: With the packs.
+        shot: With its camera.
+        look: How it is drawn.
+        form: Size and shape of the picture; the story's if not given.
+    """
     job = FrameJob(
         pack=run.packs[shot.scene_id],
         shot=shot,
         lighting=light_of(run, shot),
-        format=run.graph.format,
+        format=form or run.graph.format,
         look=look,
         frame=board_frame(shot, run.packs[shot.scene_id].played(shot.shot_id)),
         out="",

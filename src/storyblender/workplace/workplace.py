@@ -1,4 +1,4 @@
-"""The folder an agent works in: one project is open at a time, and long work runs beside the conversation."""
+"""The folder that agents and the page work in: one project is open at a time, and long work runs beside."""
 
 from __future__ import annotations
 
@@ -9,10 +9,12 @@ from pathlib import Path
 from storyblender.deliver.panel import Panel, panels
 from storyblender.errors import InputError, StoryBlenderError
 from storyblender.folder import Folder
-from storyblender.session import Delivery, Session
+from storyblender.project import read_project_graph
+from storyblender.results import Delivery
+from storyblender.session import Session
 from storyblender.settings import Settings
 from storyblender.studio import Studio
-from storyblender.trace import Event
+from storyblender.trace import Event, Listener, silent
 from storyblender.workplace.values import WARNINGS, Status, warning_of
 
 SCRIPTS = (".fountain", ".fdx", ".txt", ".md")
@@ -24,10 +26,11 @@ class Workplace:
 
     Args:
         root: The folder.
+        listener: Hears every event of the work, on the thread that causes it.
     """
 
-    def __init__(self, root: Path) -> None:
-        self._files = Folder(root.resolve())
+    def __init__(self, root: Path, listener: Listener = silent) -> None:
+        self._files, self._listener = Folder(root.resolve()), listener
         self._session: Session | None = None
         self._thread: threading.Thread | None = None
         self._state = threading.Lock()
@@ -41,6 +44,11 @@ class Workplace:
         if self._session is None:
             raise InputError("no project is open", mend="call open_project or make first")
         return self._session
+
+    @property
+    def is_open(self) -> bool:
+        """Whether a project is open."""
+        return self._session is not None
 
     @property
     def status(self) -> Status:
@@ -79,6 +87,7 @@ class Workplace:
         """
         self._refuse_busy()
         folder = self._files.path(project)
+        read_project_graph(folder)
         self.close()
         self._session = Studio(Settings.load(project=folder), self._hear).open(folder)
         return self._session
@@ -174,3 +183,4 @@ class Workplace:
             elif event.kind == "warning" and len(self._status.warnings) < WARNINGS:
                 update = {"warnings": (*self._status.warnings, warning_of(event))}
             self._status = self._status.model_copy(update=update)
+        self._listener(event)

@@ -17,7 +17,7 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
 from storyblender.memory.shot_context import CameraDecision, ShotContext
 from storyblender.project import Project, read_project_graph
-from storyblender.session import Delivery
+from storyblender.results import Delivery
 from storyblender.studio import Studio
 
 SHOT, LENGTH = "SC010_SH010", 150
