@@ -1,0 +1,1 @@
+"""The studio in a browser: a server on this machine only, over one open project."""

@@ -1,0 +1,111 @@
+"""The routes of the studio: the page, pictures and files of the open project, and the wire."""
+
+from __future__ import annotations
+
+import asyncio
+import re
+from importlib.resources import files
+from pathlib import Path
+
+from pydantic import ValidationError
+from starlette.applications import Starlette
+from starlette.requests import Request
+from starlette.responses import FileResponse, PlainTextResponse, Response
+from starlette.routing import Mount, Route, WebSocketRoute
+from starlette.staticfiles import StaticFiles
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from storyblender.deliver.page import FILES
+from storyblender.errors import StoryBlenderError
+from storyblender.web_studio.hub import Hub
+from storyblender.web_studio.messages import CALLS, Answer, News
+
+LARGEST_CALL = 4_500_000
+"""Bytes: a long script that is dropped into the page."""
+_SHOT = re.compile(r"SC\d{3,6}_SH\d{3,6}")
+_DELIVERED = frozenset(name for name, _ in FILES)
+_NOT_THERE = PlainTextResponse("there is no such file", 404)
+PAGE = Path(str(files("storyblender.web_studio") / "static"))
+
+
+def build_app(hub: Hub) -> Starlette:
+    """Return the application behind the door.
+
+    Args:
+        hub: Makes the calls.
+    """
+
+    async def page(request: Request) -> Response:
+        return FileResponse(PAGE / "index.html")
+
+    async def frame(request: Request) -> Response:
+        name = request.path_params["name"]
+        return _file(hub, f"frames/{name}.png") if _SHOT.fullmatch(name) else _NOT_THERE
+
+    async def preview(request: Request) -> Response:
+        path = hub.previews.get(request.path_params["name"])
+        return FileResponse(path) if path is not None and path.is_file() else _NOT_THERE
+
+    async def delivered(request: Request) -> Response:
+        name = request.path_params["name"]
+        return _file(hub, name) if name in _DELIVERED else _NOT_THERE
+
+    async def wire(socket: WebSocket) -> None:
+        await _serve(hub, socket)
+
+    return Starlette(
+        routes=[
+            Route("/", page),
+            Route("/frames/{name}.png", frame),
+            Route("/previews/{name}.png", preview),
+            Route("/files/{name}", delivered),
+            WebSocketRoute("/wire", wire),
+            Mount("/static", StaticFiles(directory=PAGE)),
+        ]
+    )
+
+
+def _file(hub: Hub, name: str) -> Response:
+    """Return a file of the open project by its name in it."""
+    try:
+        path = hub.place.session.folder / name
+    except StoryBlenderError:
+        return _NOT_THERE
+    return FileResponse(path) if path.is_file() and not path.is_symlink() else _NOT_THERE
+
+
+async def _serve(hub: Hub, socket: WebSocket) -> None:
+    """Talk with one browser until it leaves: its calls one by one, the news as they come."""
+    await socket.accept()
+    news = hub.join()
+    telling = asyncio.create_task(_tell(socket, news))
+    try:
+        while True:
+            answer = await _answered(hub, await socket.receive_text())
+            await socket.send_text(answer.model_dump_json())
+    except (WebSocketDisconnect, KeyError):  # Starlette has no text of a message in bytes
+        pass
+    finally:
+        telling.cancel()
+        hub.leave(news)
+
+
+async def _answered(hub: Hub, text: str) -> Answer:
+    try:
+        call = CALLS.validate_json(text)
+    except ValidationError as error:
+        first = error.errors(include_url=False, include_input=False)[0]
+        where = ".".join(str(part) for part in first["loc"])
+        return Answer(id=_number_in(text), ok=False, error=f"{where or 'the message'}: {first['msg']}")
+    return await hub.answer(call)
+
+
+def _number_in(text: str) -> int:
+    """Return the number of a call that cannot be read, if that can be."""
+    found = re.search(r'"id"\s*:\s*(\d{1,15})', text[:LARGEST_CALL])
+    return int(found[1]) if found else 0
+
+
+async def _tell(socket: WebSocket, news: asyncio.Queue[News]) -> None:
+    while True:
+        await socket.send_text((await news.get()).model_dump_json(exclude_defaults=True))

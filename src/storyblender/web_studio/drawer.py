@@ -1,0 +1,116 @@
+"""Draws what edits made stale, beside the conversation: previews first, then the frames and what is delivered."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Collection, Mapping
+from pathlib import Path
+
+from storyblender.errors import Cancelled, StoryBlenderError
+from storyblender.session import Session
+
+FIRST = 2
+"""Previews that are drawn at once; the rest of them follow."""
+REST = 2.0
+"""Seconds without an edit before the frames themselves are drawn."""
+
+Shown = Callable[[Mapping[str, Path]], None]
+
+
+class Drawer:
+    """A thread that draws the stale shots of a session; an edit interrupts it, and it goes on after it.
+
+    Args:
+        session: Open and made.
+        previewed: Hears of new previews, by shot name.
+        drawn: Hears that frames are new, with their previews' places taken.
+        failed: Hears why something could not be drawn, in a sentence.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        previewed: Shown,
+        drawn: Callable[[Collection[str]], None],
+        failed: Callable[[str], None],
+    ) -> None:
+        self._session, self._previewed, self._drawn, self._failed = session, previewed, drawn, failed
+        self._waiting: dict[str, bool] = {}
+        self._changed = threading.Condition()
+        self._working = self._ended = self._unknown = False
+        self._thread = threading.Thread(target=self._run, name="drawer", daemon=True)
+        self._thread.start()
+
+    @property
+    def stale(self) -> frozenset[str]:
+        """Names of the shots whose frames do not show the story as it is."""
+        with self._changed:
+            return frozenset(self._waiting)
+
+    def find_stale(self) -> None:
+        """Find out which frames do not show the story as it is, and draw them."""
+        with self._changed:
+            self._unknown = True
+            self._changed.notify_all()
+
+    def draw(self, names: Collection[str], first: str = "") -> None:
+        """Draw shots as soon as there is nothing to be edited.
+
+        Args:
+            names: Shots that show something else now.
+            first: The one that a person looks at.
+        """
+        with self._changed:
+            rest = {name: False for name in self._waiting | dict.fromkeys(names) if name not in names}
+            self._waiting = dict.fromkeys(sorted(names, key=lambda name: name != first), True) | rest
+            self._changed.notify_all()
+
+    def interrupt(self) -> None:
+        """End the drawing under way, so that an edit need not wait; what is not drawn stays stale."""
+        with self._changed:
+            if self._working:
+                self._session.cancel()
+
+    def close(self) -> None:
+        """End the thread."""
+        with self._changed:
+            self._ended = True
+            self._changed.notify_all()
+        self.interrupt()
+        self._thread.join(60)
+
+    def _run(self) -> None:
+        while True:
+            with self._changed:
+                self._working = False
+                self._changed.wait_for(lambda: self._waiting or self._unknown or self._ended)
+                if not self._unknown and not any(self._waiting.values()):
+                    self._changed.wait_for(lambda: self._ended or any(self._waiting.values()), REST)
+                if self._ended:
+                    return
+                wanted = [name for name, preview in self._waiting.items() if preview][:FIRST]
+                self._working, all_of_them, unknown = True, tuple(self._waiting), self._unknown
+            try:
+                if unknown:
+                    self.draw(self._session.stale_frames())
+                    self._unknown = False
+                elif wanted:
+                    self._previewed(self._session.preview(wanted))
+                    self._settle(wanted, drawn=False)
+                else:
+                    self._session.render(all_of_them)
+                    self._settle(all_of_them, drawn=True)
+                    self._drawn(all_of_them)
+            except Cancelled:
+                continue
+            except StoryBlenderError as error:
+                self._unknown = False
+                self._settle(wanted or all_of_them, drawn=not wanted)
+                self._failed(str(error))
+
+    def _settle(self, names: Collection[str], *, drawn: bool) -> None:
+        with self._changed:
+            if drawn:
+                self._waiting = {name: wait for name, wait in self._waiting.items() if name not in names or wait}
+            else:
+                self._waiting |= {name: False for name in names if name in self._waiting}

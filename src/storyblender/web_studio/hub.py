@@ -1,0 +1,256 @@
+"""One project, any number of browsers: calls are done in their order, and every browser hears what changed."""
+
+from __future__ import annotations
+
+import asyncio
+import threading
+from collections.abc import Callable, Collection, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+from storyblender.agents.vocabulary import vocabulary
+from storyblender.edits.dispatcher import Applied
+from storyblender.errors import InputError, StoryBlenderError
+from storyblender.memory.base import shot_name
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.session import Session
+from storyblender.trace import Event
+from storyblender.web_studio.board import board_of
+from storyblender.web_studio.drawer import Drawer
+from storyblender.web_studio.messages import (
+    Answer,
+    ApplyCall,
+    Board,
+    Call,
+    InstructCall,
+    MakeCall,
+    News,
+    OpenCall,
+    PlainCall,
+    ShotCall,
+)
+from storyblender.workplace.values import details_of
+from storyblender.workplace.workplace import Workplace
+
+_TOLD = ("stage", "propose", "score", "refine", "accept", "handover", "warning")
+"""Kinds of events that the page shows as the crew at work."""
+
+
+class Hub:
+    """What the browsers talk to. Calls are made on one thread of their own, so the wire stays free.
+
+    Args:
+        folder: Of scripts and projects; nothing outside it is read or written.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.place = Workplace(folder, self._hear)
+        self._calls = ThreadPoolExecutor(1, "calls")
+        self._browsers: set[asyncio.Queue[News]] = set()
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._drawer: Drawer | None = None
+        self._drawn_by: Session | None = None
+        self.previews: dict[str, Path] = {}
+
+    def join(self) -> asyncio.Queue[News]:
+        """Return the news for one more browser, from now on."""
+        self._loop = asyncio.get_running_loop()
+        news: asyncio.Queue[News] = asyncio.Queue()
+        self._browsers.add(news)
+        return news
+
+    def leave(self, news: asyncio.Queue[News]) -> None:
+        """Forget a browser."""
+        self._browsers.discard(news)
+
+    async def answer(self, call: Call) -> Answer:
+        """Make one call; what cannot be is an answer, never an exception of ours."""
+        if isinstance(call, PlainCall) and call.call == "cancel":
+            done: Callable[[], Any] = self.place.cancel
+            answered = await asyncio.to_thread(self._said, call.id, done)
+        else:
+            answered = await asyncio.get_running_loop().run_in_executor(
+                self._calls, self._said, call.id, self._of(call)
+            )
+        return answered
+
+    def open(self, project: str) -> None:
+        """Open a project, and draw what is not up to date. Raises InputError, ProjectLocked."""
+        self._stop_drawing()
+        try:
+            self.place.open(project)
+        finally:
+            if self.place.is_open:
+                self._begin_drawing(self.place.session)
+
+    def close(self) -> None:
+        """End the work under way and close the project."""
+        self.place.cancel()
+        self._stop_drawing()
+        self.place.close()
+        self._calls.shutdown()
+
+    def _said(self, number: int, call: Callable[[], Any]) -> Answer:
+        try:
+            return Answer(id=number, ok=True, value=call())
+        except StoryBlenderError as error:
+            return Answer(id=number, ok=False, error=str(error))
+
+    def _of(self, call: Call) -> Callable[[], Any]:
+        match call:
+            case OpenCall():
+                return lambda: self._opened(call.project)
+            case MakeCall():
+                return lambda: self._make(call)
+            case ApplyCall():
+                return lambda: self._edited(lambda session: session.apply(call.edits, call.revision), call.edits)
+            case InstructCall():
+                return lambda: self._edited(lambda session: session.instruct(call.words, call.revision), ())
+            case ShotCall():
+                return lambda: self._shot(call.shot)
+            case PlainCall():
+                return {
+                    "places": self._places,
+                    "board": self.board,
+                    "vocabulary": vocabulary,
+                    "undo": lambda: self._stepped("undo"),
+                    "redo": lambda: self._stepped("redo"),
+                    "deliver": self._deliver,
+                    "check": self._check,
+                }[call.call]
+
+    def board(self) -> Board:
+        """Return the open project as the page shows it. Raises InputError if there is none."""
+        stale = self._drawer.stale if self._drawer is not None else frozenset[str]()
+        return board_of(self.place.session, stale, self.previews)
+
+    def _places(self) -> dict[str, Any]:
+        scripts, projects = self.place.names()
+        return {"scripts": scripts, "projects": projects, "status": self.place.status.model_dump()}
+
+    def _opened(self, project: str) -> Board:
+        self.open(project)
+        self._tell(News(news="board", revision=self.place.session.revision))
+        return self.board()
+
+    def _make(self, call: MakeCall) -> dict[str, Any]:
+        self._stop_drawing()
+        if call.text is not None:
+            self.place.write_script(call.script, call.text)
+        self.place.make(call.script, {"look": call.look, "animatic": call.animatic})
+        threading.Thread(target=self._follow_make, name="make", daemon=True).start()
+        return self.place.status.model_dump()
+
+    def _follow_make(self) -> None:
+        """Tell the browsers how far the work is until it ends."""
+        while True:
+            status = self.place.wait(0.5)
+            self._tell(News(news="status", status=status))
+            if not status.busy:
+                break
+        if not status.error:
+            self._begin_drawing(self.place.session)
+        self._tell(News(news="board", revision=self.place.session.revision))
+
+    def _shot(self, name: str) -> dict[str, Any]:
+        panel = self.place.panel(name)
+        return details_of(panel, self.place.session.graph).model_dump()
+
+    def _edited(self, make: Callable[[Session], Applied], edits: Collection[Any]) -> dict[str, Any]:
+        """Make an edit at once, whatever is being drawn, and draw what it made stale."""
+        self._refuse_busy()
+        session = self.place.session
+        if self._drawer is not None:
+            self._drawer.interrupt()
+        applied = make(session)
+        looked_at = next((edit.shot for edit in edits if hasattr(edit, "shot")), "")
+        self._draw(applied.stale, looked_at)
+        self._tell(News(news="board", revision=applied.version))
+        return applied.model_dump()
+
+    def _stepped(self, way: str) -> dict[str, Any]:
+        """Undo or redo; a frame that was drawn before is found again."""
+        self._refuse_busy()
+        session = self.place.session
+        if self._drawer is not None:
+            self._drawer.interrupt()
+        before = session.graph
+        commits = session.undo() if way == "undo" else session.redo()
+        self._draw(reached(before, session.graph), "")
+        self._tell(News(news="board", revision=session.revision))
+        return {
+            "revision": session.revision,
+            "done": "; ".join(each.reason for each in commits if each.author == "user"),
+        }
+
+    def _deliver(self) -> dict[str, Any]:
+        self._refuse_busy()
+        return {"files": self.place.session.render().files}
+
+    def _check(self) -> dict[str, Any]:
+        self._refuse_busy()
+        found = self.place.session.check()
+        return {"clean": found.clean, "findings": list(found.findings)}
+
+    def _draw(self, stale: Collection[str], first: str) -> None:
+        if self._drawer is not None and stale:
+            for name in stale:
+                self.previews.pop(name, None)
+            self._drawer.draw(stale, first)
+
+    def _begin_drawing(self, session: Session) -> None:
+        self.previews = {}
+        self._drawer = Drawer(session, self._previewed, self._frames_drawn, self._failed) if session.made else None
+        if self._drawer is not None:
+            self._drawer.find_stale()
+
+    def _stop_drawing(self) -> None:
+        if self._drawer is not None:
+            self._drawer.close()
+            self._drawer = None
+
+    def _refuse_busy(self) -> None:
+        if self.place.status.busy:
+            raise InputError(f"work is under way: {self.place.status.work}", mend="wait for it, or stop it")
+
+    def _previewed(self, pictures: Mapping[str, Path]) -> None:
+        self.previews |= pictures
+        self._tell(News(news="frames", shots=tuple(pictures), revision=self.place.session.revision))
+
+    def _frames_drawn(self, names: Collection[str]) -> None:
+        self._tell(News(news="frames", shots=tuple(names), revision=self.place.session.revision))
+
+    def _failed(self, why: str) -> None:
+        self._tell(News(news="event", event=Event(kind="warning", role="frames", message=why)))
+
+    def _hear(self, event: Event) -> None:
+        if event.kind in _TOLD:
+            self._tell(News(news="event", event=event.model_copy(update={"draft": "", "view": ""})))
+
+    def _tell(self, news: News) -> None:
+        """Tell all browsers, from any thread."""
+        for queue in list(self._browsers):
+            assert self._loop is not None, "a browser joined in it"
+            with suppress(RuntimeError):  # the loop ends with the server, and a thread may still have something to say
+                self._loop.call_soon_threadsafe(queue.put_nowait, news)
+
+
+def reached(before: ContinuityMemoryGraph, after: ContinuityMemoryGraph) -> list[str]:
+    """Return the names of the shots that may look otherwise in one graph than in another.
+
+    Args:
+        before: A story.
+        after: The same story, changed.
+    """
+    scenes = {scene.scene_id: scene for scene in before.scenes}
+    shots = {(shot.scene_id, shot.shot_id): shot for shot in before.shots}
+    same_things = before.assets == after.assets and before.format == after.format
+    return [
+        shot_name(shot.scene_id, shot.shot_id)
+        for shot in after.shots
+        if not same_things
+        or scenes.get(shot.scene_id) != after.scene(shot.scene_id)
+        or shots.get((shot.scene_id, shot.shot_id)) != shot
+    ]

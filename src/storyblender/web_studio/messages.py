@@ -1,0 +1,194 @@
+"""What a browser and the studio say to each other over the wire: calls, their answers, and news for all browsers."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, TypeAdapter
+
+from storyblender.memory.base import Described
+from storyblender.memory.edits import Edit
+from storyblender.trace import Event
+from storyblender.workplace.values import ShotDetails, Status
+
+_Name = Annotated[str, Field(min_length=1, max_length=128)]
+
+
+class _Call(Described):
+    id: int = Field(ge=0, le=2**53)
+    """Number that the answer names."""
+
+
+class OpenCall(_Call):
+    """Opens a project of the folder."""
+
+    call: Literal["open"]
+    """Which call this is."""
+    project: _Name
+    """Folder name."""
+
+
+class MakeCall(_Call):
+    """Begins to turn a script into a storyboard."""
+
+    call: Literal["make"]
+    """Which call this is."""
+    script: _Name
+    """File name of the script in the folder."""
+    text: Annotated[str, Field(max_length=4_000_000)] | None = None
+    """The script itself, if it was dropped into the page."""
+    look: Literal["board", "fast", "pencil"] = "board"
+    """How frames are drawn."""
+    animatic: bool = False
+    """Whether the film is made as well."""
+
+
+class ApplyCall(_Call):
+    """Makes a batch of edits: one gesture, one undo."""
+
+    call: Literal["apply"]
+    """Which call this is."""
+    edits: Annotated[tuple[Edit, ...], Field(min_length=1, max_length=500)]
+    """Applied in order, all or none."""
+    revision: _Name | None = None
+    """What the person saw when they made them."""
+
+
+class InstructCall(_Call):
+    """Words for the crew about what is selected."""
+
+    call: Literal["instruct"]
+    """Which call this is."""
+    words: Annotated[str, Field(min_length=1, max_length=2000)]
+    """Shots or scenes, a colon, and what is wanted."""
+    revision: _Name | None = None
+    """What the person saw when they said it."""
+
+
+class ShotCall(_Call):
+    """Asks for everything about a shot."""
+
+    call: Literal["shot"]
+    """Which call this is."""
+    shot: _Name
+    """Such as ``SC010_SH020``."""
+
+
+class PlainCall(_Call):
+    """A call that needs nothing else."""
+
+    call: Literal["places", "board", "vocabulary", "undo", "redo", "cancel", "deliver", "check"]
+    """``places``: scripts and projects of the folder; ``deliver``: board, lists and story.blend are written now."""
+
+
+Call = Annotated[
+    OpenCall | MakeCall | ApplyCall | InstructCall | ShotCall | PlainCall,
+    Field(discriminator="call"),
+]
+CALLS: TypeAdapter[Call] = TypeAdapter(Call)
+
+
+class PanelCard(Described):
+    """A shot on the board."""
+
+    shot: str
+    """Its name."""
+    scene: str
+    """Name of its scene."""
+    facts: str
+    """Camera in a line."""
+    seconds: float
+    """Length."""
+    words: str
+    """Action of the script."""
+    speech: tuple[tuple[str, str], ...]
+    """Speaker and words."""
+    picture: str
+    """Address of its frame; empty while there is none."""
+    state: Literal["fresh", "preview", "stale", "none"]
+    """Whether the picture shows the shot as it is; a preview does, small and quickly drawn."""
+    omitted: bool
+    """Whether a person left it, or its scene, out of the film."""
+    approved: bool
+    """Whether a person approved it."""
+    notes: int
+    """How many notes on it are open."""
+    locked: bool
+    """Whether any part of it is locked."""
+    takes: int
+    """How many takes there are."""
+    problems: int
+    """How many things the crew could not make right."""
+
+
+class SceneCard(Described):
+    """A scene on the board."""
+
+    scene: str
+    """Such as ``SC010``."""
+    title: str
+    """Its heading."""
+    omitted: bool
+    """Whether a person left it out of the film."""
+    shots: tuple[PanelCard, ...]
+    """In order."""
+
+
+class Board(Described):
+    """The open project as the page shows it."""
+
+    project: str
+    """Folder name."""
+    title: str
+    """Of the story."""
+    revision: str
+    """Edits name it."""
+    made: bool
+    """Whether it is staged; a plan has no pictures."""
+    aspect: float
+    """Width of a picture divided by its height."""
+    summary: str
+    """Scenes, shots and length."""
+    scenes: tuple[SceneCard, ...]
+    """In order."""
+    cast: dict[str, str]
+    """Id and name of every character."""
+    undo: str
+    """What undo takes back; empty where there is nothing."""
+    redo: str
+    """What redo makes again."""
+    film: str
+    """Address of the animatic; empty while there is none."""
+    files: tuple[str, ...]
+    """Deliverables that can be downloaded."""
+
+
+class Answer(Described):
+    """What a call came to."""
+
+    id: int
+    """Of the call."""
+    ok: bool
+    """Whether it was done."""
+    value: object = None
+    """What it returns."""
+    error: str = ""
+    """Why it was not done, in a sentence."""
+
+
+class News(Described):
+    """Told to every browser."""
+
+    news: Literal["board", "status", "event", "frames"]
+    """``board``: something changed, ask again; ``frames``: these pictures are new; ``event``: the crew at work."""
+    revision: str = ""
+    """Of the project now."""
+    status: Status | None = None
+    """How far long work is."""
+    event: Event | None = None
+    """What a role proposed, how it scored ..."""
+    shots: tuple[str, ...] = ()
+    """Whose pictures are new."""
+
+
+__all__ = ["CALLS", "Answer", "Board", "Call", "News", "PanelCard", "SceneCard", "ShotDetails"]

@@ -1,0 +1,51 @@
+"""Runs the studio on this machine, and opens it in the browser."""
+
+from __future__ import annotations
+
+import secrets
+import socket
+import webbrowser
+from collections.abc import Callable
+from pathlib import Path
+
+import uvicorn
+
+from storyblender.web_studio.access import Door
+from storyblender.web_studio.app import LARGEST_CALL, build_app
+from storyblender.web_studio.hub import Hub
+
+LOOPBACK = "127.0.0.1"
+
+
+def serve(folder: Path, project: str, port: int, say: Callable[[str], None], *, browser: bool) -> None:
+    """Serve until the process is ended; the open project is closed then.
+
+    Args:
+        folder: Of scripts and projects; nothing outside it is read or written.
+        project: Opened at once; none if empty.
+        port: 0 for any that is free.
+        say: Hears the address with its key.
+        browser: Whether the page is opened.
+
+    Raises:
+        InputError: No such project.
+        ProjectLocked: Another program has it open.
+    """
+    hub = Hub(folder)
+    try:
+        if project:
+            hub.open(project)
+        with socket.socket() as listening:
+            listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            listening.bind((LOOPBACK, port))
+            listening.listen()
+            origin, token = f"http://{LOOPBACK}:{listening.getsockname()[1]}", secrets.token_urlsafe(24)
+            config = uvicorn.Config(
+                Door(build_app(hub), token, origin), log_level="warning", ws_max_size=LARGEST_CALL, lifespan="off"
+            )
+            say(f"{origin}/?token={token}")
+            if browser:
+                webbrowser.open(f"{origin}/?token={token}")
+            uvicorn.Server(config).run([listening])
+    finally:
+        hub.close()

@@ -1,0 +1,88 @@
+"""Only a browser that was given the key, on the studio's own page, gets anything."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from starlette.applications import Starlette
+from starlette.requests import Request
+from starlette.responses import PlainTextResponse
+from starlette.routing import Route, WebSocketRoute
+from starlette.testclient import TestClient
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from storyblender.web_studio.access import Door
+
+ORIGIN, TOKEN = "http://127.0.0.1:8123", "key"
+
+
+async def secret(request: Request) -> PlainTextResponse:
+    return PlainTextResponse("secret")
+
+
+async def wire(socket: WebSocket) -> None:
+    await socket.accept()
+    await socket.send_text("secret")
+    await socket.close()
+
+
+@pytest.fixture
+def visitor() -> Iterator[TestClient]:
+    inside = Starlette(routes=[Route("/", secret, methods=["GET", "POST"]), WebSocketRoute("/wire", wire)])
+    with TestClient(Door(inside, TOKEN, ORIGIN), base_url=ORIGIN) as client:
+        yield client
+
+
+def enter(visitor: TestClient) -> None:
+    assert visitor.get(f"/?token={TOKEN}").text == "secret"
+
+
+def hears(visitor: TestClient, **headers: str) -> str:
+    with visitor.websocket_connect("ws://127.0.0.1:8123/wire", headers=headers) as socket:
+        return socket.receive_text()
+
+
+def test_the_key_opens_once_and_leaves_the_address(visitor: TestClient) -> None:
+    enter(visitor)
+    assert visitor.get("/").text == "secret"
+    visitor.cookies.clear()
+    again = visitor.get(f"/?token={TOKEN}")
+    assert again.status_code == 403 and "storyblender studio" in again.text
+
+
+@pytest.mark.parametrize("address", ["/", "/?token=wrong", "/?token=", "/nowhere"])
+def test_without_the_key_nothing_is_answered(visitor: TestClient, address: str) -> None:
+    assert visitor.get(address).status_code == 403
+
+
+@pytest.mark.parametrize("cookie", ["", "storyblender_studio=guessed", "storyblender_studio=", 'a="', "\x00"])
+def test_a_guessed_cookie_opens_nothing(visitor: TestClient, cookie: str) -> None:
+    assert visitor.get("/", headers={"cookie": cookie}).status_code == 403
+
+
+def test_another_page_and_another_host_are_refused(visitor: TestClient) -> None:
+    enter(visitor)
+    assert visitor.post("/", headers={"origin": "http://elsewhere.example"}).status_code == 403
+    assert visitor.get("/", headers={"origin": "null"}).status_code == 403
+    assert visitor.get("/", headers={"host": "rebound.example:8123"}).status_code == 403
+    assert visitor.post("/").status_code == 403, "a change without an origin comes from no page"
+    assert visitor.post("/", headers={"origin": ORIGIN}).text == "secret"
+
+
+@pytest.mark.parametrize("headers", [{}, {"origin": "http://elsewhere.example"}, {"origin": ORIGIN, "host": "x"}])
+def test_the_wire_is_for_the_page_alone(visitor: TestClient, headers: dict[str, str]) -> None:
+    with pytest.raises(WebSocketDisconnect):
+        hears(visitor, origin=ORIGIN)
+    enter(visitor)
+    assert hears(visitor, origin=ORIGIN) == "secret"
+    with pytest.raises(WebSocketDisconnect):
+        hears(visitor, **headers)
+
+
+def test_every_answer_forbids_foreign_content(visitor: TestClient) -> None:
+    for answer in (visitor.get("/"), visitor.get(f"/?token={TOKEN}")):
+        policy = answer.headers["content-security-policy"]
+        assert "default-src 'none'" in policy and "frame-ancestors 'none'" in policy and "http:" not in policy
+    cookie = TestClient(visitor.app, base_url=ORIGIN, follow_redirects=False)
+    assert cookie.get("/").headers["x-content-type-options"] == "nosniff"

@@ -1,0 +1,178 @@
+"""What the page and the studio say to each other, on a stand-in engine: calls, news, refusals, and any nonsense."""
+
+from __future__ import annotations
+
+import json
+import random
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from starlette.testclient import TestClient, WebSocketTestSession
+from tests.stage import Stage
+
+from storyblender.project import read_project_graph
+from storyblender.web_studio.app import build_app
+from storyblender.web_studio.hub import Hub
+
+SHOT = "SC010_SH010"
+SIZE = [{"kind": "camera", "shot": SHOT, "decision": {"size": "ECU"}}]
+MESSAGES = 5000
+
+
+@pytest.fixture
+def stage(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Stage:
+    return Stage(tmp_path / "tale.storyboard", monkeypatch)
+
+
+@pytest.fixture
+def page(stage: Stage) -> Iterator[TestClient]:
+    hub = Hub(stage.folder.parent)
+    hub.open(stage.folder.name)
+    with TestClient(build_app(hub)) as client:
+        yield client
+    hub.close()
+
+
+class Browser:
+    """One browser on the wire."""
+
+    def __init__(self, socket: WebSocketTestSession) -> None:
+        self.socket, self.number, self.news = socket, 0, list[dict[str, Any]]()
+
+    def says(self, text: str) -> dict[str, Any]:
+        """Send a message and return its answer; news on the way are kept."""
+        self.socket.send_text(text)
+        while True:
+            heard = json.loads(self.socket.receive_text())
+            if "ok" in heard:
+                return heard
+            self.news.append(heard)
+
+    def call(self, call: str, **values: Any) -> dict[str, Any]:
+        self.number += 1
+        answer = self.says(json.dumps({"id": self.number, "call": call, **values}))
+        assert answer["id"] == self.number
+        return answer
+
+    def value(self, call: str, **values: Any) -> Any:
+        answer = self.call(call, **values)
+        assert answer["ok"], answer
+        return answer["value"]
+
+    def waits_for(self, news: str) -> dict[str, Any]:
+        while True:
+            for heard in self.news:
+                if heard.get("news") == news:
+                    self.news.remove(heard)
+                    return heard
+            self.news.append(json.loads(self.socket.receive_text()))
+
+    def is_drawn(self) -> dict[str, Any]:
+        """Wait until every frame shows the story as it is, and return the board."""
+        while True:
+            board = self.value("board")
+            if all(card["state"] == "fresh" for card in cards(board)):
+                return board
+            self.waits_for("frames")
+
+
+def cards(board: dict[str, Any]) -> list[dict[str, Any]]:
+    return [card for scene in board["scenes"] for card in scene["shots"]]
+
+
+def card(board: dict[str, Any], shot: str = SHOT) -> dict[str, Any]:
+    return next(card for card in cards(board) if card["shot"] == shot)
+
+
+def test_an_edit_is_one_undo_and_its_frame_follows(page: TestClient, stage: Stage) -> None:
+    with page.websocket_connect("/wire") as socket:
+        browser = Browser(socket)
+        board = browser.is_drawn()
+        before = read_project_graph(stage.folder)
+        assert card(board)["facts"].split()[0] != "ECU"
+        done = browser.value("apply", edits=SIZE, revision=board["revision"])
+        assert done["stale"] == [SHOT]
+        board = browser.value("board")
+        assert card(board)["facts"].startswith("ECU") and card(board)["state"] != "fresh"
+        assert "ECU" in board["undo"] and not board["redo"]
+        board = browser.is_drawn()
+        assert page.get(card(board)["picture"]).content.startswith(b"\x89PNG")
+        browser.value("undo")
+        assert read_project_graph(stage.folder) == before
+        assert "ECU" in browser.value("board")["redo"]
+
+
+def test_two_browsers_see_each_others_edits_and_a_stale_one_is_refused(page: TestClient) -> None:
+    with page.websocket_connect("/wire") as one, page.websocket_connect("/wire") as two:
+        anna, ben = Browser(one), Browser(two)
+        seen = ben.value("board")["revision"]
+        anna.value("apply", edits=SIZE, revision=seen)
+        assert ben.waits_for("board")["revision"] != seen
+        refused = ben.call("apply", edits=[{**SIZE[0], "decision": {"size": "WS"}}], revision=seen)
+        assert not refused["ok"] and "ECU" in refused["error"]
+        assert ben.call("apply", edits=[{"kind": "duration", "shot": SHOT, "seconds": 3}], revision=seen)["ok"]
+
+
+@pytest.mark.parametrize(
+    "edits",
+    [
+        [{"kind": "camera", "shot": "SC990_SH010", "decision": {"size": "CU"}}],
+        [{"kind": "camera", "shot": SHOT, "decision": {"size": "huge"}}],
+        [{"kind": "nothing"}],
+        [],
+        [*SIZE, {"kind": "duration", "shot": SHOT, "seconds": -1}],
+    ],
+)
+def test_an_edit_that_cannot_be_is_a_sentence_and_changes_nothing(
+    page: TestClient, stage: Stage, edits: list[dict[str, Any]]
+) -> None:
+    before = read_project_graph(stage.folder)
+    with page.websocket_connect("/wire") as socket:
+        refused = Browser(socket).call("apply", edits=edits)
+    assert not refused["ok"] and refused["error"] and "Traceback" not in refused["error"]
+    assert read_project_graph(stage.folder) == before
+
+
+@pytest.mark.parametrize(
+    "address",
+    ["/frames/..%2f..%2fgraph.png", "/frames/graph.png", "/files/graph.json", "/files/..%2fsecret", "/previews/x.png",
+     "/static/..%2f..%2fserve.py", "/static/../serve.py"],
+)  # fmt: skip
+def test_nothing_but_pictures_and_deliverables_leaves_the_project(page: TestClient, address: str) -> None:
+    assert page.get(address).status_code == 404
+
+
+def nonsense(chance: random.Random, board: dict[str, Any]) -> str:
+    """Return a message that may be broken at any depth."""
+    shots = [card["shot"] for card in cards(board)]
+    words = [*shots, "", "x" * 200, "\u0000", "../graph.json", "SC010", None, -1, 1e300, [], {}, True, "CU", "7"]
+    calls = ["open", "apply", "instruct", "shot", "places", "board", "vocabulary", "undo", "redo", "check?", "", None]
+    kinds = ["camera", "duration", "lock", "unlock", "take", "layout", "light", "set", "asset", "note", 3, None]
+    edit = {"kind": chance.choice(kinds), "shot": chance.choice(words), "scene": chance.choice(words),
+            "target": chance.choice(words), "seconds": chance.choice(words), "action": chance.choice(words),
+            "decision": {chance.choice(["size", "lens", "angle", "x"]): chance.choice(words)}}  # fmt: skip
+    kept = {name: value for name, value in edit.items() if name == "kind" or chance.random() < 0.4}
+    message = {"id": chance.choice([1, 2, -1, "a", None]), "call": chance.choice(calls), "edits": [kept],
+               "words": chance.choice(words), "shot": chance.choice(words), "revision": chance.choice(words),
+               "project": chance.choice(words)}  # fmt: skip
+    text = json.dumps({name: value for name, value in message.items() if chance.random() < 0.8})
+    cut = chance.randrange(len(text))
+    return text if chance.random() < 0.8 else text[:cut] + chance.choice(["", "}", '"', "\u2028"]) + text[cut + 1 :]
+
+
+def test_any_nonsense_is_refused_and_the_story_stays_whole(page: TestClient, stage: Stage) -> None:
+    chance = random.Random(15)
+    with page.websocket_connect("/wire") as socket:
+        browser = Browser(socket)
+        board = browser.value("board")
+        refused = 0
+        for _ in range(MESSAGES):
+            answer = browser.says(nonsense(chance, board))
+            refused += not answer["ok"]
+            assert answer["ok"] or (answer["error"] and "Traceback" not in answer["error"])
+        assert refused > MESSAGES // 2
+        browser.value("open", project=stage.folder.name)
+        assert browser.value("board")["scenes"]
+    assert read_project_graph(stage.folder).shots

@@ -1,0 +1,116 @@
+/** What the studio says to the page; the same values as web_studio/messages.py. */
+
+export interface PanelCard {
+  shot: string;
+  scene: string;
+  facts: string;
+  seconds: number;
+  words: string;
+  speech: [string, string][];
+  picture: string;
+  state: "fresh" | "preview" | "stale" | "none";
+  omitted: boolean;
+  approved: boolean;
+  notes: number;
+  locked: boolean;
+  takes: number;
+  problems: number;
+}
+
+export interface SceneCard {
+  scene: string;
+  title: string;
+  omitted: boolean;
+  shots: PanelCard[];
+}
+
+export interface Board {
+  project: string;
+  title: string;
+  revision: string;
+  made: boolean;
+  aspect: number;
+  summary: string;
+  scenes: SceneCard[];
+  cast: Record<string, string>;
+  undo: string;
+  redo: string;
+  film: string;
+  files: string[];
+}
+
+export interface Status {
+  busy: boolean;
+  work: string;
+  stage: string;
+  step: number;
+  total: number;
+  error: string;
+}
+
+export interface Places {
+  scripts: string[];
+  projects: string[];
+  status: Status;
+}
+
+export interface CrewEvent {
+  kind: string;
+  role: string;
+  subject?: string;
+  turn?: number;
+  score?: number | null;
+  message?: string;
+  details?: string[];
+  step?: number | null;
+  total?: number | null;
+}
+
+export interface Take {
+  number: number;
+  in_film: boolean;
+  camera: string;
+  decided: string[];
+}
+
+export interface Note {
+  number: number;
+  text: string;
+  author: string;
+  resolved: boolean;
+}
+
+export interface ShotDetails {
+  shot: string;
+  heading: string;
+  camera: string;
+  seconds: number;
+  description: string;
+  size: string;
+  kind: string;
+  angle: string;
+  movement: string;
+  lens: number;
+  f_number: number | null;
+  shows: string[];
+  on_stage: string[];
+  lines: { kind: string; text: string; speaker: string }[];
+  decided: string[];
+  takes: Take[];
+  scene_decided: string[];
+  locked: string[];
+  approved: boolean;
+  notes: Note[];
+  problems: string[];
+}
+
+export interface News {
+  news: "board" | "status" | "event" | "frames";
+  revision?: string;
+  status?: Status;
+  event?: CrewEvent;
+  shots?: string[];
+}
+
+/** A typed edit, as docs/edits.md lists them. */
+export type Edit = { kind: string } & Record<string, unknown>;

@@ -1,0 +1,130 @@
+/** The shot inspector: one shot large, with everything about its camera that can be changed. */
+
+import { LitElement, html, nothing, type PropertyValues } from "lit";
+import { customElement, property, state } from "lit/decorators.js";
+import type { Board, Edit, PanelCard, ShotDetails } from "./messages";
+import type { Wire } from "./wire";
+
+const LENSES = [18, 24, 28, 35, 40, 50, 65, 85, 100, 135];
+
+@customElement("sb-shot")
+export class ShotInspector extends LitElement {
+  @property({ attribute: false }) board!: Board;
+  @property({ attribute: false }) shot = "";
+  @property({ attribute: false }) wire!: Wire;
+  @state() private details: ShotDetails | null = null;
+  @state() private words: Record<string, string[]> = {};
+
+  protected createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  async connectedCallback(): Promise<void> {
+    super.connectedCallback();
+    const { camera } = await this.wire.call<{ camera: Record<string, Record<string, string>> }>("vocabulary");
+    this.words = Object.fromEntries(Object.entries(camera).map(([field, words]) => [field, Object.keys(words)]));
+  }
+
+  protected willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has("shot") || changed.has("board")) void this.ask();
+  }
+
+  private async ask(): Promise<void> {
+    const details = await this.wire.call<ShotDetails>("shot", { shot: this.shot });
+    if (details.shot === this.shot) this.details = details;
+  }
+
+  private edit(...edits: Edit[]): void {
+    this.dispatchEvent(new CustomEvent("edit", { detail: edits }));
+  }
+
+  private camera(decision: Record<string, unknown>): void {
+    this.edit({ kind: "camera", shot: this.shot, decision });
+  }
+
+  render() {
+    const card = this.board.scenes.flatMap((scene) => scene.shots).find((shot) => shot.shot === this.shot);
+    const shot = this.details?.shot === this.shot ? this.details : null;
+    if (!card) return nothing;
+    return html`
+      <aside class="inspector" aria-label="Shot ${this.shot}">
+        <div class="head"><h2>${this.shot}</h2>
+          <button aria-label="Close" @click=${() => this.dispatchEvent(new Event("close"))}>×</button></div>
+        <div class="picture ${card.state}" style="aspect-ratio: ${this.board.aspect}">
+          ${card.picture ? html`<img src=${card.picture} alt=${shot?.description ?? ""} />` : nothing}
+        </div>
+        ${shot ? this.form(shot, card) : html`<p>...</p>`}
+      </aside>`;
+  }
+
+  private form(shot: ShotDetails, card: PanelCard) {
+    const locked = shot.locked.includes("camera");
+    return html`
+      <p>${shot.description}</p>
+      <fieldset ?disabled=${locked}>
+        <legend>Camera</legend>
+        ${this.choice("Size", "size", shot.size)}
+        ${this.choice("Angle", "angle", shot.angle)}
+        ${this.choice("Move", "movement", this.move(shot))}
+        <label>Lens <select @change=${(event: Event) => this.camera({ lens: Number((event.target as HTMLSelectElement).value) })}>
+          ${[...new Set([...LENSES, Math.round(shot.lens)])].sort((a, b) => a - b).map(
+            (lens) => html`<option value=${lens} ?selected=${lens === Math.round(shot.lens)}>${lens} mm</option>`)}
+        </select></label>
+        <label>Seconds <input type="number" min="0.5" max="600" step="0.5" .value=${String(shot.seconds)}
+          @change=${(event: Event) => this.edit({ kind: "duration", shot: this.shot, seconds: Number((event.target as HTMLInputElement).value) })} /></label>
+      </fieldset>
+      ${shot.decided.length ? html`<p class="decided">You decided: ${shot.decided.join(", ")}</p>` : nothing}
+      <fieldset><legend>Takes</legend>
+        ${shot.takes.map((take) => html`<button class=${take.in_film ? "chosen" : ""} title=${take.camera} ?disabled=${take.in_film}
+          @click=${() => this.edit({ kind: "take", shot: this.shot, action: "choose", number: take.number })}>Take ${take.number}</button>`)}
+        <button ?disabled=${locked} @click=${() => this.edit({ kind: "take", shot: this.shot, action: "keep" })}>Keep, and try another</button>
+      </fieldset>
+      <p class="buttons">
+        <button @click=${() => this.edit({ kind: "approve", shot: this.shot, approved: !shot.approved })}>
+          ${shot.approved ? "Withdraw approval" : "Approve"}</button>
+        <button ?disabled=${shot.approved} @click=${() => this.edit({ kind: card.locked ? "unlock" : "lock", target: this.shot, parts: [] })}>
+          ${card.locked ? "Unlock the shot" : "Lock the shot"}</button>
+        <button @click=${() => this.edit({ kind: card.omitted ? "restore" : "omit", target: this.shot })}>
+          ${card.omitted ? "Restore" : "Omit"}</button>
+      </p>
+      ${this.notes(shot)}
+      ${shot.problems.length ? html`<h3>To check</h3><ul>${shot.problems.map((each) => html`<li>${each}</li>`)}</ul>` : nothing}
+      <h3>Script</h3>
+      ${shot.lines.map((line) => html`<p class=${line.kind === "dialogue" ? "speech" : ""}>
+        ${line.speaker ? html`<b>${this.board.cast[line.speaker] ?? line.speaker}</b> ` : nothing}${line.text}</p>`)}
+    `;
+  }
+
+  private notes(shot: ShotDetails) {
+    return html`<fieldset class="notes"><legend>Notes</legend>
+      ${shot.notes.map((note) => html`<label class=${note.resolved ? "resolved" : ""}>
+        <input type="checkbox" .checked=${note.resolved}
+          @change=${() => this.edit({ kind: "note", shot: this.shot, action: note.resolved ? "reopen" : "resolve", number: note.number })} />
+        <span>${note.author ? html`<b>${note.author}</b> ` : nothing}${note.text}</span></label>`)}
+      <form @submit=${(event: SubmitEvent) => this.note(event)}>
+        <input aria-label="A note" placeholder="Write a note" maxlength="2000" autocomplete="off" /></form>
+    </fieldset>`;
+  }
+
+  private note(event: SubmitEvent): void {
+    event.preventDefault();
+    const field = (event.target as HTMLFormElement).querySelector("input")!;
+    const text = field.value.trim();
+    if (text) this.edit({ kind: "note", shot: this.shot, action: "add", text });
+    field.value = "";
+  }
+
+  /** The move that was asked for: what the shot is said to do has a direction behind it. */
+  private move(shot: ShotDetails): string {
+    const words = this.words.movement ?? [];
+    return words.find((each) => each === shot.movement) ?? words.find((each) => shot.movement.startsWith(each)) ?? shot.movement;
+  }
+
+  private choice(label: string, field: string, value: string) {
+    const words = this.words[field] ?? [];
+    return html`<label>${label} <select data-field=${field}
+        @change=${(event: Event) => this.camera({ [field]: (event.target as HTMLSelectElement).value })}>
+      ${[...new Set([...words, value])].map((each) => html`<option ?selected=${each === value}>${each}</option>`)}
+    </select></label>`;
+  }
+}

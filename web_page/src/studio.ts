@@ -1,0 +1,186 @@
+/** The studio: what is open, what is selected, and which view shows it. */
+
+import { LitElement, html, nothing } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import "./board_view";
+import "./crew_view";
+import "./shot_inspector";
+import "./start_view";
+import type { Board, CrewEvent, Edit, News, Places, Status } from "./messages";
+import { Wire } from "./wire";
+
+const EVENTS_SHOWN = 400;
+
+@customElement("sb-studio")
+export class Studio extends LitElement {
+  @state() private board: Board | null = null;
+  @state() private places: Places | null = null;
+  @state() private status: Status | null = null;
+  @state() private selected: string[] = [];
+  @state() private events: CrewEvent[] = [];
+  @state() private said: { text: string; wrong: boolean } | null = null;
+  @state() private connected = true;
+  private wire = new Wire(
+    (news) => this.hear(news),
+    () => this.joined(),
+    () => (this.connected = false),
+  );
+
+  protected createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  connectedCallback(): void {
+    super.connectedCallback();
+    document.addEventListener("keydown", this.keys);
+  }
+
+  private keys = (event: KeyboardEvent): void => {
+    const typing = (event.target as HTMLElement).closest("input, textarea, select");
+    if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z" && !typing) {
+      event.preventDefault();
+      void this.step(event.shiftKey ? "redo" : "undo");
+    } else if (event.key === "/" && !typing) {
+      event.preventDefault();
+      this.querySelector<HTMLInputElement>("#say")?.focus();
+    } else if (event.key === "Escape") {
+      if (typing) (event.target as HTMLElement).blur();
+      else this.selected = [];
+    }
+  };
+
+  private async joined(): Promise<void> {
+    this.connected = true;
+    this.places = await this.wire.call<Places>("places");
+    this.status = this.places.status;
+    await this.look();
+  }
+
+  /** Ask for the board; where no project is open there is none. */
+  private async look(): Promise<void> {
+    try {
+      this.board = await this.wire.call<Board>("board");
+      document.title = `${this.board.title} - StoryBlender`;
+      const shots = new Set(this.board.scenes.flatMap((scene) => scene.shots.map((shot) => shot.shot)));
+      this.selected = this.selected.filter((name) => shots.has(name));
+    } catch {
+      this.board = null;
+    }
+  }
+
+  private hear(news: News): void {
+    if (news.news === "status" && news.status) this.status = news.status;
+    if (news.news === "event" && news.event) this.events = [...this.events, news.event].slice(-EVENTS_SHOWN);
+    if (news.news === "event" && news.event?.role === "frames" && news.event.kind === "warning")
+      this.say(news.event.message ?? "", true);
+    if (news.news === "board" || news.news === "frames" || (news.event?.role === "frames" && this.status?.busy))
+      void this.look();
+  }
+
+  private say(text: string, wrong = false): void {
+    this.said = text ? { text, wrong } : null;
+  }
+
+  /** Do something, and show the studio's sentence if it cannot be done. */
+  private async attempt(work: () => Promise<string>): Promise<void> {
+    try {
+      this.say(await work());
+    } catch (error) {
+      this.say((error as Error).message, true);
+    }
+  }
+
+  private step(way: "undo" | "redo"): Promise<void> {
+    const done = way === "undo" ? "Undone" : "Done again";
+    return this.attempt(async () => `${done}: ${(await this.wire.call<{ done: string }>(way)).done}`);
+  }
+
+  private edit(edits: Edit[]): Promise<void> {
+    const revision = this.board?.revision;
+    return this.attempt(async () => (await this.wire.call<{ words: string }>("apply", { edits, revision })).words);
+  }
+
+  private instruct(event: SubmitEvent): void {
+    event.preventDefault();
+    const field = (event.target as HTMLFormElement).querySelector<HTMLInputElement>("#say")!;
+    const words = field.value.trim();
+    if (!words || !this.board) return;
+    const about = words.includes(":") ? "" : `${this.selected.join(", ")}: `;
+    const revision = this.board.revision;
+    void this.attempt(async () => {
+      const done = await this.wire.call<{ words: string }>("instruct", { words: about + words, revision });
+      field.value = "";
+      return done.words;
+    });
+  }
+
+  private make(detail: { script: string; text?: string; look: string; animatic: boolean }): Promise<void> {
+    this.events = [];
+    this.board = null;
+    return this.attempt(async () => {
+      this.status = await this.wire.call<Status>("make", detail);
+      return "";
+    });
+  }
+
+  render() {
+    return html`
+      <header>
+        <button class="home" @click=${() => this.leave()} title="Scripts and projects">StoryBlender</button>
+        ${this.board ? html`<h1>${this.board.title}</h1><span class="summary">${this.board.summary}</span>` : nothing}
+        <span class="space"></span>
+        ${this.board?.made ? this.tools(this.board) : nothing}
+      </header>
+      ${this.connected ? nothing : html`<p class="bar wrong" role="alert">The studio does not answer. Start it again; nothing is lost.</p>`}
+      ${this.said ? html`<p class="bar ${this.said.wrong ? "wrong" : ""}" role="status">${this.said.text}</p>` : nothing}
+      <main>${this.view()}</main>
+    `;
+  }
+
+  private tools(board: Board) {
+    return html`
+      <form class="say" @submit=${(event: SubmitEvent) => this.instruct(event)}>
+        <input id="say" aria-label="Say it" autocomplete="off" ?disabled=${!this.selected.length}
+          placeholder=${this.selected.length ? `${this.selected.join(", ")}: closer, low angle ...` : "Select a shot, then say what you want"} />
+      </form>
+      <button @click=${() => this.step("undo")} ?disabled=${!board.undo} title=${board.undo || "Nothing to undo"}>Undo</button>
+      <button @click=${() => this.step("redo")} ?disabled=${!board.redo} title=${board.redo || "Nothing to redo"}>Redo</button>
+      ${board.files.length
+        ? html`<details class="menu"><summary>Deliver</summary>
+            ${board.files.map((name) => html`<a href="/files/${name}" download>${name}</a>`)}</details>`
+        : nothing}
+    `;
+  }
+
+  private view() {
+    if (this.status?.busy || (this.status?.error && !this.board)) {
+      return html`<sb-crew .events=${this.events} .status=${this.status} .board=${this.board}
+        @stop=${() => this.attempt(async () => (await this.wire.call("cancel"), "Stopped; make it again to go on."))}
+        @back=${() => this.leave()}></sb-crew>`;
+    }
+    if (!this.board) {
+      return html`<sb-start .places=${this.places}
+        @make=${(event: CustomEvent) => this.make(event.detail)}
+        @open=${(event: CustomEvent<string>) =>
+          this.attempt(async () => ((this.board = await this.wire.call<Board>("open", { project: event.detail })), ""))}></sb-start>`;
+    }
+    return html`
+      <sb-board .board=${this.board} .selected=${this.selected}
+        @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}
+        @select=${(event: CustomEvent<string[]>) => (this.selected = event.detail)}></sb-board>
+      ${this.selected.length === 1
+        ? html`<sb-shot .board=${this.board} .shot=${this.selected[0]} .wire=${this.wire}
+            @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}
+            @close=${() => (this.selected = [])}></sb-shot>`
+        : nothing}
+    `;
+  }
+
+  private async leave(): Promise<void> {
+    this.board = null;
+    this.status = null;
+    this.selected = [];
+    this.places = await this.wire.call<Places>("places");
+    document.title = "StoryBlender";
+  }
+}
