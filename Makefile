@@ -7,8 +7,9 @@ READY := $(VENV)/.ready
 
 CREW := $(VENV)/.crew
 LOCAL := $(VENV)/.local-llm
+BROWSER := $(VENV)/.browser
 
-.PHONY: storyboard test test-all crew test-crew test-local-model check bench clean
+.PHONY: storyboard test test-all crew test-crew test-local-model test-studio check bench clean
 
 storyboard: $(READY)  ## Make the example storyboard into out/casablanca.storyboard
 	$(BIN)/storyblender make examples/casablanca.fountain --out out/casablanca.storyboard
@@ -26,6 +27,9 @@ test-crew: $(CREW)  ## Run the tests of language models, against servers on this
 
 test-local-model: $(LOCAL)  ## Install a small model with its server, compiled here in some ten minutes, and run a crew on it
 	$(BIN)/python -m pytest -n 0 -s tests/local_model
+
+test-studio: $(BROWSER)  ## Look at the studio's page in a real browser; it needs Chromium
+	$(BIN)/python -m pytest -n 0 tests/browser
 
 check: $(READY)  ## Lint, types, layers
 	$(BIN)/ruff check .
@@ -50,6 +54,10 @@ $(CREW): $(READY) requirements-crew.lock
 
 $(LOCAL): $(CREW) requirements-local-llm.lock
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-local-llm.lock
+	@touch $@
+
+$(BROWSER): $(READY) requirements-browser.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-browser.lock
 	@touch $@
 
 clean:  ## Remove what was made, not the environment
