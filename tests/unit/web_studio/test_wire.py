@@ -128,9 +128,11 @@ def test_two_browsers_see_each_others_edits_and_a_stale_one_is_refused(page: Tes
 def test_an_edit_that_cannot_be_is_a_sentence_and_changes_nothing(
     page: TestClient, stage: Stage, edits: list[dict[str, Any]]
 ) -> None:
-    before = read_project_graph(stage.folder)
     with page.websocket_connect("/wire") as socket:
-        refused = Browser(socket).call("apply", edits=edits)
+        browser = Browser(socket)
+        browser.is_drawn()
+        before = read_project_graph(stage.folder)
+        refused = browser.call("apply", edits=edits)
     assert not refused["ok"] and refused["error"] and "Traceback" not in refused["error"]
     assert read_project_graph(stage.folder) == before
 
