@@ -135,7 +135,7 @@ def instruct(
         str,
         typer.Argument(
             metavar="WORDS",
-            help='Shots or scenes, a colon, and what you want: "SC010_SH020: closer".',
+            help='Shots or scenes and what you want: "SC010_SH020: closer", "all: warmer".',
             show_default=False,
         ),
     ],

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -81,6 +81,24 @@ def fixtures_called(plan: SetPlan, name: str | None) -> list[Fixture]:
         found.sort(key=lambda fixture: fixture.kind == "mark")
     told = {*words}
     return sorted(found, key=lambda fixture: -len(told & {*fixture.tags, *fixture.name.split("_")}))
+
+
+def parts_of(plan: SetPlan) -> tuple[str, ...]:
+    """Return the words for the parts of a set at which a thing can be: ``door``, ``window``, ``bar``."""
+    pieces = named_pieces(plan)[0]
+    kinds = [fixture.kind for fixture in fixtures_of(plan) if fixture.kind not in ("piece", "mark")]
+    return (*dict.fromkeys(kinds), *(word for piece in pieces for word in {piece: 0, piece.split()[-1]: 0}))
+
+
+def is_part_called(word: str, parts: Sequence[str]) -> bool:
+    """Return whether a word means one of the parts of a set.
+
+    Args:
+        word: ``doorway``.
+        parts: As ``parts_of`` names them.
+    """
+    last = noun_key(word)
+    return bool({_MEANINGS.get(last, last), *_SAME.get(last, ())} & {*parts})
 
 
 def named_pieces(plan: SetPlan) -> tuple[tuple[str, ...], tuple[str, ...]]:

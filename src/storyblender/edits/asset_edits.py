@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from difflib import get_close_matches
 from typing import Any
 
+from storyblender.catalog.fixtures import fixtures_called, parts_of
 from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.prop_families import family_of
@@ -28,7 +29,7 @@ from storyblender.memory.asset_sheet import Asset, AssetDecision
 from storyblender.memory.base import shot_name
 from storyblender.memory.edits import AssetEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.scene_context import SceneContext
+from storyblender.memory.scene_context import Relation, SceneContext
 from storyblender.memory.scene_decision import LayoutDecision, SetDecision
 from storyblender.memory.shot_context import ShotContext
 
@@ -46,7 +47,7 @@ def asset_effects(graph: ContinuityMemoryGraph, edit: AssetEdit) -> list[Effect]
     scene = scene_named(graph, edit.scene) if edit.scene is not None else None
     if edit.action == "add":
         assert scene is not None, "the edit is whole"
-        return _added(graph, scene, edit.model or "")
+        return _added(graph, scene, edit)
     asset = _thing(graph, edit.thing or "", scene)
     if asset is not None:
         if edit.action == "replace":
@@ -114,8 +115,9 @@ def _staged_again(graph: ContinuityMemoryGraph, asset_id: str, words: str) -> li
     return effects
 
 
-def _added(graph: ContinuityMemoryGraph, scene: SceneContext, model: str) -> list[Effect]:
+def _added(graph: ContinuityMemoryGraph, scene: SceneContext, edit: AssetEdit) -> list[Effect]:
     refuse_locked_staging(graph, scene)
+    model = edit.model or ""
     decision = decision_of(model)
     known = {asset.asset_id for asset in graph.assets}
     base = as_id(model) if as_id(model).replace("_", "").isalnum() and as_id(model).isascii() else decision.prop
@@ -127,10 +129,25 @@ def _added(graph: ContinuityMemoryGraph, scene: SceneContext, model: str) -> lis
     decided = before.then(LayoutDecision(added=(*(before.added or ()), asset_id)))
     setup = scene.setup.model_copy(update={"asset_ids": (*scene.setup.asset_ids, asset_id)})
     words = f"{model} added"
+    if edit.relation is not None and edit.anchor is not None:
+        _refuse_no_anchor(graph, scene, edit.anchor)
+        relation = Relation(asset_id=asset_id, kind=edit.relation, anchor_asset_id=edit.anchor)
+        setup = setup.model_copy(update={"relations": (*setup.relations, relation)})
+        words = f"{words} {edit.relation.replace('_', ' ')} {edit.anchor.replace('_', ' ')}"
     return [
         Effect(made_from(asset, decision), asset_id, words, frozenset({"asset"})),
         scene_effect(graph, scene, words, "layout", ("layout",), setup=setup, layout_decision=decided),
     ]
+
+
+def _refuse_no_anchor(graph: ContinuityMemoryGraph, scene: SceneContext, anchor: str) -> None:
+    """Refuse a place at what is not in a scene."""
+    if _thing(graph, anchor, scene) is not None or scene.environment is None or scene.environment.kit not in SETS:
+        return
+    plan = plan_of(scene.environment)
+    if not _furniture(plan.furnishings, anchor) and not fixtures_called(plan, anchor):
+        mend = f"parts of its set: {', '.join(parts_of(plan)[:12])}"
+        raise InputError(f"there is no {anchor.replace('_', ' ')!r} in {name_of(scene)}", mend=mend)
 
 
 def _removed(graph: ContinuityMemoryGraph, scene: SceneContext, asset: Asset) -> Effect:
@@ -145,7 +162,8 @@ def _removed(graph: ContinuityMemoryGraph, scene: SceneContext, asset: Asset) ->
     if asset_id in (before.added or ()):
         decided = before.model_copy(update={"added": tuple(each for each in before.added or () if each != asset_id)})
         left = tuple(each for each in scene.setup.asset_ids if each != asset_id)
-        setup = scene.setup.model_copy(update={"asset_ids": left})
+        relations = tuple(each for each in scene.setup.relations if each.asset_id != asset_id)
+        setup = scene.setup.model_copy(update={"asset_ids": left, "relations": relations})
     else:
         decided = before.then(LayoutDecision(removed=(*(before.removed or ()), asset_id)))
         setup = scene.setup.model_copy(update={"scenery": (*scene.setup.scenery, asset_id)})

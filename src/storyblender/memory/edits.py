@@ -6,11 +6,12 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, TypeAdapter, model_validator
 
-from storyblender.memory.base import Described, Frames
+from storyblender.memory.base import Described, Frames, Identifier, is_none
 from storyblender.memory.locks import LockName
 from storyblender.memory.notes import MOST_NOTES, NoteAuthor, NoteText
 from storyblender.memory.scene_decision import LightDecision, SetDecision
 from storyblender.memory.shot_context import CameraDecision
+from storyblender.memory.vocabulary import RelationKind
 
 _Name = Annotated[str, Field(min_length=1, max_length=64)]
 
@@ -113,9 +114,15 @@ class AssetEdit(Described):
     """Such as ``SC010``; for furniture of a set, and for what is added or taken away."""
     model: _Name | None = None
     """What is wanted, as the library calls it, with a colour or a material: ``red bench``."""
+    relation: RelationKind | None = Field(default=None, exclude_if=is_none)
+    """Where what is added stands at its ``anchor``: next_to, on, behind ...; the crew chooses if left out."""
+    anchor: Identifier | None = Field(default=None, exclude_if=is_none)
+    """With ``relation``: the id of a thing, or a part of the set: ``window``, ``door``, ``back_wall``."""
 
     @model_validator(mode="after")
     def _is_whole(self) -> Self:
+        if (self.relation is None) != (self.anchor is None) or (self.anchor is not None and self.action != "add"):
+            raise ValueError("a place takes a relation and an anchor, and is that of a thing that is added")
         wanted = {"replace": ("thing", "model"), "add": ("scene", "model"), "remove": ("thing", "scene")}[self.action]
         for name in wanted:
             if getattr(self, name) is None:

@@ -75,5 +75,8 @@ def _decided_as(
     ids = tuple(dict.fromkeys((*setup.asset_ids, *(asset.asset_id for asset in added))))
     scenery = tuple(dict.fromkeys((*setup.scenery, *removed)))
     if (ids, scenery) != (setup.asset_ids, setup.scenery):
-        decided["setup"] = setup.model_copy(update={"asset_ids": ids, "scenery": scenery})
+        own = {asset.asset_id for asset in added}
+        placed = (each for each in past.setup.relations if each.asset_id in own and each not in setup.relations)
+        relations = (*setup.relations, *placed)
+        decided["setup"] = setup.model_copy(update={"asset_ids": ids, "scenery": scenery, "relations": relations})
     return replace(plan, *(asset for asset in added if asset.asset_id not in there), scene.model_copy(update=decided))

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from math import dist
 from pathlib import Path
 from typing import Any
 
 import pytest
 from tests.home import SCRIPT, SETTINGS
 
+from storyblender.catalog.fixtures import fixtures_called
 from storyblender.catalog.sets import plan_of
 from storyblender.edits.words import edits_of
 from storyblender.errors import InputError, Rejected, StaleEdit
@@ -144,6 +146,26 @@ def test_what_is_added_stands_in_the_scene_until_it_is_taken_away(session: Sessi
     assert "piano" not in {item.asset_id for item in scene(session.graph, ROOM).layout.objects}  # type: ignore[union-attr]
 
 
+@pytest.mark.parametrize(("relation", "anchor"), [("next_to", "window"), ("next_to", "sofa"), ("in", "corner")])
+def test_what_is_added_at_a_place_is_near_it_and_stays_so_in_another_script(
+    relation: str, anchor: str, session: Session
+) -> None:
+    apply(session, {**PIANO, "relation": relation, "anchor": anchor})
+    room = scene(session.graph, ROOM)
+    assert room.environment is not None and room.layout is not None
+    fixtures = fixtures_called(plan_of(room.environment), anchor)
+    boxes = [(each.box.x, each.box.y) for each in fixtures]
+    boxes += [item.location[:2] for item in room.layout.objects if item.asset_id == anchor]
+    assert min(dist(placed(session.graph, ROOM, "piano"), each) for each in boxes) < 2.5
+    script = session.folder.parent / "home.fountain"
+    script.write_text(SCRIPT.replace("You said you would write.", "You never wrote."))
+    session.make(script)
+    [kept] = [each for each in scene(session.graph, ROOM).setup.relations if each.asset_id == "piano"]
+    assert (kept.kind, kept.anchor_asset_id) == (relation, anchor)
+    apply(session, {"kind": "asset", "action": "remove", "scene": ROOM, "thing": "piano"}, draw=False)
+    assert not [each for each in scene(session.graph, ROOM).setup.relations if each.asset_id == "piano"]
+
+
 def test_takes_are_kept_chosen_and_dropped(session: Session) -> None:
     first = session.graph.shots[0]
     apply(session, TAKE, {"kind": "camera", "shot": SHOT, "decision": {"size": "ECU"}})
@@ -173,6 +195,7 @@ REFUSED = [
     ({"kind": "asset", "thing": "sofa", "model": "unobtainium"}, "the library has no"),
     ({"kind": "asset", "thing": "anna", "model": "bench"}, "is a person"),
     ({"kind": "asset", "action": "remove", "scene": ROOM, "thing": "sofa"}, "is used in SC010_SH010"),
+    ({**PIANO, "relation": "next_to", "anchor": "throne"}, "no 'throne' in SC010; parts of its set: .*window"),
     ({"kind": "take", "shot": SHOT, "action": "choose", "number": 1}, "the film shows"),
     ({"kind": "take", "shot": SHOT, "action": "drop", "number": 7}, "has no take 7"),
 ]
@@ -192,6 +215,8 @@ def test_what_cannot_be_is_refused_in_one_sentence(edit: dict[str, Any], said: s
         {"kind": "asset", "thing": "sofa"},
         {"kind": "take", "shot": SHOT, "number": 2},
         {"kind": "asset", "action": "add"},
+        {**PIANO, "relation": "next_to"},
+        {**BENCH, "relation": "next_to", "anchor": "window"},
     ],
 )
 def test_half_an_edit_is_none(values: dict[str, Any]) -> None:

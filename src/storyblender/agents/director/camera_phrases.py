@@ -262,6 +262,19 @@ def parse_note(text: str) -> CameraNote | None:
     return replace(note, rack=note.subject) if note.focus == "rack" else note
 
 
+def meaning_of_term(term: str) -> dict[str, str]:
+    """Return what a camera term sets, by field of ``CameraNote``; nothing if the words are not just that term.
+
+    Args:
+        term: ``cowboy shot``, ``crane``, ``Nahaufnahme``; in any spelling.
+    """
+    fields = ("size", "angle", "movement")
+    for pattern, meant in _MEANINGS:
+        if re.fullmatch(pattern, term.upper()):
+            return {field: str(value) for field, value in meant.items() if field in fields}
+    return {}
+
+
 def _parse_match(sentence: str, match: re.Match[str], start: int) -> tuple[CameraNote, Span]:
     """Read the matched phrase, what it points at, and what is left to act."""
     link = re.compile(_LINK, re.IGNORECASE).match(sentence, match.end())

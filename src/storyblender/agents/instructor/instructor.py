@@ -6,16 +6,17 @@ so that they are checked, can be undone and hold against the crew like everythin
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 
-from storyblender.agents.instructor.phrases import edits_of_clause
+from storyblender.agents.instructor.address import address_of
+from storyblender.agents.instructor.mentions import Mentions, Present
+from storyblender.agents.instructor.parsing import Phrase, read_sentences
+from storyblender.agents.instructor.phrases import CameraWords, problem_of
 from storyblender.agents.instructor.scene_faults import scene_faults
 from storyblender.agents.instructor.scene_phrases import edits_of_scene
 from storyblender.agents.instructor.scene_view import SceneNow, scene_now
-from storyblender.agents.instructor.shot_phrases import edits_of_cut, note_on
-from storyblender.errors import InputError
+from storyblender.agents.instructor.shot_phrases import edits_of_cut, edits_of_shot, note_on
 from storyblender.memory.base import Described, Frozen, scene_name, shot_name
 from storyblender.memory.camera_decision import CameraDecision, CameraInstruction
 from storyblender.memory.edits import (
@@ -35,11 +36,8 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.scene_decision import LightDecision, SetDecision
 from storyblender.reflection import UNUSABLE, Critique, Fault
 
-_CLAUSES = re.compile(r"\s*(?:;|,(?!\d)|\.(?=\s|$)|\bthen\b)\s*", re.IGNORECASE)
 _OF_SHOTS = (CameraEdit, DurationEdit, TakeEdit, NoteEdit, ApproveEdit)
 """Edits that name a shot."""
-_PLEASE = re.compile(r"[\s,]*\bplease\b[\s,]*", re.IGNORECASE)
-_AND = re.compile(r"\s+(?:and|but)\s+", re.IGNORECASE)
 
 
 class ShotNow(Frozen):
@@ -51,6 +49,7 @@ class ShotNow(Frozen):
     lens: float
     """mm."""
     on_stage: tuple[str, ...]
+    """People who are there."""
 
 
 @dataclass(frozen=True)
@@ -64,6 +63,8 @@ class InstructorView:
         fps: Frames a second.
         scenes: Their scenes.
         named: The shots and scenes as the person names them; empty for the shots.
+        genders: Gender of every person by id.
+        everywhere: Whether ``all`` was said: what only some of them can do is then done there.
     """
 
     words: str
@@ -72,6 +73,8 @@ class InstructorView:
     fps: int
     scenes: tuple[SceneNow, ...] = ()
     named: tuple[str, ...] = ()
+    genders: Mapping[str, str] = field(default_factory=dict[str, str])
+    everywhere: bool = False
 
     @property
     def targets(self) -> tuple[str, ...]:
@@ -93,19 +96,17 @@ def instructor_view(graph: ContinuityMemoryGraph, words: str) -> InstructorView:
 
     Args:
         graph: A finished story.
-        words: Names of shots or scenes, a colon, and what is wanted: ``SC020_SH010: closer``.
+        words: Names of shots or scenes and what is wanted: ``SC020_SH010: closer``, ``Scene 10 warmer``.
 
     Raises:
         InputError: There is no shot of that name, or nothing is said.
     """
-    named, _, said = words.partition(":")
-    listed = tuple(dict.fromkeys(name.upper() for name in re.split(r"[\s,]+", named.strip()) if name))
-    wanted = {*listed}
-    known = {shot_name(shot.scene_id, shot.shot_id) for shot in graph.shots}
-    scenes = {scene_name(scene.scene_id) for scene in graph.scenes}
-    if not wanted or not said.strip() or wanted - known - scenes:
-        problem = f"{words!r} names no shot and what is wanted of it"
-        raise InputError(problem, mend='say it as in "SC010_SH020: closer, shallow focus"')
+    told = address_of(
+        words,
+        [shot_name(shot.scene_id, shot.shot_id) for shot in graph.shots],
+        [scene_name(scene.scene_id) for scene in graph.scenes],
+    )
+    wanted = {*told.names}
     shots = (
         ShotNow(
             name=shot_name(shot.scene_id, shot.shot_id),
@@ -117,10 +118,14 @@ def instructor_view(graph: ContinuityMemoryGraph, words: str) -> InstructorView:
         for shot in graph.shots
         if {shot_name(shot.scene_id, shot.shot_id), scene_name(shot.scene_id)} & wanted
     )
-    names = {asset.asset_id: asset.name or asset.asset_id for asset in graph.assets if asset.origin != "dressing"}
+    assets = [asset for asset in graph.assets if asset.origin != "dressing"]
+    names = {asset.asset_id: asset.name or asset.asset_id for asset in assets}
+    genders = {asset.asset_id: asset.look.gender for asset in assets if asset.look is not None}
     involved = {name.partition("_")[0] for name in wanted}
     now = tuple(scene_now(graph, scene) for scene in graph.scenes if scene_name(scene.scene_id) in involved)
-    return InstructorView(" ".join(said.split()), tuple(shots), names, graph.format.fps, now, listed)
+    return InstructorView(
+        told.said, tuple(shots), names, graph.format.fps, now, told.names, genders, everywhere=told.everywhere
+    )
 
 
 class RulesInstructor:
@@ -131,12 +136,11 @@ class RulesInstructor:
         edits: list[Edit] = [note for shot in view.shots for note in note_on(view.words, shot.name)]
         if edits:
             return Instruction(edits=tuple(edits))
-        unclear: dict[str, None] = {}
-        for clause in filter(None, _CLAUSES.split(_PLEASE.sub("", view.words))):
-            meant, left = _meant(clause, view)
-            edits += meant
-            unclear |= dict.fromkeys(left)
-        return Instruction(edits=_joined(edits), unclear=tuple(unclear))
+        edits, unclear = read_sentences(view.words, _Phrases(view).read)
+        joined = _joined(edits)
+        cameras = (edit for edit in joined if isinstance(edit, CameraEdit))
+        unclear += [problem for edit in cameras if (problem := problem_of(edit.decision))]
+        return Instruction(edits=joined, unclear=tuple(dict.fromkeys(unclear)))
 
     def refine(self, draft: Instruction, critique: Critique, view: InstructorView) -> Instruction:
         """Return the draft: rules know a word or do not.
@@ -149,24 +153,56 @@ class RulesInstructor:
         return draft
 
 
-def _meant(clause: str, view: InstructorView) -> tuple[list[Edit], list[str]]:
-    """Return the edits of a clause, and its words that are not known; ``and`` may join people, or two wishes."""
+class _Phrases:
+    """Reads a phrase for all shots and scenes that were named.
 
-    def edits(words: str) -> list[Edit]:
-        if cut := edits_of_cut(words, view.targets):
-            return cut
-        told = [edit for scene in view.scenes for edit in edits_of_scene(words, scene)]
-        return told or [
-            edit
-            for shot in view.shots
-            for edit in edits_of_clause(words, shot.name, shot.camera, shot.lens, shot.frames / view.fps, view.names)
-        ]
+    Args:
+        view: What the Instructor sees.
+    """
 
-    parts = [(part, edits(part)) for part in _AND.split(clause)]
-    unknown = [part for part, meant in parts if not meant]
-    if unknown and (whole := edits(clause)):
-        return whole, []
-    return [edit for _, meant in parts for edit in meant], unknown
+    def __init__(self, view: InstructorView) -> None:
+        self._view, self._mentions = view, Mentions(view.names)
+        present = ((shot, Present(shot.on_stage, view.genders)) for shot in view.shots)
+        self._cameras = [(s, CameraWords(s.camera, s.lens, self._mentions, there)) for s, there in present]
+        self._known: dict[str, Phrase | None] = {}
+
+    def read(self, words: str) -> Phrase | None:
+        """Return what words mean as one phrase; None where they are not known.
+
+        Args:
+            words: In lower case.
+        """
+        if words not in self._known:
+            self._known[words] = self._read(words)
+        return self._known[words]
+
+    def _read(self, words: str) -> Phrase | None:
+        if cut := edits_of_cut(words, self._view.targets):
+            return Phrase(words, tuple(cut))
+        scenes = [(scene.name, edits_of_scene(words, scene)) for scene in self._view.scenes]
+        of_scene = self._together(words, scenes)
+        if of_scene is not None and not of_scene.problem:
+            return of_scene
+        of_shot = self._together(words, [*self._of_shots(words)])
+        return of_shot if of_shot is not None and not of_shot.problem else of_scene or of_shot
+
+    def _of_shots(self, words: str) -> Iterator[tuple[str, list[Edit] | str]]:
+        """Yield what words mean for each shot: edits, or in one sentence why they cannot be."""
+        for shot, camera in self._cameras:
+            if whole := edits_of_shot(words, shot.name, shot.frames / self._view.fps):
+                yield shot.name, whole
+                continue
+            said = camera.read(words)
+            edits: list[Edit] = [CameraEdit(shot=shot.name, decision=said)] if isinstance(said, CameraDecision) else []
+            yield shot.name, said if isinstance(said, str) else edits
+
+    def _together(self, words: str, meant: Sequence[tuple[str, list[Edit] | str]]) -> Phrase | None:
+        """Return what words mean for all; if one of those that were named cannot, that is a problem."""
+        edits = [edit for _, each in meant if not isinstance(each, str) for edit in each]
+        problems = [f"{words!r} ({name}: {each})" for name, each in meant if isinstance(each, str)]
+        if problems and not (edits and self._view.everywhere):
+            return Phrase(words, problem=problems[0])
+        return Phrase(words, tuple(edits)) if edits else None
 
 
 def _joined(edits: list[Edit]) -> tuple[Edit, ...]:

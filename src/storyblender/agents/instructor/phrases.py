@@ -1,167 +1,206 @@
-"""The phrases that the rules know: of the camera as scripts write them, of lengths and locks, and ``closer``."""
+"""The phrases about cameras that the rules know: a table of patterns and the fields that each decides.
+
+A named group of a pattern is the field of the decision that its mention or number gives; the camera terms of scripts
+(``cowboy shot``, ``crane up``, ``Nahaufnahme``) are the Director's.
+"""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any, Final
 
 from pydantic import ValidationError
 
-from storyblender.agents.director.camera_phrases import parse_note
-from storyblender.agents.instructor.shot_phrases import FILLER, edits_of_shot
+from storyblender.agents.director.camera_phrases import meaning_of_term
+from storyblender.agents.instructor.mentions import MARK, WHO, Mentions, Present, is_group
+from storyblender.agents.instructor.parsing import ARTICLES, Table
 from storyblender.memory.camera_decision import CameraDecision, CameraInstruction
-from storyblender.memory.edits import CameraEdit, DurationEdit, Edit, LockEdit, TakeEdit, UnlockEdit
 from storyblender.memory.shot_sizes import SHOT_SIZES
 from storyblender.memory.vocabulary import Angle
 
-_NUMBER = r"(\d+(?:[.,]\d+)?)"
-_MUCH = r"(?P<much>much|a lot|far|way)?\s*"
-_F_NUMBERS: Final = {"shallow": 1.4, "deep": 32.0}
+
+@dataclass(frozen=True)
+class Steps:
+    """Another value of the same scale; twice as far for ``much``."""
+
+    by: int
+
+
+@dataclass(frozen=True)
+class Times:
+    """A multiple of the present value."""
+
+    factor: float
+
+
 _HEIGHTS: Final[tuple[Angle, ...]] = ("worm's-eye", "low angle", "eye-level", "high angle", "bird's-eye")
-_LONGER_LENS, _LONGER_SHOT = 1.4, 1.5
-"""Times that ``a longer lens`` is longer, and ``longer`` a shot."""
-_SHOWN = re.compile(
-    r"(?:(?P<kind>single|two[- ]shot|group(?: shot)?|insert|reaction)\s*)?"
-    r"(?:on|of|show|see|look at|frame)\s+(?P<who>.+)",
-    re.IGNORECASE,
+_SCALES: Final[Mapping[str, Sequence[str]]] = {"size": SHOT_SIZES, "angle": _HEIGHTS}
+_CLOSER, _WIDER, _UP, _DOWN = Steps(1), Steps(-1), Steps(1), Steps(-1)
+_MUCH: Final = r"(?:(?P<much>much|lot|far|way) )?"
+_COME: Final = r"(?:(?:move|come|bring|step|go|get)(?: camera)? )?"
+_NUMBER: Final = r"\d+(?:[.,]\d+)?"
+_MOTION: Final = r"(?:move(?:s|ment)?|moving|motion)"
+_ON: Final = r"(?:on|onto|of|to|at|towards?|around|with)"
+_SHOW: Final = r"(?:on|of|show(?: us)?|see|look(?:ing)? at|frame|feature|point(?: camera)? at)"
+
+PHRASES: Final[Table[dict[str, Any]]] = Table(
+    # Size
+    (rf"{_MUCH}{_COME}(?:closer|tighter|nearer)(?: in)?(?: {_ON} (?P<focus_on_ids>{WHO}))?", {"size": _CLOSER}),
+    (rf"{_MUCH}(?:less|not so|not as|too|not that) (?:wide|loose|far(?: away| back| off)?|small)", {"size": _CLOSER}),
+    (rf"{_MUCH}{_COME}(?:wider|looser|farther|further)(?: away| back| out| off)?|(?:more|some) (?:space|air|room)"
+     r"|(?:back|step|move) (?:back|off|away|up)|back", {"size": _WIDER}),
+    (rf"{_MUCH}(?:less|not so|not as|too|not that) (?:close|tight|near)(?: in)?", {"size": _WIDER}),
+    (r"(?:extreme|very|big) close(?:[- ]?up)?(?: shot)?", {"size": "ECU"}),
+    (r"med(?:ium)? close(?:[- ]?up)?(?: shot)?", {"size": "MCU"}),
+    (r"close(?:[- ]?up)?(?: shot)?|tight(?: shot)?", {"size": "CU"}),
+    (r"(?:mid|waist)[- ]?shot", {"size": "MS"}),
+    (r"(?:from )?head to (?:toe|foot)", {"size": "FS"}),
+    (r"wide(?:[- ]angle)?(?: shot| view)?|long shot|master(?: shot)?", {"size": "WS"}),
+    (r"establishing(?: shot)?", {"size": "EWS"}),
+    # Angle
+    (rf"{_MUCH}(?:{_COME}higher(?: up)?|(?:too|not so|less) low)|(?:raise|lift) camera|camera (?:up|higher)",
+     {"angle": _UP}),
+    (rf"{_MUCH}(?:{_COME}lower(?: down)?|(?:too|not so|less) high)|(?:lower|drop) camera|camera (?:down|lower)",
+     {"angle": _DOWN}),
+    (rf"(?:seen |shot )?from (?:high )?above|looking down(?: (?:on|at) (?P<focus_on_ids>{WHO}))?|(?:from )?high up"
+     r"|high[- ]angle(?: shot)?", {"angle": "high angle"}),
+    (rf"(?:seen |shot )?from (?:down )?below|looking up(?: at (?P<focus_on_ids>{WHO}))?|(?:from )?low down"
+     r"|low[- ]angle(?: shot)?", {"angle": "low angle"}),
+    (r"(?:from )?(?:straight|directly) (?:above|overhead|down)|bird'?s[- ]eye(?: view)?",
+     {"angle": "bird's-eye"}),
+    (r"worm'?s[- ]eye(?: view)?|(?:from )?ground level|from floor", {"angle": "worm's-eye"}),
+    (r"(?:at )?eye[- ](?:level|height)|(?:level|straighten) horizon|(?:no|without|not) (?:dutch(?: angle)?|tilt)",
+     {"angle": "eye-level"}),
+    (r"(?:tilt|cant|skew) (?:horizon|frame|picture)|(?:tilted|canted|crooked)(?: (?:horizon|angle|frame|shot))?"
+     r"|dutch(?: (?:angle|tilt))?", {"angle": "dutch"}),
+    # Lens and focus
+    (rf"(?P<lens>{_NUMBER}) ?mm(?: lens)?", {}),
+    (rf"{_MUCH}(?:longer|tele(?:photo)?) lens", {"lens": Times(1.4)}),
+    (rf"{_MUCH}(?:shorter|wider) lens", {"lens": Times(1 / 1.4)}),
+    (r"wide(?:[- ]angle)? lens", {"lens": 24.0}),
+    (r"long lens", {"lens": 100.0}),
+    (r"(?:normal|standard) lens", {"lens": 50.0}),
+    (rf"(?:at )?f ?/? ?(?P<f_number>{_NUMBER})", {}),
+    (r"blur(?:red|ry)? background|background (?:blurred|blurry|soft|out of focus)|soft background"
+     r"|background in blur|(?:shallow|narrow|selective) (?:focus|depth of field)", {"f_number": 1.4}),
+    (r"(?:everything|all|whole picture) (?:sharp|in focus)|sharp background|background (?:sharp|in focus)"
+     r"|(?:don't|do not) blur background|(?:keep )?background sharp|no blur|deep (?:focus|depth of field)",
+     {"f_number": 32.0}),
+    (rf"focus (?:is )?on (?P<focus>{MARK})|(?:keep )?(?P<focus>{MARK}) (?:sharp|in focus)", {}),
+    (rf"(?:rack|pull|shift)(?: focus)?(?: from (?P<focus>{MARK}))? to (?P<focus_to>{MARK})", {}),
+    # Moves
+    (rf"(?:hold |stay |keep )?(?:camera )?(?:still|static)|lock(?:ed)?[- ]off|(?:hold|stop) camera"
+     rf"|(?:no|without)(?: camera)? {_MOTION}|(?:don't|do not|never|stop) (?:move|moving)(?: camera)?"
+     r"|camera (?:does not|doesn't|should not|shouldn't|must not) move|camera stays(?: still| put)?",
+     {"movement": "static"}),
+    (rf"(?:follow|track(?: with)?) (?P<focus_on_ids>{WHO})", {"movement": "track"}),
+    # Subjects
+    (rf"{_SHOW} (?P<focus_on_ids>{WHO})", {}),
+    (rf"(?P<focus_on_ids>{WHO}) in (?:frame|picture|shot)", {}),
+    (rf"(?:only|just)(?: {_SHOW})? (?P<focus_on_ids>{MARK})|(?:{_SHOW} )?(?P<focus_on_ids>{MARK}) (?:alone|only)"
+     rf"|single (?:shot )?(?:on|of) (?P<focus_on_ids>{MARK})", {"kind": "single"}),
+    (rf"(?:two|2)[- ]?shot(?: (?:on|of) (?P<focus_on_ids>{WHO}))?", {"kind": "two_shot"}),
+    (rf"group(?: shot)?(?: (?:on|of) (?P<focus_on_ids>{WHO}))?", {"kind": "group"}),
+    (rf"(?:insert|detail)(?: (?:on|of) (?P<focus_on_ids>{MARK}))?", {"kind": "insert"}),
+    (rf"reaction (?:shot )?(?:on|of) (?P<focus_on_ids>{MARK})", {"kind": "reaction"}),
+    (rf"over (?P<over_id>{MARK})(?:'s?)? shoulder(?: {_ON} (?P<focus_on_ids>{WHO}))?", {"kind": "ots"}),
+    (rf"over shoulder of (?P<over_id>{MARK})(?: {_ON} (?P<focus_on_ids>{WHO}))?", {"kind": "ots"}),
+    (rf"(?:from )?(?P<pov_id>{MARK})(?:'s?)? (?:pov|point of view)(?: {_ON} (?P<focus_on_ids>{WHO}))?",
+     {"kind": "pov"}),
+    (rf"(?:pov|point of view) of (?P<pov_id>{MARK})(?: {_ON} (?P<focus_on_ids>{WHO}))?", {"kind": "pov"}),
+    (rf"what (?P<pov_id>{MARK}) sees|through (?P<pov_id>{MARK})(?:'s?)? eyes|as (?P<pov_id>{MARK}) sees it",
+     {"kind": "pov"}),
+)  # fmt: skip
+"""What is said, without articles and with a mark for each person or thing, and what it decides; the first that fits."""
+
+_TERM: Final = re.compile(
+    r"(?:(?:slow|slowly|gentle|gently) )?(?P<term>\S.*?)(?: (?:shot|angle|view|move))?"
+    rf"(?: (?:to )?(?P<direction>left|right|up|down))?(?: (?:slowly|gently))?(?: {_ON} (?P<focus_on_ids>{WHO}))?"
 )
-_KINDS = ("two_shot", "group", "insert")
-_Change = dict[str, Any]
+_ALONE: Final = re.compile(rf"(?P<focus_on_ids>{MARK})")
+_AIMED: Final = ("pan", "tilt", "pedestal", "truck", "track", "orbit")
+"""Moves that have a direction."""
 
 
-def edits_of_clause(
-    clause: str, shot: str, camera: CameraInstruction, lens: float, seconds: float, names: Mapping[str, str]
-) -> list[Edit]:
-    """Return the edits of a shot that a clause means; none where its words are not known.
+class CameraWords:
+    """What words decide about the camera of a shot.
 
     Args:
-        clause: ``closer``, ``85 mm``, ``over Rick's shoulder on Ilsa``, ``4 seconds``.
-        shot: Name of the shot.
         camera: As it is wanted now.
         lens: mm, as it is now.
-        seconds: Length of the shot now.
-        names: Name of every character and object by id.
+        mentions: Finds people and things of the story.
+        present: Who is there.
     """
-    words = " ".join(FILLER.sub(" ", clause.lower()).split())
-    if re.fullmatch(r"lock(?: as is)?|keep(?: as is)?|leave(?: as is)?", words):
-        return [LockEdit(target=shot)]
-    if words == "unlock":
-        return [UnlockEdit(target=shot)]
-    if whole := edits_of_shot(words, shot):
-        return whole
-    if (take := _take(words, shot)) is not None:
-        return [take]
-    if (length := _length(words, seconds)) is not None:
-        return [DurationEdit(shot=shot, seconds=round(length, 3))]
-    said = _relative(words, camera, lens) or _subjects(clause, names) or _direction(clause, names)
-    if not said:
-        return []
-    try:
-        return [CameraEdit(shot=shot, decision=CameraDecision.model_validate(said))]
-    except ValidationError:
-        return []
+
+    def __init__(self, camera: CameraInstruction, lens: float, mentions: Mentions, present: Present) -> None:
+        self._camera, self._lens, self._mentions, self._present = camera, lens, mentions, present
+
+    def read(self, words: str) -> CameraDecision | str | None:
+        """Return what words decide, or in one sentence why they cannot; None where they are not known.
+
+        Args:
+            words: In lower case: ``closer``, ``85 mm``, ``over Rick's shoulder on Ilsa``.
+        """
+        bare = " ".join(word for word in words.split() if word not in ARTICLES)
+        marked, named = self._mentions.marked(bare)
+        for text in dict.fromkeys((bare, marked)):
+            if found := PHRASES.look_up(text):
+                return self._decision(*found, named)
+        if marked == MARK and is_group(named[0]):
+            return self._decision(_ALONE.fullmatch(marked), {}, named)
+        match = _TERM.fullmatch(marked)
+        meant = meaning_of_term(match["term"]) if match is not None else {}
+        aimless = match is not None and match["direction"] and meant.get("movement") not in _AIMED
+        return self._decision(match, meant, named) if meant and not aimless else None
+
+    def _decision(
+        self, match: re.Match[str] | None, decided: Mapping[str, Any], named: Sequence[str]
+    ) -> CameraDecision | str:
+        """Return the decision of a phrase: its own fields, and those that its groups fill."""
+        assert match is not None, "it was matched"
+        told = {field: value for field, value in match.groupdict().items() if value is not None and field != "term"}
+        far = 2 if told.pop("much", "") else 1
+        said: dict[str, Any] = {}
+        for field, value in decided.items():
+            if (stepped := self._stepped(field, value, far)) is None:
+                return f"it is {getattr(self._camera, field)} already"
+            said[field] = stepped
+        for field, value in told.items():
+            if MARK not in value:
+                said[field] = value.replace(",", ".")
+                continue
+            first = match.string[: match.start(field)].count(MARK)
+            ids: list[str] = []
+            for mention in named[first : first + value.count(MARK)]:
+                found = self._mentions.ids(mention, self._present)
+                if not found or (field != "focus_on_ids" and len(found) > 1):
+                    return f"on stage: {', '.join(self._present.people) or 'no one'}"
+                ids += found
+            said[field] = tuple(dict.fromkeys(ids)) if field == "focus_on_ids" else ids[0]
+        try:
+            return CameraDecision.model_validate(said)
+        except ValidationError as error:
+            return "; ".join(f"{'.'.join(map(str, each['loc']))}: {each['msg'].lower()}" for each in error.errors())
+
+    def _stepped(self, field: str, value: Any, far: int) -> Any:
+        """Return the value of a field; None for a step that leads nowhere."""
+        if isinstance(value, Times):
+            return round(self._lens * value.factor**far)
+        if not isinstance(value, Steps):
+            return value
+        scale, now = _SCALES[field], getattr(self._camera, field)
+        if now not in scale:
+            return None
+        wanted = scale[min(max(scale.index(now) + value.by * far, 0), len(scale) - 1)]
+        return None if wanted == now else wanted
 
 
-def _take(words: str, shot: str) -> TakeEdit | None:
-    """Return what words do with takes: ``keep this take``, ``another take``, ``take 2``, ``drop take 1``."""
-    if re.fullmatch(r"keep (?:(?:this|as|a|as a) )?take|(?:an?other|new|next) take|one more(?: take)?", words):
-        return TakeEdit(shot=shot)
-    match = re.fullmatch(r"(?:(use|choose|back to|show|drop|delete|forget) )?take (\d{1,3})", words)
-    if match is None:
-        return None
-    dropped = match[1] in ("drop", "delete", "forget")
-    return TakeEdit(shot=shot, action="drop" if dropped else "choose", number=int(match[2]))
-
-
-def _length(words: str, seconds: float) -> float | None:
-    """Return the length in seconds that words give a shot: ``4 seconds``, ``longer``, ``twice as long``."""
-    if match := re.search(rf"{_NUMBER}\s*s(?:ec(?:ond)?s?)?\b(?!\w)", words):
-        told = float(match[1].replace(",", "."))
-        return seconds + told if "longer" in words else max(seconds - told, 0.1) if "shorter" in words else told
-    factors = {r"twice as long|double.*|much longer": 2.0, r"half as long|much shorter": 0.5,
-        r"longer|hold longer|slower": _LONGER_SHOT, r"shorter|quicker|faster": 1 / _LONGER_SHOT}  # fmt: skip
-    return next((seconds * factor for pattern, factor in factors.items() if re.fullmatch(pattern, words)), None)
-
-
-def _relative(words: str, camera: CameraInstruction, lens: float) -> _Change:
-    """Return what changes against the present camera: ``closer``, ``lower``, ``longer lens``, ``f/2``, ``85 mm``."""
-    if match := re.search(rf"\bf\s?/?\s?{_NUMBER}\b", words):
-        return {"f_number": float(match[1].replace(",", "."))}
-    if match := re.search(rf"{_NUMBER}\s*mm\b", words):
-        return {"lens": float(match[1].replace(",", "."))}
-    if re.fullmatch(r"(?:longer|tele(?:photo)?) lens", words):
-        return {"lens": round(lens * _LONGER_LENS)}
-    if re.fullmatch(r"(?:shorter|wider) lens", words):
-        return {"lens": round(lens / _LONGER_LENS)}
-    steps: tuple[tuple[str, str, Sequence[Any], int], ...] = (
-        (r"(?:closer|tighter|nearer)(?: in)?", "size", SHOT_SIZES, 1),
-        (r"(?:wider|looser|farther|further|more space|back)(?: away| back| out)?", "size", SHOT_SIZES, -1),
-        (r"lower(?: down)?", "angle", _HEIGHTS, -1),
-        (r"higher(?: up)?", "angle", _HEIGHTS, 1),
-    )
-    for pattern, field, scale, way in steps:
-        match, now = re.fullmatch(_MUCH + f"(?:{pattern})", words), getattr(camera, field)
-        if match and now in scale:
-            at = scale.index(now) + way * (2 if match["much"] else 1)
-            return {field: scale[min(max(at, 0), len(scale) - 1)]}
-    return {}
-
-
-def _subjects(clause: str, names: Mapping[str, str]) -> _Change:
-    """Return whom or what a clause points the camera, or the focus, at."""
-    if match := re.search(r"\b(?:rack|pull|shift)(?:\s+focus)?(?: from (.+?))? to (.+)", clause, re.IGNORECASE):
-        first, last = named_in(match[1] or "", names), named_in(match[2], names)
-        return {**({"focus": first[0]} if first else {}), "focus_to": last[0]} if last else {}
-    if match := re.search(r"\bfocus (?:is )?on (.+)", clause, re.IGNORECASE):
-        found = named_in(match[1], names)
-        return {"focus": found[0]} if found else {}
-    kinds: tuple[tuple[str, Callable[[list[str]], _Change]], ...] = (
-        (r"\bover (.+?)(?:['’]s?)? shoulder", lambda who: {"kind": "ots", "over_id": who[0]}),
-        (r"\b(.+?)(?:['’]s?)? (?:pov|point of view)|\bpov of (.+)", lambda who: {"kind": "pov", "pov_id": who[0]}),
-    )
-    for pattern, change in kinds:
-        if match := re.search(pattern, clause, re.IGNORECASE):
-            who = named_in(" ".join(filter(None, match.groups())), names)
-            rest = [each for each in named_in(clause[match.end() :], names) if each not in who]
-            return {**change(who), **({"focus_on_ids": rest} if rest else {})} if who else {}
-    match = _SHOWN.fullmatch(clause)
-    if match is None:
-        return {}
-    who = named_in(match["who"], names)
-    kind = (match["kind"] or "").lower().replace("-", "_").replace(" ", "_").removesuffix("_shot")
-    kind = {"two": "two_shot"}.get(kind, kind)
-    return {"focus_on_ids": who, **({"kind": kind} if kind else {})} if who else {}
-
-
-def _direction(clause: str, names: Mapping[str, str]) -> _Change:
-    """Return what a camera direction, as scripts write them, asks for: ``low angle``, ``slow push in on Ilsa``."""
-    if re.fullmatch(r"no (?:move|movement)|(?:hold |stay )?still|static|lock(?:ed)? off", clause.lower()):
-        return {"movement": "static"}
-    note = parse_note(f"SHOT: {clause}")
-    if note is None:
-        return {}
-    said: _Change = {
-        "size": note.size, "angle": note.angle, "movement": note.movement, "direction": note.direction,
-        "f_number": _F_NUMBERS.get(note.focus), "kind": note.kind if note.kind in _KINDS else "",
-    }  # fmt: skip
-    if (said["size"] or said["movement"] or said["kind"]) and (who := named_in(note.subject, names)):
-        said["focus_on_ids"] = who
-    return {field: value for field, value in said.items() if value}
-
-
-def named_in(words: str, names: Mapping[str, str]) -> list[str]:
-    """Return the ids of the people and things that words name, in order: by id, whole name, or a word of the name.
-
-    Args:
-        words: Of a person.
-        names: Name of every character and object by id.
-    """
-    told, found = words.lower(), dict[str, int]()
-    for asset_id, name in names.items():
-        for known in (name.lower(), asset_id.replace("_", " "), *name.lower().split()):
-            match = re.search(rf"(?<!\w){re.escape(known)}(?!\w)", told)
-            if match and len(known) > 2:
-                found[asset_id] = match.start()
-                break
-    return sorted(found, key=lambda asset_id: found[asset_id])
+def problem_of(decision: CameraDecision) -> str:
+    """Return in one sentence why a decision cannot be as a whole; empty if it can."""
+    shown = decision.focus_on_ids
+    if decision.kind == "two_shot" and shown is not None and len(shown) != 2:
+        return f"a two-shot is of two, not of {', '.join(shown)}"
+    behind = next((each for each in (decision.over_id, decision.pov_id) if shown and each in shown), None)
+    return f"{behind} is behind the camera, and cannot be what it looks at" if behind is not None else ""

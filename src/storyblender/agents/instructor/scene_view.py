@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from storyblender.catalog.fixtures import parts_of
 from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.catalog.sets.decided import is_ground
@@ -35,6 +36,8 @@ class SceneNow(Frozen):
     """Catalogue key of each piece of the kit's furniture, by node id."""
     things: Mapping[str, str] = {}
     """Catalogue key of each thing of the story in the scene, by asset id; empty for what the library lacks."""
+    parts: tuple[str, ...] = ()
+    """Words for the parts of the set at which a thing can be placed: ``door``, ``window``, ``bar``."""
 
 
 def scene_now(graph: ContinuityMemoryGraph, scene: SceneContext) -> SceneNow:
@@ -68,6 +71,7 @@ def scene_now(graph: ContinuityMemoryGraph, scene: SceneContext) -> SceneNow:
             "walls": next((wall.material for wall in plan.walls if not wall.missing), ""),
             "ground": next((slab.material for slab in plan.slabs if is_ground(slab, plan)), ""),
             "size": size,
+            "parts": parts_of(plan),
             "furniture": {item.node_id: item.prop for item in plan.furnishings},
         }
     )
