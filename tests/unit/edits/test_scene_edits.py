@@ -146,7 +146,7 @@ def test_what_is_added_stands_in_the_scene_until_it_is_taken_away(session: Sessi
     assert "piano" not in {item.asset_id for item in scene(session.graph, ROOM).layout.objects}  # type: ignore[union-attr]
 
 
-@pytest.mark.parametrize(("relation", "anchor"), [("next_to", "window"), ("next_to", "sofa"), ("in", "corner")])
+@pytest.mark.parametrize(("relation", "anchor"), [("next_to", "window"), ("next_to", "sofa"), ("behind", "sofa")])
 def test_what_is_added_at_a_place_is_near_it_and_stays_so_in_another_script(
     relation: str, anchor: str, session: Session
 ) -> None:
