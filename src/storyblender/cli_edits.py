@@ -1,4 +1,4 @@
-"""The commands that change a finished project: edit, lock, unlock, undo, redo."""
+"""The commands that change a finished project: edit, place, instruct, lock, unlock, undo, redo."""
 
 from __future__ import annotations
 
@@ -49,6 +49,13 @@ def add_to(app: typer.Typer) -> None:
             "edit my_film.storyboard --batch edits.json",
         )
     )(edit)
+    app.command(
+        epilog=examples(
+            "place my_film.storyboard SC010 armchair --at 1.2,0.5 --turn 90",
+            "place my_film.storyboard SC010 letter --at -0.8,1.1 --height 0.75",
+            "place my_film.storyboard SC010_SH020 rick --at 1,2 --turn 45 --to -1,0.5",
+        )
+    )(place)
     app.command(
         epilog=examples(
             'instruct my_film.storyboard "SC010_SH020: closer, shallow focus"',
@@ -123,6 +130,43 @@ def edit(
         settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
         studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
         applied, delivery = studio.edit(folder, edits, revision, draw=draw)
+        terminal.applied(applied)
+        if delivery is not None:
+            terminal.files(delivery.folder, delivery.files)
+
+
+def place(
+    context: typer.Context,
+    folder: Folder,
+    where: Annotated[
+        str, typer.Argument(metavar="WHERE", help="SC010 for a thing, SC010_SH020 for a person.", show_default=False)
+    ],
+    what: Annotated[str, typer.Argument(metavar="WHAT", help="The thing or the person.", show_default=False)],
+    at: Annotated[str | None, typer.Option(help="Floor point X,Y in metres; of a person as the shot begins.")] = None,
+    turn: Annotated[float | None, typer.Option(help="Degrees counter-clockwise; 0 faces -Y, the audience.")] = None,
+    height: Annotated[
+        float | None, typer.Option(help="Of a thing: metres above the floor; otherwise it is dropped on what is below.")
+    ] = None,
+    to: Annotated[str | None, typer.Option(help="Where a person ends the shot: X,Y; they walk there.")] = None,
+    to_turn: Annotated[float | None, typer.Option(help="Degrees that a person faces at the end.")] = None,
+    revision: Revision = None,
+    draw: Draw = True,
+    look: LookOption = None,
+    jobs: Jobs = None,
+    quiet: Quiet = False,
+    json_lines: Json = False,
+) -> None:
+    """Move or turn a thing of a scene, or set where a person stands in a shot, and draw again what that changes.
+
+    What stands on a thing goes with it. The crew keeps to it; `unlock` gives it back, `undo` takes it back.
+    """
+    with shown(quiet, json_lines) as terminal:
+        from storyblender.edits.words import place_edit
+
+        edit = place_edit(where, what, (at, turn), (to, to_turn), height)
+        settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
+        studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
+        applied, delivery = studio.edit(folder, [edit], revision, draw=draw)
         terminal.applied(applied)
         if delivery is not None:
             terminal.files(delivery.folder, delivery.files)

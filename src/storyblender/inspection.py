@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 
 from storyblender.agents.layout_artist.layout_things import layout_violations
+from storyblender.agents.layout_artist.placed_by_hand import without_placed
 from storyblender.agents.layout_artist.spatial_planner_view import measures_of
 from storyblender.catalog.sets import plan_of
 from storyblender.deliver.checklist import STAGING, names_of, picture_flaws, plain
@@ -124,7 +125,8 @@ def _layout_row(graph: ContinuityMemoryGraph, findings: list[str]) -> CheckRow:
     for scene in graph.scenes:
         if scene.layout is None or scene.environment is None:
             continue
-        faults = layout_violations(scene.layout, measures_of(graph.assets), plan_of(scene.environment))
+        layout = without_placed(graph, scene, scene.layout)
+        faults = layout_violations(layout, measures_of(graph.assets), plan_of(scene.environment))
         kinds.update(fault.kind for fault in faults)
         findings += [f"scene {scene.scene_id}: {fault.message}" for fault in faults]
     counted = f" ({', '.join(f'{kind} {count}' for kind, count in sorted(kinds.items()))})" if kinds else ""

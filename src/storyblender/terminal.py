@@ -151,8 +151,11 @@ class Terminal:
         """Say what was changed, and which shots show something else now."""
         self._progress.stop()
         if self._json:
-            self._write({"edited": applied.words, "revision": applied.version, "stale": list(applied.stale)})
+            told = {"edited": applied.words, "revision": applied.version, "stale": list(applied.stale)}
+            self._write(told | ({"warnings": list(applied.warnings)} if applied.warnings else {}))
         self._results.print(f"[bold]done[/] {_plain(applied.words)}", soft_wrap=True)
+        for sentence in applied.warnings:
+            self._results.print(f"[yellow]note[/] {_plain(sentence)}", soft_wrap=True)
 
     def plan(self, graph: ContinuityMemoryGraph) -> None:
         """Print cast and shots."""

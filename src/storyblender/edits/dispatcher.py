@@ -28,12 +28,14 @@ class Applied(Frozen):
         words: What was done, as the history has it.
         stale: Names of the shots whose frames show something else now; nothing else is drawn anew.
         printed: Whether board, page and lists show something else now, such as a note, besides those frames.
+        warnings: What a person should know of it, such as what a thing that they placed stands in.
     """
 
     version: str
     words: str
     stale: tuple[str, ...]
     printed: bool = False
+    warnings: tuple[str, ...] = ()
 
 
 def apply_edits(project: Project, edits: Sequence[Edit], version: str | None = None) -> Applied:
@@ -64,7 +66,8 @@ def apply_edits(project: Project, edits: Sequence[Edit], version: str | None = N
     project.commit(graph, "user", words)
     stale = dict.fromkeys(name for each in effects for name in each.stale)
     printed = any(each.aspects & PRINTED for each in effects)
-    return Applied(version=project.version, words=words, stale=tuple(stale), printed=printed)
+    warnings = tuple(dict.fromkeys(each for effect in effects for each in effect.warnings))
+    return Applied(version=project.version, words=words, stale=tuple(stale), printed=printed, warnings=warnings)
 
 
 def _listed(names: Sequence[str]) -> str:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from storyblender.errors import InputError
 from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Item
-from storyblender.memory.locks import SceneLock, ShotLock
+from storyblender.memory.locks import SceneLock, ShotLock, StaleWork
 from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.shot_context import ShotContext
 
@@ -26,6 +26,7 @@ class Effect:
         aspects: What of it was touched, such as ``camera``: two edits of one item may touch different things.
         stale: Shots whose frames show something else now.
         scene_order: The order of the scenes in the film then; None leaves it.
+        warnings: What a person should know of it, one sentence each.
     """
 
     item: Item | None
@@ -34,6 +35,11 @@ class Effect:
     aspects: frozenset[str]
     stale: tuple[str, ...] = ()
     scene_order: tuple[int, ...] | None = None
+    warnings: tuple[str, ...] = ()
+
+    def warned(self, warnings: tuple[str, ...]) -> Effect:
+        """Return the effect with what a person should know of it."""
+        return replace(self, warnings=warnings)
 
 
 def refuse_locked(item: ShotContext | SceneContext, part: ShotLock | SceneLock) -> None:
@@ -77,7 +83,7 @@ def scene_effect(
     scene: SceneContext,
     words: str,
     aspect: SceneLock,
-    stale: Iterable[SceneLock],
+    stale: Iterable[StaleWork],
     **update: Any,
 ) -> Effect:
     """Return what an edit does to a scene; of one that is not staged yet nothing is stale.

@@ -10,6 +10,7 @@ from storyblender.edits.cut_edits import omit_effects, reorder_effects, restore_
 from storyblender.edits.effect import Effect, refuse_locked, shot_names
 from storyblender.edits.lock_edits import lock_effects, unlock_effects
 from storyblender.edits.note_edits import approve_effects, note_effects
+from storyblender.edits.place_edits import blocking_effects, place_effects
 from storyblender.edits.scene_edits import layout_effects, light_effects, set_effects
 from storyblender.edits.take_edits import take_effects
 from storyblender.edits.targets import person_or_thing, shots_named
@@ -18,6 +19,7 @@ from storyblender.memory.base import shot_name
 from storyblender.memory.edits import (
     ApproveEdit,
     AssetEdit,
+    BlockingEdit,
     CameraEdit,
     DurationEdit,
     Edit,
@@ -26,6 +28,7 @@ from storyblender.memory.edits import (
     LockEdit,
     NoteEdit,
     OmitEdit,
+    PlaceEdit,
     ReorderEdit,
     RestoreEdit,
     SetEdit,
@@ -160,6 +163,8 @@ _FAMILIES: Final[dict[type[Edit], Callable[[ContinuityMemoryGraph, Any], list[Ef
     LightEdit: light_effects,
     SetEdit: set_effects,
     LayoutEdit: layout_effects,
+    PlaceEdit: place_effects,
+    BlockingEdit: blocking_effects,
     AssetEdit: asset_effects,
     TakeEdit: take_effects,
     NoteEdit: note_effects,

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from storyblender.edits.asset_edits import given_back
-from storyblender.edits.effect import Effect, name_of, refuse_locked, scene_effect, scenes_of_place
+from storyblender.edits.effect import Effect, name_of, refuse_locked, scene_effect, scenes_of_place, shot_names
 from storyblender.edits.targets import Target, target_named
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Asset
@@ -63,7 +63,10 @@ def unlock_effects(graph: ContinuityMemoryGraph, edit: UnlockEdit) -> list[Effec
     update: dict[str, object] = {"locked": tuple(part for part in item.locked if part not in parts)}
     update |= {"camera_decision": None} if "camera" in parts else {}
     update |= {"decided_duration": None} if "duration" in parts else {}
-    return [Effect(item.model_copy(update=update), name, words, frozenset(parts))]
+    freed = "blocking" in parts and item.blocking_decision is not None
+    update |= {"blocking_decision": None, "stale": ("motion",)} if freed else {}
+    stale = shot_names(graph, item.scene_id) if freed else ()
+    return [Effect(item.model_copy(update=update), name, words, frozenset(parts), stale)]
 
 
 def _scene_unlocked(

@@ -85,12 +85,58 @@ def placed_camera(at: str | None, look_at: str | None, to: str | None, to_look_a
         raise InputError(_message(error), mend="see `storyblender edit --help`") from error
 
 
+def place_edit(
+    where: str,
+    what: str,
+    at: tuple[str | None, float | None],
+    to: tuple[str | None, float | None] = (None, None),
+    height: float | None = None,
+) -> Edit:
+    """Read where a person places a thing of a scene, or somebody in a shot.
+
+    Args:
+        where: A scene for a thing, a shot for a person.
+        what: The thing or the person.
+        at: Floor point ``X,Y`` in metres, and degrees; of a person as the shot begins.
+        to: The same as it ends, of a person.
+        height: Metres above the floor, of a thing.
+
+    Raises:
+        InputError: A point cannot be read, or it says nothing, or what a thing or a person has not.
+    """
+    first, last = (
+        {name: value for name, value in _floor_place(*each).items() if value is not None} for each in (at, to)
+    )
+    if "_" in where:
+        if height is not None:
+            raise InputError("people stand on the floor", mend="leave --height out, or name a scene and a thing")
+        marks = {when: place for when, place in (("start", first), ("end", last)) if place}
+        [edit] = edits_of([{"kind": "blocking", "shot": where, "person": what, "marks": marks}])
+        return edit
+    if last:
+        raise InputError("things stay where they are in a scene", mend="leave --to out, or name a shot and a person")
+    place = first if height is None else {**first, "height": height}
+    [edit] = edits_of([{"kind": "place", "scene": where, "thing": what, "place": place}])
+    return edit
+
+
+def _floor_place(point: str | None, rotation: float | None) -> dict[str, object]:
+    return {"location": _numbers(point, 2, "X,Y in metres, as in 2,-3") if point else None, "rotation": rotation}
+
+
 def _point(text: str) -> tuple[float, float, float]:
-    try:
-        x, y, z = map(float, text.split(","))
-    except ValueError as error:
-        raise InputError(f"{text!r} is no point", mend="a point is X,Y,Z in metres, as in 2,-3,1.6") from error
+    x, y, z = _numbers(text, 3, "X,Y,Z in metres, as in 2,-3,1.6")
     return x, y, z
+
+
+def _numbers(text: str, count: int, form: str) -> tuple[float, ...]:
+    try:
+        numbers = tuple(map(float, text.split(",")))
+    except ValueError:
+        numbers = ()
+    if len(numbers) != count:
+        raise InputError(f"{text!r} is no point", mend=f"a point is {form}")
+    return numbers
 
 
 def read_edits(path: Path) -> tuple[Edit, ...]:

@@ -291,7 +291,8 @@ def _edited(place: Workplace, applied: Applied, *, draw: bool) -> Edited:
     cuts = tuple(flaw.message for flaw in drawn.wrong_cuts) if drawn is not None else ()
     names = names_of(place.session.graph)
     frames = tuple(verdict_of(review, names) for review in drawn.reviews.values()) if drawn is not None else ()
-    return Edited(revision=applied.version, done=applied.words, redrawn=applied.stale, wrong_cuts=cuts, frames=frames)
+    told = {"revision": applied.version, "done": applied.words, "redrawn": applied.stale, "warnings": applied.warnings}
+    return Edited(**told, wrong_cuts=cuts, frames=frames)
 
 
 def _stepped(place: Workplace, commits: Sequence[Any]) -> Edited:

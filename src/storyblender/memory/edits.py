@@ -9,7 +9,7 @@ from pydantic import Field, TypeAdapter, model_validator
 from storyblender.memory.base import Described, Frames, Identifier, is_none
 from storyblender.memory.locks import LockName
 from storyblender.memory.notes import MOST_NOTES, NoteAuthor, NoteText
-from storyblender.memory.scene_decision import LightDecision, SetDecision
+from storyblender.memory.scene_decision import LightDecision, PersonMarks, SetDecision, ThingPlace
 from storyblender.memory.shot_context import CameraDecision
 from storyblender.memory.vocabulary import RelationKind
 
@@ -99,6 +99,44 @@ class LayoutEdit(Described):
     """Such as ``SC010``."""
     staging: int | None = Field(default=None, ge=0, le=999)
     """Number of the staging, 0 for the crew's first; left out, the next one."""
+
+
+class PlaceEdit(Described):
+    """Moves or turns a thing of a scene by hand; what stands on it goes with it, and no staging moves it again."""
+
+    kind: Literal["place"] = "place"
+    """Which edit this is."""
+    scene: _Name
+    """Such as ``SC010``."""
+    thing: _Name
+    """Node id of the thing; its id or name will do where the scene has it once."""
+    place: ThingPlace
+    """Any of its fields; those left out stay as they are."""
+
+    @model_validator(mode="after")
+    def _says_something(self) -> Self:
+        if self.place == ThingPlace():
+            raise ValueError("a place has a location, a height or a rotation")
+        return self
+
+
+class BlockingEdit(Described):
+    """Sets the marks of a person in a shot; in the shots after it they go on from there."""
+
+    kind: Literal["blocking"] = "blocking"
+    """Which edit this is."""
+    shot: _Name
+    """Such as ``SC010_SH020``."""
+    person: _Name
+    """Id or name of somebody on stage."""
+    marks: PersonMarks
+    """Start, end or both; what is left out stays as it is."""
+
+    @model_validator(mode="after")
+    def _says_something(self) -> Self:
+        if not any(place is not None and place.words for place in (self.marks.start, self.marks.end)):
+            raise ValueError("a mark has a location or a rotation, at the start or at the end")
+        return self
 
 
 class AssetEdit(Described):
@@ -228,6 +266,8 @@ Edit = Annotated[
     | LightEdit
     | SetEdit
     | LayoutEdit
+    | PlaceEdit
+    | BlockingEdit
     | AssetEdit
     | TakeEdit
     | NoteEdit

@@ -40,6 +40,7 @@ def lock_violations(old: Item, new: Item, author: str) -> Iterator[str]:
                     decision = getattr(old, f"{part}_decision")
                     if decision is not None and getattr(new, f"{part}_decision") != decision:
                         yield f"a person decided about the {part} of {name}: {decision.words}"
+                yield from _misplaced(name, old, new)
         case Asset(), Asset():
             if old.locked and _model(new) != _model(old) and (new.locked or author not in PEOPLE):
                 yield f"{old.asset_id} is locked"
@@ -81,9 +82,20 @@ def _overruled(name: str, old: ShotContext, new: ShotContext) -> Iterator[str]:
     decision = old.camera_decision
     if decision is not None and (new.camera_decision != decision or not decision.holds(new.camera_instruction)):
         yield f"a person decided about the camera of {name}: {decision.words}"
+    if new.blocking_decision != old.blocking_decision:
+        yield f"people decide about the marks of {name}"
     length = old.decided_duration
     if length is not None and (new.decided_duration, new.duration) != (length, length):
         yield f"a person decided that {name} has {length} frames"
+
+
+def _misplaced(name: str, old: SceneContext, new: SceneContext) -> Iterator[str]:
+    """Yield what the crew would place elsewhere than a person did."""
+    things = old.layout_decision.things if old.layout_decision is not None else {}
+    for item in new.layout.objects if new.layout is not None and things else ():
+        place = things.get(item.node_id)
+        if place is not None and place.location not in (None, item.location[:2]):
+            yield f"a person placed {item.node_id} of {name}: {place.words}"
 
 
 def _model(asset: Asset) -> tuple[object, ...]:

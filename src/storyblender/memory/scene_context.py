@@ -8,7 +8,7 @@ from pydantic import Field, model_validator
 
 from storyblender.memory.asset_sheet import AssetDecision, ParamValue
 from storyblender.memory.base import Color, Coordinate, Frozen, Identifier, SceneId, ShotId, Vec3, dropping, is_none
-from storyblender.memory.locks import SceneLock
+from storyblender.memory.locks import SceneLock, StaleWork
 from storyblender.memory.panorama import PanoramaLight
 from storyblender.memory.scene_decision import LayoutDecision, LightDecision, SetDecision
 from storyblender.memory.thing_states import Condition
@@ -214,7 +214,7 @@ class SceneContext(Frozen):
     """The same of the set, in every scene of the place."""
     layout_decision: LayoutDecision | None = Field(default=None, exclude_if=is_none)
     """The same of the staging."""
-    stale: tuple[SceneLock, ...] = Field(default=(), exclude_if=lambda value: not value)
+    stale: tuple[StaleWork, ...] = Field(default=(), exclude_if=lambda value: not value)
     """What an edit made stale and the crew has not made anew yet; a set takes layout and light with it."""
 
     omitted: bool = Field(default=False, exclude_if=lambda value: not value)

@@ -10,7 +10,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field
 
 from storyblender.memory.asset_sheet import AssetDecision
-from storyblender.memory.base import Described, Identifier, is_none
+from storyblender.memory.base import Coordinate, Described, Identifier, Vec2, is_none
 from storyblender.memory.vocabulary import LightQuality, Period, TimeOfDay, Weather
 
 SetMaterial = Identifier
@@ -82,6 +82,60 @@ class SetDecision(_Decision):
         return not any(value not in (None, {}) for name, value in self if name not in ("walls", "ground"))
 
 
+class FloorPlace(Described):
+    """A place that a person chose; what is left out is the crew's."""
+
+    location: Vec2 | None = None
+    """Floor point, metres: of a thing under its bottom centre, of a person between the feet."""
+    rotation: Coordinate | None = None
+    """Degrees about Z, counter-clockwise; 0 faces -Y."""
+
+    @property
+    def words(self) -> str:
+        """The place as a person reads it, e.g. ``at 1.2, 0.5, turned to 90 degrees``."""
+        at = [f"at {self.location[0]:g}, {self.location[1]:g}"] if self.location is not None else []
+        return ", ".join([*at, *([f"turned to {self.rotation:g} degrees"] if self.rotation is not None else [])])
+
+
+class ThingPlace(FloorPlace):
+    """Where a person placed a thing of a scene; what is left out stays as the crew has it."""
+
+    height: Coordinate | None = None
+    """Metres from the floor to its underside; left out, a thing with a location is dropped onto what is below."""
+
+    @property
+    def words(self) -> str:
+        """As of a floor place, and the height."""
+        return ", ".join(filter(None, [super().words, f"{self.height:g} m up" if self.height is not None else ""]))
+
+
+class PersonMarks(Described):
+    """The marks of one person in one shot that a person set."""
+
+    start: FloorPlace | None = None
+    """As the shot begins; left out, where they were."""
+    end: FloorPlace | None = None
+    """As it ends; somebody who is elsewhere walks there. Left out, where their actions lead them."""
+
+
+class BlockingDecision(_Decision):
+    """What a person decided about where people stand in a shot; in later shots they go on from there."""
+
+    people: dict[Identifier, PersonMarks] = {}
+    """Marks by asset id."""
+
+    @property
+    def words(self) -> str:
+        """The marks as a person reads them, e.g. ``rick starts at 1, 2``."""
+        ends = (
+            f"{name} {verb} {place.words}"
+            for name, marks in self.people.items()
+            for verb, place in (("starts", marks.start), ("ends", marks.end))
+            if place is not None
+        )
+        return ", ".join(ends)
+
+
 class LayoutDecision(_Decision):
     """What a person decided about the staging of a scene."""
 
@@ -91,6 +145,8 @@ class LayoutDecision(_Decision):
     """Ids of the things that a person added."""
     removed: tuple[Identifier, ...] | None = Field(default=None, exclude_if=is_none)
     """Ids of the script's things that a person took away."""
+    things: dict[Identifier, ThingPlace] = Field(default={}, exclude_if=lambda value: not value)
+    """Where a person placed things, by node id; they stay there in every staging."""
 
 
 def _told(value: object) -> str:
@@ -102,4 +158,6 @@ def _told(value: object) -> str:
         return "on" if value else "off"
     if isinstance(value, AssetDecision):
         return value.prop
+    if isinstance(value, ThingPlace):
+        return value.words
     return ", ".join(value) if isinstance(value, tuple) else "nothing" if value is None else str(value)

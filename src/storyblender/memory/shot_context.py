@@ -22,6 +22,7 @@ from storyblender.memory.camera_decision import CameraDecision, CameraInstructio
 from storyblender.memory.locks import ShotLock
 from storyblender.memory.notes import Note
 from storyblender.memory.scene_context import Light, Lighting, Spot
+from storyblender.memory.scene_decision import BlockingDecision
 from storyblender.memory.thing_states import THING_STATES, state_values
 from storyblender.memory.vocabulary import (
     BodyPlace,
@@ -338,6 +339,8 @@ class ShotContext(Frozen):
     """What a person locked: it stays as it is until it is unlocked."""
     decided_duration: Frames | None = Field(default=None, exclude_if=is_none)
     """Length in frames that a person gave the shot; it stays with the words of the shot when the script changes."""
+    blocking_decision: BlockingDecision | None = Field(default=None, exclude_if=is_none)
+    """Marks that a person set; they stay with the words of the shot when the script changes."""
     take: int = Field(default=1, ge=1, le=999, exclude_if=lambda value: value == 1)
     """Number of the take that the film shows: that of the camera above."""
     takes: tuple[Take, ...] = Field(default=(), exclude_if=lambda value: not value)

@@ -28,7 +28,7 @@ MOST_SCENES = 40
 SEQUENCE = 20
 """Scenes in the file of a sequence."""
 
-_NOT_SHOWN = ("locked", "decided_duration", "stale", "notes", "approved", "omitted", "shot_order")
+_NOT_SHOWN = ("locked", "decided_duration", "blocking_decision", "stale", "notes", "approved", "omitted", "shot_order")
 """Fields of the graph that make no difference to a .blend."""
 
 

@@ -9,6 +9,7 @@ from storyblender.catalog.recipe import made_from
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
 from storyblender.memory.scene_context import SceneContext
+from storyblender.memory.scene_decision import BlockingDecision
 from storyblender.memory.shot_context import ShotContext, Take
 
 
@@ -61,6 +62,26 @@ def takes_of(planned: ShotContext, past: ShotContext) -> dict[str, object]:
         fresh = {"camera_instruction": instruction, "camera_decision": decision, "in_frame": planned.in_frame}
         takes.append(Take(number=take.number, moment=planned.moment, **fresh))
     return {"take": past.take, "takes": tuple(takes)}
+
+
+def marks_of(
+    old: ContinuityMemoryGraph, plan: ContinuityMemoryGraph, planned: ShotContext, past: ShotContext
+) -> dict[str, object]:
+    """Return the marks that a person set in an old shot as an update of the new shot with its words.
+
+    Those of people who are not in it any more go, and all of them where it plays in another kind of place.
+
+    Args:
+        old: The graph as it is.
+        plan: The new plan.
+        planned: As the Director plans it.
+        past: The old shot.
+    """
+    moved = old.scene(past.scene_id).setup.kit != plan.scene(planned.scene_id).setup.kit
+    if past.blocking_decision is None or moved:
+        return {}
+    people = {name: marks for name, marks in past.blocking_decision.people.items() if name in planned.on_stage}
+    return {"blocking_decision": BlockingDecision(people=people)} if people else {}
 
 
 def _decided_as(

@@ -1,10 +1,10 @@
-"""What an edit of a scene made stale is made anew: of a scene its light alone or its staging, of a shot its motion."""
+"""What an edit made stale is made anew: of a scene its light, its motion or its staging, of a shot its motion."""
 
 from __future__ import annotations
 
 from storyblender.memory.base import scene_name
 from storyblender.pipeline.run import Run
-from storyblender.pipeline.staging import animate_again, light_scene, stage_scene
+from storyblender.pipeline.staging import act_in_layout, animate_again, light_scene, stage_scene
 
 
 def make_stale_anew(run: Run) -> None:
@@ -20,8 +20,11 @@ def make_stale_anew(run: Run) -> None:
     stale = [scene.scene_id for scene in run.graph.scenes if scene.stale]
     for step, scene_id in enumerate(stale):
         run.progress("stage", step, len(stale), scene_name(scene_id))
-        if {*run.graph.scene(scene_id).stale} <= {"light"}:
+        wanted = {*run.graph.scene(scene_id).stale}
+        if wanted <= {"light"}:
             _relight(run, scene_id)
+        elif wanted <= {"light", "motion"}:
+            act_in_layout(run, run.graph.scene(scene_id))
         else:
             stage_scene(run, scene_id)
     if stale:

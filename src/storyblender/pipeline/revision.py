@@ -21,7 +21,7 @@ from storyblender.memory.outline import SceneOutline, ShotOutline
 from storyblender.memory.scene_context import Environment, SceneContext
 from storyblender.memory.shot_context import CameraDecision, CameraInstruction, CameraState, ShotContext
 from storyblender.pipeline.kept_cut import ShotKey, with_cut
-from storyblender.pipeline.kept_decisions import takes_of, with_decided_models, with_scene_decisions
+from storyblender.pipeline.kept_decisions import marks_of, takes_of, with_decided_models, with_scene_decisions
 
 Words = tuple[tuple[str, str], ...]
 Designer = Callable[[ContinuityMemoryGraph, int], Environment]
@@ -31,6 +31,7 @@ _DECIDED = tuple(name for name in CameraDecision.model_fields if name in CameraI
 _STAGED = (
     "blocking", "cues", "prop_states", "asset_modifications", "duration", "lighting", "frame", "camera", "lights",
     "flaws", "locked", "decided_duration", "stale", "take", "takes", "notes", "approved", "omitted",
+    "blocking_decision",
 )  # fmt: skip
 """What the crew, and later a person, adds to the Director's shot."""
 
@@ -113,7 +114,9 @@ def revise(
     kept_shots = {key: pasts[past] for key, past in matched.items() if past in pasts}
     shots = [_as_locked(shot, kept_shots.get((shot.scene_id, shot.shot_id)), graph, rate) for shot in shots]
     planned = {(shot.scene_id, shot.shot_id): shot for shot in graph.shots}
-    takes = {key: takes_of(planned[key], past) for key, past in kept_shots.items()}
+    takes = {
+        key: takes_of(planned[key], past) | marks_of(old, plan, planned[key], past) for key, past in kept_shots.items()
+    }
     shots = [shot.model_copy(update=takes.get((shot.scene_id, shot.shot_id), {})) for shot in shots]
     graph = with_scene_decisions(old, graph.model_copy(update={"shots": tuple(shots)}), matched)
     graph = with_cut(old, graph, matched)
@@ -236,6 +239,8 @@ def _lost_locks(
         gone = [f"the lock of its {lock}" for lock in shot.locked if after is None or lock not in after.locked]
         if shot.decided_duration is not None and after is None:
             gone.append(f"its length of {shot.decided_duration} frames")
+        if shot.blocking_decision is not None and (after is None or after.blocking_decision is None):
+            gone.append(f"its marks: {shot.blocking_decision.words}")
         if shot.approved is not None and (after is None or after.approved is None):
             gone.append("its approval")
         if after is None:

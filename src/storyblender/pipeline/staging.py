@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection
 from functools import partial
 
 from storyblender.agents.layout_artist.bystanders import bystander_objects, crowd_size, place_bystanders
 from storyblender.agents.layout_artist.cleared_action import clear_action
 from storyblender.agents.layout_artist.fitted_places import with_fitted_parts
+from storyblender.agents.layout_artist.placed_by_hand import (
+    bare_object,
+    place_by_hand,
+    placed_flaws,
+    placements_of,
+    stand_of,
+)
 from storyblender.agents.layout_artist.room_steps import RoomStep, drop_dressing, enlarge_set, find_fitting_room
 from storyblender.agents.layout_artist.spatial_planner import free_floor_of
 from storyblender.agents.layout_artist.spatial_planner_view import SpatialPlannerView, measures_of
@@ -18,11 +25,8 @@ from storyblender.agents.visual_effects_artist.lamp_states import light_shots
 from storyblender.agents.visual_effects_artist.lighting_arranger_view import lighting_arranger_view
 from storyblender.agents.visual_effects_artist.staging_flaws import staging_flaws
 from storyblender.agents.visual_effects_artist.vehicle_doors import add_open_doors
-from storyblender.catalog.props import PROPS
-from storyblender.catalog.props.prop_names import props_of
 from storyblender.catalog.sets import plan_of
 from storyblender.errors import AnswerAwaited
-from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Vec2, scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
@@ -79,22 +83,60 @@ def stage_scene(run: Run, scene_id: int) -> None:
         return _laid_out(run, scene_id, enlarge_set(environment, 1.0 if fixed else room.set_scale), room, faulty)
 
     fitted = find_fitting_room(stage_in, threshold=run.crew.spatial_planner.threshold)
-    layout = clear_action(fitted.outcome.view, fitted.outcome.draft)
+    placed = before.layout_decision.things if before.layout_decision is not None else {}
+    layout = clear_action(fitted.outcome.view, fitted.outcome.draft, placed)
     layout = _with_crowd(run, fitted.outcome.view, layout)
     layout = with_fitted_parts(layout, run.graph.assets, before.setup.asset_ids)
-    scene = fitted.tried.model_copy(update={"layout": layout})
+    scene = fitted.tried
+    if placed:
+        assert scene.environment is not None
+        layout = place_by_hand(layout, placed, stand_of(run.graph.assets, scene.environment))
+    scene = scene.model_copy(update={"layout": layout})
     run.commit("spatial_planner", f"layout of {name}", scene)
-    shots = _animate(run, scene_id)
-    if before.lighting is not None:
+    act_in_layout(run, scene, {*fitted.outcome.view.pending} - {item.asset_id for item in layout.objects})
+
+
+def act_in_layout(run: Run, scene: SceneContext, left_out: Collection[str] | None = None) -> None:
+    """Stage the people of a scene in its layout as it is, light it, and let cameras follow but for those kept.
+
+    Args:
+        run: With the layout committed.
+        scene: As it is committed.
+        left_out: Asset ids of things without a place; None where they are those that were left out before.
+    """
+    name, before = scene_name(scene.scene_id), {shot.shot_id: shot for shot in run.graph.shots_of(scene.scene_id)}
+    shots = _animate(run, scene.scene_id)
+    if scene.lighting is not None:
         shots = tuple(_with_new_camera(shot) for shot in shots)
-    if "light" not in before.locked:
+    if "light" not in scene.locked:
         scene, shots = light_scene(run, scene, shots)
     scene = scene.model_copy(update={"stale": ()})
-    assets = {asset.asset_id: asset for asset in run.graph.assets}
-    left_out = {*fitted.outcome.view.pending} - {item.asset_id for item in layout.objects}
-    flaws = {shot.shot_id: staging_flaws(shot, assets, left_out) for shot in shots}
-    shots = tuple(shot.model_copy(update={"flaws": flaws[shot.shot_id], "stale": ()}) for shot in shots)
+    shots = tuple(_with_flaws(run.graph, scene, shot, before[shot.shot_id], left_out) for shot in shots)
     run.commit("animator", f"motion and light of {name}", scene, *shots)
+
+
+def _with_flaws(
+    graph: ContinuityMemoryGraph,
+    scene: SceneContext,
+    shot: ShotContext,
+    before: ShotContext,
+    left_out: Collection[str] | None,
+) -> ShotContext:
+    """Return a shot that was staged again with the flaws of that; those of what a person placed are on the first one.
+
+    Args:
+        graph: The story.
+        scene: With its layout.
+        shot: As it is staged now.
+        before: As it was.
+        left_out: Asset ids of things without a place; None for those that were left out before.
+    """
+    flaws = staging_flaws(shot, {asset.asset_id: asset for asset in graph.assets}, left_out or ())
+    if left_out is None:
+        flaws = (*flaws, *(flaw for flaw in before.flaws if flaw.kind == "left_out"))
+    if shot.shot_id == graph.shots_of(shot.scene_id)[0].shot_id:
+        flaws = (*flaws, *placed_flaws(graph, scene))
+    return shot.model_copy(update={"flaws": flaws, "stale": ()})
 
 
 def _with_new_camera(shot: ShotContext) -> ShotContext:
@@ -112,9 +154,8 @@ def animate_again(run: Run) -> None:
     A shot whose people stand or go elsewhere now gets a new camera, unless a person locked or placed it.
     """
     for scene_id in sorted({shot.scene_id for shot in run.graph.shots if shot.stale}):
-        assets = {asset.asset_id: asset for asset in run.graph.assets}
         before = {shot.shot_id: shot for shot in run.graph.shots_of(scene_id)}
-        shots = [_again(before[shot.shot_id], shot, assets) for shot in _animate(run, scene_id)]
+        shots = [_again(run.graph, before[shot.shot_id], shot) for shot in _animate(run, scene_id)]
         names = ", ".join(shot_name(scene_id, shot_id) for shot_id, shot in before.items() if shot.stale)
         run.commit("animator", f"motion of {names}", *shots)
         for shot in shots:
@@ -124,10 +165,9 @@ def animate_again(run: Run) -> None:
                     run.tell(Event(kind="warning", role="animator", subject=subject, message=flaw.message))
 
 
-def _again(before: ShotContext, shot: ShotContext, assets: Mapping[str, Asset]) -> ShotContext:
+def _again(graph: ContinuityMemoryGraph, before: ShotContext, shot: ShotContext) -> ShotContext:
     """Return a shot that was animated again, with its flaws; its camera goes where its people are elsewhere."""
-    kept = tuple(flaw for flaw in before.flaws if flaw.kind == "left_out")
-    update: dict[str, object] = {"flaws": (*staging_flaws(shot, assets, ()), *kept), "stale": ()}
+    shot, update = _with_flaws(graph, graph.scene(shot.scene_id), shot, before, None), dict[str, object]()
     placed = before.camera_decision is not None and before.camera_decision.placed is not None
     if shot.blocking != before.blocking and "camera" not in before.locked and not placed:
         update |= {"camera": None, "lights": ()}
@@ -147,9 +187,16 @@ def _laid_out(
     fresh = [asset for asset in dressing.assets if asset.asset_id not in known]
     run.commit("set_dresser", f"set and dressing of {name}", scene, *fresh)
     materialize(run, fresh)
-    placements = {asset_id: PROPS[prop].placement for asset_id, prop in props_of(run.graph.assets).items()}
-    standing = drop_dressing(dressing.objects, plan, faulty, room.clear_radius)
-    role, args = run.crew.spatial_planner, (plan, standing, dressing.pending, placements, room.distance_scale)
+    placements = placements_of(run.graph.assets)
+    standing, pending = drop_dressing(dressing.objects, plan, faulty, room.clear_radius), dressing.pending
+    if scene.layout_decision is not None and scene.layout_decision.things:
+        things = scene.layout_decision.things
+        kept = [item for item in dressing.objects if item in standing or item.node_id in things]
+        own = [bare_object(node_id, place) for node_id, place in things.items() if node_id in pending]
+        layout = Layout(scene_size=plan.size, objects=(*kept, *(item for item in own if item is not None)))
+        standing = place_by_hand(layout, things, stand_of(run.graph.assets, environment)).objects
+        pending = tuple(each for each in pending if each not in {item.node_id for item in standing})
+    role, args = run.crew.spatial_planner, (plan, standing, pending, placements, room.distance_scale)
     tried = [run.reflect(role, name, run.graph, scene_id, *args, staging) for staging in stagings_to_try(scene)]
     return scene, most_different(tried, scene.layout, role.threshold)
 

@@ -208,6 +208,8 @@ class Edited(Described):
     """In words; empty where nothing was to be done."""
     redrawn: tuple[str, ...]
     """Shots whose frames show something else now."""
+    warnings: tuple[str, ...] = ()
+    """What you should know of it, such as what a thing that you placed stands in."""
     wrong_cuts: tuple[str, ...] = ()
     """What is wrong now with cuts to and from the cameras that were changed."""
     frames: tuple[FrameVerdict, ...] = ()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 import numpy as np
 
@@ -26,14 +26,15 @@ _STEP = 0.15
 """Metres between the points of a line that are looked at."""
 
 
-def clear_action(view: SpatialPlannerView, layout: Layout) -> Layout:
+def clear_action(view: SpatialPlannerView, layout: Layout, placed: Collection[str] = ()) -> Layout:
     """Return a layout without added dressing between people and what they talk to, look at or act on, or close to it.
 
     Args:
         view: The scene.
         layout: Its layout.
+        placed: Node ids of things that a person placed; they stay.
     """
-    added = {item.node_id for item in layout.objects if item.node_id.startswith(ADDED)}
+    added = {item.node_id for item in layout.objects if item.node_id.startswith(ADDED)}.difference(placed)
     if not added:
         return layout
     stage = LayoutStage(view)

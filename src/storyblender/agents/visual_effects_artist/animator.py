@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from storyblender.agents.visual_effects_artist.floor import Floor
+from storyblender.agents.visual_effects_artist.marks_by_hand import set_marks
 from storyblender.agents.visual_effects_artist.rehearsal import Rehearsal, ShotDirections, ShotStaging
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import plan_of
@@ -114,10 +115,12 @@ class RulesAnimator:
             view: The scene.
         """
         moves: dict[tuple[str, float, float], tuple[float, float]] = {}
+        decided = {mark for shot in view.shots for mark in set_marks(shot)}
         for fault in critique.faults:
             if {"x", "y", "to_x", "to_y"} <= set(fault.fix):
                 x, y, to_x, to_y = (float(fault.fix[key]) for key in ("x", "y", "to_x", "to_y"))
-                moves[fault.subject, x, y] = (to_x, to_y)
+                if (fault.subject, x, y) not in decided:
+                    moves[fault.subject, x, y] = (to_x, to_y)
 
         def moved(mark: Mark) -> Mark:
             goal = moves.get((mark.asset_id, mark.location[0], mark.location[1]))

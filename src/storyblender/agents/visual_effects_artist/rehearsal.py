@@ -15,6 +15,7 @@ from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
 from storyblender.agents.visual_effects_artist.fallen_props import FallenProps
 from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.agents.visual_effects_artist.left_props import held_props, lay_left_props
+from storyblender.agents.visual_effects_artist.marks_by_hand import end_on_mark, missed_marks, take_set_starts
 from storyblender.agents.visual_effects_artist.person import StagedPerson
 from storyblender.agents.visual_effects_artist.posture_cues import PostureCues, extend_lasting_cues
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN, Speeches
@@ -127,6 +128,8 @@ class Rehearsal:
         stage.apply_states(shot.states, shot.character_actions)
         lay_left_props(stage, held, shot)
         self._take_marks(directions.marks)
+        decided = shot.blocking_decision.people if shot.blocking_decision is not None else {}
+        take_set_starts(stage, decided)
         stage.place_loose_props(shot)
         standing = stage.prop_states(shot)
         sheet = CueSheet(
@@ -159,6 +162,10 @@ class Rehearsal:
             if number in directions.together:
                 sheet.clock = max(sheet.clock, latest)
             person.goal = None
+        for asset_id, marks in decided.items():
+            person = stage.people.get(asset_id)
+            if person is not None and person.present and marks.end is not None:
+                end_on_mark(sheet, person, marks.end)
         speeches.add_idle_looks(shot, cast)
         PostureCues(stage, sheet).add_posture_cues(shot)
         duration = shot.duration
@@ -166,6 +173,7 @@ class Rehearsal:
             needed = math.ceil((max((person.busy for person in cast), default=0.0) + 0.25) * self.fps)
             duration = min(max(duration, needed), math.ceil(sheet.hard_limit * self.fps))
         blocking = tuple(Blocking(start=sheet.starts[person.asset_id], end=person.mark()) for person in cast)
+        missed = missed_marks(decided, blocking)
         stage.end_shot(stay)
         going_on = extend_lasting_cues(sheet.cues, duration)
         beasts, places = self.animals.play(shot, self.fps, duration)
@@ -179,7 +187,7 @@ class Rehearsal:
             cues=cues,
             prop_states=props,
             duration=duration,
-            flaws=tuple(sheet.cheats),
+            flaws=(*sheet.cheats, *missed),
         )
 
     def _take_marks(self, marks: Mapping[Identifier, FloorMark]) -> None:
