@@ -108,11 +108,74 @@ def move(
     _apply(folder, [{"kind": "reorder", "target": name, "before": before, "after": after}], draw, quiet, json_lines)
 
 
-def _apply(folder: Path, edits: list[dict[str, Any]], draw: bool, quiet: bool, json_lines: bool) -> None:
-    """Apply edits as one batch, and show what they did."""
-    with shown(quiet, json_lines) as terminal:
-        from storyblender.edits.words import edits_of
+@app.command(
+    epilog=examples(
+        "shot split my_film.storyboard SC010_SH020 --line 2", "shot split my_film.storyboard SC010_SH020 --seconds 1.5"
+    )
+)
+def split(
+    folder: Folder,
+    shot: Shot,
+    line: Annotated[int | None, typer.Option(help="Number of the line that the second shot begins with.")] = None,
+    seconds: Annotated[float | None, typer.Option(help="Seconds from the start of the shot.")] = None,
+    frames: Annotated[int | None, typer.Option(help="Frames from the start of the shot.")] = None,
+    draw: Draw = True,
+    quiet: Quiet = False,
+    json_lines: Json = False,
+) -> None:
+    """Split a shot in two; the second gets a number in between and begins with the same camera."""
+    edit = {"kind": "split", "shot": shot, "line": line, "seconds": seconds, "frames": frames}
+    _apply(folder, [edit], draw, quiet, json_lines)
 
+
+@app.command(epilog=examples("shot join my_film.storyboard SC010_SH020 SC010_SH030"))
+def join(
+    folder: Folder,
+    shot: Shot,
+    other: Annotated[str, typer.Argument(metavar="OTHER", help="The shot before or after it.", show_default=False)],
+    draw: Draw = True,
+    quiet: Quiet = False,
+    json_lines: Json = False,
+) -> None:
+    """Join two neighbours of one scene: the first goes on for the time of the second, with its own camera."""
+    _apply(folder, [{"kind": "join", "shot": shot, "other": other}], draw, quiet, json_lines)
+
+
+@app.command(
+    epilog=examples(
+        "shot add my_film.storyboard SC010_SH020 --size CU --on Ilsa",
+        "shot add my_film.storyboard SC010_SH020 --kind insert --on letter --seconds 1.5",
+    )
+)
+def add(
+    folder: Folder,
+    shot: Shot,
+    on: Annotated[list[str] | None, typer.Option(help="Whom or what it shows; may be given again.")] = None,
+    kind: Annotated[str | None, typer.Option(help="Kind of picture: single, insert, reaction ...")] = None,
+    size: Annotated[str | None, typer.Option(help="How much is seen: EWS WS FS MWS MS MCU CU ECU.")] = None,
+    angle: Annotated[str | None, typer.Option(help="eye-level, high angle, low angle ...")] = None,
+    at: Annotated[float | None, typer.Option(help="Seconds from the start of SHOT at which it begins.")] = None,
+    seconds: Annotated[float | None, typer.Option(help="Length; 2 if left out.")] = None,
+    draw: Draw = True,
+    quiet: Quiet = False,
+    json_lines: Json = False,
+) -> None:
+    """Add a shot after another one: a further camera on the same moment, such as an insert or a reaction."""
+    said = {"focus_on_ids": on, "kind": kind, "size": size, "angle": angle}
+    words = {field: word for field, word in said.items() if word}
+    edit = {"kind": "add_shot", "shot": shot, "decision": words, "at": at, "seconds": seconds}
+    _apply(folder, [edit], draw, quiet, json_lines)
+
+
+def _apply(folder: Path, edits: list[dict[str, Any]], draw: bool, quiet: bool, json_lines: bool) -> None:
+    """Apply edits as one batch, and show what they did; a decision is given as a person words it."""
+    with shown(quiet, json_lines) as terminal:
+        from storyblender.edits.words import camera_decision, edits_of
+
+        edits = [
+            {key: camera_decision(value) if key == "decision" else value for key, value in each.items()}
+            for each in edits
+        ]
         studio = open_studio(terminal, project=folder, animatic=False)
         applied, delivery = studio.edit(folder, edits_of(edits), draw=draw)
         terminal.applied(applied)

@@ -14,6 +14,7 @@ from storyblender.deliver.checklist import STAGING, names_of, picture_flaws, pla
 from storyblender.geometry.continuity import has_new_line, side_of_line
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.base import Frozen, Vec3, scene_name, shot_name
+from storyblender.memory.coverage import as_filmed
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import PackRef
 from storyblender.memory.measure import Collision
@@ -88,7 +89,8 @@ def inspect(
         reviews: Reviews of the Frame Critic, by shot name.
         progress: Callback with the number of scenes checked, their total, and the next scene.
     """
-    graph = graph.as_cut
+    graph = as_filmed(graph)
+    graph = graph.model_copy(update={"shots": graph.cut})
     waiting = [
         (Sighting(graph, engine, pack), engine.find_collisions(pack), engine.measure_drift(pack)) for pack in packs
     ]

@@ -273,7 +273,7 @@ class Session:
         with self._call() as run:
             self._refuse_unmade()
             items = (*run.graph.scenes, *run.graph.shots)
-            if any(item.stale for item in items) or any(shot.camera is None for shot in run.graph.shots):
+            if any(item.stale for item in items) or any(shot.camera is None for shot in run.graph.cut):
                 mend = "run `storyblender render` first: it goes on where it was stopped"
                 raise InputError("has shots that are not up to date", mend=mend, path=self.folder)
             self._bring_up_to_date(run)

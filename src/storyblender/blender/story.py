@@ -83,11 +83,14 @@ def _add_scene(
     scene["scene_id"] = pack.scene_id
     scene["heading"] = next((o.heading for o in job.outline if o.scene_id == pack.scene_id), "")
     cameras, lights = _child(scene, "cameras"), _child(scene, "lights")
-    light_scene(scene, lights, context, shots, pack, files)
+    lasting = [shot for shot in shots if (shot.scene_id, shot.shot_id) not in job.beside]
+    light_scene(scene, lights, context, lasting, pack, files)
     hidden: dict[str, list[int]] = {}
     for shot in shots:
         start = pack.start_of(shot.shot_id)
         camera = make_camera(scene, cameras, shot, start)
+        if shot not in lasting:
+            continue
         marker = scene.timeline_markers.new(shot_name(shot.scene_id, shot.shot_id), frame=start)
         marker.camera = camera
         scene.camera = scene.camera or camera
@@ -97,7 +100,7 @@ def _add_scene(
     for obj in scene.objects:
         away = [*hidden.get(str(obj.get("node_id", "")), ()), *hidden.get(str(obj.get(SECTION, "")), ())]
         if away:
-            starts = [(shot.shot_id, pack.start_of(shot.shot_id)) for shot in shots]
+            starts = [(shot.shot_id, pack.start_of(shot.shot_id)) for shot in lasting]
             shown = [(start, shot_id not in away and not is_hidden(obj, start)) for shot_id, start in starts]
             key_hidden(obj, shown)
     scene.frame_set(1)

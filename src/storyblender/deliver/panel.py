@@ -12,6 +12,7 @@ from typing import Literal
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.base import shot_name
 from storyblender.memory.camera_words import listed
+from storyblender.memory.coverage import as_filmed
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline
 from storyblender.memory.shot_context import ShotContext
@@ -175,6 +176,7 @@ def panels(graph: ContinuityMemoryGraph, *, with_omitted: bool = False) -> list[
         graph: The story.
         with_omitted: Whether to return also the shots that are not in the film, where they would be.
     """
+    graph = as_filmed(graph)
     names = {asset.asset_id: asset.name for asset in graph.assets if asset.name}
     places = {scene.scene_id: capwords(scene.setup.place) for scene in graph.scenes}
     outlines = {scene.scene_id: scene for scene in graph.outline}

@@ -23,6 +23,7 @@ _FIELDS: Final[dict[str, dict[str, str]]] = {
         "camera_instruction": "camera", "camera_decision": "camera", "take": "camera", "takes": "camera",
         "moment": "camera", "duration": "duration",
         "decided_duration": "duration", "notes": "notes", "approved": "approval", "omitted": "cut",
+        "covers": "cut", "joined": "cut",
         "blocking": "blocking", "blocking_decision": "blocking", "cues": "blocking", "prop_states": "blocking",
     },
     "scenes": {

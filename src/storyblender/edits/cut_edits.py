@@ -70,7 +70,7 @@ def reorder_effects(graph: ContinuityMemoryGraph, edit: ReorderEdit) -> list[Eff
     if item.scene_id != other.scene_id:
         raise InputError(f"{near} is in another scene than {name}", mend="shots are reordered within their scene")
     scene = graph.scene(item.scene_id)
-    natural = [shot.shot_id for shot in graph.shots_of(item.scene_id)]
+    natural = [shot.shot_id for shot in graph.shots_of(item.scene_id) if not shot.joined]
     now = [shot.shot_id for shot in graph.shots_in_order(item.scene_id)]
     order = _moved(now, item.shot_id, other.shot_id, where, name, near)
     update: dict[str, Any] = {"shot_order": () if list(order) == natural else order}
@@ -97,4 +97,4 @@ def _part(graph: ContinuityMemoryGraph, name: str) -> ShotContext | SceneContext
 
 
 def _shots_left(graph: ContinuityMemoryGraph, scene_id: int) -> bool:
-    return any(not shot.omitted for shot in graph.shots_of(scene_id))
+    return any(not shot.omitted and not shot.joined for shot in graph.shots_of(scene_id))

@@ -7,11 +7,11 @@ from itertools import groupby
 from typing import Final
 
 from storyblender.edits.conflicts import refuse_stale
-from storyblender.edits.effect import Effect
+from storyblender.edits.effect import Effect, name_of
 from storyblender.edits.families import effects_of
 from storyblender.memory.base import Frozen
 from storyblender.memory.edits import Edit
-from storyblender.memory.history import replace
+from storyblender.memory.history import replace, without
 from storyblender.project import Project
 
 PRINTED: Final = frozenset({"notes", "approval", "cut"})
@@ -54,7 +54,8 @@ def apply_edits(project: Project, edits: Sequence[Edit], version: str | None = N
     graph, effects = project.graph, list[Effect]()
     for edit in edits:
         done = effects_of(graph, edit)
-        graph = replace(graph, *(each.item for each in done if each.item is not None))
+        graph = replace(graph, *(each.item for each in done if each.item is not None and not each.removed))
+        graph = without(graph, *(each.item for each in done if each.item is not None and each.removed))
         for order in (each.scene_order for each in done if each.scene_order is not None):
             graph = graph.model_copy(update={"scene_order": order})
         effects += done
@@ -64,7 +65,8 @@ def apply_edits(project: Project, edits: Sequence[Edit], version: str | None = N
         f"{_listed([each.name for each in same])}: {said}" for said, same in groupby(effects, lambda each: each.words)
     )
     project.commit(graph, "user", words)
-    stale = dict.fromkeys(name for each in effects for name in each.stale)
+    there = {name_of(shot) for shot in graph.shots if not shot.joined}
+    stale = dict.fromkeys(name for each in effects for name in each.stale if name in there)
     printed = any(each.aspects & PRINTED for each in effects)
     warnings = tuple(dict.fromkeys(each for effect in effects for each in effect.warnings))
     return Applied(version=project.version, words=words, stale=tuple(stale), printed=printed, warnings=warnings)

@@ -27,6 +27,7 @@ class Effect:
         stale: Shots whose frames show something else now.
         scene_order: The order of the scenes in the film then; None leaves it.
         warnings: What a person should know of it, one sentence each.
+        removed: Whether the item leaves the graph.
     """
 
     item: Item | None
@@ -36,6 +37,7 @@ class Effect:
     stale: tuple[str, ...] = ()
     scene_order: tuple[int, ...] | None = None
     warnings: tuple[str, ...] = ()
+    removed: bool = False
 
     def warned(self, warnings: tuple[str, ...]) -> Effect:
         """Return the effect with what a person should know of it."""
@@ -75,7 +77,7 @@ def name_of(item: ShotContext | SceneContext) -> str:
 def shot_names(graph: ContinuityMemoryGraph, scene_id: int) -> tuple[str, ...]:
     """Return the names of the shots of a scene that are in the film."""
     shots = () if graph.scene(scene_id).omitted else graph.shots_of(scene_id)
-    return tuple(shot_name(scene_id, shot.shot_id) for shot in shots if not shot.omitted)
+    return tuple(shot_name(scene_id, shot.shot_id) for shot in shots if not shot.omitted and not shot.joined)
 
 
 def scene_effect(

@@ -19,7 +19,7 @@ from storyblender.catalog.sets import plan_of
 from storyblender.edits.effect import Effect, name_of, refuse_locked, refuse_locked_staging, scene_effect, shot_names
 from storyblender.edits.targets import as_id, person_or_thing, scene_named, shots_named
 from storyblender.errors import InputError
-from storyblender.memory.base import Vec2, Vec3
+from storyblender.memory.base import Vec2, Vec3, shot_name, staged_id
 from storyblender.memory.edits import BlockingEdit, PlaceEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.scene_context import Layout, LayoutObject, SceneContext
@@ -141,6 +141,9 @@ def blocking_effects(graph: ContinuityMemoryGraph, edit: BlockingEdit) -> list[E
     scene, name = graph.scene(shot.scene_id), name_of(shot)
     person = person_or_thing(graph, edit.person)
     refuse_locked(shot, "blocking")
+    if shot.covers is not None:
+        staged = shot_name(shot.scene_id, staged_id(shot.shot_id))
+        raise InputError(f"{name} shows what is staged for {staged}", mend="set the marks there")
     own = next((each for each in shot.blocking if each.start.asset_id == person), None)
     if own is None:
         there = ", ".join(each.start.asset_id for each in shot.blocking)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from difflib import get_close_matches
+from typing import TypeVar
 
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Asset
@@ -13,6 +14,7 @@ from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.shot_context import ShotContext
 
 Target = ShotContext | SceneContext | Asset
+_Target = TypeVar("_Target", bound=ShotContext | SceneContext | Asset)
 
 
 def shots_named(graph: ContinuityMemoryGraph, names: Sequence[str]) -> list[ShotContext]:
@@ -26,7 +28,9 @@ def shots_named(graph: ContinuityMemoryGraph, names: Sequence[str]) -> list[Shot
         InputError: There is no shot of that name.
     """
     known = {shot_name(shot.scene_id, shot.shot_id): shot for shot in graph.shots}
-    return [known[_known("shot", name, name.upper(), known)] for name in names] if names else list(graph.cut)
+    if not names:
+        return list(graph.cut)
+    return [_in_itself(known[_known("shot", name, name.upper(), known)]) for name in names]
 
 
 def target_named(graph: ContinuityMemoryGraph, name: str) -> Target:
@@ -42,7 +46,7 @@ def target_named(graph: ContinuityMemoryGraph, name: str) -> Target:
     known: dict[str, Target] = {asset.asset_id: asset for asset in graph.assets}
     known |= {scene_name(scene.scene_id): scene for scene in graph.scenes}
     known |= {shot_name(shot.scene_id, shot.shot_id): shot for shot in graph.shots}
-    return known[_known("shot, scene or asset", name, name if name in known else name.upper(), known)]
+    return _in_itself(known[_known("shot, scene or asset", name, name if name in known else name.upper(), known)])
 
 
 def scene_named(graph: ContinuityMemoryGraph, name: str) -> SceneContext:
@@ -77,6 +81,14 @@ def person_or_thing(graph: ContinuityMemoryGraph, name: str) -> str:
 def as_id(name: str) -> str:
     """Return a name in the form of an id: ``Young Anna`` is ``young_anna``."""
     return "_".join(name.lower().split())
+
+
+def _in_itself(target: _Target) -> _Target:
+    """Return what is named; a shot that is joined to the one before it is refused."""
+    if isinstance(target, ShotContext) and target.joined:
+        name = shot_name(target.scene_id, target.shot_id)
+        raise InputError(f"{name} is joined to the shot before it", mend="split that one where it began")
+    return target
 
 
 def _known(what: str, written: str, name: str, known: Collection[str]) -> str:

@@ -208,7 +208,7 @@ def _add_changing(server: FastMCP[None], place: Workplace) -> None:
         ] = None,
         draw: Annotated[bool, Field(description="Whether to draw what changed at once.")] = True,
     ) -> Edited:
-        """Change cameras, lengths and order of shots, light, set, staging, things, takes; omit; lock, note, approve.
+        """Change cameras, lengths, light, set, staging, things, takes; split, join, add, omit, move shots; lock, note.
 
         Only what an edit changes is made and drawn again.
         """

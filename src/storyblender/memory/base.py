@@ -73,11 +73,27 @@ def scene_name(scene_id: int) -> str:
     return f"SC{scene_id * 10:03d}"
 
 
+SHOT_STEP = 10
+"""Between the numbers in the names of two shots of the Director."""
+ADDED_FROM = 50_000
+"""From here on, ids are of shots that a person split off or added: the number in the name is the rest."""
+
+
+def shot_number(shot_id: int) -> int:
+    """Return the number in the name of a shot: ten times its id; of one that a person added, one between those."""
+    return shot_id - ADDED_FROM if shot_id >= ADDED_FROM else shot_id * SHOT_STEP
+
+
+def staged_id(shot_id: int) -> int:
+    """Return the id of the staged shot in whose time a shot begins: its own, but for one that a person added."""
+    return shot_number(shot_id) // SHOT_STEP
+
+
 def shot_name(scene_id: int, shot_id: int) -> str:
     """Return the name of a shot, its camera and its marker, e.g. ``SC010_SH020``.
 
     Args:
         scene_id: From 1; the name has ten times that.
-        shot_id: From 1 in each scene; the name has ten times that.
+        shot_id: From 1 in each scene; the name has its ``shot_number``.
     """
-    return f"{scene_name(scene_id)}_SH{shot_id * 10:03d}"
+    return f"{scene_name(scene_id)}_SH{shot_number(shot_id):03d}"

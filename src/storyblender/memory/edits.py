@@ -249,6 +249,53 @@ class ReorderEdit(Described):
         return self
 
 
+class SplitEdit(Described):
+    """Splits a shot in two where a line begins or at a time; the second gets a number between and the same camera."""
+
+    kind: Literal["split"] = "split"
+    """Which edit this is."""
+    shot: _Name
+    """Such as ``SC010_SH020``."""
+    line: int | None = Field(default=None, ge=2)
+    """Number of the line of the shot that the second one begins with, counted from 1; or give frames or seconds."""
+    frames: Annotated[Frames, Field(ge=1)] | None = None
+    """First frame of the second one, counted from the start of the shot."""
+    seconds: float | None = Field(default=None, gt=0, le=3600)
+    """The same in seconds."""
+
+    @model_validator(mode="after")
+    def _has_one_place(self) -> Self:
+        if sum(each is not None for each in (self.line, self.frames, self.seconds)) != 1:
+            raise ValueError("a shot is split at a line, or at a time in frames or in seconds")
+        return self
+
+
+class JoinEdit(Described):
+    """Joins two neighbours of one scene: the first goes on for the time of the second, with its own camera."""
+
+    kind: Literal["join"] = "join"
+    """Which edit this is."""
+    shot: _Name
+    """Such as ``SC010_SH020``."""
+    other: _Name
+    """The shot after it, or before it."""
+
+
+class AddShotEdit(Described):
+    """Adds a shot after another one: a further camera on the same moment, such as an insert or a reaction."""
+
+    kind: Literal["add_shot"] = "add_shot"
+    """Which edit this is."""
+    shot: _Name
+    """The shot that it follows, such as ``SC010_SH020``."""
+    decision: CameraDecision
+    """Its camera; what is left out is as in that shot, or is the crew's to choose."""
+    at: float | None = Field(default=None, ge=0, le=3600)
+    """Seconds from the start of that shot at which it begins; left out, the moment of its frame is in the middle."""
+    seconds: float | None = Field(default=None, gt=0, le=3600)
+    """Its length; left out, 2 seconds, or what is left of the scene."""
+
+
 class ApproveEdit(Described):
     """Approves a shot, which locks all of it; or withdraws the approval, and what was locked before is locked still."""
 
@@ -275,6 +322,9 @@ Edit = Annotated[
     | OmitEdit
     | RestoreEdit
     | ReorderEdit
+    | SplitEdit
+    | JoinEdit
+    | AddShotEdit
     | LockEdit
     | UnlockEdit,
     Field(discriminator="kind"),

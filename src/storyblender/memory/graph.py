@@ -111,9 +111,13 @@ class ContinuityMemoryGraph(Frozen):
         """
         return _find(self.shots_of(scene_id), shot_id, "shot_id")
 
+    def staged_shots_of(self, scene_id: int) -> tuple[ShotContext, ...]:
+        """Return the shots of a scene that the crew stages, in order: those of the Director."""
+        return tuple(shot for shot in self.shots_of(scene_id) if shot.covers is None)
+
     def shots_in_order(self, scene_id: int) -> tuple[ShotContext, ...]:
         """Return the shots of a scene in the order of the film, with those that are omitted in their places."""
-        shots = {shot.shot_id: shot for shot in self.shots_of(scene_id)}
+        shots = {shot.shot_id: shot for shot in self.shots_of(scene_id) if not shot.joined}
         return tuple(shots[shot_id] for shot_id in in_order(tuple(shots), self.scene(scene_id).shot_order))
 
     @property
@@ -127,14 +131,9 @@ class ContinuityMemoryGraph(Frozen):
         """The shots of the film, in its order."""
         edited = any(scene.omitted or scene.shot_order for scene in self.scenes)
         if not self.scene_order and not edited:
-            return tuple(shot for shot in self.shots if not shot.omitted)
+            return tuple(shot for shot in self.shots if not shot.omitted and not shot.joined)
         scenes = (scene for scene in self.scenes_in_order if not scene.omitted)
         return tuple(shot for scene in scenes for shot in self.shots_in_order(scene.scene_id) if not shot.omitted)
-
-    @property
-    def as_cut(self) -> ContinuityMemoryGraph:
-        """The graph with the shots of the film alone, in its order: for what is said about the film."""
-        return self.model_copy(update={"shots": self.cut})
 
     def outline_of(self, scene_id: int) -> SceneOutline | None:
         """Return the words of a scene, if the outline has it."""

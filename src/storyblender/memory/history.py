@@ -11,7 +11,7 @@ from typing import Any, Final, Literal
 from pydantic import Field
 
 from storyblender.memory.asset_sheet import Asset
-from storyblender.memory.base import Frozen, content_hash
+from storyblender.memory.base import Frozen, content_hash, shot_number
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline
 from storyblender.memory.scene_context import SceneContext
@@ -192,6 +192,16 @@ def replace(graph: ContinuityMemoryGraph, *items: Item) -> ContinuityMemoryGraph
     return graph.model_copy(update=updates)
 
 
+def without(graph: ContinuityMemoryGraph, *items: Item) -> ContinuityMemoryGraph:
+    """Return the graph without the items that have these keys."""
+    gone = {(layer_of(item), key_of(item)) for item in items}
+    layers = {layer for layer, _ in gone}
+    kept = {
+        layer: tuple(item for item in getattr(graph, layer) if (layer, key_of(item)) not in gone) for layer in layers
+    }
+    return graph.model_copy(update=kept)
+
+
 _MODELS: dict[Layer, type[Item]] = {
     "outline": SceneOutline,
     "assets": Asset,
@@ -216,10 +226,15 @@ def _item(change: Change, value: dict[str, Any] | None) -> Item | None:
     return item
 
 
+def _place(item: Item) -> tuple[int | str, ...]:
+    """Return what an item is sorted by: a shot that a person added, by the number in its name."""
+    return (item.scene_id, shot_number(item.shot_id)) if isinstance(item, ShotContext) else key_of(item)
+
+
 def _ordered(layer: Layer, items: list[Any], assets: list[str]) -> tuple[Any, ...]:
     """Story order for scenes and shots; assets keep the order in which they joined."""
     if layer != "assets":
-        return tuple(sorted(items, key=key_of))
+        return tuple(sorted(items, key=_place))
     rank = {asset_id: index for index, asset_id in enumerate(assets)}
     return tuple(sorted(items, key=lambda asset: rank.get(asset.asset_id, len(rank))))
 

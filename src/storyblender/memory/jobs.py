@@ -152,6 +152,8 @@ class PackRef(Frozen):
     problems: tuple[Flaw, ...] = ()
     """What could not be staged as asked."""
     timing: tuple[PlayedCue, ...] = ()
+    covering: tuple[tuple[int, int], ...] = Field(default=(), exclude_if=lambda value: not value)
+    """The same as ``starts``, of shots that a person split off or added; the pack itself does not depend on them."""
 
     def played(self, shot_id: int) -> tuple[PlayedCue, ...]:
         """Return the actual timing of the cues of a shot."""
@@ -164,7 +166,7 @@ class PackRef(Frozen):
 
     def start_of(self, shot_id: int) -> int:
         """Return the first frame of a shot on the scene's timeline."""
-        return dict(self.starts)[shot_id]
+        return dict((*self.starts, *self.covering))[shot_id]
 
 
 def _drawn(shot: ShotContext, *fields: str) -> dict[str, Any]:
@@ -247,6 +249,8 @@ class StoryJob(Frozen):
     packs: tuple[PackRef, ...]
     cut: Cut = Field(default=(), exclude_if=lambda value: not value)
     """The shots of the film in its order; empty where that is all of them in the order of the script."""
+    beside: Cut = Field(default=(), exclude_if=lambda value: not value)
+    """Shots that are other cameras on the time of another shot: they have no marker on the timeline."""
     changed: tuple[int, ...] | None = None
     """Scenes to put in anew; the others stay in the file as they are. None compiles it whole."""
     out: str

@@ -77,7 +77,7 @@ def _overruled(name: str, old: ShotContext, new: ShotContext) -> Iterator[str]:
         yield f"a person keeps the takes of {name}"
     if (new.notes, new.approved) != (old.notes, old.approved):
         yield f"people write the notes on {name}, and approve it"
-    if new.omitted != old.omitted:
+    if (new.omitted, new.joined, new.covers) != (old.omitted, old.joined, old.covers):
         yield f"people decide whether {name} is in the film"
     decision = old.camera_decision
     if decision is not None and (new.camera_decision != decision or not decision.holds(new.camera_instruction)):

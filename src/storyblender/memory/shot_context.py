@@ -19,6 +19,7 @@ from storyblender.memory.base import (
     is_none,
 )
 from storyblender.memory.camera_decision import CameraDecision, CameraInstruction, CameraRetake
+from storyblender.memory.covers import Covers
 from storyblender.memory.locks import ShotLock
 from storyblender.memory.notes import Note
 from storyblender.memory.scene_context import Light, Lighting, Spot
@@ -353,6 +354,10 @@ class ShotContext(Frozen):
     """What was locked before a person approved the shot, which locks all of it; None where nobody did."""
     omitted: bool = Field(default=False, exclude_if=lambda value: not value)
     """Whether a person left it out of the film; its number stays."""
+    covers: Covers | None = Field(default=None, exclude_if=is_none)
+    """Of a shot that a person split off or added: what it shows of the time that the crew staged for another."""
+    joined: bool = Field(default=False, exclude_if=lambda value: not value)
+    """Whether a person joined it to the shot before it, which shows its time in the film."""
     _former = dropping("new_lighting_description")
 
     @property

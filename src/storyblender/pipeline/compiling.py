@@ -14,6 +14,7 @@ from storyblender import __version__
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen, content_hash
+from storyblender.memory.coverage import as_filmed, is_beside
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import GEOMETRY_VERSION, Cut, CutJob, PackRef, SequenceFile, StoryJob
 from storyblender.pipeline.run import Run
@@ -159,7 +160,7 @@ def _compiler(run: Run, job: StoryJob) -> Callable[[tuple[int, ...] | None], Fut
 
 def _story_job(run: Run, packs: Sequence[PackRef], sequence: SequenceFile | None) -> StoryJob:
     """Return what compiles the story, or one sequence with the assets that it shows."""
-    graph = run.graph
+    graph = as_filmed(run.graph)
     ids = {pack.scene_id for pack in packs} if sequence is None else set(sequence.scene_ids)
     assets: tuple[Asset, ...] = graph.assets
     if sequence is not None:
@@ -173,6 +174,7 @@ def _story_job(run: Run, packs: Sequence[PackRef], sequence: SequenceFile | None
         shots=tuple(shot for shot in graph.shots if shot.scene_id in ids),
         packs=tuple(pack for pack in packs if pack.scene_id in ids),
         cut=_film_of(graph, ids),
+        beside=_beside(run.graph, ids),
         out=STORY if sequence is None else sequence.path,
     )
 
@@ -184,8 +186,13 @@ def _film_of(graph: ContinuityMemoryGraph, scenes: Collection[int]) -> Cut:
     return () if film == shots else tuple(film)
 
 
+def _beside(graph: ContinuityMemoryGraph, scenes: Collection[int]) -> Cut:
+    """Return the shots of some scenes that are other cameras on the time of another shot."""
+    return tuple((shot.scene_id, shot.shot_id) for shot in graph.shots if shot.scene_id in scenes and is_beside(shot))
+
+
 def _cut(run: Run, packs: Sequence[PackRef], sequences: tuple[SequenceFile, ...]) -> _File:
-    graph = run.graph
+    graph = as_filmed(run.graph)
     job = CutJob(
         format=graph.format,
         assets=graph.assets,

@@ -18,6 +18,7 @@ from storyblender.catalog.sets import plan_of
 from storyblender.errors import AnswerAwaited
 from storyblender.geometry.framing import Figure
 from storyblender.memory.base import scene_name, shot_name
+from storyblender.memory.coverage import as_filmed
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
 from storyblender.memory.jobs import PackRef
@@ -111,7 +112,7 @@ def with_cuts_judged(run: Run, scenes: Collection[int] | None = None) -> Continu
         run: With packs and cameras.
         scenes: Ids of the scenes to judge; None judges all.
     """
-    graph, fresh = run.graph, list[ShotContext]()
+    graph, fresh = as_filmed(run.graph), list[ShotContext]()
     for scene_id, pack in run.packs.items():
         if scenes is not None and scene_id not in scenes:
             continue
@@ -162,13 +163,14 @@ def film(run: Run) -> None:
 
 
 def with_frames(run: Run) -> ContinuityMemoryGraph:
-    """Return the graph with the frame that the storyboard shows of every shot whose camera is to be set."""
+    """Return the graph as the film shows it, with the board's frame of every shot whose camera is to be set."""
+    graph = as_filmed(run.graph)
     fresh = [
         shot.model_copy(update={"frame": story_moment(shot, run.packs[shot.scene_id].played(shot.shot_id))})
-        for shot in run.graph.shots
+        for shot in graph.shots
         if shot.camera is None
     ]
-    return replace(run.graph, *fresh)
+    return replace(graph, *fresh)
 
 
 def _commit_scene(
@@ -176,9 +178,13 @@ def _commit_scene(
 ) -> int:
     for event in events:
         run.tell(event)
-    fresh = [shot.model_copy(update={"camera": states[shot.shot_id]}) for shot in graph.shots_of(scene_id)]
+    fresh = [
+        run.graph.shot(scene_id, shot.shot_id).model_copy(update={"camera": states[shot.shot_id], "frame": shot.frame})
+        for shot in graph.shots_of(scene_id)
+        if shot.camera is None
+    ]
     run.commit("camera_operator", f"cameras of scene {scene_id}", *fresh)
-    return len(fresh)
+    return len(states)
 
 
 def film_scene(run: Run, graph: ContinuityMemoryGraph, scene_id: int) -> tuple[dict[int, CameraState], list[Event]]:

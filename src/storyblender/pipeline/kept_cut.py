@@ -51,4 +51,5 @@ def _former_scenes(plan: ContinuityMemoryGraph, matched: Mapping[ShotKey, ShotKe
 def _ordered(known: Sequence[int], kept: Sequence[int]) -> tuple[int, ...]:
     """Return a person's order of what is left with what is new in it; empty where it is that of the script."""
     order = in_order(known, kept)
-    return () if list(kept) == sorted(kept) or list(order) == list(known) else order
+    natural = [each for each in known if each in kept]
+    return () if list(kept) == natural or list(order) == list(known) else order

@@ -106,7 +106,10 @@ class LightPreview:
         _, lit, found = self._lit(usual, lambda current, shot: current)
         scene = self._scene.model_copy(update={"setup": self._scene.setup.model_copy(update={"found": found})})
         pack = pack_scene(self._run, scene_job(replace(self._run.graph, scene, *lit), scene.scene_id))
-        framed = (shot.model_copy(update={"frame": board_frame(shot, pack.played(shot.shot_id))}) for shot in lit)
+        framed = (
+            shot.model_copy(update={"frame": board_frame(shot, pack.played(shot.shot_id)), "joined": False})
+            for shot in lit
+        )
         return replace(self._run.graph, scene, *framed), pack
 
     def _draw(self, shot: ShotContext, plan: Lighting) -> Picture:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from concurrent.futures import Future
 
 from storyblender.memory.base import scene_name
+from storyblender.memory.coverage import is_cut_anew, spans_of, staged_spans
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import PackRef, SceneJob
 from storyblender.pipeline.run import Run
@@ -22,11 +23,11 @@ def pack_scenes(run: Run) -> None:
         if known is None:
             waiting[scene_id] = run.engine.pack_scene(job)
         else:
-            run.packs[scene_id] = known
+            run.packs[scene_id] = with_coverage(run.graph, known)
     for step, (scene_id, job) in enumerate(jobs.items()):
         run.progress("pack", step, len(jobs), scene_name(scene_id))
         if scene_id in waiting:
-            run.packs[scene_id] = _noted(run, job, waiting[scene_id].result())
+            run.packs[scene_id] = with_coverage(run.graph, _noted(run, job, waiting[scene_id].result()))
     run.progress("pack", len(jobs), len(jobs))
 
 
@@ -58,6 +59,29 @@ def _noted(run: Run, job: SceneJob, pack: PackRef) -> PackRef:
     return pack
 
 
+def with_coverage(graph: ContinuityMemoryGraph, pack: PackRef) -> PackRef:
+    """Return a pack that tells of the shots that a person split, joined or added when they begin and what is played.
+
+    Args:
+        graph: The story.
+        pack: Of one of its scenes, as it is kept.
+    """
+    shots = graph.shots_of(pack.scene_id)
+    if not is_cut_anew(shots):
+        return pack
+    spans, staged = spans_of(shots), staged_spans(shots)
+    opening = min((start for _, start in pack.starts), default=1)
+    covering = tuple((shot.shot_id, opening + spans[shot.shot_id][0]) for shot in shots if shot.covers is not None)
+    timing = list(pack.timing)
+    for shot_id, (first, end) in spans.items():
+        for cue in pack.timing:
+            offset = staged[cue.shot_id][0] - first
+            if cue.shot_id != shot_id and cue.over + offset > 0 and cue.began + offset < end - first:
+                times = {"start": max(cue.start + offset, 0), "began": cue.began + offset, "over": cue.over + offset}
+                timing.append(cue.model_copy(update={"shot_id": shot_id, **times}))
+    return pack.model_copy(update={"covering": covering, "timing": tuple(timing)})
+
+
 def scene_job(graph: ContinuityMemoryGraph, scene_id: int) -> SceneJob:
     """Return what the engine needs to build a scene.
 
@@ -68,7 +92,7 @@ def scene_job(graph: ContinuityMemoryGraph, scene_id: int) -> SceneJob:
     Raises:
         KeyError: There is no such scene.
     """
-    scene, shots = graph.scene(scene_id), graph.shots_of(scene_id)
+    scene, shots = graph.scene(scene_id), graph.staged_shots_of(scene_id)
     assets = graph.assets_of(scene_id)
     states = assets_in_states(assets, shots, scene.setup.found)
     return SceneJob(scene=scene, shots=shots, assets=assets, fps=graph.format.fps, in_states=states)

@@ -33,6 +33,6 @@ def make_stale_anew(run: Run) -> None:
 
 
 def _relight(run: Run, scene_id: int) -> None:
-    scene, shots = light_scene(run, run.graph.scene(scene_id), run.graph.shots_of(scene_id))
+    scene, shots = light_scene(run, run.graph.scene(scene_id), run.graph.staged_shots_of(scene_id))
     scene = scene.model_copy(update={"stale": ()})
     run.commit("lighting_arranger", f"light of {scene_name(scene_id)}", scene, *shots)

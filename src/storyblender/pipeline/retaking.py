@@ -12,6 +12,7 @@ from typing import Final
 
 from storyblender.agents.frame_critic.frame_view import actions_to_see, speakers
 from storyblender.memory.base import shot_name
+from storyblender.memory.coverage import filmed
 from storyblender.memory.shot_context import CameraRetake, ShotContext
 from storyblender.memory.shot_sizes import SHOT_SIZES, SIZES, ShotSize
 from storyblender.pipeline.filming import film
@@ -59,11 +60,11 @@ def retake_poor_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, Fr
     may_retake = run.settings.look == run.made_in_look and not run.project.has_undone
     untried = [key for key in keys if run.graph.shot(*key).camera_retake is None]
     for step in _STEPS if may_retake else ():
-        present = [run.graph.shot(*key) for key in untried]
+        present = [(shot, filmed(run.graph, shot)) for shot in (run.graph.shot(*key) for key in untried)]
         again = {
             shot_name(shot.scene_id, shot.shot_id): (shot, choice)
-            for shot in present
-            if (choice := _choice(step, shot, _mendable(run, shot, reviews))) is not None
+            for shot, seen in present
+            if (choice := _choice(step, seen, _mendable(run, seen, reviews))) is not None
         }
         if again:
             reviews |= _taken_again(run, again, reviews)

@@ -13,6 +13,7 @@ from storyblender.catalog.fixtures import fixtures_called
 from storyblender.catalog.sets import plan_of
 from storyblender.look.picture_measure import PictureMeasure, measure_picture
 from storyblender.memory.base import Digest, Frozen, content_hash, shot_name
+from storyblender.memory.coverage import filmed
 from storyblender.memory.measure import SubjectView
 from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.run import Run
@@ -120,7 +121,7 @@ def judge_frame(run: Run, shot: ShotContext, sight: ShotSight, picture: PictureM
         sight: The measured view of its camera.
         picture: Measurements of its pixels; None if it is not drawn yet.
     """
-    name = shot_name(shot.scene_id, shot.shot_id)
+    name, shot = shot_name(shot.scene_id, shot.shot_id), filmed(run.graph, shot)
     assets = {asset.asset_id: asset for asset in run.graph.assets}
     nodes, environment = nodes_of(run.graph, shot.scene_id), run.graph.scene(shot.scene_id).environment
     plan = plan_of(environment) if environment is not None else None
@@ -163,5 +164,5 @@ def _record(run: Run, shot: ShotContext) -> str:
 
 
 def _judged(run: Run, shot: ShotContext) -> str:
-    told = shot.model_dump(mode="json", exclude=_NOT_JUDGED)
+    told = filmed(run.graph, shot).model_dump(mode="json", exclude=_NOT_JUDGED)
     return content_hash(CRITIC_VERSION, told, frame_picture(run, shot))

@@ -20,6 +20,7 @@ from storyblender.memory.locks import SCENE_LOCKS, SHOT_LOCKS, ShotLock
 from storyblender.memory.outline import SceneOutline, ShotOutline
 from storyblender.memory.scene_context import Environment, SceneContext
 from storyblender.memory.shot_context import CameraDecision, CameraInstruction, CameraState, ShotContext
+from storyblender.pipeline.kept_coverage import with_coverage
 from storyblender.pipeline.kept_cut import ShotKey, with_cut
 from storyblender.pipeline.kept_decisions import marks_of, takes_of, with_decided_models, with_scene_decisions
 
@@ -119,6 +120,7 @@ def revise(
     }
     shots = [shot.model_copy(update=takes.get((shot.scene_id, shot.shot_id), {})) for shot in shots]
     graph = with_scene_decisions(old, graph.model_copy(update={"shots": tuple(shots)}), matched)
+    graph, matched = with_coverage(old, graph, matched)
     graph = with_cut(old, graph, matched)
     kept: dict[int, int] = {}
     for scene in graph.outline:
@@ -245,6 +247,9 @@ def _lost_locks(
             gone.append("its approval")
         if after is None:
             gone += [f"the note “{note.words}”" for note in shot.notes]
+            gone += ["what was split off or added"] if shot.covers is not None else []
+        if shot.joined and (after is None or not after.joined):
+            gone.append("that it was joined to the shot before it")
         yield shot_name(shot.scene_id, shot.shot_id), ", ".join(gone)
     for scene in old.scenes:
         if scene.scene_id not in kept.values():
@@ -316,9 +321,8 @@ def _staged(
         return None
     update = {name: getattr(past, name) for name in ("environment", "layout", "lighting", "locked", "stale")}
     dressing = [asset for asset in old.assets if asset.asset_id in wanted - news.keys()]
-    shots = [
-        _kept_shot(before, after) for before, after in zip(old.shots_of(former), plan.shots_of(scene_id), strict=True)
-    ]
+    pasts = {shot.shot_id: shot for shot in old.shots_of(former)}
+    shots = [_kept_shot(pasts[shot.shot_id], shot) for shot in plan.shots_of(scene_id)]
     setup = present.setup.model_copy(update={"found": past.setup.found})
     scene: SceneContext = present.model_copy(update={**update, "setup": setup})
     return replace(plan, *dressing, scene, *shots)

@@ -7,7 +7,8 @@ from concurrent.futures import Future
 from pathlib import Path
 
 from storyblender.agents.layout_artist.story_moment import board_frame
-from storyblender.memory.base import scene_name, shot_name
+from storyblender.memory.base import scene_name, shot_name, staged_id
+from storyblender.memory.coverage import filmed
 from storyblender.memory.graph import ProjectFormat
 from storyblender.memory.jobs import FrameJob, FrameReport, Look, MotionJob
 from storyblender.memory.scene_context import Lighting
@@ -29,7 +30,7 @@ def light_of(run: Run, shot: ShotContext) -> Lighting:
     """
     lighting = run.graph.scene(shot.scene_id).lighting
     for other in run.graph.shots_of(shot.scene_id):
-        if other.shot_id <= shot.shot_id and other.lighting is not None:
+        if other.shot_id <= staged_id(shot.shot_id) and other.lighting is not None:
             lighting = other.lighting
     assert lighting is not None, "the Lighting Arranger comes before the camera rolls"
     return lighting
@@ -165,7 +166,8 @@ def is_cut_otherwise(run: Run) -> bool:
 
 def cut_record(run: Run) -> bytes:
     """Return what is kept beside a film of the order of its shots."""
-    names = (f"{shot_name(shot.scene_id, shot.shot_id)} {shot.duration}" for shot in run.graph.cut)
+    shots = (filmed(run.graph, shot) for shot in run.graph.cut)
+    names = (f"{shot_name(shot.scene_id, shot.shot_id)} {shot.duration}" for shot in shots)
     return "\n".join(names).encode()
 
 
@@ -216,6 +218,7 @@ def frame_job(run: Run, shot: ShotContext, look: Look, form: ProjectFormat | Non
         look: How it is drawn.
         form: Size and shape of the picture; the story's if not given.
     """
+    shot = filmed(run.graph, shot)
     job = FrameJob(
         pack=run.packs[shot.scene_id],
         shot=shot,
@@ -232,7 +235,7 @@ def _motion_job(run: Run, shot: ShotContext, folder: str) -> MotionJob:
     width = run.settings.animatic_width // MOTION_WIDTH_STEP * MOTION_WIDTH_STEP
     return MotionJob(
         pack=run.packs[shot.scene_id],
-        shot=run.graph.shot(shot.scene_id, shot.shot_id),
+        shot=filmed(run.graph, run.graph.shot(shot.scene_id, shot.shot_id)),
         lighting=light_of(run, shot),
         format=run.graph.format,
         width=width,

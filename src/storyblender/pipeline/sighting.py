@@ -10,6 +10,7 @@ from storyblender.agents.layout_artist.story_moment import board_frame
 from storyblender.geometry.camera_path import camera_at
 from storyblender.geometry.framing import Figure, Film
 from storyblender.memory.base import Frozen, shot_name
+from storyblender.memory.coverage import filmed
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import PackRef, PlayedCue
 from storyblender.memory.measure import CameraView, ViewRequest
@@ -37,7 +38,7 @@ class Sighting:
     def __init__(
         self, graph: ContinuityMemoryGraph, engine: Engine, pack: PackRef, only: set[int] | None = None
     ) -> None:
-        shots = [shot for shot in graph.shots_of(pack.scene_id) if shot.camera is not None]
+        shots = [filmed(graph, shot) for shot in graph.shots_of(pack.scene_id) if shot.camera and not shot.joined]
         shots = [shot for shot in shots if only is None or shot.shot_id in only]
         film = Film(graph.format.sensor_width, graph.format.aspect)
         nodes = nodes_of(graph, pack.scene_id)

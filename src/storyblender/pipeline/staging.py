@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping, Sequence
 from functools import partial
 
 from storyblender.agents.layout_artist.bystanders import bystander_objects, crowd_size, place_bystanders
@@ -28,6 +28,7 @@ from storyblender.agents.visual_effects_artist.vehicle_doors import add_open_doo
 from storyblender.catalog.sets import plan_of
 from storyblender.errors import AnswerAwaited
 from storyblender.memory.base import Vec2, scene_name, shot_name
+from storyblender.memory.coverage import parts_of
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
 from storyblender.memory.scene_context import Environment, Layout, Lighting, SceneContext
@@ -108,11 +109,12 @@ def act_in_layout(run: Run, scene: SceneContext, left_out: Collection[str] | Non
     shots = _animate(run, scene.scene_id)
     if scene.lighting is not None:
         shots = tuple(_with_new_camera(shot) for shot in shots)
+    added = tuple(_with_new_camera(shot) for shot in before.values() if shot.covers is not None)
     if "light" not in scene.locked:
         scene, shots = light_scene(run, scene, shots)
     scene = scene.model_copy(update={"stale": ()})
     shots = tuple(_with_flaws(run.graph, scene, shot, before[shot.shot_id], left_out) for shot in shots)
-    run.commit("animator", f"motion and light of {name}", scene, *shots)
+    run.commit("animator", f"motion and light of {name}", scene, *shots, *added)
 
 
 def _with_flaws(
@@ -155,7 +157,9 @@ def animate_again(run: Run) -> None:
     """
     for scene_id in sorted({shot.scene_id for shot in run.graph.shots if shot.stale}):
         before = {shot.shot_id: shot for shot in run.graph.shots_of(scene_id)}
-        shots = [_again(run.graph, before[shot.shot_id], shot) for shot in _animate(run, scene_id)]
+        scene = run.graph.scene(scene_id)
+        shots = [_with_flaws(run.graph, scene, shot, before[shot.shot_id], None) for shot in _animate(run, scene_id)]
+        shots = _with_cameras_after(before, shots)
         names = ", ".join(shot_name(scene_id, shot_id) for shot_id, shot in before.items() if shot.stale)
         run.commit("animator", f"motion of {names}", *shots)
         for shot in shots:
@@ -165,15 +169,25 @@ def animate_again(run: Run) -> None:
                     run.tell(Event(kind="warning", role="animator", subject=subject, message=flaw.message))
 
 
-def _again(graph: ContinuityMemoryGraph, before: ShotContext, shot: ShotContext) -> ShotContext:
-    """Return a shot that was animated again, with its flaws; its camera goes where its people are elsewhere."""
-    shot, update = _with_flaws(graph, graph.scene(shot.scene_id), shot, before, None), dict[str, object]()
-    placed = before.camera_decision is not None and before.camera_decision.placed is not None
-    if shot.blocking != before.blocking and "camera" not in before.locked and not placed:
-        update |= {"camera": None, "lights": ()}
-    if shot.blocking != before.blocking:
-        update["takes"] = shot.takes_to_set_anew
-    return shot.model_copy(update=update)
+def _with_cameras_after(before: Mapping[int, ShotContext], shots: Sequence[ShotContext]) -> list[ShotContext]:
+    """Return shots that were animated again; cameras go of those that show people who are elsewhere now.
+
+    Args:
+        before: All shots of the scene, by id.
+        shots: The staged ones as they are now; the added ones are returned with them.
+    """
+    moved = {shot.shot_id for shot in shots if shot.blocking != before[shot.shot_id].blocking}
+    every = [*before.values()]
+    result: list[ShotContext] = []
+    for shot in (*shots, *(each for each in every if each.covers is not None)):
+        parts = (shot,) if shot.joined else parts_of(every, before[shot.shot_id])
+        update: dict[str, object] = {}
+        if moved & {part.shot_id for part in parts}:
+            update["takes"] = shot.takes_to_set_anew
+            placed = shot.camera_decision is not None and shot.camera_decision.placed is not None
+            update |= {} if "camera" in shot.locked or placed else {"camera": None, "lights": ()}
+        result.append(shot.model_copy(update=update))
+    return result
 
 
 def _laid_out(
@@ -241,7 +255,7 @@ def _animate(run: Run, scene_id: int) -> tuple[ShotContext, ...]:
     staged = {staging.shot_id: staging for staging in draft.shots}
     layout = run.graph.scene(scene_id).layout
     assert layout is not None, "the layout comes before motion"
-    played = tuple(staged[shot.shot_id].applied(shot) for shot in run.graph.shots_of(scene_id))
+    played = tuple(staged[shot.shot_id].applied(shot) for shot in run.graph.staged_shots_of(scene_id))
     return add_open_doors(played, layout.objects, run.graph.assets_of(scene_id))
 
 

@@ -13,11 +13,10 @@ from storyblender.agents.director.reading import CameraNote, Reading, Unit
 from storyblender.memory.shot_sizes import ShotSize
 from storyblender.memory.vocabulary import Angle, BodyPart, CameraDirection, Movement, ShotKind
 
-_SIZE_OF_KIND: dict[str, ShotSize] = {
+SIZE_OF_KIND: dict[str, ShotSize] = {
     "insert": "CU", "ots": "MS", "two_shot": "MS", "group": "MWS", "pov": "MS", "reverse": "MCU",
 }  # fmt: skip
-
-
+"""Size of a kind of picture that is asked for without a size."""
 _PARTS: dict[BodyPart, str] = {
     "hand": r"hands?|fingers?|fingertips?|fists?|knuckles|palms?|thumbs?",
     "eyes": r"eyes?|eyelids?|tears?",
@@ -136,7 +135,7 @@ def directed_shot(
     focus = (
         named or list(dict.fromkeys(each for each in acting if each)) or unit.people or unit.on_stage[:3] or unit.things
     )
-    size = cast(ShotSize, note.size) if note.size else _SIZE_OF_KIND.get(note.kind, default_size)
+    size = cast(ShotSize, note.size) if note.size else SIZE_OF_KIND.get(note.kind, default_size)
     shot = ShotDraft(
         kind=_shot_kind(note, focus, names, unit),
         size=size,

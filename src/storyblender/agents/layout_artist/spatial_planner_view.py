@@ -111,7 +111,7 @@ def spatial_planner_view(
         distance_scale: Factor on the distances between people who stand together.
         staging: Number of another staging; 0 is the first one.
     """
-    scene, shots = graph.scene(scene_id), graph.shots_of(scene_id)
+    scene, shots = graph.scene(scene_id), graph.staged_shots_of(scene_id)
     objects = {asset.asset_id for asset in graph.assets if asset.asset_type == "object"}
     standing = {item.asset_id for item in dressed}
     first = shots[0] if shots else None

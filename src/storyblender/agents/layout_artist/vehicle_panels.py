@@ -14,7 +14,7 @@ from storyblender.geometry.framing import Figure
 from storyblender.geometry.orbit import Floats, Orbit
 from storyblender.geometry.sight import find_hidden as hidden_from
 from storyblender.memory.asset_sheet import Anchor
-from storyblender.memory.base import Vec3
+from storyblender.memory.base import Vec3, shot_number
 from storyblender.memory.shot_context import ShotContext
 
 _FAR = 4.2
@@ -45,7 +45,7 @@ def open_doors(shots: Sequence[ShotContext], shot_id: int, asset_id: str) -> fro
     """
     now: tuple[str, ...] = ()
     for shot in shots:
-        for change in shot.asset_modifications if shot.shot_id <= shot_id else ():
+        for change in shot.asset_modifications if shot_number(shot.shot_id) <= shot_number(shot_id) else ():
             if change.asset_id == asset_id and change.doors is not None:
                 now = change.doors
     return frozenset(now)

@@ -55,7 +55,7 @@ def animator_view(graph: ContinuityMemoryGraph, scene_id: int) -> AnimatorView:
         layout=scene.layout,
         plan=plan_of(scene.environment),
         assets=graph.assets_of(scene_id),
-        shots=graph.shots_of(scene_id),
+        shots=graph.staged_shots_of(scene_id),
         outline=graph.outline_of(scene_id),
         fps=graph.format.fps,
         found=scene.setup.found,
