@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 
 from storyblender.errors import Cancelled, StoryBlenderError
+from storyblender.memory.base import shot_name
 from storyblender.session import Session
 
 FIRST = 2
@@ -88,6 +89,10 @@ class Drawer:
                     self._changed.wait_for(lambda: self._ended or any(self._waiting.values()), REST)
                 if self._ended:
                     return
+                there = self._shots()
+                self._waiting = {name: preview for name, preview in self._waiting.items() if name in there}
+                if not self._waiting and not self._unknown:
+                    continue
                 wanted = [name for name, preview in self._waiting.items() if preview][:FIRST]
                 self._working, all_of_them, unknown = True, tuple(self._waiting), self._unknown
             try:
@@ -104,9 +109,15 @@ class Drawer:
             except Cancelled:
                 continue
             except StoryBlenderError as error:
+                if not self._shots().issuperset(wanted or all_of_them):
+                    continue  # an edit or an undo took one of them away meanwhile
                 self._unknown = False
                 self._settle(wanted or all_of_them, drawn=not wanted)
                 self._failed(str(error))
+
+    def _shots(self) -> set[str]:
+        """Return the names of the shots that there are now."""
+        return {shot_name(shot.scene_id, shot.shot_id) for shot in self._session.graph.shots if not shot.joined}
 
     def _settle(self, names: Collection[str], *, drawn: bool) -> None:
         with self._changed:

@@ -14,6 +14,7 @@ from storyblender.agents.vocabulary import vocabulary
 from storyblender.edits.dispatcher import Applied
 from storyblender.errors import InputError, StoryBlenderError
 from storyblender.memory.base import shot_name
+from storyblender.memory.coverage import as_filmed
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.session import Session
 from storyblender.trace import Event
@@ -244,6 +245,7 @@ def reached(before: ContinuityMemoryGraph, after: ContinuityMemoryGraph) -> list
         before: A story.
         after: The same story, changed.
     """
+    before, after = as_filmed(before), as_filmed(after)
     scenes = {scene.scene_id: scene for scene in before.scenes}
     shots = {(shot.scene_id, shot.shot_id): shot for shot in before.shots}
     same_things = before.assets == after.assets and before.format == after.format

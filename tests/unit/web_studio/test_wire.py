@@ -104,6 +104,24 @@ def test_an_edit_is_one_undo_and_its_frame_follows(page: TestClient, stage: Stag
         assert "ECU" in browser.value("board")["redo"]
 
 
+def test_shots_come_and_go_and_the_frames_of_the_others_are_drawn(page: TestClient) -> None:
+    with page.websocket_connect("/wire") as socket:
+        browser = Browser(socket)
+        board = browser.is_drawn()
+        shots = [card["shot"] for card in cards(board)]
+        split = {"kind": "split", "shot": SHOT, "frames": 5}
+        add = {"kind": "add_shot", "shot": SHOT, "decision": {"size": "CU"}}
+        for edits in ([split], [add], [split, add]):
+            browser.value("apply", edits=edits)
+            assert len(cards(browser.value("board"))) == len(shots) + len(edits)
+            browser.value("undo")
+            browser.value("apply", edits=SIZE)
+            browser.value("undo")
+        assert [card["shot"] for card in cards(browser.is_drawn())] == shots
+        told = [heard["event"] for heard in browser.news if heard["news"] == "event"]
+        assert not [event for event in told if event["kind"] == "warning" and event["role"] == "frames"]
+
+
 def test_two_browsers_see_each_others_edits_and_a_stale_one_is_refused(page: TestClient) -> None:
     with page.websocket_connect("/wire") as one, page.websocket_connect("/wire") as two:
         anna, ben = Browser(one), Browser(two)
