@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import os
 import re
 import subprocess
@@ -90,6 +91,33 @@ def test_a_missing_key_is_one_sentence(provider_name: str, monkeypatch: pytest.M
 def test_an_address_holds_no_key(address: str) -> None:
     with pytest.raises(ValueError, match="can play a role"):
         players(f"openai-chat:some-model@{address}")
+
+
+SPELLINGS = (KEY, base64.b64encode(KEY.encode()).decode(), KEY.encode().hex(), KEY[::-1])
+"""The key, and what a careless program could make of it."""
+
+
+@pytest.mark.parametrize("name", ["openai_chat", "ollama"])
+def test_what_is_recorded_of_a_run_has_no_key(name: str, tmp_path: Path) -> None:
+    service, script = SERVICES[name], tmp_path / "doors.fountain"
+    script.write_text("INT. HALL - DAY\n\nANNA opens the door.\n\nEXT. STREET - NIGHT\n\nANNA runs.\n")
+    answers = (Say('{"units": []}'), Say("not an answer"), Say(f'{{"units": "{KEY}"}}'), Say('{"units": []}'))
+    with serving(service.wire, *answers, gossips=True) as server:
+        player = f"{service.provider}:{service.model}@{server.address}{service.path}"
+        variables = {key_name(server): KEY, "OPENAI_LOG": "debug"}
+        command = [sys.executable, "-m", "storyblender", "plan", str(script), "--crew", player]
+        done = subprocess.run(
+            command, env=os.environ | variables, capture_output=True, text=True, timeout=300, check=False
+        )
+    assert done.returncode == 0 and all(KEY in str(headers) for headers in server.headers), "it came by environment"
+    files = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
+    recorded = [path for path in files if path.parent.name == "answers"]
+    assert [path for path in recorded if path.name.endswith(".request.md")], "requests are recorded"
+    assert [path for path in recorded if files[path] == b"not an answer"], "answers are recorded as they were given"
+    for spelling in SPELLINGS:
+        assert [path.name for path, text in files.items() if spelling.encode() in text] == []
+        assert [path.name for path in files if spelling in str(path)] == []
+        assert spelling not in done.stdout + done.stderr
 
 
 @pytest.mark.parametrize("name", ["openai_chat", "openai_responses", "anthropic", "gemini"])
