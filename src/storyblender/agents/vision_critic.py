@@ -36,7 +36,7 @@ class CriticNotes(Notes):
     """What a critic says of the picture."""
 
     score: Annotated[float, Field(ge=0, le=10)]
-    """10: nothing could be better; 8: good; 6: a fault that anybody sees; under 4: it shows the wrong thing."""
+    """10: nothing could be better; 8: good; 6: a fault that everyone sees; under 4: it shows the wrong thing."""
     faults: Annotated[tuple[SeenFault, ...], Field(max_length=6)] = ()
     """The worst first; none if the picture is right."""
 

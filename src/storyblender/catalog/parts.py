@@ -61,7 +61,7 @@ def is_sure_part(name: str) -> bool:
 
 
 def is_shell(name: str) -> bool:
-    """Return whether a name means a part that is the vehicle itself for whoever acts on it: its door, its window."""
+    """Return whether a name means a part that is the vehicle itself to people who act on it: its door, its window."""
     words = _BEFORE.split(name.lower())[0].split()
     return bool(words) and words[-1] in _SHELL
 

@@ -189,7 +189,7 @@ class ConceptArtist:
             recipe = self._fetched(outcome.draft)
         except InputError as error:
             return self.give_up(asset, outcome.draft.key, error)
-        if outcome.critique.score < recipe.score:  # somebody looked at it
+        if outcome.critique.score < recipe.score:  # a critic looked at it
             recipe = recipe.model_copy(update={"score": outcome.critique.score})
         if recipe.score < RETRIEVAL_THRESHOLD:
             name = PROPS[recipe.key].name if recipe.source == "catalog" else recipe.key.replace("_", " ")

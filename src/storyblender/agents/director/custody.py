@@ -1,6 +1,6 @@
 """Which things people have in their hands, from readings that say only what is new.
 
-A Director says what somebody holds when it changes; in between the deeds tell. What is followed here is said in every
+A Director says what a person holds when it changes; in between the deeds tell. What is followed here is said in every
 unit, and what cannot be is named: a thing that is held where it is absent, that two people hold, that is taken by the
 one who has it, or given away by one who has not.
 """
@@ -117,7 +117,7 @@ class Custody:
                 yield f"{person} and {other} both hold {thing!r}; say who has it, or make it two things"
 
     def _claim(self, person: str, thing: str, told: Mapping[str, Sequence[str]]) -> None:
-        """Take a thing that somebody is said to hold out of the hands of those who are not said to."""
+        """Take a thing that a person is said to hold out of the hands of those who are not said to."""
         for other, held in self.hands.items():
             kept = other == person or thing in told.get(other, ()) or thing in self.shared
             if not kept:
@@ -153,7 +153,7 @@ def _is_long(thing: Thing) -> bool:
 def with_things_in_hands(units: Sequence[Unit], things: Sequence[Thing]) -> list[Unit]:
     """Return the units of a Director, each with all that everybody on stage has in hand when it ends.
 
-    What somebody hands over, puts down or uses before anything else is said of it is in their hands from the start,
+    What a person hands over, puts down or uses before anything else is said of it is in their hands from the start,
     unless it was absent before, or they were said to hold other things.
 
     Args:

@@ -24,7 +24,7 @@ class FittedParts:
 
     Attributes:
         whole: Part -> its vehicle; empty where it is the car of the set.
-        shell: Doors, windows and the like -> the vehicle: for whoever acts on them they are it.
+        shell: Doors, windows and the like -> the vehicle: to a person who acts on them they are it.
         names: Id -> name of both.
         vehicles: Ids of the motor vehicles.
     """

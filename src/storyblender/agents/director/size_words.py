@@ -46,7 +46,7 @@ def stated_size(name: str, description: str, *, person: bool, kind: str | None =
 
 
 def _words_of_size(name: str, description: str, person: bool) -> str:
-    """Return the words that can say how large somebody or something is: its name, and what is said of it itself."""
+    """Return the words that can say how large a person or thing is: its name, and what is said of it itself."""
     name, own = (words if person else _OWN_WORDS.split(words.strip(), maxsplit=1)[0] for words in (name, description))
     nouns = re.findall(r"\w+", name)
     own = _SLIGHTLY.sub(lambda found: found[0] if found[1] in nouns else "", own)

@@ -1,4 +1,4 @@
-"""What cannot be of an edit of a scene: said to whoever made it, before the dispatcher refuses it."""
+"""What cannot be of an edit of a scene: said to who made it, before the dispatcher refuses it."""
 
 from __future__ import annotations
 

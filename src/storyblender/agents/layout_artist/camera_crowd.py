@@ -1,4 +1,4 @@
-"""Extras before the subjects of a picture: they are out of it, as on a film stage somebody waves them aside."""
+"""Extras before the subjects of a picture: they are out of it, as on a film stage they are waved aside."""
 
 from __future__ import annotations
 

@@ -166,5 +166,5 @@ def _cue_rank(cue: Cue, shot: ShotContext) -> int:
     goes_on = cue.lasting and not cue.start
     if goes_on or (motion.reach == "self" and motion.after is None and not motion.hands):
         return 1
-    to_somebody = cue.target_id in shot.on_stage and cue.target_id != cue.asset_id
-    return 3 if to_somebody and motion.reach != "self" else 2
+    to_a_person = cue.target_id in shot.on_stage and cue.target_id != cue.asset_id
+    return 3 if to_a_person and motion.reach != "self" else 2

@@ -1,4 +1,4 @@
-"""What a person decided about set and light, applied by code to what a policy proposes, whoever plays the role."""
+"""What a person decided about set and light, applied by code to what any policy of the role proposes."""
 
 from __future__ import annotations
 

@@ -227,6 +227,6 @@ def _belongs_on_sheet(item: Item, apart: bool) -> bool:
 
 def _names_no_thing(word: str) -> bool:
     """Whether a noun is no thing's name: ``lets go of it``, ``so wet``, ``sunburned``, ``his partner``."""
-    somebody = word in _PEOPLE or (is_person_noun(word) and word not in ANIMALS)
+    person = word in _PEOPLE or (is_person_noun(word) and word not in ANIMALS)
     other = word in ADJECTIVES or word in _ORDINALS or word in _MANNER or word.endswith("ed")
-    return somebody or other or form_kind(word) == "base"
+    return person or other or form_kind(word) == "base"

@@ -20,9 +20,9 @@ _SOON, _LATER = 900, 2500
 """Characters from where a person without a name was told of last to his title, and to a name that just turns up."""
 _NEAR, _ANSWERING = 1600, 150
 """Characters between a person's last mention and what he is called."""
-_SOMEBODY = frozenset({"man", "woman", "lady", "gentleman"})
+_PERSON_NOUNS = frozenset({"man", "woman", "lady", "gentleman"})
 _YOUNG = frozenset({"boy", "girl", "child", "youth", "lad", "kid", "teenager"})
-GENERIC = _SOMEBODY | {"fellow", "stranger", "figure"}
+GENERIC = _PERSON_NOUNS | {"fellow", "stranger", "figure"}
 """Nouns that tell no more than that a person is there."""
 _EITHER = frozenset({"nurse", "secretary", "housekeeper"})
 """They may be men after all."""
@@ -201,9 +201,9 @@ def _may_be_same(nameless: Person, named: Person, told: str, alone: bool) -> boo
     if _is_introduced_later(nameless, named, told):
         return True
     title, noun = bare(named.name).split()[0].strip("."), nameless.role
-    if (title in lexicon.TITLES - GENTLE and " " in named.name) or (title in GENTLE and noun in _SOMEBODY):
+    if (title in lexicon.TITLES - GENTLE and " " in named.name) or (title in GENTLE and noun in _PERSON_NOUNS):
         ranked = title in lexicon.RANKS.get(noun, ())
-        plain = noun in _SOMEBODY and title not in lexicon.KIN
+        plain = noun in _PERSON_NOUNS and title not in lexicon.KIN
         indefinite = _INDEFINITE.match(told, nameless.first) is not None
         return (ranked or plain) and named.first - nameless.first < _SOON and indefinite
     if title in GENTLE and noun in _YOUNG | lexicon.KIN:

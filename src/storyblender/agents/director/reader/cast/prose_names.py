@@ -85,7 +85,7 @@ def names_in(text: str, start: int) -> list[tuple[int, str]]:
         if (
             not known
             and _is_place_name(name, before)
-            and not _is_apposed_to_somebody(text[match.end() : match.end() + 62])
+            and not _is_apposed_to_a_person(text[match.end() : match.end() + 62])
         ):
             continue
         found.append((start + at, name))
@@ -112,7 +112,7 @@ def _opens_like_a_name(name: str, following: str) -> bool:
     )
 
 
-def _is_apposed_to_somebody(after: str) -> bool:
+def _is_apposed_to_a_person(after: str) -> bool:
     """Whether an apposition shows a person: ``in the house of Pyotr Ilyich, the postmaster``."""
     phrase = next(find_person_nouns(after[2:60]), None) if after.startswith(", ") else None
     return phrase is not None and phrase.start == 0

@@ -65,7 +65,7 @@ _FOLLOWING = 40
 """How many characters after a name are read to decide whether it names a person."""
 _NOT_FAR = 900
 """Characters back to the first sight of a person who is then called ``the STRANGER``."""
-_SOMEBODY = frozenset({"man", "woman", "boy", "girl", "figure", "stranger", "child", "kid"})
+_PERSON_NOUNS = frozenset({"man", "woman", "boy", "girl", "figure", "stranger", "child", "kid"})
 _NUMBERED = re.compile(r"\s*#?\d+$")
 _CHORUS = lexicon.words("chorus")
 """Cues that mean the people present."""
@@ -312,7 +312,7 @@ def _merge_earlier_view(roster: Roster, person: Person, text: str, at: int) -> N
     earlier = [
         phrase
         for phrase in find_person_nouns(text[max(0, at - _NOT_FAR) : at])
-        if phrase.determiner in ("a", "an") and not phrase.plural and phrase.noun in _SOMEBODY
+        if phrase.determiner in ("a", "an") and not phrase.plural and phrase.noun in _PERSON_NOUNS
     ]
     if earlier and not any(earlier[-1].noun in other.aliases for other in roster.people):
         roster.add_alias(person, earlier[-1].noun)

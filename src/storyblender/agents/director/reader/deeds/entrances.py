@@ -19,7 +19,7 @@ from storyblender.memory.vocabulary import Gender
 
 _CALLING = frozenset({"call", "shout", "yell", "scream", "answer"})
 _ARRIVING = frozenset({"enter", "come", "arrive", "return", "burst", "appear"})
-"""Whoever was on a screen does this, and is there."""
+"""A person who was on a screen does this, and is there."""
 _MINDING = frozenset({"think", "talk", "dream", "remember", "miss", "mention", "imagine"})
 _NEAR = (
     "to", "at", "behind", "beside", "with", "by", "toward", "towards", "near", "against", "between", "in front of",
@@ -130,7 +130,7 @@ def enter_named(state: ReaderState, words: list[Word], clauses: list[Clause]) ->
 
 _SUBJECTS: dict[str, Gender] = {"he": "male", "she": "female", "they": "unknown", "both": "unknown"}
 _OF_THEM = frozenset({"the", "both", "these", "those"})
-_ANYBODY = frozenset({"friend", "other", "lover", "figure", "people", "them"}) | lexicon.words("pairs")
+_ANY_PERSON = frozenset({"friend", "other", "lover", "figure", "people", "them"}) | lexicon.words("pairs")
 """Heads that say nothing of who they are."""
 
 
@@ -159,7 +159,7 @@ def carry_over_people(state: ReaderState, sentence: Sentence) -> None:
 def _group_of_number(before: Sequence[Person], head: str, number: int) -> list[Person]:
     """Return all people of the scene before if they are as many as said: ``the two women``."""
     gender = lexicon.gender_of_word(head)
-    if head not in _ANYBODY and (gender == "unknown" or head in lexicon.KIN):
+    if head not in _ANY_PERSON and (gender == "unknown" or head in lexicon.KIN):
         return []
     fitting = [person for person in before if person.kind == "human" and gender_fits(person, gender)]
     return fitting if len(fitting) == number else []

@@ -80,12 +80,12 @@ def _give_to_inverted(clauses: list[Clause]) -> None:
     if not clauses:
         return
     *before, last = clauses
-    somebody = bool(last.object) and last.object[0].kind == "person"
-    if last.opening and somebody and last.verb in lexicon.INVERTING and all(n.kind == "thing" for n in last.subject):
+    to_person = bool(last.object) and last.object[0].kind == "person"
+    if last.opening and to_person and last.verb in lexicon.INVERTING and all(n.kind == "thing" for n in last.subject):
         last.subject, last.object = last.object, []  # In the booth, hats low, sit two THUGS
     if last.subject or not last.object or last.verb not in lexicon.INVERTING | {"be"}:
         return
-    if all((clause.passive or (clause.participle and somebody)) and clause.elided for clause in before):
+    if all((clause.passive or (clause.participle and to_person)) and clause.elided for clause in before):
         for clause in before:
             clause.subject, clause.elided = last.object, False
 

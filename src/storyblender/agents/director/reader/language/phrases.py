@@ -302,8 +302,8 @@ def _is_thing(word: Word) -> bool:
 
 def _tells_a_kind(words: list[Word], at: int) -> bool:
     """Whether a thing names the kind of a person or animal: ``a barn owl``, ``the hotel porter``."""
-    somebody = words[at + 1].text.islower() if at + 1 < len(words) else False
-    return somebody and words[at].text.islower() and singular(words[at].low) in _KIND_NOUNS
+    named = words[at + 1].text.islower() if at + 1 < len(words) else False
+    return named and words[at].text.islower() and singular(words[at].low) in _KIND_NOUNS
 
 
 def _predicated(words: list[Word], at: int) -> bool:

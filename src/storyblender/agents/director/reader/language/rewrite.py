@@ -152,12 +152,12 @@ def _named_kin(words: list[Word]) -> list[Word]:
     while at < len(words):
         right = words[at + 1 : at + 3]
         name = right[0].mention if len(right) > 1 and words[at].text == right[1].text == "," else None
-        somebody = _told_before(kept, name, words[at + 3 : at + 4]) if name and name.kind == "name" else None
-        if somebody is None:
+        person = _told_before(kept, name, words[at + 3 : at + 4]) if name and name.kind == "name" else None
+        if person is None:
             kept.append(words[at])
             at += 1
         else:
-            somebody.mention = name
+            person.mention = name
             at += 3
     return kept
 
@@ -189,14 +189,14 @@ def _apposition_end(words: list[Word], comma: int) -> int | None:
         first = next((w for w in inside if w.low not in lexicon.ADVERBS), inside[0])
         if form_kind(first.low) == "ing" or first.verb or first.low in _POSTURES:
             return None
-        somebody = any(w.mention and w.text[0].isupper() for w in inside)
+        named = any(w.mention and w.text[0].isupper() for w in inside)
         verb = any(
             form_kind(w.low) in ("3sg", "aux") and inside[i - 1].low not in lexicon.NUMBERS
             for i, w in enumerate(inside)
             if not w.mention and not (i == 0 and singular(w.low) in _BORNE)
         )
         several = any(w.low == "and" for w in inside) and inside[0].low not in ("in", "with")
-        return None if somebody or verb or several else at
+        return None if named or verb or several else at
     return None
 
 

@@ -336,10 +336,10 @@ def _continues_verb(form: VerbForm, left: Word, right: str, row: TaggedRow) -> b
         return row.last_kind == "base" or (several and not row.verb_seen and left.low == "," and right in OBJECTS)
     if left.low in lexicon.CONJUNCTIONS:
         return left.low in ("and", "then", "but", "or") and (row.verb_seen or any(w.inserted for w in row.words))
-    somebody = any(w.mention for w in row.words)
+    person = any(w.mention for w in row.words)
     if right == "." and left.low == "," and row.words[0].named and form.lemma in lexicon.MOTION_OF_VERB:
         return True  # BOB, in a suit, sits.
-    return (row.verb_seen and right != "of") or (somebody and right in OPENERS | lexicon.PREPOSITIONS)
+    return (row.verb_seen and right != "of") or (person and right in OPENERS | lexicon.PREPOSITIONS)
 
 
 def _after_noun(word: Word, form: VerbForm, left: Word, right: str) -> bool:

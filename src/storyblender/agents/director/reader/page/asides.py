@@ -33,7 +33,7 @@ _TO_THE_ARTIST = re.compile(
     re.IGNORECASE,
 )
 """Phrases by which a comic script or a commercial addresses the artist."""
-_SOMEBODY = ("male", "female", "plural")
+_GENDERS = ("male", "female", "plural")
 _QUESTION = re.compile(r"\?\W*$")
 
 
@@ -49,7 +49,7 @@ def is_aside(sentence: Sentence, text: str, *, drawn: bool = False) -> bool:
     words = " ".join(without_brackets(text[sentence.start : sentence.end]).split())
     if sentence.speech or sentence.camera or not words:
         return False
-    named = any(word.mention is not None or lexicon.PRONOUNS.get(word.low) in _SOMEBODY for word in sentence.words)
+    named = any(word.mention is not None or lexicon.PRONOUNS.get(word.low) in _GENDERS for word in sentence.words)
     if _INTERJECTION.fullmatch(words) and not named:
         return True
     if named:

@@ -86,7 +86,7 @@ def furniture_and_props(state: ReaderState, things: list[str]) -> list[str]:
 
 def body_part_at(place: Place) -> tuple[str, str] | None:
     """Return the body part that a place names and the id of its owner: ``on her lap``; also ``onto his coat``."""
-    parts = BODY_OR_DRESS if place.preposition in _ONTO_SOMEBODY else lexicon.BODY
+    parts = BODY_OR_DRESS if place.preposition in _ONTO_A_PERSON else lexicon.BODY
     return next(((noun.head, noun.owner) for noun in place.nouns if noun.owner and noun.head in parts), None)
 
 
@@ -119,7 +119,7 @@ _FEET = frozenset({"foot", "knee"})
 _HEELS = frozenset({"heel", "back"})
 _WORN_PARTS = frozenset({"ear", "hair", "lip", "tooth", "belt", "waistband", "mouth", "collar", "lap", "arm"})
 """What is behind or in them is on a person."""
-_ONTO_SOMEBODY = frozenset({"on", "onto", "to", "around", "round", "about", "over", "across"})
+_ONTO_A_PERSON = frozenset({"on", "onto", "to", "around", "round", "about", "over", "across"})
 FITTINGS = frozenset({"button", "switch", "knob", "handle", "lever", "dial"})
 """Parts of what they are on."""
 BEARING = frozenset({"lap", "shoulder", "knee", "back", "hip"})
