@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from functools import partial
 
+from storyblender.agents.layout_artist.asked_places import places_not_kept
 from storyblender.agents.layout_artist.bystanders import bystander_objects, crowd_size, place_bystanders
 from storyblender.agents.layout_artist.cleared_action import clear_action
 from storyblender.agents.layout_artist.fitted_places import with_fitted_parts
@@ -94,7 +95,18 @@ def stage_scene(run: Run, scene_id: int) -> None:
         layout = place_by_hand(layout, placed, stand_of(run.graph.assets, scene.environment))
     scene = scene.model_copy(update={"layout": layout})
     run.commit("spatial_planner", f"layout of {name}", scene)
+    _tell_places_not_kept(run, scene)
     act_in_layout(run, scene, {*fitted.outcome.view.pending} - {item.asset_id for item in layout.objects})
+
+
+def _tell_places_not_kept(run: Run, scene: SceneContext) -> None:
+    """Warn of what a person added at a place and stands elsewhere."""
+    added = scene.layout_decision.added if scene.layout_decision is not None else None
+    if not added or scene.environment is None or scene.layout is None:
+        return
+    assets = {asset.asset_id: asset for asset in run.graph.assets}
+    for message in places_not_kept(scene.setup, scene.layout, plan_of(scene.environment), assets, added):
+        run.tell(Event(kind="warning", role="spatial_planner", subject=scene_name(scene.scene_id), message=message))
 
 
 def act_in_layout(run: Run, scene: SceneContext, left_out: Collection[str] | None = None) -> None:

@@ -166,6 +166,16 @@ def test_what_is_added_at_a_place_is_near_it_and_stays_so_in_another_script(
     assert not [each for each in scene(session.graph, ROOM).setup.relations if each.asset_id == "piano"]
 
 
+def test_a_place_without_room_is_told(folder: Path) -> None:
+    warnings: list[str] = []
+    with Studio(SETTINGS, listener=lambda event: warnings.append(event.message)).open(folder) as session:
+        apply(session, {**PIANO, "relation": "next_to", "anchor": "window"})
+        assert not [each for each in warnings if "no room" in each]
+        session.undo()
+        apply(session, {**PIANO, "relation": "in", "anchor": "left_corner"})
+    assert "there is no room for piano in left corner: it stands elsewhere" in warnings
+
+
 def test_takes_are_kept_chosen_and_dropped(session: Session) -> None:
     first = session.graph.shots[0]
     apply(session, TAKE, {"kind": "camera", "shot": SHOT, "decision": {"size": "ECU"}})
