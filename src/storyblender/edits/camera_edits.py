@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from storyblender.edits.effect import Effect, name_of, refuse_locked, shot_names
+from storyblender.edits.effect import Effect, name_of, refuse_far, refuse_locked, shot_names
 from storyblender.edits.targets import person_or_thing, shots_named
 from storyblender.errors import InputError
 from storyblender.memory.coverage import filmed, is_beside, room_for
@@ -22,6 +22,10 @@ def camera_effects(graph: ContinuityMemoryGraph, edit: CameraEdit) -> list[Effec
     [shot] = shots_named(graph, [edit.shot])
     name = name_of(shot)
     refuse_locked(shot, "camera")
+    placed = edit.decision.placed
+    for place in (placed.start, placed.end) if placed is not None else ():
+        if place is not None:
+            refuse_far(place.location, graph.scene(shot.scene_id))
     item, words = with_decided_camera(graph, shot, edit.decision)
     return [Effect(item, name, words, frozenset({"camera"}), (name,))]
 

@@ -1,18 +1,22 @@
-"""What one edit comes to, and the refusal of what is locked."""
+"""What one edit comes to, and the refusal of what is locked or far away."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
 from storyblender.errors import InputError
-from storyblender.memory.base import scene_name, shot_name
+from storyblender.memory.base import Vec2, Vec3, scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Item
 from storyblender.memory.locks import SceneLock, ShotLock, StaleWork
 from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.shot_context import ShotContext
+
+FARTHEST, DEEPEST, HIGHEST = 500.0, -50.0, 300.0
+"""Metres from the middle of the set, and below and above its floor, beyond which nothing is placed."""
 
 
 @dataclass(frozen=True)
@@ -67,6 +71,24 @@ def refuse_locked_staging(graph: ContinuityMemoryGraph, scene: SceneContext, *pa
         refuse_locked(scene, part)
     for shot in graph.shots_of(scene.scene_id):
         refuse_locked(shot, "blocking")
+
+
+def refuse_far(point: Vec3, scene: SceneContext) -> None:
+    """Refuse a place far outside of a set.
+
+    Args:
+        point: Metres.
+        scene: With its layout, if it is staged.
+
+    Raises:
+        InputError: With how far it may be.
+    """
+    size = scene.layout.scene_size if scene.layout is not None else None
+    middle: Vec2 = (0.0, 0.0) if size is None else ((size.x + size.x_negative) / 2, (size.y + size.y_negative) / 2)
+    if math.dist(point[:2], middle) > FARTHEST or not DEEPEST <= point[2] <= HIGHEST:
+        x, y, z = point
+        far = f"{x:g}, {y:g}, {z:g} is too far from the set of {name_of(scene)}"
+        raise InputError(far, mend=f"stay within {FARTHEST:g} m of its middle, {DEEPEST:g} to {HIGHEST:g} m high")
 
 
 def name_of(item: ShotContext | SceneContext) -> str:

@@ -16,18 +16,23 @@ from storyblender.agents.layout_artist.placed_by_hand import (
 from storyblender.agents.visual_effects_artist.animator_critic import LEAST_DISTANCE, LEAST_FREE_SHARE
 from storyblender.agents.visual_effects_artist.floor import BODY, Floor
 from storyblender.catalog.sets import plan_of
-from storyblender.edits.effect import Effect, name_of, refuse_locked, refuse_locked_staging, scene_effect, shot_names
+from storyblender.edits.effect import (
+    Effect,
+    name_of,
+    refuse_far,
+    refuse_locked,
+    refuse_locked_staging,
+    scene_effect,
+    shot_names,
+)
 from storyblender.edits.targets import as_id, person_or_thing, scene_named, shots_named
 from storyblender.errors import InputError
-from storyblender.memory.base import Vec2, Vec3, shot_name, staged_id
+from storyblender.memory.base import Vec2, shot_name, staged_id
 from storyblender.memory.edits import BlockingEdit, PlaceEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.scene_context import Layout, LayoutObject, SceneContext
 from storyblender.memory.scene_decision import BlockingDecision, FloorPlace, LayoutDecision, PersonMarks, ThingPlace
 from storyblender.memory.shot_context import ShotContext
-
-FARTHEST, DEEPEST, HIGHEST = 500.0, -50.0, 300.0
-"""Metres from the middle of the set, and below and above its floor, beyond which nothing is placed."""
 
 _JUMP = 0.3
 """Metres from the end of one shot to the start of the next that are told."""
@@ -62,24 +67,6 @@ def place_effects(graph: ContinuityMemoryGraph, edit: PlaceEdit) -> list[Effect]
     words = f"{item.node_id} placed {place.words}"
     effect = scene_effect(graph, scene, words, "layout", ("motion",), layout=moved, layout_decision=decided)
     return [effect.warned(flaws)]
-
-
-def refuse_far(point: Vec3, scene: SceneContext) -> None:
-    """Refuse a place far outside of a set.
-
-    Args:
-        point: Metres.
-        scene: With its layout, if it is staged.
-
-    Raises:
-        InputError: With how far it may be.
-    """
-    size = scene.layout.scene_size if scene.layout is not None else None
-    middle: Vec2 = (0.0, 0.0) if size is None else ((size.x + size.x_negative) / 2, (size.y + size.y_negative) / 2)
-    if math.dist(point[:2], middle) > FARTHEST or not DEEPEST <= point[2] <= HIGHEST:
-        x, y, z = point
-        far = f"{x:g}, {y:g}, {z:g} is too far from the set of {name_of(scene)}"
-        raise InputError(far, mend=f"stay within {FARTHEST:g} m of its middle, {DEEPEST:g} to {HIGHEST:g} m high")
 
 
 def _item_named(graph: ContinuityMemoryGraph, scene: SceneContext, layout: Layout, name: str) -> LayoutObject:

@@ -146,6 +146,21 @@ def camera_looking_at(
     return camera_around(target, azimuth, elevation, distance, lens, roll=roll, **film)
 
 
+def camera_turned(position: ArrayLike, rotation: Quaternion, lens: float, distance: float, **film: float) -> Orbit:
+    """Return a camera at a world position with a rotation.
+
+    Args:
+        position: (3,) optical centre, world metres.
+        rotation: World from camera; made a unit quaternion.
+        lens: Focal length, mm.
+        distance: Metres ahead of it to its pivot.
+        film: ``sensor_width`` in mm and ``aspect``.
+    """
+    unit = multiply_quaternions(rotation, (1.0, 0.0, 0.0, 0.0))
+    pivot = np.asarray(position, float) - rotation_matrix(unit)[:, 2] * distance
+    return Orbit(_as_point(pivot), unit, distance, lens, **film)
+
+
 def pan(camera: Orbit, dx: float, dy: float) -> Orbit:
     """Move the camera and its pivot ``dx`` picture heights right and ``dy`` up across the picture; 1:1 at the pivot."""
     axes, eta = camera.axes, camera.frame_height

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict, Field, StringConstraints, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, model_validator
 
 Identifier = Annotated[str, StringConstraints(pattern=r"^[a-z][a-z0-9_]{0,63}$")]
 """A snake_case name, safe as a file name and as a Blender name. Never a path."""
@@ -21,6 +22,18 @@ Coordinate = Annotated[float, Field(ge=-1e6, le=1e6)]
 Vec2 = tuple[Coordinate, Coordinate]
 Vec3 = tuple[Coordinate, Coordinate, Coordinate]
 """Metres, world frame, right-handed, Z up, +X = viewer's right, unless a field says otherwise."""
+
+
+def _is_rotation(value: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
+    if not 0.98 < math.hypot(*value) < 1.02:
+        raise ValueError("should be a unit quaternion")
+    return value
+
+
+_Quarter = Annotated[float, Field(ge=-1.01, le=1.01)]
+Quaternion = Annotated[tuple[_Quarter, _Quarter, _Quarter, _Quarter], AfterValidator(_is_rotation)]
+"""A rotation: w, x, y, z of a unit quaternion."""
+
 _Share = Annotated[float, Field(ge=0, le=1e4)]
 Color = tuple[_Share, _Share, _Share]
 """Scene-linear RGB, 0 to 1; what glows may be brighter."""

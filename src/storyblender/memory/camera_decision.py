@@ -7,7 +7,16 @@ from typing import Annotated, Self, get_args
 
 from pydantic import Field, model_validator
 
-from storyblender.memory.base import Coordinate, Described, Frozen, Identifier, Vec3, is_none, without_fields
+from storyblender.memory.base import (
+    Coordinate,
+    Described,
+    Frozen,
+    Identifier,
+    Quaternion,
+    Vec3,
+    is_none,
+    without_fields,
+)
 from storyblender.memory.shot_sizes import ShotSize
 from storyblender.memory.vocabulary import (
     Angle,
@@ -72,18 +81,22 @@ class CameraInstruction(Frozen):
 
 
 class CameraPosition(Described):
-    """Where a camera stands and what it looks at."""
+    """Where a camera stands and what it looks at, or how it is turned."""
 
     location: Vec3
     """Optical centre, metres in the scene, Z up."""
-    target: Vec3
-    """A point in the middle of the picture; its distance is that of the orbit's pivot."""
+    target: Vec3 | None = None
+    """A point in the middle of the picture; its distance is that of the orbit's pivot. Or give a rotation."""
     roll: Coordinate = 0.0
-    """Degrees, counter-clockwise as seen from behind the camera."""
+    """Degrees, counter-clockwise as seen from behind the camera, of one that looks at a target."""
+    rotation: Quaternion | None = Field(default=None, exclude_if=is_none)
+    """In place of a target: world from camera, which looks along its -Z with +Y up in the picture, as in Blender."""
 
     @model_validator(mode="after")
     def _looks_somewhere(self) -> Self:
-        if math.dist(self.location, self.target) < 0.05:
+        if (self.target is None) == (self.rotation is None) or (self.rotation is not None and self.roll):
+            raise ValueError("a camera looks at a target, with a roll if it leans, or has a rotation")
+        if self.target is not None and math.dist(self.location, self.target) < 0.05:
             raise ValueError("a camera looks at a point at least 5 cm away")
         return self
 

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import math
-from typing import Annotated, Literal
+from typing import Literal
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, model_validator
 
 from storyblender.memory.base import (
     Coordinate,
     Frames,
     Frozen,
     Identifier,
+    Quaternion,
     SceneId,
     ShotId,
     Vec3,
@@ -195,28 +195,17 @@ class PropState(Frozen):
     """Where the prop is on its owner's body, if no hand holds it."""
 
 
-_Quarter = Annotated[float, Field(ge=-1.01, le=1.01)]
-"""A quarter of a unit quaternion."""
-
-
 class CameraPose(Frozen):
     """The orbital state at one frame (paper, appendix: pivot, rotation, distance)."""
 
     frame: Frames = 0
     pivot: Vec3
-    rotation: tuple[_Quarter, _Quarter, _Quarter, _Quarter]
-    """Unit quaternion w, x, y, z: world from camera; the camera looks along its -Z."""
+    rotation: Quaternion
+    """World from camera; the camera looks along its -Z."""
     distance: float = Field(gt=0, le=1e6)
     """Metres."""
     lens: float = Field(gt=0, le=10_000)
     """mm."""
-
-    @field_validator("rotation")
-    @classmethod
-    def _is_rotation(cls, value: tuple[float, ...]) -> tuple[float, ...]:
-        if not 0.98 < math.hypot(*value) < 1.02:
-            raise ValueError("should be a unit quaternion")
-        return value
 
 
 class Flaw(Frozen):

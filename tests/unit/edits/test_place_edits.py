@@ -6,12 +6,14 @@ import random
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from tests.every import every
 from tests.home import SCRIPT, SETTINGS
 
 from storyblender.edits.words import edits_of, place_edit
 from storyblender.errors import InputError, Rejected, StaleEdit
+from storyblender.geometry.orbit import Orbit, camera_around
 from storyblender.memory.edits import EDITS
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
@@ -250,3 +252,51 @@ def test_the_command_line_says_the_same() -> None:
     ):
         with pytest.raises(InputError):
             place_edit(*wrong)
+
+
+@every(
+    "place",
+    [
+        {"location": [0.3, -1.2345678901, 1.5], "target": [0.0, 1.0, 1.25]},
+        {"location": [0.3, -1.2, 1.5], "target": [0.3, -1.2, 0.0], "roll": 12.5},
+        {
+            "location": [0.3, -1.2, 1.5],
+            "rotation": camera_around((0, 0, 0), 123.4, 56.7, 1.0, 50.0, roll=-8.9).rotation,
+        },
+        {"location": [0.3, -1.2, 1.5], "rotation": [1.0, 0.0, 0.0, 0.0]},
+    ],
+)
+def test_a_placed_camera_is_just_there_through_json_and_stagings(place: dict[str, Any], made_copy: Session) -> None:
+    session = made_copy
+    edit = {"kind": "camera", "shot": SHOT, "decision": {"placed": {"start": place}, "lens": 35}}
+    assert EDITS.validate_json(EDITS.dump_json(edits_of([edit]))) == edits_of([edit])
+    apply(session, edit)
+    apply(session, {"kind": "layout", "scene": ROOM})
+    camera = session.graph.shot(1, 2).camera
+    assert camera is not None and len(camera.poses) == 1
+    [pose] = camera.poses
+    there = Orbit(pose.pivot, pose.rotation, pose.distance, pose.lens)
+    assert np.allclose(there.position, place["location"], atol=1e-12) and pose.lens == 35
+    if "rotation" in place:
+        assert np.allclose(pose.rotation, place["rotation"], atol=1e-12)
+    else:
+        assert pose.pivot == tuple(place["target"])
+    session.undo()
+    session.undo()
+
+
+@every(
+    "start",
+    [
+        {"location": [0, 0, 1]},
+        {"location": [0, 0, 1], "target": [0, 1, 1], "rotation": [1, 0, 0, 0]},
+        {"location": [0, 0, 1], "rotation": [1, 1, 0, 0]},
+        {"location": [0, 0, 1], "rotation": [1, 0, 0, 0], "roll": 5},
+        {"location": [501, 0, 1], "target": [0, 1, 1]},
+        {"location": [0, 0, -51], "target": [0, 1, 1]},
+        {"location": [0, 0, 1], "target": [0, 0, 1.01]},
+    ],
+)
+def test_a_camera_that_cannot_be_is_refused(start: dict[str, Any], session: Session) -> None:
+    with pytest.raises(InputError):
+        session.apply(edits_of([{"kind": "camera", "shot": SHOT, "decision": {"placed": {"start": start}}}]))

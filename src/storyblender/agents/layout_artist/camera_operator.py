@@ -23,7 +23,7 @@ from storyblender.memory.shot_context import CameraState, Flaw
 from storyblender.memory.shot_sizes import SIZES
 from storyblender.ports import Viewfinder
 from storyblender.reflection import Critique, Fault, Role, Typed, reflect
-from storyblender.trace import Listener, silent
+from storyblender.trace import Event, Listener, silent
 
 _ORBIT, _RISE, _PAN, _ROLL = 15.0, 10.0, 0.08, 4.0
 OPERATIONS: dict[str, Callable[[Orbit], Orbit]] = {
@@ -71,6 +71,8 @@ MODEL_HORIZON = 5
 """The same where a model names the operations or looks at pictures, the paper's."""
 _LOOKS = 20
 """Most looks for one shot."""
+_MISPLACED = ("inside", "below_floor")
+"""Faults of a camera's place; one that a person placed stays, and they are told."""
 _ANSWERED = 2
 """Number of the worst faults that one refinement fixes."""
 
@@ -221,6 +223,10 @@ def operate(
     if view.asked.placed is not None:
         chosen = placed_take(view, view.asked.placed)
         critique = role.critic.judge(chosen, view)
+        name = shot_name(view.scene_id, view.shot_id)
+        for fault in critique.faults:
+            if fault.kind in _MISPLACED:
+                listener(Event(kind="warning", role="camera_operator", subject=name, message=fault.message))
     else:
         outcome = reflect(role, shot_name(view.scene_id, view.shot_id), view, listener)
         chosen, critique = outcome.draft, outcome.critique

@@ -30,11 +30,11 @@ from storyblender.geometry import framing
 from storyblender.geometry.boxes import corners, distance_to_point
 from storyblender.geometry.camera_path import orbit_of
 from storyblender.geometry.continuity import JUMP_CUT_DEGREES, mirror_azimuth, side_of_line
-from storyblender.geometry.framing import Figure
+from storyblender.geometry.framing import Figure, Film
 from storyblender.geometry.moves import ease_in_out, follow_subject, interpolate_cameras, move_camera
-from storyblender.geometry.orbit import Orbit, camera_looking_at, orbit, pan, roll
+from storyblender.geometry.orbit import Orbit, camera_looking_at, camera_turned, orbit, pan, roll
 from storyblender.geometry.over_shoulder import frame_over_shoulder, lens_over_shoulder
-from storyblender.memory.camera_decision import FreeCamera
+from storyblender.memory.camera_decision import CameraPosition, FreeCamera
 from storyblender.memory.shot_sizes import SIZES, TIGHT, WHOLE
 
 _OFF_BACK = 30.0
@@ -62,6 +62,8 @@ _HELD_SPAN, _FARTHER, _RIM = 0.86, 1.3, 0.05
 """Largest share of the picture for faces and held things; largest factor on the camera distance for that,
 applied twice; margin that stays free at the edge.
 """
+_AHEAD = 3.0
+"""Metres to the pivot of a camera that a person placed with a rotation."""
 _FITTINGS = 4
 """Most lenses tried: a wider lens changes the composition, and so the room that it needs."""
 
@@ -133,9 +135,7 @@ def placed_take(view: CameraOperatorView, placed: FreeCamera) -> CameraOperatorD
         placed: Where the camera stands, and where it ends if it travels.
     """
     lens = view.instruction.lens or SIZES[view.instruction.size].lens
-    film = {"sensor_width": view.film.sensor_width, "aspect": view.film.aspect}
-    ends = [placed.start, placed.end or placed.start]
-    first, last = (camera_looking_at(end.location, end.target, lens, roll=end.roll, **film) for end in ends)
+    first, last = (_placed_camera(end, lens, view.film) for end in (placed.start, placed.end or placed.start))
     middle = interpolate_cameras(first, last, 0.5)
     hidden: list[str] = []
     if view.plan is not None:
@@ -143,6 +143,15 @@ def placed_take(view: CameraOperatorView, placed: FreeCamera) -> CameraOperatorD
         hidden = find_hidden_nodes(view.plan, view.removable_props, cameras, _sight_targets(view))
     hidden += hidden_panels(view, (first, middle, last), _sight_targets(view))
     return CameraOperatorDraft(middle, first, last, tuple(hidden))
+
+
+def _placed_camera(place: CameraPosition, lens: float, film: Film) -> Orbit:
+    """Return a camera where a person placed it, with a lens in mm."""
+    size = {"sensor_width": film.sensor_width, "aspect": film.aspect}
+    if place.rotation is not None:
+        return camera_turned(place.location, place.rotation, lens, _AHEAD, **size)
+    assert place.target is not None, "it has one or the other"
+    return camera_looking_at(place.location, place.target, lens, roll=place.roll, **size)
 
 
 def _sight_targets(view: CameraOperatorView) -> list[np.ndarray]:
