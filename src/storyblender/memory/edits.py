@@ -128,7 +128,7 @@ class BlockingEdit(Described):
     shot: _Name
     """Such as ``SC010_SH020``."""
     person: _Name
-    """Id or name of somebody on stage."""
+    """Id or name of a person on stage."""
     marks: PersonMarks
     """Start, end or both; what is left out stays as it is."""
 

@@ -20,23 +20,29 @@ from storyblender.agents.instructor.shot_phrases import edits_of_cut, edits_of_s
 from storyblender.memory.base import Described, Frozen, scene_name, shot_name
 from storyblender.memory.camera_decision import CameraDecision, CameraInstruction
 from storyblender.memory.edits import (
+    AddShotEdit,
     ApproveEdit,
+    BlockingEdit,
     CameraEdit,
     DurationEdit,
     Edit,
+    JoinEdit,
     LightEdit,
     NoteEdit,
     OmitEdit,
     ReorderEdit,
     RestoreEdit,
     SetEdit,
+    SplitEdit,
     TakeEdit,
 )
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.scene_decision import LightDecision, SetDecision
 from storyblender.reflection import UNUSABLE, Critique, Fault
 
-_OF_SHOTS = (CameraEdit, DurationEdit, TakeEdit, NoteEdit, ApproveEdit)
+_OF_SHOTS = (
+    AddShotEdit, ApproveEdit, BlockingEdit, CameraEdit, DurationEdit, JoinEdit, NoteEdit, SplitEdit, TakeEdit,
+)  # fmt: skip
 """Edits that name a shot."""
 
 

@@ -16,6 +16,7 @@ from storyblender.memory.edits import (
     CameraEdit,
     DurationEdit,
     Edit,
+    JoinEdit,
     LightEdit,
     LockEdit,
     NoteEdit,
@@ -23,6 +24,7 @@ from storyblender.memory.edits import (
     ReorderEdit,
     RestoreEdit,
     SetEdit,
+    SplitEdit,
     TakeEdit,
     UnlockEdit,
 )
@@ -41,7 +43,9 @@ _FILLERS: Final = frozenset((
 """Words that add nothing to a wish."""
 _JOINTS: Final = frozenset((",", "and", "but"))
 """Words between the clauses of a sentence."""
-_COMMANDS: Final = (ApproveEdit, LockEdit, NoteEdit, OmitEdit, ReorderEdit, RestoreEdit, TakeEdit, UnlockEdit)
+_COMMANDS: Final = (
+    ApproveEdit, JoinEdit, LockEdit, NoteEdit, OmitEdit, ReorderEdit, RestoreEdit, SplitEdit, TakeEdit, UnlockEdit,
+)  # fmt: skip
 _NEGATED: Final = re.compile(r"(?:no|not|don't|do not|never|stop|without)\b(?! (?:so|as|that) )")
 """Begins what is not wanted; with more behind it, it would not be clear how far it goes."""
 _UNKNOWN: Final = 3

@@ -10,7 +10,7 @@ from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.prop_names import kind_named, prop_named
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.finishes import FINISHES
-from storyblender.memory.edits import AssetEdit, Edit, LayoutEdit, LightEdit, SetEdit
+from storyblender.memory.edits import AssetEdit, Edit, LayoutEdit, LightEdit, PlaceEdit, SetEdit
 from storyblender.memory.scene_decision import SetDecision
 from storyblender.reflection import UNUSABLE, Fault
 
@@ -22,7 +22,7 @@ def scene_faults(edit: Edit, scenes: Sequence[SceneNow]) -> Iterator[Fault]:
         edit: Any.
         scenes: Those that the words are about.
     """
-    if not isinstance(edit, LightEdit | SetEdit | LayoutEdit | AssetEdit):
+    if not isinstance(edit, LightEdit | SetEdit | LayoutEdit | AssetEdit | PlaceEdit):
         return
     named = (edit.scene or "").upper().partition("_")[0]
     scene = next((each for each in scenes if each.name == named), None)

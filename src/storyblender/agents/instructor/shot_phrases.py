@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, Final
 
 from storyblender.agents.instructor.parsing import ARTICLES, Table
@@ -11,11 +11,13 @@ from storyblender.memory.edits import (
     ApproveEdit,
     DurationEdit,
     Edit,
+    JoinEdit,
     LockEdit,
     NoteEdit,
     OmitEdit,
     ReorderEdit,
     RestoreEdit,
+    SplitEdit,
     TakeEdit,
     UnlockEdit,
 )
@@ -25,7 +27,6 @@ _NOTE: Final = re.compile(
 )
 _ADDRESSED: Final = frozenset(("shot", "scene"))
 _PLACE: Final = re.compile(r"(?:(?:move|put|play|comes?) )?(?P<where>before|after) (?P<near>sc\d+(?:_sh\d+)?)")
-_PARTS: Final = {"length": "duration"}
 _NUMBERS: Final = {
     "half": 0.5, "one": 1.0, "two": 2.0, "three": 3.0, "four": 4.0, "five": 5.0, "six": 6.0, "seven": 7.0, "eight": 8.0,
     "nine": 9.0, "ten": 10.0, "couple of": 2.0, "one and half": 1.5,
@@ -43,10 +44,14 @@ _LENGTHS: Final[Table[tuple[str, float]]] = Table(
     (r"(?:cut )?shorter|quicker|faster|too (?:long|slow)|(?:not so|less) (?:long|slow)", ("times", 1 / 1.5)),
 )
 """How a number, or the one given here, is meant: added, just that, a multiple of the present length."""
-_WHOLE: Final[Table[tuple[type[LockEdit | UnlockEdit | ApproveEdit | NoteEdit | TakeEdit], dict[str, Any]]]] = Table(
+_OfShot = LockEdit | UnlockEdit | SplitEdit | JoinEdit | ApproveEdit | NoteEdit | TakeEdit
+_WHOLE: Final[Table[tuple[type[_OfShot], dict[str, Any]]]] = Table(
     (r"(?:lock|keep|leave)(?: all)?(?: as is)?", (LockEdit, {})),
     (r"lock (?P<parts>camera|blocking|duration|length)", (LockEdit, {})),
     (r"unlock", (UnlockEdit, {})),
+    (r"(?:split|cut) at line (?P<line>\d{1,3})", (SplitEdit, {})),
+    (rf"(?:split|cut) (?:at|after) (?P<seconds>{_COUNT}) ?s(?:ec(?:ond)?s?)?", (SplitEdit, {})),
+    (r"join (?:(?:with|to) )?(?P<other>sc\d+_sh\d+)", (JoinEdit, {})),
     (r"(?:i )?approved?|ok(?:ay)?|looks good|final", (ApproveEdit, {})),
     (r"un-?approve|not approved|(?:withdraw|take back) approval|reopen", (ApproveEdit, {"approved": False})),
     (r"(?:resolve|close|check off|tick off) note (?P<number>\d{1,3})", (NoteEdit, {"action": "resolve"})),
@@ -58,6 +63,16 @@ _WHOLE: Final[Table[tuple[type[LockEdit | UnlockEdit | ApproveEdit | NoteEdit | 
     (r"(?:drop|delete|forget) take (?P<number>\d{1,3})", (TakeEdit, {"action": "drop"})),
 )
 """The edit of a shot as a whole, with its fields; a group of the pattern fills another one."""
+
+
+_FIELDS: Final[dict[str, Callable[[str], Any]]] = {
+    "number": int,
+    "line": int,
+    "seconds": lambda told: _number(told),
+    "other": str.upper,
+    "parts": lambda told: ({"length": "duration"}.get(told, told),),
+}
+"""What a group of a pattern is in an edit."""
 
 
 def note_on(words: str, shot: str) -> list[Edit]:
@@ -102,7 +117,7 @@ def edits_of_shot(words: str, shot: str, seconds: float) -> list[Edit]:
     if found := _WHOLE.look_up(words):
         match, (edit, said) = found
         target = {"target": shot} if edit in (LockEdit, UnlockEdit) else {"shot": shot}
-        told = {name: int(value) if value.isdigit() else (_PARTS.get(value, value),) for name, value in _groups(match)}
+        told = {name: _FIELDS[name](value) for name, value in _groups(match)}
         return [edit.model_validate({**target, **said, **told})]
     length = _length(words, seconds)
     return [DurationEdit(shot=shot, seconds=round(length, 3))] if length is not None else []
@@ -115,8 +130,12 @@ def _length(words: str, seconds: float) -> float | None:
         return None
     match, (meant, factor) = found
     told = dict(_groups(match)).get("number", "one")
-    number = factor * (_NUMBERS.get(told) or float(told.replace(",", ".")))
+    number = factor * _number(told)
     return {"more": max(seconds + number, 0.1), "exactly": number, "times": seconds * factor}[meant]
+
+
+def _number(told: str) -> float:
+    return _NUMBERS.get(told) or float(told.replace(",", "."))
 
 
 def _groups(match: re.Match[str]) -> list[tuple[str, str]]:
