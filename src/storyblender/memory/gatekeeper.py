@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 
 from storyblender.errors import Rejected
+from storyblender.memory.base import ADDED_FROM, staged_id
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Change, key_of
 from storyblender.memory.keeping import lock_violations
@@ -82,6 +83,7 @@ def _faulty_references(
     scenes = {scene.scene_id: scene for scene in graph.scenes}
     yield from _duplicate_items(graph)
     yield from _cast_violations(graph, assets)
+    yield from _coverage_violations(graph)
     for scene in graph.scenes:
         if touched is None or ("scenes", (scene.scene_id,)) in touched:
             yield from _scene_violations(scene, scenes, assets)
@@ -95,6 +97,20 @@ def _duplicate_items(graph: ContinuityMemoryGraph) -> Iterator[str]:
     yield from _duplicates("scene", [str(scene.scene_id) for scene in graph.scenes])
     yield from _duplicates("outline of scene", [str(scene.scene_id) for scene in graph.outline])
     yield from _duplicates("shot", [f"{shot.scene_id}/{shot.shot_id}" for shot in graph.shots])
+
+
+def _coverage_violations(graph: ContinuityMemoryGraph) -> Iterator[str]:
+    """Yield what is wrong with shots that a person split off, added or joined."""
+    staged = {(shot.scene_id, shot.shot_id) for shot in graph.shots if shot.covers is None}
+    first = dict(sorted(staged, reverse=True))
+    for shot in graph.shots:
+        name = f"shot {shot.scene_id}/{shot.shot_id}"
+        if (shot.covers is None) != (shot.shot_id < ADDED_FROM):
+            yield f"{name} has the number of a shot of another kind"
+        elif shot.covers is not None and (shot.scene_id, staged_id(shot.shot_id)) not in staged:
+            yield f"{name} shows a part of a shot that does not exist"
+        elif shot.joined and (shot.covers is not None or shot.shot_id == first[shot.scene_id]):
+            yield f"{name} is joined to no shot before it"
 
 
 def _cast_violations(graph: ContinuityMemoryGraph, assets: set[str]) -> Iterator[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import random
 from collections.abc import Sequence
 from itertools import pairwise
 from pathlib import Path
@@ -259,3 +260,39 @@ def test_a_camera_goes_on_where_its_shot_is_split(session: Session) -> None:
     for frame in (0, second.poses[-1].frame):
         one, other = camera_at(second, frame, film), camera_at(whole, frame + 30, film)
         assert one.position == pytest.approx(other.position) and one.lens == pytest.approx(other.lens)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_any_cut_leaves_nothing_out_and_is_taken_back(seed: int, session: Session) -> None:
+    """Random edits of the cut, many of them refused: all of the scene is shown, told and numbered in order."""
+    chance, before, lines, done = random.Random(seed), session.graph.model_dump_json(), told(session.graph), 0
+    graphs = [before]
+    for _ in range(120):
+        shots = [shot_name(1, shot.shot_id) for shot in session.graph.shots_of(1)]
+        one, other = chance.choice(shots), chance.choice(shots)
+        edit = chance.choice(
+            [
+                split(one, frames=chance.randint(1, 60)),
+                split(one, line=2),
+                join(one, shots[min(shots.index(one) + 1, len(shots) - 1)]),
+                join(one, other),
+                add(one),
+                {"kind": "omit", "target": one},
+                {"kind": "restore", "target": one},
+                {"kind": "reorder", "target": one, "after": other},
+            ]
+        )
+        try:
+            session.apply(edits_of([edit]))
+        except InputError:
+            continue
+        done += 1
+        refuse_gaps(session.graph)
+        shown = [line.text for panel in panels(session.graph, with_omitted=True) for line in panel.outline.lines]
+        assert sorted(shown) == sorted(lines), edit
+        graphs.append(session.graph.model_dump_json())
+    assert done > 12
+    while len(graphs) > 1:
+        assert session.graph.model_dump_json() == graphs.pop()
+        session.undo()
+    assert session.graph.model_dump_json() == before

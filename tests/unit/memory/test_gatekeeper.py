@@ -6,6 +6,7 @@ import pytest
 
 from storyblender.errors import Rejected
 from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.covers import Covers
 from storyblender.memory.gatekeeper import Gatekeeper
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Item, changes_between, replace
@@ -51,6 +52,12 @@ def test_a_whole_story_enters() -> None:
     ("item", "words"),
     [
         (SHOT.model_copy(update={"on_stage": ("ghost",)}), "'ghost'"),
+        (SHOT.model_copy(update={"joined": True}), "joined to no shot before it"),
+        (SHOT.model_copy(update={"shot_id": 50_015}), "number of a shot of another kind"),
+        (
+            SHOT.model_copy(update={"shot_id": 50_025, "covers": Covers(start=1)}),
+            "a part of a shot that does not exist",
+        ),
         (SHOT.model_copy(update={"scene_id": 9}), "does not exist"),
         (SHOT.model_copy(update={"states": (BodyState(asset_id="ghost"),)}), "'ghost'"),
         (SHOT.model_copy(update={"cues": (Cue(asset_id="ghost", clip="walk", start=0),)}), "a cue for 'ghost'"),
