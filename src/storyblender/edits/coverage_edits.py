@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any, Final
 
@@ -54,7 +55,7 @@ def split_effects(graph: ContinuityMemoryGraph, edit: SplitEdit) -> list[Effect]
     """
     [shot] = shots_named(graph, [edit.shot])
     name, fps, whole = name_of(shot), graph.format.fps, filmed(graph, shot)
-    _refuse_out_of_film(graph, shot)
+    _refuse_unfilmed(graph, shot)
     refuse_locked(shot, "duration")
     if is_beside(shot):
         raise InputError(f"{name} is another camera on the same moment", mend="add one more, or change its length")
@@ -88,7 +89,7 @@ def _second_part(graph: ContinuityMemoryGraph, shot: ShotContext, frame: int) ->
     """Return the shot that begins where another one is split, with the same camera."""
     shots, whole = graph.shots_of(shot.scene_id), filmed(graph, shot)
     first = spans_of(shots)[shot.shot_id][0] + frame
-    part = next(each for each in reversed(parts_of(shots, shot)) if staged_spans(shots)[each.shot_id][0] <= first)
+    part, start = _staged_at(shots, shot, first)
     before = sum(begins < frame for begins in line_frames(as_filmed(graph), shot))
     moved = shot.moment_line is not None and shot.moment_line >= before
     outline = graph.outline_of(shot.scene_id)
@@ -97,7 +98,7 @@ def _second_part(graph: ContinuityMemoryGraph, shot: ShotContext, frame: int) ->
     return ShotContext(
         scene_id=shot.scene_id,
         shot_id=_free_id(graph, shot, part, first),
-        covers=Covers(start=first - staged_spans(shots)[part.shot_id][0], first_line=max(first_line, 0)),
+        covers=Covers(start=start, first_line=max(first_line, 0)),
         duration=whole.duration - frame,
         in_frame=shot.in_frame,
         moment=shot.moment if moved else None,
@@ -141,7 +142,7 @@ def join_effects(graph: ContinuityMemoryGraph, edit: JoinEdit) -> list[Effect]:
         mend = "shots are joined within their scene"
         raise InputError(f"{name_of(second)} is in another scene than {name_of(first)}", mend=mend)
     for shot in (first, second):
-        _refuse_out_of_film(graph, shot)
+        _refuse_unfilmed(graph, shot)
         if is_beside(shot):
             raise InputError(f"{name_of(shot)} is another camera on the same moment", mend="omit it instead")
     shots, order = graph.shots_of(first.scene_id), [s for s in graph.shots_in_order(first.scene_id) if not s.omitted]
@@ -173,7 +174,7 @@ def add_effects(graph: ContinuityMemoryGraph, edit: AddShotEdit) -> list[Effect]
     """Return the shot that is added after another one. Raises InputError."""
     [shot] = shots_named(graph, [edit.shot])
     name, fps, whole = name_of(shot), graph.format.fps, filmed(graph, shot)
-    _refuse_out_of_film(graph, shot)
+    _refuse_unfilmed(graph, shot)
     if edit.at is not None and round(edit.at * fps) >= whole.duration:
         raise InputError(f"{name} has {whole.duration / fps:.3g} s", mend="begin within them")
     length = max(1, round((edit.seconds or min(_SECONDS, whole.duration / fps)) * fps))
@@ -181,11 +182,11 @@ def add_effects(graph: ContinuityMemoryGraph, edit: AddShotEdit) -> list[Effect]
     begins = round(edit.at * fps) if edit.at is not None else min(max(middle - length // 2, 0), whole.duration - 1)
     shots = graph.shots_of(shot.scene_id)
     first = spans_of(shots)[shot.shot_id][0] + begins
-    part = next(each for each in reversed(parts_of(shots, shot)) if staged_spans(shots)[each.shot_id][0] <= first)
+    part, start = _staged_at(shots, shot, first)
     new = ShotContext(
         scene_id=shot.scene_id,
         shot_id=_free_id(graph, shot, part, first),
-        covers=Covers(start=first - staged_spans(shots)[part.shot_id][0]),
+        covers=Covers(start=start),
         duration=length,
         decided_duration=None if edit.seconds is None else length,
         in_frame=() if edit.decision.focus_on_ids else shot.in_frame,
@@ -203,8 +204,18 @@ def add_effects(graph: ContinuityMemoryGraph, edit: AddShotEdit) -> list[Effect]
     return [Effect(new, name_of(new), f"added after {name}: {words}", _CUT, (name_of(new),))]
 
 
-def _refuse_out_of_film(graph: ContinuityMemoryGraph, shot: ShotContext) -> None:
-    for item in (shot, graph.scene(shot.scene_id)):
+def _staged_at(shots: Sequence[ShotContext], shot: ShotContext, first: int) -> tuple[ShotContext, int]:
+    """Return the staged shot in which a frame of the scene lies, of those that a shot shows, and the frame in it."""
+    staged = staged_spans(shots)
+    part = next(each for each in reversed(parts_of(shots, shot)) if staged[each.shot_id][0] <= first)
+    return part, first - staged[part.shot_id][0]
+
+
+def _refuse_unfilmed(graph: ContinuityMemoryGraph, shot: ShotContext) -> None:
+    scene = graph.scene(shot.scene_id)
+    if scene.lighting is None:
+        raise InputError(f"{name_of(scene)} is not staged yet", mend="run `storyblender render` first")
+    for item in (shot, scene):
         if item.omitted:
             raise InputError(f"{name_of(item)} is omitted", mend="restore it first")
 

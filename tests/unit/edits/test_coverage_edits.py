@@ -202,6 +202,14 @@ def test_bad_edits_are_refused_in_a_sentence(session: Session) -> None:
         assert session.graph == before
 
 
+def test_what_is_only_planned_is_not_cut_yet(folder: Path) -> None:
+    Studio(SETTINGS).plan(folder.parent / "home.fountain", folder.parent / "planned")
+    with Studio(SETTINGS).open(folder.parent / "planned") as session:
+        for edit in (split(FIRST, frames=9), join(FIRST, SECOND), add(FIRST)):
+            with pytest.raises(InputError, match="SC010 is not staged yet"):
+                session.apply(edits_of([edit]))
+
+
 def test_what_is_staged_again_is_covered_as_before(session: Session) -> None:
     apply(session, split(FIRST, frames=30), add(SECOND), join("SC010_SH010", HALF), split(FIRST, frames=20))
     order, lines = names(session.graph), lines_of(session.graph, 1)
