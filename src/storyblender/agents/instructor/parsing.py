@@ -142,7 +142,8 @@ def read_sentences(said: str, read: Reader) -> tuple[list[Edit], list[str]]:
 def _covered(tokens: Sequence[str], read: Reader) -> tuple[list[Phrase], list[str]]:
     """Return the phrases that cover a sentence best, and the words outside of them, as they were said.
 
-    Best is: the fewest words that cannot be followed, then the fewest that are not known, then the fewest phrases.
+    Best is: the fewest words that cannot be followed, then the fewest that are not known, then the fewest
+    phrases, the longest first.
     """
     if len(tokens) > _MOST:
         return [], [" ".join(tokens[:8]) + " ..."]
@@ -161,7 +162,7 @@ def _covered(tokens: Sequence[str], read: Reader) -> tuple[list[Phrase], list[st
             if phrase is not None and (not phrase.stands_alone or _is_clause(low, start, end)):
                 lost += sum(word not in _FILLERS for word in low[start:end]) if phrase.problem else 0
                 options.append(((lost, strange, count + 1), end, phrase))
-        best[start] = min(options, key=lambda option: option[0])
+        best[start] = min(options, key=lambda option: (option[0], -option[1]))
     phrases: list[Phrase] = []
     left: list[list[str]] = []
     at, open_run = 0, False

@@ -43,6 +43,7 @@ _COME: Final = r"(?:(?:move|come|bring|step|go|get)(?: camera)? )?"
 _NUMBER: Final = r"\d+(?:[.,]\d+)?"
 _MOTION: Final = r"(?:move(?:s|ment)?|moving|motion)"
 _ON: Final = r"(?:on|onto|of|to|at|towards?|around|with)"
+_OF: Final = rf"(?: (?:on|of) (?P<focus_on_ids>{WHO}))?"
 _SHOW: Final = r"(?:on|of|show(?: us)?|see|look(?:ing)? at|frame|feature|point(?: camera)? at)"
 
 PHRASES: Final[Table[dict[str, Any]]] = Table(
@@ -52,12 +53,12 @@ PHRASES: Final[Table[dict[str, Any]]] = Table(
     (rf"{_MUCH}{_COME}(?:wider|looser|farther|further)(?: away| back| out| off)?|(?:more|some) (?:space|air|room)"
      r"|(?:back|step|move) (?:back|off|away|up)|back", {"size": _WIDER}),
     (rf"{_MUCH}(?:less|not so|not as|too|not that) (?:close|tight|near)(?: in)?", {"size": _WIDER}),
-    (r"(?:extreme|very|big) close(?:[- ]?up)?(?: shot)?", {"size": "ECU"}),
-    (r"med(?:ium)? close(?:[- ]?up)?(?: shot)?", {"size": "MCU"}),
-    (r"close(?:[- ]?up)?(?: shot)?|tight(?: shot)?", {"size": "CU"}),
-    (r"(?:mid|waist)[- ]?shot", {"size": "MS"}),
+    (rf"(?:extreme|very|big) close(?:[- ]?up)?(?: shot)?{_OF}", {"size": "ECU"}),
+    (rf"med(?:ium)? close(?:[- ]?up)?(?: shot)?{_OF}", {"size": "MCU"}),
+    (rf"(?:close(?:[- ]?up)?|tight)(?: shot)?{_OF}", {"size": "CU"}),
+    (rf"(?:mid|waist)[- ]?shot{_OF}", {"size": "MS"}),
     (r"(?:from )?head to (?:toe|foot)", {"size": "FS"}),
-    (r"wide(?:[- ]angle)?(?: shot| view)?|long shot|master(?: shot)?", {"size": "WS"}),
+    (rf"(?:wide(?:[- ]angle)?(?: shot| view)?|long shot|master(?: shot)?){_OF}", {"size": "WS"}),
     (r"establishing(?: shot)?", {"size": "EWS"}),
     # Angle
     (rf"{_MUCH}(?:{_COME}higher(?: up)?|(?:too|not so|less) low)|(?:raise|lift) camera|camera (?:up|higher)",
@@ -101,8 +102,8 @@ PHRASES: Final[Table[dict[str, Any]]] = Table(
     (rf"(?P<focus_on_ids>{WHO}) in (?:frame|picture|shot)", {}),
     (rf"(?:only|just)(?: {_SHOW})? (?P<focus_on_ids>{MARK})|(?:{_SHOW} )?(?P<focus_on_ids>{MARK}) (?:alone|only)"
      rf"|single (?:shot )?(?:on|of) (?P<focus_on_ids>{MARK})", {"kind": "single"}),
-    (rf"(?:two|2)[- ]?shot(?: (?:on|of) (?P<focus_on_ids>{WHO}))?", {"kind": "two_shot"}),
-    (rf"group(?: shot)?(?: (?:on|of) (?P<focus_on_ids>{WHO}))?", {"kind": "group"}),
+    (rf"(?:two|2)[- ]?shot{_OF}", {"kind": "two_shot"}),
+    (rf"group(?: shot)?{_OF}", {"kind": "group"}),
     (rf"(?:insert|detail)(?: (?:on|of) (?P<focus_on_ids>{MARK}))?", {"kind": "insert"}),
     (rf"reaction (?:shot )?(?:on|of) (?P<focus_on_ids>{MARK})", {"kind": "reaction"}),
     (rf"over (?P<over_id>{MARK})(?:'s?)? shoulder(?: {_ON} (?P<focus_on_ids>{WHO}))?", {"kind": "ots"}),
