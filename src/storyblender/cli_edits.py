@@ -147,6 +147,7 @@ def place(
     height: Annotated[
         float | None, typer.Option(help="Of a thing: metres above the floor; otherwise it is dropped on what is below.")
     ] = None,
+    scale: Annotated[float | None, typer.Option(help="Factor on the size of a thing, in all its scenes.")] = None,
     to: Annotated[str | None, typer.Option(help="Where a person ends the shot: X,Y; they walk there.")] = None,
     to_turn: Annotated[float | None, typer.Option(help="Degrees that a person faces at the end.")] = None,
     revision: Revision = None,
@@ -156,14 +157,14 @@ def place(
     quiet: Quiet = False,
     json_lines: Json = False,
 ) -> None:
-    """Move or turn a thing of a scene, or set where a person stands in a shot, and draw again what that changes.
+    """Move, turn or scale a thing of a scene, or set where a person stands in a shot, and draw again what that changes.
 
     What stands on a thing goes with it. The crew keeps to it; `unlock` gives it back, `undo` takes it back.
     """
     with shown(quiet, json_lines) as terminal:
         from storyblender.edits.words import place_edit
 
-        edit = place_edit(where, what, (at, turn), (to, to_turn), height)
+        edit = place_edit(where, what, (at, turn), (to, to_turn), height, scale)
         settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
         studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
         applied, delivery = studio.edit(folder, [edit], revision, draw=draw)

@@ -22,10 +22,6 @@ def camera_effects(graph: ContinuityMemoryGraph, edit: CameraEdit) -> list[Effec
     [shot] = shots_named(graph, [edit.shot])
     name = name_of(shot)
     refuse_locked(shot, "camera")
-    placed = edit.decision.placed
-    for place in (placed.start, placed.end) if placed is not None else ():
-        if place is not None:
-            refuse_far(place.location, graph.scene(shot.scene_id))
     item, words = with_decided_camera(graph, shot, edit.decision)
     return [Effect(item, name, words, frozenset({"camera"}), (name,))]
 
@@ -47,6 +43,9 @@ def with_decided_camera(
     if not decision.words:
         mend = "give a size, an angle, a lens ..."
         raise InputError(f"nothing is decided about the camera of {name_of(shot)}", mend=mend)
+    for place in (decision.placed.start, decision.placed.end) if decision.placed is not None else ():
+        if place is not None:
+            refuse_far(place.location, graph.scene(shot.scene_id))
     retake = shot.camera_retake.decision if shot.camera_retake else CameraDecision()
     people = {asset.asset_id for asset in graph.assets if asset.asset_type == "character"}
     decision = _with_kind(decision, shot.camera_instruction, people)

@@ -25,11 +25,13 @@ from storyblender.edits.effect import (
     scene_effect,
     shot_names,
 )
+from storyblender.edits.scale_edits import scale_effects
 from storyblender.edits.targets import as_id, person_or_thing, scene_named, shots_named
 from storyblender.errors import InputError
 from storyblender.memory.base import Vec2, shot_name, staged_id
 from storyblender.memory.edits import BlockingEdit, PlaceEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.history import replace
 from storyblender.memory.scene_context import Layout, LayoutObject, SceneContext
 from storyblender.memory.scene_decision import BlockingDecision, FloorPlace, LayoutDecision, PersonMarks, ThingPlace
 from storyblender.memory.shot_context import ShotContext
@@ -53,7 +55,14 @@ def place_effects(graph: ContinuityMemoryGraph, edit: PlaceEdit) -> list[Effect]
     if layout is None or environment is None:
         raise InputError(f"{name_of(scene)} is not staged yet", mend="run `storyblender render` first")
     refuse_locked_staging(graph, scene)
-    item, stand = _item_named(graph, scene, layout, edit.thing), stand_of(graph.assets, environment)
+    item = _item_named(graph, scene, layout, edit.thing)
+    scaled = scale_effects(graph, scene, item, edit.scale) if edit.scale is not None else []
+    if edit.place == ThingPlace():
+        return scaled
+    graph = replace(graph, *(each.item for each in scaled if each.item is not None))
+    scene = graph.scene(scene.scene_id)
+    layout, stand = scene.layout or layout, stand_of(graph.assets, environment)
+    item = next(each for each in layout.objects if each.node_id == item.node_id)
     if edit.place.location is not None:
         refuse_far((*edit.place.location, edit.place.height or 0.0), scene)
     decision = scene.layout_decision or LayoutDecision()
@@ -66,7 +75,7 @@ def place_effects(graph: ContinuityMemoryGraph, edit: PlaceEdit) -> list[Effect]
     flaws = tuple(flaw.message for flaw in obstructions(moved, [item.node_id], stand))
     words = f"{item.node_id} placed {place.words}"
     effect = scene_effect(graph, scene, words, "layout", ("motion",), layout=moved, layout_decision=decided)
-    return [effect.warned(flaws)]
+    return [*scaled, effect.warned(flaws)]
 
 
 def _item_named(graph: ContinuityMemoryGraph, scene: SceneContext, layout: Layout, name: str) -> LayoutObject:

@@ -91,6 +91,7 @@ def place_edit(
     at: tuple[str | None, float | None],
     to: tuple[str | None, float | None] = (None, None),
     height: float | None = None,
+    scale: float | None = None,
 ) -> Edit:
     """Read where a person places a thing of a scene, or somebody in a shot.
 
@@ -100,6 +101,7 @@ def place_edit(
         at: Floor point ``X,Y`` in metres, and degrees; of a person as the shot begins.
         to: The same as it ends, of a person.
         height: Metres above the floor, of a thing.
+        scale: Factor on the size of a thing.
 
     Raises:
         InputError: A point cannot be read, or it says nothing, or what a thing or a person has not.
@@ -108,15 +110,15 @@ def place_edit(
         {name: value for name, value in _floor_place(*each).items() if value is not None} for each in (at, to)
     )
     if "_" in where:
-        if height is not None:
-            raise InputError("people stand on the floor", mend="leave --height out, or name a scene and a thing")
+        if height is not None or scale is not None:
+            raise InputError("people stand on the floor, as tall as they are", mend="name a scene and a thing")
         marks = {when: place for when, place in (("start", first), ("end", last)) if place}
         [edit] = edits_of([{"kind": "blocking", "shot": where, "person": what, "marks": marks}])
         return edit
     if last:
         raise InputError("things stay where they are in a scene", mend="leave --to out, or name a shot and a person")
     place = first if height is None else {**first, "height": height}
-    [edit] = edits_of([{"kind": "place", "scene": where, "thing": what, "place": place}])
+    [edit] = edits_of([{"kind": "place", "scene": where, "thing": what, "place": place, "scale": scale}])
     return edit
 
 

@@ -102,7 +102,7 @@ class LayoutEdit(Described):
 
 
 class PlaceEdit(Described):
-    """Moves or turns a thing of a scene by hand; what stands on it goes with it, and no staging moves it again."""
+    """Moves, turns or scales a thing of a scene by hand; what is on it goes with it, and no staging moves it again."""
 
     kind: Literal["place"] = "place"
     """Which edit this is."""
@@ -110,13 +110,15 @@ class PlaceEdit(Described):
     """Such as ``SC010``."""
     thing: _Name
     """Node id of the thing; its id or name will do where the scene has it once."""
-    place: ThingPlace
+    place: ThingPlace = ThingPlace()
     """Any of its fields; those left out stay as they are."""
+    scale: float | None = Field(default=None, ge=0.02, le=50)
+    """Factor on its present size: of a thing of the story in all its scenes, of furniture in those of its place."""
 
     @model_validator(mode="after")
     def _says_something(self) -> Self:
-        if self.place == ThingPlace():
-            raise ValueError("a place has a location, a height or a rotation")
+        if self.place == ThingPlace() and self.scale is None:
+            raise ValueError("a place has a location, a height or a rotation, or a scale")
         return self
 
 

@@ -208,6 +208,8 @@ def test_what_it_stands_in_is_told_and_on_the_checklist_and_no_layout_fault(sess
         ({**TOM, "marks": {"end": {"location": [9e5, 0]}}}, "too far"),
         ({**TOM, "marks": {}}, "mark"),
         (move("sofa"), "place"),
+        ({**move("table"), "scale": 45}, "cannot be"),
+        ({**move("table"), "scale": 0}, "scale"),
     ],
 )
 def test_what_cannot_be_is_refused_in_a_sentence(edit: dict[str, Any], said: str, session: Session) -> None:
@@ -230,6 +232,37 @@ def test_what_is_locked_is_refused_and_what_changed_meanwhile(session: Session) 
         apply(session, {"kind": "unlock", "target": lock[0], "parts": [lock[1]]})
 
 
+def test_a_scaled_thing_keeps_what_is_on_it_and_its_size_in_every_scene_and_staging(session: Session) -> None:
+    before = session.graph
+    apply(session, {"kind": "place", "scene": ROOM, "thing": "table", "scale": 1.25})
+    after = session.graph
+    for old, new in ((before, after), (after, before)):
+        sizes = [graph.asset("table").canonical.dimensions for graph in (old, new)]  # type: ignore[union-attr]
+        assert np.allclose(sizes[1], np.multiply(sizes[0], 1.25 if new is after else 0.8))
+    for name in (ROOM, LATER):
+        assert item(after, "table", name) == item(before, "table", name)
+        assert item(after, "letter", name).location[2] == pytest.approx(1.25 * item(before, "letter", name).location[2])
+    assert before.scenes[1] == after.scenes[1], "the park has no table"
+    apply(session, {"kind": "layout", "scene": ROOM})
+    assert session.graph.asset("table") == after.asset("table")
+
+
+def test_scaled_furniture_is_so_in_its_place_and_no_other_of_its_kind(session: Session) -> None:
+    node, other = "set_armchair_1", "set_armchair_2"
+    before = session.graph
+    apply(session, {**move(node, [-1.8, 0.9]), "scale": 0.5})
+    after = session.graph
+    for name in (ROOM, LATER):
+        small, usual = (after.asset(item(after, each, name).asset_id).canonical for each in (node, other))
+        assert small is not None and usual is not None and small.geometry_hash
+        assert np.allclose(small.dimensions, np.multiply(usual.dimensions, 0.5), atol=1e-5)
+        assert item(after, other, name) == item(before, other, name)
+    assert item(after, node).location[:2] == (-1.8, 0.9)
+    apply(session, {"kind": "layout", "scene": ROOM})
+    assert item(session.graph, node).asset_id == item(after, node).asset_id
+    assert item(session.graph, node).location[:2] == (-1.8, 0.9)
+
+
 def test_furniture_that_is_taken_away_takes_its_place_with_it(session: Session) -> None:
     apply(session, move("set_armchair_1", [-1.9, 0.2]))
     apply(session, {"kind": "asset", "action": "remove", "scene": ROOM, "thing": "set_armchair_1"})
@@ -242,6 +275,7 @@ def test_the_command_line_says_the_same() -> None:
     assert [place_edit(ROOM, "sofa", ("0.5,1", 30), height=0.2)] == [
         *edits_of([move("sofa", [0.5, 1], 30, height=0.2)])
     ]
+    assert place_edit(ROOM, "sofa", (None, None), scale=2) == edits_of([{**move("sofa"), "scale": 2}])[0]
     marks = {"start": {"location": [1, 2], "rotation": 45}, "end": {"location": [-1, 0.5]}}
     [wanted] = edits_of([{"kind": "blocking", "shot": SHOT, "person": "tom", "marks": marks}])
     assert place_edit(SHOT, "tom", ("1,2", 45), ("-1,0.5", None)) == wanted

@@ -97,6 +97,26 @@ def placed_flaws(graph: ContinuityMemoryGraph, scene: SceneContext) -> tuple[Fla
     return tuple(obstructions(layout, decision.things, stand_of(graph.assets, environment)))
 
 
+def scale_on_it(layout: Layout, node_id: str, factor: float, stand: Stand) -> Layout:
+    """Return a layout in which all that is on a thing is where it is when the thing has another size.
+
+    Args:
+        layout: The layout.
+        node_id: Of the thing.
+        factor: Of its size.
+        stand: The scene, with the thing as it was.
+    """
+    base = next(item for item in layout.objects if item.node_id == node_id).location
+    riders = {*riders_of(layout, node_id, stand)}
+
+    def moved(item: LayoutObject) -> LayoutObject:
+        x, y, z = (_tidy(here + factor * (there - here)) for there, here in zip(item.location, base, strict=True))
+        return item.model_copy(update={"location": (x, y, z)})
+
+    objects = tuple(moved(item) if item.node_id in riders else item for item in layout.objects)
+    return layout.model_copy(update={"objects": objects})
+
+
 def without_placed(graph: ContinuityMemoryGraph, scene: SceneContext, layout: Layout) -> Layout:
     """Return a layout without what a person placed and what is on it: its faults are told apart, as theirs.
 

@@ -1,0 +1,156 @@
+"""Things scaled by hand: a thing of the story in all its scenes, furniture in all scenes of its place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from storyblender.agents.layout_artist.placed_by_hand import scale_on_it, stand_of
+from storyblender.agents.visual_effects_artist.furniture import dressing_asset
+from storyblender.catalog.recipe import made_from
+from storyblender.catalog.sets import SETS, plan_of
+from storyblender.edits.effect import (
+    Effect,
+    refuse_locked,
+    refuse_locked_staging,
+    scene_effect,
+    scenes_of_place,
+)
+from storyblender.errors import InputError
+from storyblender.memory.asset_sheet import PLAUSIBLE, Asset, AssetDecision, AssetDimension, CanonicalAsset
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.scene_context import Layout, LayoutObject, SceneContext
+from storyblender.memory.scene_decision import SetDecision
+
+_SIDES = ("width", "depth", "height")
+
+
+def scale_effects(graph: ContinuityMemoryGraph, scene: SceneContext, item: LayoutObject, factor: float) -> list[Effect]:
+    """Return what another size of a thing does to it and to the scenes that show it: their layouts stay.
+
+    Args:
+        graph: The story.
+        scene: Where it was scaled.
+        item: In its layout.
+        factor: Of its present size.
+
+    Raises:
+        InputError: It would be too small or too large, it is no part of the plan of its set, or something is locked.
+    """
+    asset = graph.asset(item.asset_id)
+    made, words = asset.canonical, f"{item.node_id} scaled by {factor:g}"
+    if made is None:
+        raise InputError(f"{item.node_id} is not built yet", mend="run `storyblender render` first")
+    if not all(PLAUSIBLE[0] <= side * factor <= PLAUSIBLE[1] for side in made.dimensions):
+        sizes = " x ".join(f"{side * factor:.3g}" for side in made.dimensions)
+        raise InputError(
+            f"{item.node_id} cannot be {sizes} m", mend=f"a side has {PLAUSIBLE[0]:g} to {PLAUSIBLE[1]:g} m"
+        )
+    if asset.origin != "dressing":
+        if asset.locked:
+            raise InputError(f"{asset.asset_id} is locked", mend="unlock it first")
+        larger = Effect(_resized(asset, made, factor), asset.asset_id, words, frozenset({"asset"}))
+        scaled = ((each, _scaled_layout(graph, each, _nodes_of(each, asset.asset_id), factor)) for each in graph.scenes)
+        shown = ((each, layout) for each, layout in scaled if layout is not None)
+        return [
+            larger,
+            *(scene_effect(graph, each, words, "layout", ("motion",), layout=layout) for each, layout in shown),
+        ]
+    return _furniture_scaled(graph, scene, item, made, factor, words)
+
+
+def _resized(asset: Asset, made: CanonicalAsset, factor: float) -> Asset:
+    """Return an asset that is to be built in another size, with what its measures will be."""
+    measures: dict[str, Any] = {
+        "dimensions": tuple(round(side * factor, 6) for side in made.dimensions),
+        "anchors": tuple(
+            anchor.model_copy(
+                update={
+                    "location": tuple(each * factor for each in anchor.location),
+                    "size": tuple(each * factor for each in anchor.size),
+                    "clearance": anchor.clearance and anchor.clearance * factor,
+                }
+            )
+            for anchor in made.anchors
+        ),
+        "geometry_hash": "",
+    }
+    if made.source == "catalog":
+        whole = made_from(asset, _in_size(made, factor))
+        assert whole.canonical is not None
+        canonical = whole.canonical.model_copy(update={**measures, "match_score": made.match_score})
+        return whole.model_copy(update={"canonical": canonical, "kind": asset.kind, "image_prompt": asset.image_prompt})
+    canonical = made.model_copy(update={**measures, "params": {**made.params, "told": True}})
+    return asset.model_copy(
+        update={"canonical": canonical, "dimension": AssetDimension(width=measures["dimensions"][0])}
+    )
+
+
+def _nodes_of(scene: SceneContext, asset_id: str) -> list[str]:
+    """Return the node ids in the layout of a scene that show an asset."""
+    return [each.node_id for each in scene.layout.objects if each.asset_id == asset_id] if scene.layout else []
+
+
+def _in_size(made: CanonicalAsset, factor: float) -> AssetDecision:
+    """Return what a thing is made from in another size."""
+    sides = {side: round(length * factor, 6) for side, length in zip(_SIDES, made.dimensions, strict=True)}
+    return AssetDecision(prop=made.key, params={**made.params, **sides})
+
+
+def _furniture_scaled(
+    graph: ContinuityMemoryGraph,
+    scene: SceneContext,
+    item: LayoutObject,
+    made: CanonicalAsset,
+    factor: float,
+    words: str,
+) -> list[Effect]:
+    """Return what another size of a piece of furniture does to the scenes of its place, each with that size decided."""
+    environment = scene.environment
+    planned = plan_of(environment).furnishings if environment is not None and environment.kit in SETS else ()
+    if made.source != "catalog" or item.node_id not in {each.node_id for each in planned}:
+        raise InputError(f"the size of {item.node_id} cannot be changed", mend="replace it by another thing")
+    decision = _in_size(made, factor)
+    larger = dressing_asset(decision.prop, decision.params)
+    effects: list[Effect] = []
+    if larger.asset_id not in {asset.asset_id for asset in graph.assets}:
+        measured = _resized(graph.asset(item.asset_id), made, factor).canonical
+        assert measured is not None and larger.canonical is not None
+        larger = larger.model_copy(
+            update={"canonical": larger.canonical.model_copy(update={"anchors": measured.anchors})}
+        )
+        effects.append(Effect(larger, larger.asset_id, words, frozenset({"asset"})))
+    for each in scenes_of_place(graph, scene):
+        refuse_locked(each, "set")
+        decided = (each.set_decision or SetDecision()).then(SetDecision(furniture={item.node_id: decision}))
+        update: dict[str, Any] = {"set_decision": decided}
+        if each.environment is not None:
+            furniture = {**each.environment.furniture, item.node_id: decision}
+            update["environment"] = each.environment.model_copy(update={"furniture": furniture})
+        if (layout := _scaled_layout(graph, each, [item.node_id], factor)) is not None:
+            objects = tuple(
+                part.model_copy(update={"asset_id": larger.asset_id}) if part.node_id == item.node_id else part
+                for part in layout.objects
+            )
+            update["layout"] = layout.model_copy(update={"objects": objects})
+        effects.append(scene_effect(graph, each, words, "set", ("motion",), **update))
+    return effects
+
+
+def _scaled_layout(
+    graph: ContinuityMemoryGraph, scene: SceneContext, node_ids: Iterable[str], factor: float
+) -> Layout | None:
+    """Return the layout of a scene with what is on scaled things where it is then; None if it shows none of them.
+
+    Raises:
+        InputError: Something in the scene is locked.
+    """
+    there = {item.node_id for item in scene.layout.objects} if scene.layout is not None else set[str]()
+    shown = [node_id for node_id in node_ids if node_id in there]
+    if scene.layout is None or scene.environment is None or not shown:
+        return None
+    refuse_locked_staging(graph, scene)
+    layout, stand = scene.layout, stand_of(graph.assets, scene.environment)
+    for node_id in shown:
+        layout = scale_on_it(layout, node_id, factor, stand)
+    return layout
