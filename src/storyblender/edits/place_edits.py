@@ -8,6 +8,7 @@ from difflib import get_close_matches
 
 from storyblender.agents.layout_artist.placed_by_hand import (
     Stand,
+    carried,
     obstructions,
     place_by_hand,
     riders_of,
@@ -68,9 +69,7 @@ def place_effects(graph: ContinuityMemoryGraph, edit: PlaceEdit) -> list[Effect]
     decision = scene.layout_decision or LayoutDecision()
     place = _whole(item, edit.place, decision.things.get(item.node_id), stand)
     moved = place_by_hand(layout, {item.node_id: place}, stand)
-    there = {each.node_id: each for each in moved.objects}
-    riders = [each for each in riders_of(layout, item.node_id, stand) if each in decision.things]
-    taken = {name: _followed(decision.things[name], there[name]) for name in riders}
+    taken = carried(decision.things, riders_of(layout, item.node_id, stand), moved)
     decided = decision.then(LayoutDecision(things={**taken, item.node_id: place}))
     flaws = tuple(flaw.message for flaw in obstructions(moved, [item.node_id], stand))
     words = f"{item.node_id} placed {place.words}"
@@ -115,12 +114,6 @@ def _whole(item: LayoutObject, place: ThingPlace, before: ThingPlace | None, sta
     if whole.location is not None and whole.height is None and hangs:
         return whole.model_copy(update={"height": item.location[2]})
     return whole
-
-
-def _followed(place: ThingPlace, item: LayoutObject) -> ThingPlace:
-    """Return where a person placed a thing, after what it is on was moved."""
-    moved = {"location": item.location[:2], "height": item.location[2], "rotation": item.rotation[2]}
-    return place.model_copy(update={name: value for name, value in moved.items() if getattr(place, name) is not None})
 
 
 def blocking_effects(graph: ContinuityMemoryGraph, edit: BlockingEdit) -> list[Effect]:

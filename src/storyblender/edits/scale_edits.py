@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from storyblender.agents.layout_artist.placed_by_hand import scale_on_it, stand_of
-from storyblender.agents.visual_effects_artist.furniture import dressing_asset
+from storyblender.agents.layout_artist.placed_by_hand import carried, riders_of, scale_on_it, stand_of
+from storyblender.agents.visual_effects_artist.furniture import dressing_asset, prop_size
 from storyblender.catalog.recipe import made_from
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.edits.effect import (
@@ -19,8 +19,8 @@ from storyblender.edits.effect import (
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import PLAUSIBLE, Asset, AssetDecision, AssetDimension, CanonicalAsset
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.scene_context import Layout, LayoutObject, SceneContext
-from storyblender.memory.scene_decision import SetDecision
+from storyblender.memory.scene_context import LayoutObject, SceneContext
+from storyblender.memory.scene_decision import LayoutDecision, SetDecision
 
 _SIDES = ("width", "depth", "height")
 
@@ -51,11 +51,8 @@ def scale_effects(graph: ContinuityMemoryGraph, scene: SceneContext, item: Layou
             raise InputError(f"{asset.asset_id} is locked", mend="unlock it first")
         larger = Effect(_resized(asset, made, factor), asset.asset_id, words, frozenset({"asset"}))
         scaled = ((each, _scaled_layout(graph, each, _nodes_of(each, asset.asset_id), factor)) for each in graph.scenes)
-        shown = ((each, layout) for each, layout in scaled if layout is not None)
-        return [
-            larger,
-            *(scene_effect(graph, each, words, "layout", ("motion",), layout=layout) for each, layout in shown),
-        ]
+        shown = ((each, update) for each, update in scaled if update)
+        return [larger, *(scene_effect(graph, each, words, "layout", ("motion",), **update) for each, update in shown)]
     return _furniture_scaled(graph, scene, item, made, factor, words)
 
 
@@ -75,15 +72,16 @@ def _resized(asset: Asset, made: CanonicalAsset, factor: float) -> Asset:
         ),
         "geometry_hash": "",
     }
+    told = {side: length * factor for side, length in asset.dimension or () if length is not None}
+    dimension = AssetDimension(**(told or {"width": measures["dimensions"][0]}))
     if made.source == "catalog":
-        whole = made_from(asset, _in_size(made, factor))
+        whole = made_from(asset, _in_size(asset, made, factor))
         assert whole.canonical is not None
         canonical = whole.canonical.model_copy(update={**measures, "match_score": made.match_score})
-        return whole.model_copy(update={"canonical": canonical, "kind": asset.kind, "image_prompt": asset.image_prompt})
+        kept = {"kind": asset.kind, "image_prompt": asset.image_prompt}
+        return whole.model_copy(update={"canonical": canonical, "dimension": dimension, **kept})
     canonical = made.model_copy(update={**measures, "params": {**made.params, "told": True}})
-    return asset.model_copy(
-        update={"canonical": canonical, "dimension": AssetDimension(width=measures["dimensions"][0])}
-    )
+    return asset.model_copy(update={"canonical": canonical, "dimension": dimension})
 
 
 def _nodes_of(scene: SceneContext, asset_id: str) -> list[str]:
@@ -91,9 +89,12 @@ def _nodes_of(scene: SceneContext, asset_id: str) -> list[str]:
     return [each.node_id for each in scene.layout.objects if each.asset_id == asset_id] if scene.layout else []
 
 
-def _in_size(made: CanonicalAsset, factor: float) -> AssetDecision:
-    """Return what a thing is made from in another size."""
-    sides = {side: round(length * factor, 6) for side, length in zip(_SIDES, made.dimensions, strict=True)}
+def _in_size(asset: Asset, made: CanonicalAsset, factor: float) -> AssetDecision:
+    """Return what a thing is made from in another size, from what the library has and how much larger it is here."""
+    usual = prop_size(made.key, made.params)
+    told = [each for each, (_, length) in enumerate(asset.dimension or ()) if length is not None]
+    here = made.dimensions[told[0]] / usual[told[0]] if told else 1.0
+    sides = {side: round(length * here * factor, 6) for side, length in zip(_SIDES, usual, strict=True)}
     return AssetDecision(prop=made.key, params={**made.params, **sides})
 
 
@@ -110,7 +111,7 @@ def _furniture_scaled(
     planned = plan_of(environment).furnishings if environment is not None and environment.kit in SETS else ()
     if made.source != "catalog" or item.node_id not in {each.node_id for each in planned}:
         raise InputError(f"the size of {item.node_id} cannot be changed", mend="replace it by another thing")
-    decision = _in_size(made, factor)
+    decision = _in_size(graph.asset(item.asset_id), made, factor)
     larger = dressing_asset(decision.prop, decision.params)
     effects: list[Effect] = []
     if larger.asset_id not in {asset.asset_id for asset in graph.assets}:
@@ -127,20 +128,20 @@ def _furniture_scaled(
         if each.environment is not None:
             furniture = {**each.environment.furniture, item.node_id: decision}
             update["environment"] = each.environment.model_copy(update={"furniture": furniture})
-        if (layout := _scaled_layout(graph, each, [item.node_id], factor)) is not None:
+        if scaled := _scaled_layout(graph, each, [item.node_id], factor):
             objects = tuple(
                 part.model_copy(update={"asset_id": larger.asset_id}) if part.node_id == item.node_id else part
-                for part in layout.objects
+                for part in scaled["layout"].objects
             )
-            update["layout"] = layout.model_copy(update={"objects": objects})
+            update |= {**scaled, "layout": scaled["layout"].model_copy(update={"objects": objects})}
         effects.append(scene_effect(graph, each, words, "set", ("motion",), **update))
     return effects
 
 
 def _scaled_layout(
     graph: ContinuityMemoryGraph, scene: SceneContext, node_ids: Iterable[str], factor: float
-) -> Layout | None:
-    """Return the layout of a scene with what is on scaled things where it is then; None if it shows none of them.
+) -> dict[str, Any]:
+    """Return the update of a scene with what is on scaled things where it is then; empty if it shows none of them.
 
     Raises:
         InputError: Something in the scene is locked.
@@ -148,9 +149,13 @@ def _scaled_layout(
     there = {item.node_id for item in scene.layout.objects} if scene.layout is not None else set[str]()
     shown = [node_id for node_id in node_ids if node_id in there]
     if scene.layout is None or scene.environment is None or not shown:
-        return None
+        return {}
     refuse_locked_staging(graph, scene)
     layout, stand = scene.layout, stand_of(graph.assets, scene.environment)
+    decision = scene.layout_decision
     for node_id in shown:
         layout = scale_on_it(layout, node_id, factor, stand)
-    return layout
+        if decision is not None:
+            taken = carried(decision.things, riders_of(scene.layout, node_id, stand), layout)
+            decision = decision.then(LayoutDecision(things=taken))
+    return {"layout": layout, "layout_decision": decision}

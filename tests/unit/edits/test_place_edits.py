@@ -233,6 +233,7 @@ def test_what_is_locked_is_refused_and_what_changed_meanwhile(session: Session) 
 
 
 def test_a_scaled_thing_keeps_what_is_on_it_and_its_size_in_every_scene_and_staging(session: Session) -> None:
+    apply(session, move("letter", [-0.9, 1.2], height=0.75))
     before = session.graph
     apply(session, {"kind": "place", "scene": ROOM, "thing": "table", "scale": 1.25})
     after = session.graph

@@ -97,6 +97,24 @@ def placed_flaws(graph: ContinuityMemoryGraph, scene: SceneContext) -> tuple[Fla
     return tuple(obstructions(layout, decision.things, stand_of(graph.assets, environment)))
 
 
+def carried(things: Mapping[str, ThingPlace], riders: Collection[str], layout: Layout) -> dict[str, ThingPlace]:
+    """Return where things that a person placed are, after what they are on was moved or scaled.
+
+    Args:
+        things: Where they were placed, by node id.
+        riders: Node ids of all that was carried along.
+        layout: As it is then.
+    """
+    found: dict[str, ThingPlace] = {}
+    for item in layout.objects:
+        if item.node_id in riders and (place := things.get(item.node_id)) is not None:
+            now = {"location": item.location[:2], "height": item.location[2], "rotation": item.rotation[2]}
+            found[item.node_id] = place.model_copy(
+                update={name: value for name, value in now.items() if getattr(place, name) is not None}
+            )
+    return found
+
+
 def scale_on_it(layout: Layout, node_id: str, factor: float, stand: Stand) -> Layout:
     """Return a layout in which all that is on a thing is where it is when the thing has another size.
 
