@@ -45,6 +45,9 @@ STAGING: dict[str, tuple[float, str]] = {
 }
 """Flaw kind of the animator: metres from which it is listed, and the sentence."""
 
+PLACED = ("by_hand", "mark")
+"""Flaw kinds of what a person placed."""
+
 READING: dict[str, str] = {
     "pronoun": "{who} is meant? {reason}",
     "addressee": "{who} is spoken to? {reason}",
@@ -94,7 +97,8 @@ def checklist(graph: ContinuityMemoryGraph, staged: Iterable[Flaw], poor: Iterab
     found: list[Check] = []
     for panel in panels(graph):
         found += _reading_checks(panel, graph.script_name, names)
-        found += _staging_checks(panel, [*flaws.get(panel.name, []), *panel.shot.flaws], graph.script_name, names)
+        staging = [*flaws.get(panel.name, []), *panel.shot.flaws]
+        found += _staging_checks(panel, staging, graph.script_name, folder, names)
         found += _camera_checks(panel, folder, names)
         found += _frame_checks(panel, frame_flaws.get(panel.name, []), folder, names)
     return list(dict.fromkeys(found))
@@ -140,11 +144,16 @@ def _script_mend(flag: Flag, script: str) -> str:
     return f"say it in the script, then: {again}"
 
 
-def _staging_checks(panel: Panel, flaws: Iterable[Flaw], script: str, names: Mapping[str, str]) -> Iterator[Check]:
+def _staging_checks(
+    panel: Panel, flaws: Iterable[Flaw], script: str, folder: str, names: Mapping[str, str]
+) -> Iterator[Check]:
     for flaw in flaws:
         least, says = STAGING.get(flaw.kind, (0.0, "{message}"))
         if flaw.weight >= least:
             mend = f"change it in story.blend, or reword the line, then: storyblender make {shlex.quote(script)}"
+            if flaw.kind in PLACED:
+                where = panel.name if flaw.kind == "mark" else panel.name.partition("_")[0]
+                mend = f"storyblender place {shlex.quote(folder)} {where} {flaw.subject} --at X,Y"
             yield Check(panel.name, _worded(says, flaw, names), mend)
 
 

@@ -75,7 +75,7 @@ class ShotDetails(ShotSummary):
     camera_looks_at: tuple[float, float, float] | None
     """The point in the middle of the picture, likewise."""
     decided: tuple[str, ...]
-    """What a person decided about the camera."""
+    """What a person decided about the camera, and where people stand."""
     takes: tuple[TakeSummary, ...]
     """Versions of its camera that are kept, with the one that the film shows."""
     scene_decided: tuple[str, ...]
@@ -284,7 +284,10 @@ def details_of(panel: Panel, graph: ContinuityMemoryGraph) -> ShotDetails:
         lines=tuple(Line(kind=each.kind, text=each.text, speaker=each.speaker or "") for each in panel.outline.lines),
         camera_location=stands if stands is None else _rounded(stands),
         camera_looks_at=first and _rounded(first.pivot),
-        decided=tuple(shot.camera_decision.words.split(", ")) if shot.camera_decision is not None else (),
+        decided=(
+            *(shot.camera_decision.words.split(", ") if shot.camera_decision is not None else ()),
+            *([f"marks: {shot.blocking_decision.words}"] if shot.blocking_decision is not None else ()),
+        ),
         takes=takes_of(shot),
         scene_decided=tuple(f"{part}: {each.words}" for part, each in decisions.items() if each is not None),
         locked=(*shot.locked, *(f"{part} of the scene" for part in scene.locked)),

@@ -11,6 +11,7 @@ import pytest
 from tests.every import every
 from tests.home import SCRIPT, SETTINGS
 
+from storyblender.deliver.panel import panels
 from storyblender.edits.words import edits_of, place_edit
 from storyblender.errors import InputError, Rejected, StaleEdit
 from storyblender.geometry.orbit import Orbit, camera_around
@@ -22,6 +23,7 @@ from storyblender.memory.shot_context import Mark
 from storyblender.project import Project
 from storyblender.session import Session
 from storyblender.studio import Studio
+from storyblender.workplace.values import details_of
 
 ROOM, LATER, SHOT, NEXT = "SC010", "SC030", "SC010_SH020", "SC010_SH030"
 TOM = {
@@ -190,9 +192,18 @@ def test_what_it_stands_in_is_told_and_on_the_checklist_and_no_layout_fault(sess
     report = session.check()
     assert any("which a person placed, stands" in finding for finding in report.findings)
     assert not any(row.name == "layout violations" and not row.ok for row in report.rows)
+    page = (session.folder / "index.html").read_text(encoding="utf-8")
+    assert "SC010 sofa --at X,Y" in page, "the checklist says how to move it"
     near = mark(session.graph, "anna", SHOT).location[:2]
     told = session.apply(edits_of([{**TOM, "marks": {"start": {"location": near}}}])).warnings
     assert any("stands in anna" in said for said in told)
+
+
+def test_a_description_of_the_shot_says_what_was_placed(session: Session) -> None:
+    session.apply(edits_of([move("sofa", [0.5, 1.25], 30.0), TOM]))
+    told = details_of(next(panel for panel in panels(session.graph) if panel.name == SHOT), session.graph)
+    assert "marks: tom starts at 1.5, -1, turned to 200 degrees" in told.decided
+    assert "layout: things sofa at 0.5, 1.25, turned to 30 degrees" in told.scene_decided
 
 
 @every(
