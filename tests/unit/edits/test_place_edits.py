@@ -136,6 +136,41 @@ def test_it_stays_in_another_staging_another_set_and_another_script(folder: Path
     assert mark(graph, "tom", "SC020_SH020").location[:2] == (1.5, -1.0)
 
 
+def gesture(graph: ContinuityMemoryGraph, chance: random.Random) -> dict[str, Any]:
+    """Return what a hand might do on a stage."""
+    scene = chance.choice([ROOM, LATER])
+    at, turn = [chance.uniform(-3, 3), chance.uniform(-3, 3)], chance.choice([None, chance.uniform(-200, 200)])
+    thing = chance.choice(layout(graph, scene).objects).node_id
+    match chance.randrange(4):
+        case 0:
+            shot = chance.choice(graph.shots_of(int(scene[2:]) // 10))
+            marks = {chance.choice(["start", "end"]): {"location": at}}
+            return {"kind": "blocking", "shot": f"{scene}_SH{10 * shot.shot_id:03d}", "person": "anna", "marks": marks}
+        case 1:
+            return {"kind": "place", "scene": scene, "thing": thing, "scale": chance.choice([0.5, 0.8, 1.25, 2])}
+        case _:
+            return move(thing, at, turn, scene)
+
+
+def test_whatever_a_hand_does_is_kept_and_undone_byte_for_byte(session: Session) -> None:
+    before, chance, done = (session.folder / "graph.json").read_bytes(), random.Random(8), 0
+    for _ in range(40):
+        try:
+            session.apply(edits_of([gesture(session.graph, chance)]))
+            done += 1
+        except InputError:
+            continue  # people are no things, who sits has no mark
+        if done in (10, 20):
+            session.render()
+    session.render()
+    for scene in session.graph.scenes:
+        for node_id, place in (scene.layout_decision.things if scene.layout_decision else {}).items():
+            assert place.location in (None, item(session.graph, node_id, f"SC{10 * scene.scene_id:03d}").location[:2])
+    for _ in range(done):
+        session.undo()
+    assert done > 20 and (session.folder / "graph.json").read_bytes() == before
+
+
 def test_the_crew_cannot_place_it_elsewhere(session: Session) -> None:
     apply(session, move("sofa", [0.9, 1.4]), TOM)
     scene, shot = session.graph.scene(1), session.graph.shot(1, 2)
