@@ -26,6 +26,7 @@ from storyblender.memory.jobs import (
     CutJob,
     FrameJob,
     FrameReport,
+    MomentJob,
     MotionJob,
     PackRef,
     SceneJob,
@@ -123,6 +124,10 @@ class StandInEngine:
         with self.files.writing(job.out) as part:
             picture(job.digest).save(part)
         return self._answer("render_frame", FrameReport(out=job.out, lights=job.shot.lights or (KEY,)))
+
+    def write_moment(self, job: MomentJob) -> Future[str]:
+        self.files.write(job.out, f"moment {job.frame}")
+        return self._answer("write_moment", job.out)
 
     def render_motion(self, job: MotionJob) -> Future[int]:
         with self.files.writing_tree(job.folder) as part:

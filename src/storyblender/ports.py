@@ -19,6 +19,7 @@ from storyblender.memory.jobs import (
     ExportJob,
     FrameJob,
     FrameReport,
+    MomentJob,
     MotionJob,
     PackRef,
     SceneJob,
@@ -173,6 +174,10 @@ class Engine(Protocol):
 
     def render_frame(self, job: FrameJob) -> Future[FrameReport]:
         """Render the board frame of one shot."""
+        ...
+
+    def write_moment(self, job: MomentJob) -> Future[str]:
+        """Write what a scene looks like at one moment as glTF, for a viewer; return the file's name."""
         ...
 
     def render_motion(self, job: MotionJob) -> Future[int]:

@@ -26,13 +26,12 @@ from storyblender.memory.edits import Edit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit
 from storyblender.pipeline.adopting import adopt_earlier_outputs
-from storyblender.pipeline.asset_files import assets_to_build
 from storyblender.pipeline.compiling import story_files
 from storyblender.pipeline.drawing import draw_shots
 from storyblender.pipeline.filming import cuts_made_wrong, film, with_cuts_judged
 from storyblender.pipeline.packing import pack_scenes
 from storyblender.pipeline.panorama import keep_panorama
-from storyblender.pipeline.previewing import preview_shots
+from storyblender.pipeline.previewing import moment_of, preview_shots
 from storyblender.pipeline.reviewing import FrameReview, review_frames
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import (
@@ -41,6 +40,7 @@ from storyblender.pipeline.shooting import (
     shoot_frames,
     undrawn_shots,
 )
+from storyblender.pipeline.updating import bring_up_to_date
 from storyblender.ports import AssetSource, Engine
 from storyblender.project import Project
 from storyblender.results import Delivery
@@ -221,7 +221,7 @@ class Session:
         with self._call() as run:
             shots = shots_named(run.graph, names)
             self._refuse_unmade()
-            self._bring_up_to_date(run)
+            bring_up_to_date(run)
             new = [shot for shot in run.graph.shots if shot.camera is None]
             film(run)
             wrong = cuts_made_wrong(run, new)
@@ -234,6 +234,21 @@ class Session:
         """Draw shots small and quickly, to see what an edit did, and return the pictures; raises as ``render``."""
         with self._filming() as run:
             return preview_shots(run, shots_named(run.graph, names))
+
+    def moment(self, name: str, frame: int | None = None) -> tuple[Path, int]:
+        """Return what a shot's scene looks like at one moment as glTF, and that moment; raises as ``render``.
+
+        Cameras need not be set, so that people and things are seen where an edit put them before the cameras follow.
+
+        Args:
+            name: The shot, such as ``SC010_SH020``.
+            frame: From its start; the one that the board shows if not given.
+        """
+        with self._call() as run:
+            self._refuse_unmade()
+            bring_up_to_date(run)
+            [shot] = shots_named(run.graph, [name])
+            return moment_of(run, shot, frame)
 
     def stale_frames(self) -> list[str]:
         """Return the names of the shots whose frames do not show the story as it is; raises as ``render``."""
@@ -276,7 +291,7 @@ class Session:
             if any(item.stale for item in items) or any(shot.camera is None for shot in run.graph.cut):
                 mend = "run `storyblender render` first: it goes on where it was stopped"
                 raise InputError("has shots that are not up to date", mend=mend, path=self.folder)
-            self._bring_up_to_date(run)
+            bring_up_to_date(run)
             reviews = review_frames(run, drawn_shots(run))
             report = inspect(
                 with_cuts_judged(run), run.engine, list(run.packs.values()), reviews, partial(run.progress, "check")
@@ -292,7 +307,7 @@ class Session:
         with self._call() as run:
             [found] = shots_named(run.graph, [shot])
             self._refuse_unmade()
-            self._bring_up_to_date(run)
+            bring_up_to_date(run)
             names = pictures_of_takes(run, run.graph.shot(found.scene_id, found.shot_id))
             return {number: self.folder / name for number, name in names.items() if run.outputs.whole(name)}
 
@@ -366,7 +381,7 @@ class Session:
         """Make one call on a made project, with its packs up to date and all cameras set."""
         with self._call() as run:
             self._refuse_unmade()
-            self._bring_up_to_date(run)
+            bring_up_to_date(run)
             film(run)
             yield run
 
@@ -374,23 +389,6 @@ class Session:
         with self._telling:
             for listener in self._listeners:
                 listener(event)
-
-    def _bring_up_to_date(self, run: Run) -> None:
-        """Restore missing assets, animate what an edit made stale, and build the packs."""
-        staged = any(scene.lighting is not None for scene in run.graph.scenes)
-        if staged and not (self.folder / REMEMBERED).exists():
-            message = f"{REMEMBERED} is missing; look, width and lenses are the defaults"
-            run.tell(Event(kind="warning", role="project", subject=self.folder.name, message=message))
-        keep_panorama(run)
-        if assets_to_build(run, run.graph.assets):
-            from storyblender.pipeline.materializing import materialize
-
-            materialize(run)
-        if any(item.stale for item in (*run.graph.scenes, *run.graph.shots)):
-            from storyblender.pipeline.restaging import make_stale_anew
-
-            make_stale_anew(run)
-        pack_scenes(run)
 
     def _refuse_unmade(self) -> None:
         if not self.made:

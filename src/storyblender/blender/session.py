@@ -40,6 +40,7 @@ from storyblender.memory.jobs import (
     ExportJob,
     FrameJob,
     FrameReport,
+    MomentJob,
     MotionJob,
     PackRef,
     SceneJob,
@@ -92,6 +93,7 @@ class BlenderSession:
             self.find_collisions,
             self.measure_drift,
             self.render_frame,
+            self.write_moment,
             self.render_motion,
             self.compile_story,
             self.compile_cut,
@@ -210,6 +212,15 @@ class BlenderSession:
             void=result.statistics.void,
             visible=tuple(sorted(node for node in result.statistics.visible if node in cast)),
         )
+
+    def write_moment(self, job: MomentJob) -> str:
+        """Write what a scene looks like at one moment as glTF."""
+        from storyblender.blender.moment_glb import write_moment
+
+        scene = self._open_pack(job.pack)
+        with self._files.writing(job.out) as part:
+            write_moment(scene, job.frame, part)
+        return job.out
 
     def render_motion(self, job: MotionJob) -> int:
         """Render the moving frames of one shot into its folder; return their number."""

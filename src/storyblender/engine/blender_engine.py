@@ -23,6 +23,7 @@ from storyblender.memory.jobs import (
     ExportJob,
     FrameJob,
     FrameReport,
+    MomentJob,
     MotionJob,
     PackRef,
     SceneJob,
@@ -128,6 +129,10 @@ class BlenderEngine:
         """Render the board frame of one shot."""
         scene_id, arguments = job.pack.scene_id, {"job": _plain(job)}
         return self._once(job.out, "render_frame", arguments, FrameReport.model_validate, f"scene{scene_id}")
+
+    def write_moment(self, job: MomentJob) -> Future[str]:
+        """Write what a scene looks like at one moment as glTF."""
+        return self._once(job.out, "write_moment", {"job": _plain(job)}, str, f"scene{job.pack.scene_id}")
 
     def render_motion(self, job: MotionJob) -> Future[int]:
         """Render the moving frames of one shot."""

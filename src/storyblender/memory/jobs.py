@@ -6,6 +6,7 @@ A render job is a pure function of (pack, shot, lighting, settings), so it can r
 
 from __future__ import annotations
 
+from pathlib import PurePosixPath
 from typing import Any, Literal
 
 from pydantic import Field
@@ -209,6 +210,19 @@ class FrameReport(Frozen):
     void: float = 0.0
     visible: tuple[str, ...] = ()
     """Characters that cover pixels of the frame."""
+
+
+class MomentJob(Frozen):
+    """Write what a scene looks like at one moment as glTF, for a viewer."""
+
+    pack: PackRef
+    frame: int
+    """On the scene's timeline."""
+
+    @property
+    def out(self) -> str:
+        """The file, named by all that it depends on."""
+        return f"build/moments/{PurePosixPath(self.pack.path).stem}-{self.frame}.glb"
 
 
 class MotionJob(Frozen):

@@ -10,7 +10,7 @@ from storyblender.agents.layout_artist.story_moment import board_frame
 from storyblender.memory.base import scene_name, shot_name, staged_id
 from storyblender.memory.coverage import filmed
 from storyblender.memory.graph import ProjectFormat
-from storyblender.memory.jobs import FrameJob, FrameReport, Look, MotionJob
+from storyblender.memory.jobs import FrameJob, FrameReport, Look, MomentJob, MotionJob
 from storyblender.memory.scene_context import Lighting
 from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.filming import figures_of
@@ -183,9 +183,12 @@ def prune(run: Run, shots: Collection[ShotContext]) -> None:
         job = frame_job(run, shot, run.settings.look)
         name = shot_name(shot.scene_id, shot.shot_id)
         kept |= {job.out, f"{job.out}.json", f"{job.out}.review.json", _motion_folder(run, shot)}
+        pack, start = run.packs[shot.scene_id], run.packs[shot.scene_id].start_of(shot.shot_id)
+        kept |= {MomentJob(pack=pack, frame=frame).out for frame in range(start, start + shot.duration)}
         kept |= {f"frames/{name}.png", f"frames/slate_{name}.png"}
         kept |= {name for picture in pictures_of_takes(run, shot).values() for name in (picture, f"{picture}.json")}
-    for folder in ("build/frames/", "build/motion/", "build/scenes/", "build/figures/", "build/light/", "frames/"):
+    folders = ("frames", "motion", "moments", "scenes", "figures", "light")
+    for folder in (*(f"build/{name}/" for name in folders), "frames/"):
         run.outputs.keep_only(folder, kept)
 
 
