@@ -104,6 +104,35 @@ export interface ShotDetails {
   problems: string[];
 }
 
+/** Metres, Z up. */
+export type Point = [number, number, number];
+
+export interface CameraKey {
+  frame: number;
+  world: number[];
+  lens: number;
+  distance: number;
+}
+
+export interface StageCamera {
+  shot: string;
+  sensor_width: number;
+  keys: CameraKey[];
+  hidden: string[];
+}
+
+export interface Stage {
+  shot: string;
+  model: string;
+  frame: number;
+  frames: number;
+  fps: number;
+  aspect: number;
+  cameras: StageCamera[];
+  placed: Record<string, { name: string; location: Point; rotation: number }>;
+  people: Record<string, { name: string; start: Point; end: Point; rotation: number }>;
+}
+
 export interface News {
   news: "board" | "status" | "event" | "frames";
   revision?: string;

@@ -5,6 +5,7 @@ import { customElement, state } from "lit/decorators.js";
 import "./board_view";
 import "./crew_view";
 import "./shot_inspector";
+import "./stage_view";
 import "./start_view";
 import type { Board, CrewEvent, Edit, News, Places, Status } from "./messages";
 import { Wire } from "./wire";
@@ -17,6 +18,7 @@ export class Studio extends LitElement {
   @state() private places: Places | null = null;
   @state() private status: Status | null = null;
   @state() private selected: string[] = [];
+  @state() private view: "board" | "stage" = "board";
   @state() private events: CrewEvent[] = [];
   @state() private said: { text: string; wrong: boolean } | null = null;
   @state() private connected = true;
@@ -45,6 +47,7 @@ export class Studio extends LitElement {
       this.querySelector<HTMLInputElement>("#say")?.focus();
     } else if (event.key === "Escape") {
       if (typing) (event.target as HTMLElement).blur();
+      else if (this.view === "stage") this.view = "board";
       else this.selected = [];
     }
   };
@@ -82,20 +85,22 @@ export class Studio extends LitElement {
   }
 
   /** Do something, and show the studio's sentence if it cannot be done. */
-  private async attempt(work: () => Promise<string>): Promise<void> {
+  private async attempt(work: () => Promise<string>): Promise<boolean> {
     try {
       this.say(await work());
+      return true;
     } catch (error) {
       this.say((error as Error).message, true);
+      return false;
     }
   }
 
-  private step(way: "undo" | "redo"): Promise<void> {
+  private step(way: "undo" | "redo"): Promise<boolean> {
     const done = way === "undo" ? "Undone" : "Done again";
     return this.attempt(async () => `${done}: ${(await this.wire.call<{ done: string }>(way)).done}`);
   }
 
-  private edit(edits: Edit[]): Promise<void> {
+  private edit(edits: Edit[]): Promise<boolean> {
     const revision = this.board?.revision;
     return this.attempt(async () => (await this.wire.call<{ words: string }>("apply", { edits, revision })).words);
   }
@@ -114,7 +119,7 @@ export class Studio extends LitElement {
     });
   }
 
-  private make(detail: { script: string; text?: string; look: string; animatic: boolean }): Promise<void> {
+  private make(detail: { script: string; text?: string; look: string; animatic: boolean }): Promise<boolean> {
     this.events = [];
     this.board = null;
     return this.attempt(async () => {
@@ -133,12 +138,19 @@ export class Studio extends LitElement {
       </header>
       ${this.connected ? nothing : html`<p class="bar wrong" role="alert">The studio does not answer. Start it again; nothing is lost.</p>`}
       ${this.said ? html`<p class="bar ${this.said.wrong ? "wrong" : ""}" role="status">${this.said.text}</p>` : nothing}
-      <main>${this.view()}</main>
+      <main>${this.main()}</main>
     `;
+  }
+
+  private show(view: "board" | "stage"): void {
+    if (view === "stage" && !this.selected.length) this.selected = [this.board!.scenes[0].shots[0].shot];
+    this.view = view;
   }
 
   private tools(board: Board) {
     return html`
+      <nav aria-label="Views">${(["board", "stage"] as const).map((view) => html`<button class=${this.view === view ? "chosen" : ""}
+        aria-current=${this.view === view ? "page" : nothing} @click=${() => this.show(view)}>${view === "board" ? "Board" : "Stage"}</button>`)}</nav>
       <form class="say" @submit=${(event: SubmitEvent) => this.instruct(event)}>
         <input id="say" aria-label="Say it" autocomplete="off" ?disabled=${!this.selected.length}
           placeholder=${this.selected.length ? `${this.selected.join(", ")}: closer, low angle ...` : "Select a shot, then say what you want"} />
@@ -152,7 +164,7 @@ export class Studio extends LitElement {
     `;
   }
 
-  private view() {
+  private main() {
     if (this.status?.busy || (this.status?.error && !this.board)) {
       return html`<sb-crew .events=${this.events} .status=${this.status} .board=${this.board}
         @stop=${() => this.attempt(async () => (await this.wire.call("cancel"), "Stopped; make it again to go on."))}
@@ -165,13 +177,18 @@ export class Studio extends LitElement {
           this.attempt(async () => ((this.board = await this.wire.call<Board>("open", { project: event.detail })), ""))}></sb-start>`;
     }
     return html`
-      <sb-board .board=${this.board} .selected=${this.selected}
-        @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}
-        @select=${(event: CustomEvent<string[]>) => (this.selected = event.detail)}></sb-board>
+      ${this.view === "stage" && this.selected.length
+        ? html`<sb-stage .board=${this.board} .shot=${this.selected[0]} .wire=${this.wire}
+            @edit=${(event: CustomEvent<{ edits: Edit[]; settled: (done: boolean) => void }>) =>
+              this.edit(event.detail.edits).then(event.detail.settled)}
+            @select=${(event: CustomEvent<string[]>) => (this.selected = event.detail)}></sb-stage>`
+        : html`<sb-board .board=${this.board} .selected=${this.selected}
+            @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}
+            @select=${(event: CustomEvent<string[]>) => (this.selected = event.detail)}></sb-board>`}
       ${this.selected.length === 1
         ? html`<sb-shot .board=${this.board} .shot=${this.selected[0]} .wire=${this.wire}
             @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}
-            @close=${() => (this.selected = [])}></sb-shot>`
+            @close=${() => ((this.selected = []), (this.view = "board"))}></sb-shot>`
         : nothing}
     `;
   }

@@ -14,7 +14,8 @@ from starlette.websockets import WebSocketClose
 COOKIE = "storyblender_studio"
 POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' blob: data:; "
-    "media-src 'self'; connect-src 'self'; font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+    "media-src 'self'; connect-src 'self' blob:; font-src 'self'; base-uri 'none'; form-action 'none'; "
+    "frame-ancestors 'none'"
 )
 """Nothing is loaded from elsewhere, no inline script runs, no other page may frame the studio. Styles may be inline."""
 _HEADERS = {

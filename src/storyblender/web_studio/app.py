@@ -23,6 +23,7 @@ from storyblender.web_studio.messages import CALLS, Answer, News
 LARGEST_CALL = 4_500_000
 """Bytes: a long script that is dropped into the page."""
 _SHOT = re.compile(r"SC\d{3,6}_SH\d{3,6}")
+_MOMENT = re.compile(r"SC\d{3,6}-[0-9a-f]{8,64}-\d{1,9}")
 _DELIVERED = frozenset(name for name, _ in FILES)
 _NOT_THERE = PlainTextResponse("there is no such file", 404)
 PAGE = Path(str(files("storyblender.web_studio") / "static"))
@@ -46,6 +47,10 @@ def build_app(hub: Hub) -> Starlette:
         path = hub.previews.get(request.path_params["name"])
         return FileResponse(path) if path is not None and path.is_file() else _NOT_THERE
 
+    async def moment(request: Request) -> Response:
+        name = request.path_params["name"]
+        return _file(hub, f"build/moments/{name}.glb") if _MOMENT.fullmatch(name) else _NOT_THERE
+
     async def delivered(request: Request) -> Response:
         name = request.path_params["name"]
         return _file(hub, name) if name in _DELIVERED else _NOT_THERE
@@ -58,6 +63,7 @@ def build_app(hub: Hub) -> Starlette:
             Route("/", page),
             Route("/frames/{name}.png", frame),
             Route("/previews/{name}.png", preview),
+            Route("/moments/{name}.glb", moment),
             Route("/files/{name}", delivered),
             WebSocketRoute("/wire", wire),
             Mount("/static", StaticFiles(directory=PAGE)),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import logging
 import threading
 from collections.abc import Callable, Collection, Mapping
 from concurrent.futures import ThreadPoolExecutor
@@ -31,10 +32,14 @@ from storyblender.web_studio.messages import (
     OpenCall,
     PlainCall,
     ShotCall,
+    Stage,
+    StageCall,
 )
+from storyblender.web_studio.stage import stage_of
 from storyblender.workplace.values import details_of
 from storyblender.workplace.workplace import Workplace
 
+_LOG = logging.getLogger(__name__)
 _TOLD = ("stage", "propose", "score", "refine", "accept", "handover", "warning")
 """Kinds of events that the page shows as the crew at work."""
 
@@ -52,7 +57,6 @@ class Hub:
         self._browsers: set[asyncio.Queue[News]] = set()
         self._loop: asyncio.AbstractEventLoop | None = None
         self._drawer: Drawer | None = None
-        self._drawn_by: Session | None = None
         self.previews: dict[str, Path] = {}
 
     def join(self) -> asyncio.Queue[News]:
@@ -67,15 +71,10 @@ class Hub:
         self._browsers.discard(news)
 
     async def answer(self, call: Call) -> Answer:
-        """Make one call; what cannot be is an answer, never an exception of ours."""
+        """Make one call; what cannot be done is an answer, never an exception. Only a cancel overtakes other calls."""
         if isinstance(call, PlainCall) and call.call == "cancel":
-            done: Callable[[], Any] = self.place.cancel
-            answered = await asyncio.to_thread(self._said, call.id, done)
-        else:
-            answered = await asyncio.get_running_loop().run_in_executor(
-                self._calls, self._said, call.id, self._of(call)
-            )
-        return answered
+            return await asyncio.to_thread(self._said, call.id, self.place.cancel)
+        return await asyncio.get_running_loop().run_in_executor(self._calls, self._said, call.id, self._of(call))
 
     def open(self, project: str) -> None:
         """Open a project, and draw what is not up to date. Raises InputError, ProjectLocked."""
@@ -98,6 +97,9 @@ class Hub:
             return Answer(id=number, ok=True, value=call())
         except StoryBlenderError as error:
             return Answer(id=number, ok=False, error=str(error))
+        except Exception:  # noqa: BLE001 - logged; the page goes on
+            _LOG.exception("a call of the page failed")
+            return Answer(id=number, ok=False, error="this failed, and should not have; the terminal says more")
 
     def _of(self, call: Call) -> Callable[[], Any]:
         match call:
@@ -111,6 +113,8 @@ class Hub:
                 return lambda: self._edited(lambda session: session.instruct(call.words, call.revision), ())
             case ShotCall():
                 return lambda: self._shot(call.shot)
+            case StageCall():
+                return lambda: self._stage(call.shot, call.frame)
             case PlainCall():
                 return {
                     "places": self._places,
@@ -158,6 +162,16 @@ class Hub:
     def _shot(self, name: str) -> dict[str, Any]:
         panel = self.place.panel(name)
         return details_of(panel, self.place.session.graph).model_dump()
+
+    def _stage(self, name: str, frame: int | None) -> Stage:
+        """Return the scene of a shot in 3D; what is being drawn waits."""
+        self._refuse_busy()
+        panel, session = self.place.panel(name), self.place.session
+        if self._drawer is not None:
+            self._drawer.interrupt()
+        model, moment = session.moment(panel.name, frame)
+        shot = session.graph.shot(panel.shot.scene_id, panel.shot.shot_id)
+        return stage_of(session.graph, shot, f"/moments/{model.name}", moment)
 
     def _edited(self, make: Callable[[Session], Applied], edits: Collection[Any]) -> dict[str, Any]:
         """Make an edit at once, whatever is being drawn, and draw what it made stale."""

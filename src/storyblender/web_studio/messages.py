@@ -74,6 +74,17 @@ class ShotCall(_Call):
     """Such as ``SC010_SH020``."""
 
 
+class StageCall(_Call):
+    """Asks for the scene of a shot in 3D, at one moment."""
+
+    call: Literal["stage"]
+    """Which call this is."""
+    shot: _Name
+    """Such as ``SC010_SH020``."""
+    frame: Annotated[int, Field(ge=0, le=1_000_000)] | None = None
+    """From its start; the moment that the board shows if not given."""
+
+
 class PlainCall(_Call):
     """A call that needs nothing else."""
 
@@ -82,7 +93,7 @@ class PlainCall(_Call):
 
 
 Call = Annotated[
-    OpenCall | MakeCall | ApplyCall | InstructCall | ShotCall | PlainCall,
+    OpenCall | MakeCall | ApplyCall | InstructCall | ShotCall | StageCall | PlainCall,
     Field(discriminator="call"),
 ]
 CALLS: TypeAdapter[Call] = TypeAdapter(Call)
@@ -163,6 +174,79 @@ class Board(Described):
     """Deliverables that can be downloaded."""
 
 
+class CameraKey(Described):
+    """A camera at a frame of its shot."""
+
+    frame: int
+    """From the start of the shot."""
+    world: tuple[float, ...]
+    """Its matrix in the scene, 4 x 4 by rows: metres, Z up, looking along its own -Z, as Blender has it."""
+    lens: float
+    """mm."""
+    distance: float
+    """Metres to what it is turned around."""
+
+
+class StageCamera(Described):
+    """The camera of a shot."""
+
+    shot: str
+    """Its shot."""
+    sensor_width: float
+    """mm."""
+    keys: tuple[CameraKey, ...]
+    """In order of frames; one if it rests."""
+    hidden: tuple[str, ...]
+    """Node ids of set pieces taken away for it."""
+
+
+class PlacedThing(Described):
+    """Something that the layout of a scene places, and a hand may move."""
+
+    name: str
+    """As people call it."""
+    location: tuple[float, float, float]
+    """Floor point under its middle and height of its underside, metres."""
+    rotation: float
+    """Degrees about Z."""
+
+
+class PersonOnStage(Described):
+    """Somebody in a shot, whose marks a hand may move."""
+
+    name: str
+    """As people call them."""
+    start: tuple[float, float, float]
+    """Floor point as the shot begins, metres."""
+    end: tuple[float, float, float]
+    """The same as it ends."""
+    rotation: float
+    """Degrees about Z as it begins."""
+
+
+class Stage(Described):
+    """The scene of a shot in 3D, at one moment."""
+
+    shot: str
+    """Name of the shot."""
+    model: str
+    """Address of the scene as glTF; its nodes carry ``node_id``, ``asset_id`` and ``kind``."""
+    frame: int
+    """The moment, from the start of the shot."""
+    frames: int
+    """Length of the shot."""
+    fps: int
+    """Frames a second."""
+    aspect: float
+    """Width of a picture divided by its height."""
+    cameras: tuple[StageCamera, ...]
+    """Of all shots of the scene."""
+    placed: dict[str, PlacedThing]
+    """What the layout places, by node id."""
+    people: dict[str, PersonOnStage]
+    """Who is on stage, by id."""
+
+
 class Answer(Described):
     """What a call came to."""
 
@@ -191,4 +275,4 @@ class News(Described):
     """Whose pictures are new."""
 
 
-__all__ = ["CALLS", "Answer", "Board", "Call", "News", "PanelCard", "SceneCard", "ShotDetails"]
+__all__ = ["CALLS", "Answer", "Board", "Call", "News", "PanelCard", "SceneCard", "ShotDetails", "Stage"]

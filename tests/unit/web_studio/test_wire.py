@@ -196,3 +196,17 @@ def test_any_nonsense_is_refused_and_the_story_stays_whole(page: TestClient, sta
         browser.value("open", project=stage.folder.name)
         assert browser.value("board")["scenes"]
     assert read_project_graph(stage.folder).shots
+
+
+def test_the_stage_of_a_shot_has_its_model_and_the_cameras_of_its_scene(page: TestClient) -> None:
+    with page.websocket_connect("/wire") as socket:
+        browser = Browser(socket)
+        board = browser.is_drawn()
+        stage = browser.value("stage", shot=SHOT)
+        own = [shot["shot"] for scene in board["scenes"] if scene["scene"] == SHOT[:5] for shot in scene["shots"]]
+        assert [camera["shot"] for camera in stage["cameras"]] == own
+        assert 0 <= stage["frame"] < stage["frames"]
+        assert page.get(stage["model"]).content.startswith(b"moment ")
+        last = browser.value("stage", shot=SHOT, frame=10**6)
+        assert last["frame"] == stage["frames"] - 1 and last["model"] != stage["model"]
+        assert not browser.call("stage", shot="SC990_SH010")["ok"]
