@@ -14,7 +14,7 @@ from pathlib import Path
 from threading import Event as Signal
 from threading import Lock, RLock
 from types import TracebackType
-from typing import Self
+from typing import TYPE_CHECKING, Self
 
 from storyblender.crew import Crew
 from storyblender.edits.dispatcher import Applied, apply_edits
@@ -46,6 +46,9 @@ from storyblender.project import Project
 from storyblender.results import Delivery
 from storyblender.settings import REMEMBERED, Settings
 from storyblender.trace import Event, Listener
+
+if TYPE_CHECKING:
+    from storyblender.pipeline.script_changes import ScriptChanges
 
 EngineMaker = Callable[[Listener], AbstractContextManager[Engine]]
 """Opens the engine; the listener hears the progress of its jobs."""
@@ -169,6 +172,13 @@ class Session:
             files, reviews = draw_shots(run, run.graph.cut)
             return Delivery(self.folder, files, run.graph, reviews=reviews)
 
+    def compare(self, script: Path, reading: Path | None = None) -> ScriptChanges:
+        """Return what a revised script would change; nothing is changed. Raises InputError."""
+        from storyblender.pipeline.script_changes import script_changes
+
+        with self._call() as run:
+            return script_changes(run, script, reading)
+
     def apply(self, edits: Sequence[Edit], revision: str | None = None) -> Applied:
         """Commit a batch of edits, all or none, as one undo; ``draw`` then draws what they made stale.
 
@@ -263,18 +273,13 @@ class Session:
     def undo(self) -> list[Commit]:
         """Take back the last change and what followed from it; the next render draws only what that changes.
 
-        Raises:
-            InputError: Nothing to undo.
+        Raises InputError if there is nothing to undo.
         """
         with self._alone():
             return undo_edit(self._project)
 
     def redo(self) -> list[Commit]:
-        """Make the change again that was undone last.
-
-        Raises:
-            InputError: Nothing to redo.
-        """
+        """Make the change again that was undone last. Raises InputError if there is none."""
         with self._alone():
             return redo_edit(self._project)
 
@@ -312,12 +317,7 @@ class Session:
             return {number: self.folder / name for number, name in names.items() if run.outputs.whole(name)}
 
     def evaluate(self) -> list[FrameReview]:
-        """Return what the Frame Critic finds in every frame of a finished project.
-
-        Raises:
-            InputError: A project that is only planned or not finished.
-            Cancelled: ``cancel`` was called.
-        """
+        """Return what the Frame Critic finds in every frame of a finished project; raises as ``render``."""
         with self._filming() as run:
             shoot_frames(run, run.graph.cut)
             return list(review_frames(run, run.graph.cut).values())

@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from storyblender.memory.graph import ContinuityMemoryGraph
     from storyblender.memory.history import Commit
     from storyblender.pipeline.reviewing import FrameReview
+    from storyblender.pipeline.script_changes import ScriptChanges
     from storyblender.trace import Event
 
 _CONTROLS = {code: "\N{REPLACEMENT CHARACTER}" for code in (*range(32), *range(127, 160)) if chr(code) not in "\t\n"}
@@ -171,6 +172,21 @@ class Terminal:
             people = dict.fromkeys(names[person] for shot in shots for person in shot.on_stage)
             table.add_row(str(scene.scene_id), str(len(shots)), _plain(scene.title), _plain(", ".join(people)))
         self._results.print(table)
+
+    def changes(self, changes: ScriptChanges) -> None:
+        """Print what a revised script changes, shot by shot."""
+        if self._json:
+            self._write(changes.model_dump(mode="json"))
+        self._progress.stop()
+        table = Table("", "shot", "was", "words", box=None)
+        for shot in changes.shots:
+            former = shot.former if shot.former != shot.shot else ""
+            table.add_row(shot.kind, shot.shot, former, _plain(shot.words))
+        self._results.print(table if changes.shots else "No shot changes.")
+        for name, decided in changes.lost:
+            self._results.print(f"[yellow]not kept[/] {name} {_plain(decided)}: the words under it changed")
+        counted = f"{len(changes.kept_scenes)} of {changes.scenes} scenes stay as they are staged"
+        self._results.print(f"{counted}; {len(changes.renamed)} shots only get another number")
 
     def why(self, reasons: Sequence[Reason]) -> None:
         """Print which rule decided what, on which words, unit by unit."""

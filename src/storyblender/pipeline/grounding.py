@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 
 from storyblender.agents.director.reader.reasons import Reason, reasons_of
@@ -16,7 +17,7 @@ from storyblender.folder import Folder
 from storyblender.memory.base import content_hash
 from storyblender.memory.graph import ContinuityMemoryGraph, ProjectFormat
 from storyblender.memory.history import Commit
-from storyblender.pipeline.revision import revise, with_digests
+from storyblender.pipeline.revision import Revision, revise, with_digests
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.staging import design
 from storyblender.project import KEPT_READING, SCRIPTS, reading_copy
@@ -58,12 +59,33 @@ def ground(run: Run, script: Path, reading: Path | None = None) -> None:
     run.progress("ground", 1, 1, ", ".join(f"{count} {word}{'s' * (count != 1)}" for count, word in counts))
 
 
+def planned_revision(run: Run, script: Path, reading: Path | None = None) -> Revision:
+    """Return the plan of a script with what stays of the plan before it; nothing is committed.
+
+    Args:
+        run: On a project that is planned.
+        script: As it is revised.
+        reading: A corrected reading of it; that which the project keeps, if it fits, where none is given.
+
+    Raises:
+        InputError: The script, or the reading, cannot be read.
+    """
+    screenplay = load(script)
+    corrected = reading or _kept_reading(run, screenplay)
+    digest = _plan_digest(run, screenplay, corrected)
+    return _revision(run, _plan(run, script, _understood(run, screenplay, corrected), digest))
+
+
+def _revision(run: Run, plan: ContinuityMemoryGraph) -> Revision:
+    designer = partial(design, run)
+    return revise(run.graph, with_digests(plan), _log(run), designer)
+
+
 def _revised(run: Run, plan: ContinuityMemoryGraph) -> ContinuityMemoryGraph:
     """Return a plan with what stays of the plan before it, and say what a person decided that does not."""
-    plan = with_digests(plan)
     if not run.graph.shots:
-        return plan
-    revision = revise(run.graph, plan, _log(run), lambda graph, scene_id: design(run, graph, scene_id))
+        return with_digests(plan)
+    revision = _revision(run, plan)
     for name, decided in revision.lost:
         message = f"{decided} is not kept: the words under it changed; `undo` brings all back"
         run.tell(Event(kind="warning", role="director", subject=name, message=message))
