@@ -96,7 +96,7 @@ export class StageView extends LitElement {
     return this.edit({ kind: "place", scene: this.shot.slice(0, -6), thing, place });
   }
 
-  /** Of somebody who goes somewhere, the mark that is nearer in time is moved. */
+  /** Of a person who goes somewhere, the mark that is nearer in time is moved. */
   private moved({ node, by }: Moved): Promise<void> {
     const { placed, people, frames } = this.stage!;
     const shifted = ([x, y]: Point) => ({ location: [round(x + by.x), round(y + by.y)] });

@@ -1,7 +1,6 @@
-"""Builds a mesh from parts: boxes, lathes, lofts, tubes; textures are laid out in metres. Sets and props use it.
+"""Builds a mesh from parts: boxes, lathes, lofts, tubes; textures are laid out in metres. Front is -Y.
 
-Frame: metres, Z up, front -Y. Every method takes the material first (a key of ``catalog.materials`` or a Blender
-material), adds a part under the current transform and returns the builder. Equal calls give equal meshes.
+Every method takes the material first, adds a part under the current transform and returns the builder.
 """
 
 from __future__ import annotations
@@ -17,14 +16,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from storyblender.blender.materials import material as material_of
+from storyblender.blender.panel_faces import mark_panels
 from storyblender.geometry import solids
 from storyblender.geometry.solids import Floats
 
-MaterialRef: TypeAlias = "bpy.types.Material | str"
+MaterialRef: TypeAlias = "bpy.types.Material | str"  # a material, or a key of ``catalog.materials``
 Faces = Sequence[Sequence[int]]
 
-PANEL, PANELS = "panel", "panels"
-"""Face attribute with the number of a wild panel, from 1 on; property of the mesh with the panels' names."""
 SHARP_ANGLE = math.radians(38)
 """Radians; edges that bend more are shaded sharp, and the ink draws creases at nearly the same angle."""
 
@@ -381,21 +379,11 @@ class MeshBuilder:
         mesh.polygons.foreach_set("use_smooth", np.ones(len(sizes), bool))
         mesh.update(calc_edges=True)
         mesh.uv_layers.new(name="UV").data.foreach_set("uv", uv.astype(np.float32).ravel())
-        self._mark_panels(mesh)
+        mark_panels(mesh, [(part.panel, len(part.sizes)) for part in self._parts])
         mesh.validate()
         mesh.set_sharp_from_angle(angle=SHARP_ANGLE)
         mesh.update()
         return mesh
-
-    def _mark_panels(self, mesh: bpy.types.Mesh) -> None:
-        """Write the panel of each face as a number, 0 for none, and the names of the panels beside them."""
-        names = sorted({part.panel for part in self._parts} - {""})
-        if not names:
-            return
-        numbers = [names.index(part.panel) + 1 if part.panel else 0 for part in self._parts]
-        each = np.repeat(numbers, [len(part.sizes) for part in self._parts]).astype(np.int32)
-        mesh.attributes.new(PANEL, "INT", "FACE").data.foreach_set("value", each)
-        mesh[PANELS] = " ".join(names)
 
 
 def _resolve(material: MaterialRef) -> bpy.types.Material:

@@ -7,7 +7,7 @@ from collections.abc import Collection, Mapping, Sequence
 import bmesh
 import bpy
 
-from storyblender.blender.mesh_builder import PANEL, PANELS
+from storyblender.blender.panel_faces import PANEL, PANELS
 
 SECTION, FITTED = "section", "fitted"
 """Properties of objects: the id that hides a section; section -> node id and asset id of the part that it is."""

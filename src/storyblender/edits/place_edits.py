@@ -169,7 +169,7 @@ def _on_floor(place: FloorPlace, scene: SceneContext) -> FloorPlace:
 
 
 def _in_the_way(graph: ContinuityMemoryGraph, shot: ShotContext, person: str, marks: PersonMarks) -> Iterator[str]:
-    """Yield a sentence for each mark of a person that is in furniture, in somebody else, or outside of the set."""
+    """Yield a sentence for each mark of a person that is in furniture, in another person, or outside of the set."""
     scene = graph.scene(shot.scene_id)
     if scene.layout is None or scene.environment is None:
         return

@@ -93,7 +93,7 @@ def place_edit(
     height: float | None = None,
     scale: float | None = None,
 ) -> Edit:
-    """Read where a person places a thing of a scene, or somebody in a shot.
+    """Read where a person places a thing of a scene, or a person in a shot.
 
     Args:
         where: A scene for a thing, a shot for a person.

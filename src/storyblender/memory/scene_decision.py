@@ -115,7 +115,7 @@ class PersonMarks(Described):
     start: FloorPlace | None = None
     """As the shot begins; left out, where they were."""
     end: FloorPlace | None = None
-    """As it ends; somebody who is elsewhere walks there. Left out, where their actions lead them."""
+    """As it ends; a person who is elsewhere walks there. Left out, where their actions lead them."""
 
 
 class BlockingDecision(_Decision):

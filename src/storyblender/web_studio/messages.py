@@ -212,7 +212,7 @@ class PlacedThing(Described):
 
 
 class PersonOnStage(Described):
-    """Somebody in a shot, whose marks a hand may move."""
+    """A person in a shot, whose marks a hand may move."""
 
     name: str
     """As people call them."""

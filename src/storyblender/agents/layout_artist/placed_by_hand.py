@@ -54,7 +54,7 @@ class Stand:
         return thing_of(item, self.measures, self.plan, self.placements)
 
     def is_person(self, item: LayoutObject) -> bool:
-        """Return whether an object of the layout is somebody of the cast."""
+        """Return whether an object of the layout is one of the cast."""
         measure = self.measures.get(item.asset_id)
         return measure is not None and measure.asset_type == "character"
 
