@@ -341,11 +341,10 @@ class MeshBuilder:
             faces, uv = _flipped(faces, uv)
         placed = vertices @ frame[:3, :3].T + frame[:3, 3]
         sizes = np.fromiter((len(face) for face in faces), np.int64, len(faces))
-        loops = np.fromiter((corner for face in faces for corner in face), np.int64, int(sizes.sum()))
+        loops = self._vertex_count + np.fromiter((corner for face in faces for corner in face), np.int64)
         if block.get("grain", False):  # neighbouring boards show different parts of the picture
             uv = uv + np.array([0.37, 0.61]) * len(self._parts)
-        index = self._materials.index(block)
-        self._parts.append(_MeshPart(placed, loops + self._vertex_count, sizes, index, uv, self._panel))
+        self._parts.append(_MeshPart(placed, loops, sizes, self._materials.index(block), uv, self._panel))
         self._vertex_count += len(placed)
         return self
 
