@@ -1,7 +1,7 @@
 """What models got wrong in recorded stories, what caught it, and after how many answers it was right.
 
-``python -m benchmarks recordings [FOLDER ...]``: each FOLDER has a script and its ``answers``, as in
-``tests/data/recordings``. The story is made again from the answers; the table comes from both.
+``python -m benchmarks recordings [FOLDER ...]``: each FOLDER has a script and its ``answers``, and ``models`` if the
+user had some, as in ``tests/data/recordings``. The story is made again from the answers; the table comes from both.
 """
 
 from __future__ import annotations
@@ -150,7 +150,8 @@ def main() -> None:
         script = next(path for path in sorted(folder.iterdir()) if path.is_file())
         with tempfile.TemporaryDirectory() as temporary:
             project = Path(temporary) / folder.name
-            options = ["--no-animatic", "--width", str(arguments.width)]
+            models = [word for place in folder.glob("models") for word in ("--models", str(place))]
+            options = ["--no-animatic", "--width", str(arguments.width), *models]
             replayed(script, folder / "answers", project, options)
             print(f"\n{folder.name}", flush=True)
             print_table(folder / "answers", project)

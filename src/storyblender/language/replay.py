@@ -19,6 +19,9 @@ from storyblender.language.answer_folder import (
 from storyblender.memory.request import Request
 from storyblender.trace import Event, Listener
 
+READING = ("director", "shot_director")
+"""Roles that read the script: what they were never asked is of another script."""
+
 
 class Replay:
     """Answers from a recording and knows nothing else.
@@ -39,8 +42,8 @@ class Replay:
         """Return the recorded answer of a request.
 
         Raises:
-            InputError: The recording has nothing of this role about this subject.
-            NoAnswer: It has, but not for this turn; or it was made without this vision critic.
+            InputError: The recording is of another script, or has nothing of this role.
+            NoAnswer: It has not this turn, or ends before this subject; or it was made without this vision critic.
         """
         exact = read_answer(Folder(self._folder), name_of(request))
         return self._most_similar(request) if exact is None else exact
@@ -61,6 +64,8 @@ class Replay:
         if not recorded:
             if request.pictures_needed and not self.knows(request.role):
                 raise NoAnswer(f"{request.role} is not in the recording", mend="record it anew")
+            if self.knows(request.role) and request.role not in READING:
+                raise NoAnswer(f"the recording ends before {about}", mend="record it anew")
             mend = "it was recorded from another script, or with other roles; record it anew"
             raise InputError(f"the recording has no answer for {about}", mend=mend, path=self._folder)
         same_turn = [page for page in recorded if _before(page, request)]

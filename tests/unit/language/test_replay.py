@@ -57,10 +57,21 @@ def test_a_turn_that_was_not_recorded_is_left_to_the_rules(recording: Path) -> N
         Replay(recording, silent).answer(third)
 
 
-@pytest.mark.parametrize("other", [{"role": "director"}, {"subject": "SC020"}])
-def test_what_was_never_asked_is_refused(recording: Path, other: dict[str, str]) -> None:
+def test_a_role_that_was_never_asked_is_refused(recording: Path) -> None:
     with pytest.raises(InputError, match="the recording has no answer for"):
-        Replay(recording, silent).answer(FIRST.model_copy(update=other))
+        Replay(recording, silent).answer(FIRST.model_copy(update={"role": "director"}))
+
+
+def test_another_script_is_refused(recording: Path) -> None:
+    page = FIRST.model_copy(update={"role": "director", "subject": "scene 1 from unit 1"})
+    AnswerFolder(Folder(recording), Scripted(["{}"])).answer(page)
+    with pytest.raises(InputError, match="from another script"):
+        Replay(recording, silent).answer(page.model_copy(update={"subject": "scene 2 from unit 9"}))
+
+
+def test_a_recording_that_was_cut_short_is_gone_on_with_by_rules(recording: Path) -> None:
+    with pytest.raises(NoAnswer, match="the recording ends before"):
+        Replay(recording, silent).answer(FIRST.model_copy(update={"subject": "SC020"}))
 
 
 def test_a_vision_critic_that_was_not_recorded_is_left_out(recording: Path) -> None:
@@ -68,5 +79,5 @@ def test_a_vision_critic_that_was_not_recorded_is_left_out(recording: Path) -> N
     with pytest.raises(NoAnswer, match="camera_critic is not in the recording"):
         Replay(recording, silent).answer(critic)
     AnswerFolder(Folder(recording), Scripted(["{}"])).answer(critic)
-    with pytest.raises(InputError, match="the recording has no answer for"):
+    with pytest.raises(NoAnswer, match="the recording ends before"):
         Replay(recording, silent).answer(critic.model_copy(update={"subject": "SC020"}))
