@@ -11,6 +11,12 @@ import type { Board, CrewEvent, Edit, News, Places, Status } from "./messages";
 import { Wire } from "./wire";
 
 const EVENTS_SHOWN = 400;
+/** The views of a made project, in the order of their buttons. */
+const VIEWS = {
+  board: "Board",
+  stage: "Stage",
+};
+type View = keyof typeof VIEWS;
 
 @customElement("sb-studio")
 export class Studio extends LitElement {
@@ -18,7 +24,7 @@ export class Studio extends LitElement {
   @state() private places: Places | null = null;
   @state() private status: Status | null = null;
   @state() private selected: string[] = [];
-  @state() private view: "board" | "stage" = "board";
+  @state() private view: View = "board";
   @state() private events: CrewEvent[] = [];
   @state() private said: { text: string; wrong: boolean } | null = null;
   @state() private connected = true;
@@ -47,7 +53,7 @@ export class Studio extends LitElement {
       this.querySelector<HTMLInputElement>("#say")?.focus();
     } else if (event.key === "Escape") {
       if (typing) (event.target as HTMLElement).blur();
-      else if (this.view === "stage") this.view = "board";
+      else if (this.view !== "board") this.view = "board";
       else this.selected = [];
     }
   };
@@ -142,15 +148,15 @@ export class Studio extends LitElement {
     `;
   }
 
-  private show(view: "board" | "stage"): void {
+  private show(view: View): void {
     if (view === "stage" && !this.selected.length) this.selected = [this.board!.scenes[0].shots[0].shot];
     this.view = view;
   }
 
   private tools(board: Board) {
     return html`
-      <nav aria-label="Views">${(["board", "stage"] as const).map((view) => html`<button class=${this.view === view ? "chosen" : ""}
-        aria-current=${this.view === view ? "page" : nothing} @click=${() => this.show(view)}>${view === "board" ? "Board" : "Stage"}</button>`)}</nav>
+      <nav aria-label="Views">${(Object.keys(VIEWS) as View[]).map((view) => html`<button class=${this.view === view ? "chosen" : ""}
+        aria-current=${this.view === view ? "page" : nothing} @click=${() => this.show(view)}>${VIEWS[view]}</button>`)}</nav>
       <form class="say" @submit=${(event: SubmitEvent) => this.instruct(event)}>
         <input id="say" aria-label="Say it" autocomplete="off" ?disabled=${!this.selected.length}
           placeholder=${this.selected.length ? `${this.selected.join(", ")}: closer, low angle ...` : "Select a shot, then say what you want"} />
@@ -177,20 +183,28 @@ export class Studio extends LitElement {
           this.attempt(async () => ((this.board = await this.wire.call<Board>("open", { project: event.detail })), ""))}></sb-start>`;
     }
     return html`
-      ${this.view === "stage" && this.selected.length
-        ? html`<sb-stage .board=${this.board} .shot=${this.selected[0]} .wire=${this.wire}
-            @edit=${(event: CustomEvent<{ edits: Edit[]; settled: (done: boolean) => void }>) =>
-              this.edit(event.detail.edits).then(event.detail.settled)}
-            @select=${(event: CustomEvent<string[]>) => (this.selected = event.detail)}></sb-stage>`
-        : html`<sb-board .board=${this.board} .selected=${this.selected}
-            @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}
-            @select=${(event: CustomEvent<string[]>) => (this.selected = event.detail)}></sb-board>`}
+      ${this.shown(this.board)}
       ${this.selected.length === 1
         ? html`<sb-shot .board=${this.board} .shot=${this.selected[0]} .wire=${this.wire}
             @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}
             @close=${() => ((this.selected = []), (this.view = "board"))}></sb-shot>`
         : nothing}
     `;
+  }
+
+  /** The view that is chosen. */
+  private shown(board: Board) {
+    const select = (event: CustomEvent<string[]>) => (this.selected = event.detail);
+    switch (this.view) {
+      case "stage":
+        if (!this.selected.length) break;
+        return html`<sb-stage .board=${board} .shot=${this.selected[0]} .wire=${this.wire}
+          @edit=${(event: CustomEvent<{ edits: Edit[]; settled: (done: boolean) => void }>) =>
+            this.edit(event.detail.edits).then(event.detail.settled)}
+          @select=${select}></sb-stage>`;
+    }
+    return html`<sb-board .board=${board} .selected=${this.selected} @select=${select}
+      @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}></sb-board>`;
   }
 
   private async leave(): Promise<void> {
