@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from storyblender import __version__, cli_crew, cli_edits, cli_mcp, cli_revise, cli_shots, cli_studio
+from storyblender import __version__, cli_crew, cli_edits, cli_mcp, cli_revise, cli_shots, cli_studio, cli_why
 from storyblender.cli_options import Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
 from storyblender.shell import Commands, shown
 
@@ -189,6 +189,7 @@ cli_crew.add_to(app)
 cli_mcp.add_to(app)
 cli_studio.add_to(app)
 cli_revise.add_to(app)
+cli_why.add_to(app)
 
 
 @app.command(epilog=examples("check my_film.storyboard"))

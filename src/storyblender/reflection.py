@@ -12,7 +12,7 @@ from pydantic import TypeAdapter
 
 from storyblender.errors import NoAnswer
 from storyblender.memory.base import Frozen, content_hash
-from storyblender.trace import Event, Listener, silent
+from storyblender.trace import DecidedBy, Event, Listener, silent
 
 Subject = ParamSpec("Subject")
 View = TypeVar("View")
@@ -105,6 +105,7 @@ class Outcome(Generic[View, Draft]):
     critique: Critique
     turns: int
     handed_over: bool
+    by: DecidedBy = "rules"
 
     @property
     def accepted(self) -> bool:
@@ -208,11 +209,12 @@ def reflect(
     """
     best: Outcome[View, Draft] | None = None
     for place, author in enumerate(role.policies):
+        by: DecidedBy = "rules" if place == len(role.policies) - 1 else "model"
         if place:
             listener(Event(kind="handover", role=role.name, subject=subject, message="the next policy takes over"))
         try:
             for turn, draft, critique in _turns(role, author, subject, view, listener):
-                kept = Outcome(view, draft, critique, turn, place > 0)
+                kept = Outcome(view, draft, critique, turn, place > 0, by)
                 if best is None or critique.score > best.critique.score:
                     best = kept
                 if critique.score >= role.threshold:
@@ -247,7 +249,8 @@ def _accepted(
 ) -> Outcome[View, Draft]:
     """Return the outcome, after telling which draft answers which view."""
     seen, draft = view_digest(outcome.view), role.drafts.write(outcome.draft)
-    listener(Event(kind="accept", role=role.name, subject=subject, turn=outcome.turns, view=seen, draft=draft))
+    told = Event(kind="accept", role=role.name, subject=subject, turn=outcome.turns, view=seen, draft=draft)
+    listener(told.model_copy(update={"by": outcome.by}))
     return outcome
 
 

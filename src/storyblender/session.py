@@ -36,6 +36,7 @@ from storyblender.trace import Event
 
 if TYPE_CHECKING:
     from storyblender.pipeline.script_changes import ScriptChanges
+    from storyblender.pipeline.shot_reasons import ShotReasons
 
 
 class Session(OpenProject):
@@ -216,6 +217,17 @@ class Session(OpenProject):
             bring_up_to_date(run)
             names = pictures_of_takes(run, run.graph.shot(found.scene_id, found.shot_id))
             return {number: self.folder / name for number, name in names.items() if run.outputs.whole(name)}
+
+    def why(self, shot: str) -> ShotReasons:
+        """Return why a shot is as it is: who decided what, how it was judged, which words it stands on.
+
+        Raises InputError if there is no such shot.
+        """
+        from storyblender.pipeline.shot_reasons import shot_reasons
+
+        with self._call() as run:
+            [found] = shots_named(run.graph, [shot])
+            return shot_reasons(run, found)
 
     def evaluate(self) -> list[FrameReview]:
         """Return what the Frame Critic finds in every frame of a finished project; raises as ``render``."""

@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from storyblender.memory.history import Commit
     from storyblender.pipeline.reviewing import FrameReview
     from storyblender.pipeline.script_changes import ScriptChanges
+    from storyblender.pipeline.shot_reasons import ShotReasons
     from storyblender.trace import Event
 
 _CONTROLS = {code: "\N{REPLACEMENT CHARACTER}" for code in (*range(32), *range(127, 160)) if chr(code) not in "\t\n"}
@@ -198,6 +199,27 @@ class Terminal:
             for each in group:
                 row = f"{each.rule:32}  {each.kind:8}  {each.what}  “{each.words}”"
                 self._results.print(f"  {_plain(row)}", soft_wrap=True)
+
+    def shot_reasons(self, reasons: ShotReasons) -> None:
+        """Print why a shot is as it is: decisions of people, of roles, and the words they stand on."""
+        self._progress.stop()
+        if self._json:
+            self._write(reasons.model_dump(mode="json"))
+        for decided in reasons.decided:
+            self._results.print(f"[bold]you decided[/] {_plain(decided)}", soft_wrap=True)
+        table = Table("role", "of", "by", "score", "turns", "what its critic said", box=None)
+        for role in reasons.roles:
+            score = "" if role.score is None else f"{role.score:.1f}"
+            said = "; ".join((*role.remarks, *role.warnings)) or (
+                "mended: " + "; ".join(role.fixes) if role.fixes else ""
+            )
+            table.add_row(role.role.replace("_", " "), role.subject, role.by, score, str(role.turns), _plain(said))
+        self._results.print(table)
+        for number, line in enumerate(reasons.lines):
+            self._results.print(f"[bold]“{_plain(line)}”[/]", soft_wrap=True)
+            for word in (each for each in reasons.words if each.line == number):
+                read = f"“{line[word.start : word.end]}” read as {word.kind} {word.what} ({word.rule})"
+                self._results.print(f"  {_plain(read)}", soft_wrap=True)
 
     def check(self, report: Inspection) -> None:
         """Print the result of a check."""

@@ -13,6 +13,10 @@ EventKind = Literal[
 """``stage``: a step of a stage is done; ``job``: progress inside a job; ``cancel``: a call was ended."""
 
 
+DecidedBy = Literal["rules", "model"]
+"""Who plays a role; a person at a chat window who answers for one counts as a model."""
+
+
 class Event(Frozen):
     """One thing that happened; shown live and appended to ``trace.jsonl``."""
 
@@ -27,6 +31,8 @@ class Event(Frozen):
     details: tuple[str, ...] = ()
     view: str = ""
     """Digest of what the role saw."""
+    by: DecidedBy | None = None
+    """Whose draft is accepted."""
     draft: str = ""
     """The whole draft as JSON; in ``trace.jsonl`` its digest, by which ``drafts.jsonl`` has it."""
     step: int | None = None
