@@ -104,6 +104,50 @@ export interface ShotDetails {
   problems: string[];
 }
 
+export interface RoleReason {
+  role: string;
+  subject: string;
+  by: "rules" | "model";
+  score: number | null;
+  turns: number;
+  remarks: string[];
+  fixes: string[];
+  warnings: string[];
+}
+
+export interface WordsRead {
+  line: number;
+  start: number;
+  end: number;
+  kind: string;
+  what: string;
+  rule: string;
+}
+
+export interface ShotReasons {
+  shot: string;
+  decided: string[];
+  roles: RoleReason[];
+  lines: string[];
+  words: WordsRead[];
+}
+
+export interface ShotChange {
+  kind: "new" | "changed" | "moved" | "omitted";
+  shot: string;
+  former: string;
+  words: string;
+  former_words: string;
+}
+
+export interface ScriptChanges {
+  shots: ShotChange[];
+  renamed: Record<string, string>;
+  lost: [string, string][];
+  kept_scenes: string[];
+  scenes: number;
+}
+
 /** Metres, Z up. */
 export type Point = [number, number, number];
 

@@ -3,6 +3,9 @@
 import { LitElement, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import type { Board, Edit, PanelCard, ShotDetails } from "./messages";
+import "./shot_why";
+import type { TakesCompare } from "./takes_compare";
+import "./takes_compare";
 import type { Wire } from "./wire";
 
 const LENSES = [18, 24, 28, 35, 40, 50, 65, 85, 100, 135];
@@ -78,6 +81,11 @@ export class ShotInspector extends LitElement {
         ${shot.takes.map((take) => html`<button class=${take.in_film ? "chosen" : ""} title=${take.camera} ?disabled=${take.in_film}
           @click=${() => this.edit({ kind: "take", shot: this.shot, action: "choose", number: take.number })}>Take ${take.number}</button>`)}
         <button ?disabled=${locked} @click=${() => this.edit({ kind: "take", shot: this.shot, action: "keep" })}>Keep, and try another</button>
+        ${shot.takes.length > 1
+          ? html`<button @click=${() => this.querySelector<TakesCompare>("sb-compare")!.open()}>Compare</button>
+              <sb-compare .details=${shot} .picture=${card.picture} .aspect=${this.board.aspect} .wire=${this.wire}
+                @edit=${(event: CustomEvent<Edit>) => this.edit(event.detail)}></sb-compare>`
+          : nothing}
       </fieldset>
       <p class="buttons">
         <button @click=${() => this.edit({ kind: "approve", shot: this.shot, approved: !shot.approved })}>
@@ -92,6 +100,7 @@ export class ShotInspector extends LitElement {
       <h3>Script</h3>
       ${shot.lines.map((line) => html`<p class=${line.kind === "dialogue" ? "speech" : ""}>
         ${line.speaker ? html`<b>${this.board.cast[line.speaker] ?? line.speaker}</b> ` : nothing}${line.text}</p>`)}
+      <sb-why .shot=${this.shot} .revision=${this.board.revision} .wire=${this.wire}></sb-why>
     `;
   }
 

@@ -10,13 +10,14 @@ export class StartView extends LitElement {
   @state() private over = false;
   @state() private look = "board";
   @state() private animatic = false;
+  @state() private crew = "rules";
 
   protected createRenderRoot(): HTMLElement {
     return this;
   }
 
   private make(script: string, text?: string): void {
-    const detail = { script, text, look: this.look, animatic: this.animatic };
+    const detail = { script, text, look: this.look, animatic: this.animatic, crew: this.crew };
     this.dispatchEvent(new CustomEvent("make", { detail }));
   }
 
@@ -49,6 +50,11 @@ export class StartView extends LitElement {
           </label>
           <label><input type="checkbox" @change=${(event: Event) => (this.animatic = (event.target as HTMLInputElement).checked)} />
             With a film</label>
+          <label>Crew
+            <input list="crews" .value=${this.crew} autocomplete="off" title="Rules need nothing; a model needs its key or server (docs/crew.md)"
+              @change=${(event: Event) => (this.crew = (event.target as HTMLInputElement).value.trim() || "rules")} />
+            <datalist id="crews"><option value="rules"></option><option value="google"></option><option value="ollama:"></option><option value="openai:"></option><option value="anthropic:"></option></datalist>
+          </label>
         </fieldset>
         ${projects.length
           ? html`<h2>Storyboards</h2><ul class="places">${projects.map(

@@ -4,6 +4,7 @@ import { LitElement, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import "./board_view";
 import "./crew_view";
+import "./revise_view";
 import "./shot_inspector";
 import "./stage_view";
 import "./start_view";
@@ -15,6 +16,7 @@ const EVENTS_SHOWN = 400;
 const VIEWS = {
   board: "Board",
   stage: "Stage",
+  revise: "Revised script",
 };
 type View = keyof typeof VIEWS;
 
@@ -125,11 +127,13 @@ export class Studio extends LitElement {
     });
   }
 
-  private make(detail: { script: string; text?: string; look: string; animatic: boolean }): Promise<boolean> {
+  /** Begin long work: ``make`` of a script, or ``revise`` by another version of it. */
+  private begin(call: "make" | "revise", detail: object): Promise<boolean> {
     this.events = [];
-    this.board = null;
+    this.selected = [];
     return this.attempt(async () => {
-      this.status = await this.wire.call<Status>("make", detail);
+      this.status = await this.wire.call<Status>(call, detail);
+      this.view = "board";
       return "";
     });
   }
@@ -140,7 +144,7 @@ export class Studio extends LitElement {
         <button class="home" @click=${() => this.leave()} title="Scripts and projects">StoryBlender</button>
         ${this.board ? html`<h1>${this.board.title}</h1><span class="summary">${this.board.summary}</span>` : nothing}
         <span class="space"></span>
-        ${this.board?.made ? this.tools(this.board) : nothing}
+        ${this.board?.made && !this.status?.busy ? this.tools(this.board) : nothing}
       </header>
       ${this.connected ? nothing : html`<p class="bar wrong" role="alert">The studio does not answer. Start it again; nothing is lost.</p>`}
       ${this.said ? html`<p class="bar ${this.said.wrong ? "wrong" : ""}" role="status">${this.said.text}</p>` : nothing}
@@ -178,7 +182,7 @@ export class Studio extends LitElement {
     }
     if (!this.board) {
       return html`<sb-start .places=${this.places}
-        @make=${(event: CustomEvent) => this.make(event.detail)}
+        @make=${(event: CustomEvent) => this.begin("make", event.detail)}
         @open=${(event: CustomEvent<string>) =>
           this.attempt(async () => ((this.board = await this.wire.call<Board>("open", { project: event.detail })), ""))}></sb-start>`;
     }
@@ -202,6 +206,8 @@ export class Studio extends LitElement {
           @edit=${(event: CustomEvent<{ edits: Edit[]; settled: (done: boolean) => void }>) =>
             this.edit(event.detail.edits).then(event.detail.settled)}
           @select=${select}></sb-stage>`;
+      case "revise":
+        return html`<sb-revise .wire=${this.wire} @revise=${(event: CustomEvent<object>) => this.begin("revise", event.detail)}></sb-revise>`;
     }
     return html`<sb-board .board=${board} .selected=${this.selected} @select=${select}
       @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}></sb-board>`;

@@ -47,6 +47,10 @@ def build_app(hub: Hub) -> Starlette:
         path = hub.previews.get(request.path_params["name"])
         return FileResponse(path) if path is not None and path.is_file() else _NOT_THERE
 
+    async def take(request: Request) -> Response:
+        path = hub.takes.get(request.path_params["name"])
+        return FileResponse(path) if path is not None and path.is_file() else _NOT_THERE
+
     async def moment(request: Request) -> Response:
         name = request.path_params["name"]
         return _file(hub, f"build/moments/{name}.glb") if _MOMENT.fullmatch(name) else _NOT_THERE
@@ -63,6 +67,7 @@ def build_app(hub: Hub) -> Starlette:
             Route("/", page),
             Route("/frames/{name}.png", frame),
             Route("/previews/{name}.png", preview),
+            Route("/takes/{name}.png", take),
             Route("/moments/{name}.glb", moment),
             Route("/files/{name}", delivered),
             WebSocketRoute("/wire", wire),

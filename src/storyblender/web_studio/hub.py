@@ -31,6 +31,7 @@ from storyblender.web_studio.messages import (
     News,
     OpenCall,
     PlainCall,
+    ReviseCall,
     ShotCall,
     Stage,
     StageCall,
@@ -58,6 +59,7 @@ class Hub:
         self._loop: asyncio.AbstractEventLoop | None = None
         self._drawer: Drawer | None = None
         self.previews: dict[str, Path] = {}
+        self.takes: dict[str, Path] = {}
 
     def join(self) -> asyncio.Queue[News]:
         """Return the news for one more browser, from now on."""
@@ -84,6 +86,20 @@ class Hub:
         finally:
             if self.place.is_open:
                 self._begin_drawing(self.place.session)
+
+    def begin(self, script: str) -> None:
+        """Open the project that was made from a script of the folder; where there is none, make it.
+
+        Raises:
+            InputError: No such script.
+            ProjectLocked: Another program has the project open.
+        """
+        project = self.place.project_of(script)
+        if project in self.place.names()[1]:
+            self.open(project)
+        else:
+            self.place.make(script, {})
+            self._followed()
 
     def close(self) -> None:
         """End the work under way and close the project."""
@@ -112,7 +128,10 @@ class Hub:
             case InstructCall():
                 return lambda: self._edited(lambda session: session.instruct(call.words, call.revision), ())
             case ShotCall():
-                return lambda: self._shot(call.shot)
+                asked = {"shot": self._shot, "why": self._why, "takes": self._takes}[call.call]
+                return lambda: asked(call.shot)
+            case ReviseCall():
+                return lambda: self._compare(call) if call.call == "compare" else self._revise(call)
             case StageCall():
                 return lambda: self._stage(call.shot, call.frame)
             case PlainCall():
@@ -144,11 +163,27 @@ class Hub:
         self._stop_drawing()
         if call.text is not None:
             self.place.write_script(call.script, call.text)
-        self.place.make(call.script, {"look": call.look, "animatic": call.animatic})
-        threading.Thread(target=self._follow_make, name="make", daemon=True).start()
+        self.place.make(call.script, {"look": call.look, "animatic": call.animatic, "crew": call.crew})
+        return self._followed()
+
+    def _compare(self, call: ReviseCall) -> dict[str, Any]:
+        self._refuse_busy()
+        self._pause_drawing()
+        return self.place.session.compare(self.place.revision(call.script, call.text)).model_dump()
+
+    def _revise(self, call: ReviseCall) -> dict[str, Any]:
+        self._refuse_busy()
+        script, session = self.place.revision(call.script, call.text), self.place.session
+        self._stop_drawing()
+        self.place.begin(f"revise {call.script}", lambda: session.make(script))
+        return self._followed()
+
+    def _followed(self) -> dict[str, Any]:
+        """Return how far the work is that has just begun; the browsers hear of it until it ends."""
+        threading.Thread(target=self._follow_work, name="work", daemon=True).start()
         return self.place.status.model_dump()
 
-    def _follow_make(self) -> None:
+    def _follow_work(self) -> None:
         """Tell the browsers how far the work is until it ends."""
         while True:
             status = self.place.wait(0.5)
@@ -163,12 +198,25 @@ class Hub:
         panel = self.place.panel(name)
         return details_of(panel, self.place.session.graph).model_dump()
 
+    def _why(self, name: str) -> dict[str, Any]:
+        self._refuse_busy()
+        self._pause_drawing()
+        return self.place.session.why(name).model_dump()
+
+    def _takes(self, name: str) -> dict[int, str]:
+        """Return the addresses of the pictures of a shot's takes, by number; that of the film is on the board."""
+        self._refuse_busy()
+        self._pause_drawing()
+        panel = self.place.panel(name)
+        pictures = self.place.session.takes(panel.name)
+        self.takes |= {f"{panel.name}-{number}": path for number, path in pictures.items()}
+        return {number: f"/takes/{panel.name}-{number}.png?v={path.stem}" for number, path in pictures.items()}
+
     def _stage(self, name: str, frame: int | None) -> Stage:
         """Return the scene of a shot in 3D; what is being drawn waits."""
         self._refuse_busy()
         panel, session = self.place.panel(name), self.place.session
-        if self._drawer is not None:
-            self._drawer.interrupt()
+        self._pause_drawing()
         model, moment = session.moment(panel.name, frame)
         shot = session.graph.shot(panel.shot.scene_id, panel.shot.shot_id)
         return stage_of(session.graph, shot, f"/moments/{model.name}", moment)
@@ -177,8 +225,7 @@ class Hub:
         """Make an edit at once, whatever is being drawn, and draw what it made stale."""
         self._refuse_busy()
         session = self.place.session
-        if self._drawer is not None:
-            self._drawer.interrupt()
+        self._pause_drawing()
         applied = make(session)
         looked_at = next((edit.shot for edit in edits if hasattr(edit, "shot")), "")
         self._draw(applied.stale, looked_at)
@@ -189,8 +236,7 @@ class Hub:
         """Undo or redo; a frame that was drawn before is found again."""
         self._refuse_busy()
         session = self.place.session
-        if self._drawer is not None:
-            self._drawer.interrupt()
+        self._pause_drawing()
         before = session.graph
         commits = session.undo() if way == "undo" else session.redo()
         self._draw(reached(before, session.graph), "")
@@ -216,7 +262,7 @@ class Hub:
             self._drawer.draw(stale, first)
 
     def _begin_drawing(self, session: Session) -> None:
-        self.previews = {}
+        self.previews, self.takes = {}, {}
         self._drawer = Drawer(session, self._previewed, self._frames_drawn, self._failed) if session.made else None
         if self._drawer is not None:
             self._drawer.find_stale()
@@ -225,6 +271,11 @@ class Hub:
         if self._drawer is not None:
             self._drawer.close()
             self._drawer = None
+
+    def _pause_drawing(self) -> None:
+        """End the drawing under way, so that a call need not wait; it goes on by itself after it."""
+        if self._drawer is not None:
+            self._drawer.interrupt()
 
     def _refuse_busy(self) -> None:
         if self.place.status.busy:

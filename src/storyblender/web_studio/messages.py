@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Field, TypeAdapter
+from pydantic import AfterValidator, Field, TypeAdapter
 
 from storyblender.memory.base import Described
 from storyblender.memory.edits import Edit
@@ -12,6 +12,13 @@ from storyblender.trace import Event
 from storyblender.workplace.values import ShotDetails, Status
 
 _Name = Annotated[str, Field(min_length=1, max_length=128)]
+
+
+def _without_folders(crew: str) -> str:
+    """Refuse a crew that reads or writes a folder of answers: the page names no paths. Raises ValueError."""
+    if any(player in crew for player in ("ask:", "replay:")):
+        raise ValueError("a folder of answers is named on the command line, with --crew")
+    return crew
 
 
 class _Call(Described):
@@ -41,6 +48,8 @@ class MakeCall(_Call):
     """How frames are drawn."""
     animatic: bool = False
     """Whether the film is made as well."""
+    crew: Annotated[str, Field(min_length=1, max_length=500), AfterValidator(_without_folders)] = "rules"
+    """Who plays the roles, as ``--crew``: rules, or models; a folder of answers is named on the command line only."""
 
 
 class ApplyCall(_Call):
@@ -66,10 +75,10 @@ class InstructCall(_Call):
 
 
 class ShotCall(_Call):
-    """Asks for everything about a shot."""
+    """Asks for something about a shot."""
 
-    call: Literal["shot"]
-    """Which call this is."""
+    call: Literal["shot", "why", "takes"]
+    """``shot``: everything that can be changed; ``why``: who decided what; ``takes``: pictures of its other takes."""
     shot: _Name
     """Such as ``SC010_SH020``."""
 
@@ -85,6 +94,17 @@ class StageCall(_Call):
     """From its start; the moment that the board shows if not given."""
 
 
+class ReviseCall(_Call):
+    """Asks what a revised script would change, or takes it over."""
+
+    call: Literal["compare", "revise"]
+    """``compare``: nothing is changed; ``revise``: it is taken over, and what it changes is made."""
+    script: _Name
+    """File name of the revised script; in the folder if its text is not given."""
+    text: Annotated[str, Field(max_length=4_000_000)] | None = None
+    """The script itself, if it was dropped into the page."""
+
+
 class PlainCall(_Call):
     """A call that needs nothing else."""
 
@@ -93,7 +113,7 @@ class PlainCall(_Call):
 
 
 Call = Annotated[
-    OpenCall | MakeCall | ApplyCall | InstructCall | ShotCall | StageCall | PlainCall,
+    OpenCall | MakeCall | ApplyCall | InstructCall | ShotCall | StageCall | ReviseCall | PlainCall,
     Field(discriminator="call"),
 ]
 CALLS: TypeAdapter[Call] = TypeAdapter(Call)

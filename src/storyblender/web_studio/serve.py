@@ -17,24 +17,24 @@ from storyblender.web_studio.hub import Hub
 LOOPBACK = "127.0.0.1"
 
 
-def serve(folder: Path, project: str, port: int, say: Callable[[str], None], *, browser: bool) -> None:
+def serve(folder: Path, begin: str, port: int, say: Callable[[str], None], *, browser: bool) -> None:
     """Serve until the process is ended; the open project is closed then.
 
     Args:
         folder: Of scripts and projects; nothing outside it is read or written.
-        project: Opened at once; none if empty.
+        begin: A project, opened at once, or a script, opened as its project or made into one; nothing if empty.
         port: 0 for any that is free.
         say: Hears the address with its key.
         browser: Whether the page is opened.
 
     Raises:
-        InputError: No such project.
+        InputError: No such project or script.
         ProjectLocked: Another program has it open.
     """
     hub = Hub(folder)
     try:
-        if project:
-            hub.open(project)
+        if begin:
+            hub.open(begin) if (folder / begin).is_dir() else hub.begin(begin)
         with socket.socket() as listening:
             listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
             listening.bind((LOOPBACK, port))

@@ -19,6 +19,7 @@ from storyblender.workplace.values import WARNINGS, Status, warning_of
 
 SCRIPTS = (".fountain", ".fdx", ".txt", ".md")
 _PROJECT = ".storyboard"
+_REVISIONS = "build/revisions"
 
 
 class Workplace:
@@ -78,6 +79,27 @@ class Workplace:
             raise InputError("is there already, with other words", mend="give it another name", path=path.name)
         return self._files.write(name, text)
 
+    def revision(self, name: str, text: str | None) -> Path:
+        """Return a revised script of the open project.
+
+        Args:
+            name: File name with its ending.
+            text: Its words, kept in the project's own folder of what it builds from; None for a script of the folder.
+
+        Raises:
+            InputError: No project is open, or the name is no name of a script here.
+        """
+        path = self._script(name)
+        if text is not None:
+            return Folder(self.session.folder).write(f"{_REVISIONS}/{name}", text)
+        if not path.is_file():
+            raise InputError("there is no such script here", mend="check the name, or drop the file in", path=name)
+        return path
+
+    def project_of(self, script: str) -> str:
+        """Return the name of the project that a script is made into. Raises InputError: it is no name of a script."""
+        return f"{self._script(script).stem}{_PROJECT}"
+
     def open(self, project: str) -> Session:
         """Open a finished or planned project of the folder; the one open before is closed.
 
@@ -104,7 +126,7 @@ class Workplace:
         """
         self._refuse_busy()
         path = self._script(script)
-        folder = self._files.path(f"{path.stem}{_PROJECT}")
+        folder = self._files.path(self.project_of(script))
         studio = Studio(Settings.load(path, folder, **settings), self._hear)
         self.close()
         self._session = session = studio.start(path, folder)

@@ -158,7 +158,7 @@ def test_an_edit_that_cannot_be_is_a_sentence_and_changes_nothing(
 @pytest.mark.parametrize(
     "address",
     ["/frames/..%2f..%2fgraph.png", "/frames/graph.png", "/files/graph.json", "/files/..%2fsecret", "/previews/x.png",
-     "/static/..%2f..%2fserve.py", "/static/../serve.py"],
+     "/takes/SC010_SH010-1.png", "/takes/..%2f..%2fgraph.png", "/static/..%2f..%2fserve.py", "/static/../serve.py"],
 )  # fmt: skip
 def test_nothing_but_pictures_and_deliverables_leaves_the_project(page: TestClient, address: str) -> None:
     assert page.get(address).status_code == 404
@@ -210,3 +210,52 @@ def test_the_stage_of_a_shot_has_its_model_and_the_cameras_of_its_scene(page: Te
         last = browser.value("stage", shot=SHOT, frame=10**6)
         assert last["frame"] == stage["frames"] - 1 and last["model"] != stage["model"]
         assert not browser.call("stage", shot="SC990_SH010")["ok"]
+
+
+def test_a_shot_says_why_and_shows_its_other_takes(page: TestClient) -> None:
+    with page.websocket_connect("/wire") as socket:
+        browser = Browser(socket)
+        browser.is_drawn()
+        assert browser.value("takes", shot=SHOT) == {}
+        browser.value("apply", edits=[{"kind": "take", "shot": SHOT, "action": "keep"}, *SIZE])
+        browser.is_drawn()
+        [(number, address)] = browser.value("takes", shot=SHOT).items()
+        reasons = browser.value("why", shot=SHOT)
+        assert [role["by"] for role in reasons["roles"] if role["role"] == "camera_operator"] == ["rules"]
+        assert number == "1" and page.get(address).content.startswith(b"\x89PNG")
+        assert not browser.call("why", shot="SC990_SH010")["ok"]
+
+
+def test_a_revised_script_is_compared_taken_over_and_taken_back(page: TestClient, stage: Stage) -> None:
+    with page.websocket_connect("/wire") as socket:
+        browser = Browser(socket)
+        browser.is_drawn()
+        before = read_project_graph(stage.folder)
+        [script] = stage.folder.glob("script.*")
+        text = script.read_text(encoding="utf-8") + "\n\nINT. CELLAR - NIGHT\n\nA lamp burns on a table.\n"
+        revised = {"script": f"tale{script.suffix}", "text": text}
+        changes = browser.value("compare", **revised)
+        assert {each["kind"] for each in changes["shots"]} == {"new"}
+        assert read_project_graph(stage.folder) == before, "a comparison changes nothing"
+        assert browser.value("revise", **revised)["busy"]
+        while browser.waits_for("status")["status"]["busy"]:
+            pass
+        assert len(cards(browser.value("board"))) == sum(1 for _ in before.shots) + len(changes["shots"])
+        browser.value("undo")
+        assert len(cards(browser.value("board"))) == len(before.shots)
+        assert not browser.call("compare", script="../tale.fountain", text=text)["ok"]
+        assert not browser.call("compare", script="missing.fountain")["ok"]
+
+
+def test_a_crew_that_names_a_folder_is_refused_from_the_page(page: TestClient) -> None:
+    with page.websocket_connect("/wire") as socket:
+        for crew in ("ask:/etc", "rules,director=replay:../elsewhere"):
+            refused = Browser(socket).call("make", script="a.fountain", text="INT. A - DAY", crew=crew)
+            assert not refused["ok"] and "crew" in refused["error"]
+
+
+def test_a_script_is_opened_as_the_project_that_was_made_of_it(stage: Stage) -> None:
+    hub = Hub(stage.folder.parent)
+    hub.begin("tale.fountain")
+    assert hub.place.session.folder == stage.folder
+    hub.close()

@@ -1,0 +1,79 @@
+/** Two takes of a shot beside each other, or one wiped over the other, to choose between them. */
+
+import { LitElement, html } from "lit";
+import { customElement, property, query, state } from "lit/decorators.js";
+import type { Edit, ShotDetails } from "./messages";
+import type { Wire } from "./wire";
+
+@customElement("sb-compare")
+export class TakesCompare extends LitElement {
+  @property({ attribute: false }) details!: ShotDetails;
+  /** Address of the picture of the take that the film shows. */
+  @property({ attribute: false }) picture = "";
+  @property({ attribute: false }) aspect = 16 / 9;
+  @property({ attribute: false }) wire!: Wire;
+  @state() private pictures: Record<number, string> = {};
+  @state() private pair: [number, number] = [0, 0];
+  @state() private wipe = false;
+  @state() private edge = 50;
+  @query("dialog") private dialog!: HTMLDialogElement;
+
+  protected createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  /** Show the take of the film beside the first other one. */
+  async open(): Promise<void> {
+    const shown = this.details.takes.find((take) => take.in_film)!.number;
+    this.pictures = { ...(await this.wire.call<Record<number, string>>("takes", { shot: this.details.shot })), [shown]: this.picture };
+    this.pair = [this.details.takes.find((take) => !take.in_film)!.number, shown];
+    await this.updateComplete;
+    this.dialog.showModal();
+  }
+
+  private choose(number: number): void {
+    const edit: Edit = { kind: "take", shot: this.details.shot, action: "choose", number };
+    this.dispatchEvent(new CustomEvent("edit", { detail: edit }));
+    this.dialog.close();
+  }
+
+  render() {
+    return html`<dialog class="compare" aria-label="Takes of ${this.details.shot}" @keydown=${(event: KeyboardEvent) => event.stopPropagation()}>
+      <div class="head"><h2>${this.details.shot}: takes</h2>
+        <label><input type="checkbox" .checked=${this.wipe} @change=${() => (this.wipe = !this.wipe)} /> One over the other</label>
+        <button aria-label="Close" @click=${() => this.dialog.close()}>×</button></div>
+      ${this.wipe ? this.wiped() : html`<div class="pair">${[0, 1].map((side) => this.side(side))}</div>`}
+    </dialog>`;
+  }
+
+  private side(side: number) {
+    const take = this.details.takes.find((each) => each.number === this.pair[side]);
+    return html`<section>${this.shown(this.pair[side])}${this.picker(side)}
+      <p>${take?.camera}</p>
+      <button ?disabled=${take?.in_film} @click=${() => this.choose(this.pair[side])}>${take?.in_film ? "In the film" : "Choose this take"}</button></section>`;
+  }
+
+  private wiped() {
+    return html`<div class="over" style="aspect-ratio: ${this.aspect}">${this.shown(this.pair[0])}
+        <div class="upper" style="clip-path: inset(0 0 0 ${this.edge}%)">${this.shown(this.pair[1])}</div></div>
+      <label>Wipe <input type="range" min="0" max="100" .value=${String(this.edge)}
+        @input=${(event: Event) => (this.edge = Number((event.target as HTMLInputElement).value))} /></label>
+      <div class="pair">${[0, 1].map((side) => this.picker(side))}</div>`;
+  }
+
+  private shown(number: number) {
+    const address = this.pictures[number];
+    return html`<div class="picture" style="aspect-ratio: ${this.aspect}">
+      ${address ? html`<img src=${address} alt="Take ${number}" />` : html`<span class="state">not drawn</span>`}</div>`;
+  }
+
+  private picker(side: number) {
+    return html`<select aria-label=${side ? "Right take" : "Left take"} @change=${(event: Event) => this.pick(side, Number((event.target as HTMLSelectElement).value))}>
+      ${this.details.takes.map((take) => html`<option value=${take.number} ?selected=${take.number === this.pair[side]}>Take ${take.number}${take.in_film ? ", in the film" : ""}</option>`)}
+    </select>`;
+  }
+
+  private pick(side: number, number: number): void {
+    this.pair = side ? [this.pair[0], number] : [number, this.pair[1]];
+  }
+}
