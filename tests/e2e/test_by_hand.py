@@ -112,3 +112,42 @@ def test_a_camera_in_a_table_is_told_and_drawn(project: Path) -> None:
     assert camera is not None and "inside" in {flaw.kind for flaw in camera.residual}
     far = storyblender("edit", project, SHOT, "--at", "9000,0,1", "--look-at", "0,0,1")
     assert far.returncode != 0 and "too far from the set" in far.stderr
+
+
+HIPS = """
+import bpy, json, os, sys
+bpy.ops.wm.open_mainfile(filepath=sys.argv[1], use_scripts=False)
+scene = bpy.data.scenes["SC010"]
+bpy.context.window.scene = scene
+start = next(marker.frame for marker in scene.timeline_markers if marker.name == sys.argv[2])
+scene.frame_set(start + 2)
+depsgraph = bpy.context.evaluated_depsgraph_get()
+rigs = {o.get("asset_id"): o.evaluated_get(depsgraph) for o in scene.objects if o.type == "ARMATURE"}
+rig = rigs[sys.argv[3]]
+hips = next(bone for bone in rig.pose.bones if bone.name == "hips")
+print("FACTS" + json.dumps([*(rig.matrix_world @ hips.head)]), flush=True)
+os._exit(0)
+"""
+
+
+def hips_in_blender(project: Path, person: str) -> list[float]:
+    command = [sys.executable, "-c", HIPS, str(project / "story.blend"), SHOT, person]
+    ran = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    line = next((line for line in ran.stdout.splitlines() if line.startswith("FACTS")), "")
+    assert line, ran.stderr[-2000:]
+    return json.loads(line[5:])
+
+
+def test_who_is_told_to_sit_sits_with_the_hips_on_the_seat(project: Path) -> None:
+    stood = hips_in_blender(project, "tom")
+    seats = read_project_graph(project).scenes[0].layout
+    assert seats is not None
+    chair = next(item for item in seats.objects if "chair" in item.node_id and item.node_id not in sat_on(project))
+    done("pose", project, SHOT, "Tom", "--posture", "sit", "--on", chair.node_id, "--look-at", "ada")
+    sits = hips_in_blender(project, "tom")
+    assert stood[2] > 0.8 and 0.4 < sits[2] < 0.7, (stood, sits)
+    assert np.linalg.norm(np.subtract(sits[:2], chair.location[:2])) < 0.35
+
+
+def sat_on(project: Path) -> set[str | None]:
+    return {each.start.support_id for shot in read_project_graph(project).shots for each in shot.blocking}

@@ -6,13 +6,14 @@ from collections.abc import Callable
 from typing import Any, Final
 
 from storyblender.edits.asset_edits import asset_effects
+from storyblender.edits.blocking_edits import blocking_effects
 from storyblender.edits.camera_edits import camera_effects, duration_effects
 from storyblender.edits.coverage_edits import add_effects, join_effects, split_effects
 from storyblender.edits.cut_edits import omit_effects, reorder_effects, restore_effects
 from storyblender.edits.effect import Effect
 from storyblender.edits.lock_edits import lock_effects, unlock_effects
 from storyblender.edits.note_edits import approve_effects, note_effects
-from storyblender.edits.place_edits import blocking_effects, place_effects
+from storyblender.edits.place_edits import place_effects
 from storyblender.edits.scene_edits import layout_effects, light_effects, set_effects
 from storyblender.edits.take_edits import take_effects
 from storyblender.memory.edits import (

@@ -122,6 +122,27 @@ def place_edit(
     return edit
 
 
+def pose_edit(shot: str, person: str, pose: Mapping[str, object], *, at_end: bool = False) -> Edit:
+    """Read how a person is to be in a shot.
+
+    Args:
+        shot: Such as ``SC010_SH020``.
+        person: Their id or name.
+        pose: Fields of ``PersonPlace`` that are decided: ``posture``, ``on``, ``looking_at``, ``holding``.
+        at_end: As the shot ends, else as it begins.
+
+    Raises:
+        InputError: It says nothing, or there is no such posture.
+    """
+    named: dict[str, object] = {name: as_id(str(pose[name])) for name in ("on", "looking_at") if name in pose}
+    holding = pose.get("holding")
+    if isinstance(holding, list | tuple):
+        named["holding"] = [as_id(str(each)) for each in holding]
+    marks = {"end" if at_end else "start": {**pose, **named}}
+    [edit] = edits_of([{"kind": "blocking", "shot": shot, "person": person, "marks": marks}])
+    return edit
+
+
 def _floor_place(point: str | None, rotation: float | None) -> dict[str, object]:
     return {"location": _numbers(point, 2, "X,Y in metres, as in 2,-3") if point else None, "rotation": rotation}
 

@@ -123,7 +123,7 @@ class PlaceEdit(Described):
 
 
 class BlockingEdit(Described):
-    """Sets the marks of a person in a shot; in the shots after it they go on from there."""
+    """Sets where and how a person is in a shot: marks, posture, look, hands; later shots go on from there."""
 
     kind: Literal["blocking"] = "blocking"
     """Which edit this is."""
@@ -137,7 +137,7 @@ class BlockingEdit(Described):
     @model_validator(mode="after")
     def _says_something(self) -> Self:
         if not any(place is not None and place.words for place in (self.marks.start, self.marks.end)):
-            raise ValueError("a mark has a location or a rotation, at the start or at the end")
+            raise ValueError("a mark has a location, a rotation, a posture, a look or things held, at start or end")
         return self
 
 

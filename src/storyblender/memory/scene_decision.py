@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from storyblender.memory.asset_sheet import AssetDecision
 from storyblender.memory.base import Coordinate, Described, Identifier, Vec2, is_none
@@ -109,12 +109,57 @@ class ThingPlace(FloorPlace):
         return ", ".join(filter(None, [super().words, f"{self.height:g} m up" if self.height is not None else ""]))
 
 
+DecidedPosture = Literal["stand", "sit", "lie", "kneel", "crouch", "lean"]
+"""Postures that can be decided about."""
+_POSTURES: dict[DecidedPosture, str] = {
+    "stand": "standing", "sit": "sitting", "lie": "lying",
+    "kneel": "kneeling", "crouch": "crouching", "lean": "leaning",
+}  # fmt: skip
+
+
+class PersonPlace(FloorPlace):
+    """Where and how a person is at one end of a shot, as a person decided; what is left out is the crew's."""
+
+    posture: DecidedPosture | None = Field(default=None, exclude_if=is_none)
+    """They keep it until the script, or a later decision, has them in another one."""
+    on: Identifier | None = Field(default=None, exclude_if=is_none)
+    """With ``posture`` sit, lie or lean: node id of the seat, the bed or the rail; left out, the nearest one."""
+    looking_at: Identifier | None = Field(default=None, exclude_if=is_none)
+    """A person, a thing, or a direction as the viewer has it: ``left``, ``right``, ``up``, ``down``, ``camera``."""
+    holding: tuple[Identifier, ...] | None = Field(default=None, exclude_if=is_none)
+    """Ids of the things in their hands, at most two; empty: nothing. What they held before is put down."""
+
+    @model_validator(mode="after")
+    def _is_on_what_carries(self) -> Self:
+        if self.on is not None and self.posture not in ("sit", "lie", "lean"):
+            raise ValueError("what they are on goes with the posture sit, lie or lean")
+        if self.holding is not None and len(self.holding) > 2:
+            raise ValueError("a person has two hands")
+        return self
+
+    @property
+    def is_posed(self) -> bool:
+        """Whether it decides about more than a place on the floor."""
+        return any(each is not None for each in (self.posture, self.looking_at, self.holding))
+
+    @property
+    def words(self) -> str:
+        """As of a floor place, and the rest: ``sitting on sofa, looking at ilsa, holding letter``."""
+        posed = f"{_POSTURES[self.posture]}{f' on {self.on}' if self.on else ''}" if self.posture is not None else ""
+        looks = f"looking {'' if self.looking_at in _WAYS else 'at '}{self.looking_at}" if self.looking_at else ""
+        holds = "" if self.holding is None else f"holding {', '.join(self.holding) or 'nothing'}"
+        return ", ".join(filter(None, [super().words, posed, looks, holds]))
+
+
+_WAYS = ("left", "right", "up", "down")
+
+
 class PersonMarks(Described):
     """The marks of one person in one shot that a person set."""
 
-    start: FloorPlace | None = None
+    start: PersonPlace | None = None
     """As the shot begins; left out, where they were."""
-    end: FloorPlace | None = None
+    end: PersonPlace | None = None
     """As it ends; a person who is elsewhere walks there. Left out, where their actions lead them."""
 
 

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 
 from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.agents.visual_effects_artist.marks_by_hand import set_marks
+from storyblender.agents.visual_effects_artist.poses_by_hand import with_poses
 from storyblender.agents.visual_effects_artist.rehearsal import Rehearsal, ShotDirections, ShotStaging
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import plan_of
@@ -55,7 +56,7 @@ def animator_view(graph: ContinuityMemoryGraph, scene_id: int) -> AnimatorView:
         layout=scene.layout,
         plan=plan_of(scene.environment),
         assets=graph.assets_of(scene_id),
-        shots=graph.staged_shots_of(scene_id),
+        shots=with_poses(graph.staged_shots_of(scene_id)),
         outline=graph.outline_of(scene_id),
         fps=graph.format.fps,
         found=scene.setup.found,

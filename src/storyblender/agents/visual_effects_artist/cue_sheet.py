@@ -278,7 +278,7 @@ class CueSheet:
     def turn_to_person(self, person: StagedPerson, other: StagedPerson, now: float) -> float:
         """Turn to another person if they are over 55 degrees off; return the time in seconds at which that is done."""
         yaw = facing(person.place, other.place)
-        if abs(shortest_turn(person.yaw, yaw)) < math.radians(55):
+        if person.watches or abs(shortest_turn(person.yaw, yaw)) < math.radians(55):
             return now
         return self.turn_to_yaw(person, turn_towards_audience(yaw), now)
 

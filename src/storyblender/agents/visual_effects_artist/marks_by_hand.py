@@ -16,6 +16,8 @@ from storyblender.memory.shot_context import Blocking, Flaw, ShotContext
 
 _ON_MARK = 0.12
 """Metres that a person may be from a mark without a walk."""
+ON_FLOOR = ("lie", "kneel", "crouch")
+"""Postures that a person may have anywhere on the floor."""
 _TURNED = math.radians(1)
 _MISSED = 0.002
 """Metres."""
@@ -38,7 +40,11 @@ def take_set_starts(stage: StageState, marks: Mapping[str, PersonMarks]) -> None
     """
     for asset_id, mark in marks.items():
         person = stage.people.get(asset_id)
-        if person is None or not person.present or not person.upright or mark.start is None:
+        if person is None or not person.present or mark.start is None:
+            continue
+        if mark.start.posture in ON_FLOOR and mark.start.location is not None:
+            person.support, person.anchor = None, ""
+        elif not person.upright:
             continue
         if mark.start.location is not None:
             person.place, person.z = mark.start.location, 0.0

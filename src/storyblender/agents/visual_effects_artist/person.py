@@ -57,6 +57,9 @@ class StagedPerson:
     opened: str = ""
     """Asset id of the prop opened in this shot where it stands; empty if none."""
 
+    watches: bool = False
+    """Whether a person decided what they look at in this shot: they do not turn to who speaks."""
+
     @property
     def upright(self) -> bool:
         """Whether the person stands and can walk off at once."""

@@ -70,7 +70,7 @@ class PostureCues:
         if state.gaze == "closed":
             found.append(Cue(asset_id=person.asset_id, clip="close_eyes", start=0, lasting=True))
         elif state.gaze is not None:
-            there = self._gaze_mark(person, state.gaze)
+            there = gaze_mark(person, state.gaze)
             found.append(Cue(asset_id=person.asset_id, clip="look", start=0, duration=GLANCE_FRAMES, mark=there))
         activity = self._lasting_activity(person, state)
         if activity:
@@ -87,14 +87,6 @@ class PostureCues:
             return ""
         habit = habits[int(content_hash(person.asset_id), 16) % len(habits)]
         return SEATED_HAND_MOTIONS.get(habit, habit) if person.posture == "sit" else habit
-
-    def _gaze_mark(self, person: StagedPerson, gaze: GazeDirection) -> Mark:
-        """Return a mark on the point off screen that a person looks at, left and right as the audience sees them."""
-        x, y = person.place
-        aside = {"left": -OFF_SCREEN_DISTANCE, "right": OFF_SCREEN_DISTANCE}.get(gaze, 0.0)
-        height = GAZE_HEIGHTS.get(gaze, EYE_LEVEL * person.scale)
-        ahead = OFF_SCREEN_DISTANCE if gaze == "camera" else OFF_SCREEN_FORWARD
-        return Mark(asset_id=person.asset_id, location=(round(x + aside, 3), round(y - ahead, 3), height), yaw=0.0)
 
     def _lasting_activity(self, person: StagedPerson, state: BodyState) -> str:
         """Return the key of a person's lasting activity; empty if none, or if their actions contain or end it."""
@@ -123,6 +115,20 @@ class PostureCues:
             hand=hand if motion.hands else None,
             lasting=True,
         )
+
+
+def gaze_mark(person: StagedPerson, gaze: GazeDirection) -> Mark:
+    """Return a mark on the point off screen that a person looks at, left and right as the audience sees them.
+
+    Args:
+        person: The person.
+        gaze: The direction; not ``closed``.
+    """
+    x, y = person.place
+    aside = {"left": -OFF_SCREEN_DISTANCE, "right": OFF_SCREEN_DISTANCE}.get(gaze, 0.0)
+    height = GAZE_HEIGHTS.get(gaze, EYE_LEVEL * person.scale)
+    ahead = OFF_SCREEN_DISTANCE if gaze == "camera" else OFF_SCREEN_FORWARD
+    return Mark(asset_id=person.asset_id, location=(round(x + aside, 3), round(y - ahead, 3), height), yaw=0.0)
 
 
 def extend_lasting_cues(cues: Sequence[Cue], frames: int) -> list[Cue]:

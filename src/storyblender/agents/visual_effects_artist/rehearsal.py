@@ -17,6 +17,13 @@ from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.agents.visual_effects_artist.left_props import held_props, lay_left_props
 from storyblender.agents.visual_effects_artist.marks_by_hand import end_on_mark, missed_marks, take_set_starts
 from storyblender.agents.visual_effects_artist.person import StagedPerson
+from storyblender.agents.visual_effects_artist.poses_by_hand import (
+    end_as_decided,
+    face_what_they_watch,
+    free_of_layout,
+    keep_looking,
+    missed_poses,
+)
 from storyblender.agents.visual_effects_artist.posture_cues import PostureCues, extend_lasting_cues
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN, Speeches
 from storyblender.agents.visual_effects_artist.stage_state import StageState
@@ -125,11 +132,13 @@ class Rehearsal:
         cast = [stage.people[name] for name in shot.on_stage if name in stage.people]
         held = held_props(stage)
         stage.bring_on_stage(shot, cast, stay)
+        decided = shot.blocking_decision.people if shot.blocking_decision is not None else {}
+        free_of_layout(stage, decided)
         stage.apply_states(shot.states, shot.character_actions)
         lay_left_props(stage, held, shot)
         self._take_marks(directions.marks)
-        decided = shot.blocking_decision.people if shot.blocking_decision is not None else {}
         take_set_starts(stage, decided)
+        face_what_they_watch(stage, decided)
         stage.place_loose_props(shot)
         standing = stage.prop_states(shot)
         sheet = CueSheet(
@@ -166,14 +175,16 @@ class Rehearsal:
             person = stage.people.get(asset_id)
             if person is not None and person.present and marks.end is not None:
                 end_on_mark(sheet, person, marks.end)
+        end_as_decided(sheet, stage, ends, decided)
         speeches.add_idle_looks(shot, cast)
         PostureCues(stage, sheet).add_posture_cues(shot)
+        keep_looking(sheet, stage, decided)
         duration = shot.duration
         if "duration" not in shot.locked and shot.decided_duration is None:
             needed = math.ceil((max((person.busy for person in cast), default=0.0) + 0.25) * self.fps)
             duration = min(max(duration, needed), math.ceil(sheet.hard_limit * self.fps))
         blocking = tuple(Blocking(start=sheet.starts[person.asset_id], end=person.mark()) for person in cast)
-        missed = missed_marks(decided, blocking)
+        missed = (*missed_marks(decided, blocking), *missed_poses(decided, blocking))
         stage.end_shot(stay)
         going_on = extend_lasting_cues(sheet.cues, duration)
         beasts, places = self.animals.play(shot, self.fps, duration)

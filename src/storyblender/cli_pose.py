@@ -1,0 +1,65 @@
+"""``storyblender pose``: how a person stands or sits in a shot, what they look at and hold."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+import typer
+
+from storyblender.cli_options import Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
+from storyblender.errors import InputError
+from storyblender.shell import shown
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the command to the command line."""
+    app.command(
+        epilog=examples(
+            "pose my_film.storyboard SC010_SH020 rick --posture sit --on sofa",
+            "pose my_film.storyboard SC010_SH020 rick --look-at letter --hold glass --at-end",
+            "pose my_film.storyboard SC010_SH020 ilsa --posture stand --empty-hands",
+        )
+    )(pose)
+
+
+def pose(
+    context: typer.Context,
+    folder: Folder,
+    shot: Annotated[str, typer.Argument(metavar="SHOT", help="Such as SC010_SH020.", show_default=False)],
+    person: Annotated[str, typer.Argument(metavar="PERSON", help="Who is there.", show_default=False)],
+    posture: Annotated[str | None, typer.Option(help="stand, sit, lie, kneel, crouch or lean.")] = None,
+    on: Annotated[str | None, typer.Option(help="The seat, bed or rail; the nearest one if left out.")] = None,
+    look_at: Annotated[
+        str | None, typer.Option(help="A person, a thing, or left, right, up, down or camera, as the viewer has it.")
+    ] = None,
+    hold: Annotated[list[str] | None, typer.Option(help="A thing in their hand; once more for the other.")] = None,
+    empty_hands: Annotated[bool, typer.Option("--empty-hands", help="They hold nothing.")] = False,
+    at_end: Annotated[bool, typer.Option("--at-end", help="As the shot ends, not as it begins.")] = False,
+    revision: Annotated[
+        str | None, typer.Option(help="What you looked at, as --json told it; refused if that changed since.")
+    ] = None,
+    draw: Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")] = True,
+    look: LookOption = None,
+    jobs: Jobs = None,
+    quiet: Quiet = False,
+    json_lines: Json = False,
+) -> None:
+    """Decide how a person is in a shot: posture, look, hands. They go on from there until the script changes it.
+
+    `unlock` gives it back to the crew; `undo` takes it back. Where they stand is said with `place`.
+    """
+    with shown(quiet, json_lines) as terminal:
+        from storyblender.edits.words import pose_edit
+
+        if hold and empty_hands:
+            raise InputError("hands are empty or hold something", mend="leave --hold or --empty-hands out")
+        holding = hold or ([] if empty_hands else None)
+        said = {"posture": posture, "on": on, "looking_at": look_at, "holding": holding}
+        given = {name: value for name, value in said.items() if value is not None}
+        edit = pose_edit(shot, person, given, at_end=at_end)
+        settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
+        studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
+        applied, delivery = studio.edit(folder, [edit], revision, draw=draw)
+        terminal.applied(applied)
+        if delivery is not None:
+            terminal.files(delivery.folder, delivery.files)
