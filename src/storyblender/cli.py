@@ -8,7 +8,18 @@ from typing import Annotated, Any
 
 import typer
 
-from storyblender import __version__, cli_crew, cli_edits, cli_mcp, cli_pose, cli_revise, cli_shots, cli_studio, cli_why
+from storyblender import (
+    __version__,
+    cli_crew,
+    cli_edits,
+    cli_lamp,
+    cli_mcp,
+    cli_pose,
+    cli_revise,
+    cli_shots,
+    cli_studio,
+    cli_why,
+)
 from storyblender.cli_options import Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
 from storyblender.shell import Commands, shown
 
@@ -185,6 +196,7 @@ def render(
 
 cli_edits.add_to(app)
 cli_pose.add_to(app)
+cli_lamp.add_to(app)
 app.add_typer(cli_shots.app, name="shot")
 cli_crew.add_to(app)
 cli_mcp.add_to(app)

@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from storyblender.language_crew import CheckedAnswer
     from storyblender.memory.graph import ContinuityMemoryGraph
     from storyblender.memory.history import Commit
+    from storyblender.memory.scene_context import Light
     from storyblender.pipeline.reviewing import FrameReview
     from storyblender.pipeline.script_changes import ScriptChanges
     from storyblender.pipeline.shot_reasons import ShotReasons
@@ -220,6 +221,17 @@ class Terminal:
             for word in (each for each in reasons.words if each.line == number):
                 read = f"“{line[word.start : word.end]}” read as {word.kind} {word.what} ({word.rule})"
                 self._results.print(f"  {_plain(read)}", soft_wrap=True)
+
+    def lamps(self, lights: Sequence[Light]) -> None:
+        """Print the lamps of a scene."""
+        self._progress.stop()
+        if self._json:
+            self._write({"lamps": [light.model_dump(mode="json") for light in lights]})
+        table = Table("lamp", "kind", "watts", "at", "color", box=None)
+        for light in lights:
+            at, color = (", ".join(f"{value:.2f}" for value in values) for values in (light.location, light.color))
+            table.add_row(light.name, light.kind.lower(), f"{light.power:g}", at, color)
+        self._results.print(table)
 
     def check(self, report: Inspection) -> None:
         """Print the result of a check."""

@@ -170,6 +170,27 @@ def test_a_thing_is_turned_by_a_key(stage: Page, studio: RunningStudio) -> None:
     undo(stage)
 
 
+def test_a_person_is_seated_made_to_look_and_given_a_thing(stage: Page, studio: RunningStudio) -> None:
+    look(stage, "From above")
+    before = graph_of(studio)
+    stage.mouse.click(*point_on(stage, "tom"))
+    pose = stage.get_by_role("group", name="Pose of")
+    expect(pose).to_be_visible()
+    for label, choice, told in (("Posture", "sit", "sitting"), ("Looks", "ada", "looking at ada")):
+        with shown_anew(stage):
+            pose.get_by_label(label).select_option(choice)
+            expect(said(stage)).to_contain_text(told)
+    [tom] = [each for each in graph_of(studio).shot(1, 1).blocking if each.start.asset_id == "tom"]
+    assert tom.start.posture == "sit" and tom.start.support_id in stage.get_by_label("On").locator(
+        "option"
+    ).evaluate_all("options => options.map((option) => option.value)")
+    assert pose.get_by_label("Posture").input_value() == "sit" and pose.get_by_label("Looks").input_value() == "ada"
+    stage.screenshot(path="/tmp/pose_panel.png")
+    undo(stage)
+    undo(stage)
+    assert graph_of(studio) == before, "byte for byte"
+
+
 def test_a_camera_is_taken_by_hand(stage: Page, studio: RunningStudio) -> None:
     look(stage, "Free")
     box = stage.locator(".frame canvas").bounding_box()

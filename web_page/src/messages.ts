@@ -165,6 +165,22 @@ export interface StageCamera {
   hidden: string[];
 }
 
+export interface Pose {
+  posture: string;
+  on: string;
+  holding: string[];
+  looking_at: string;
+}
+
+export interface PersonOnStage {
+  name: string;
+  start: Point;
+  end: Point;
+  rotation: number;
+  start_pose: Pose;
+  end_pose: Pose;
+}
+
 export interface Stage {
   shot: string;
   model: string;
@@ -174,7 +190,8 @@ export interface Stage {
   aspect: number;
   cameras: StageCamera[];
   placed: Record<string, { name: string; location: Point; rotation: number }>;
-  people: Record<string, { name: string; start: Point; end: Point; rotation: number }>;
+  people: Record<string, PersonOnStage>;
+  poses: Record<"sit" | "lie" | "hold" | "look", Record<string, string>>;
 }
 
 export interface News {

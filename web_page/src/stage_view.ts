@@ -3,6 +3,7 @@
 import { LitElement, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { Board, Edit, Point, Stage } from "./messages";
+import "./stage_pose";
 import { StageScene, type Moved, type View } from "./stage_scene";
 import type { Wire } from "./wire";
 
@@ -153,6 +154,9 @@ export class StageView extends LitElement {
                 <button title="Turn right ( ] )" @click=${() => this.turn(-TURN)}>⟳ ${TURN}°</button>`
             : nothing}
         </div>
+        ${this.stage && this.chosen in this.stage.people
+          ? html`<sb-pose .stage=${this.stage} .person=${this.chosen} @pose=${(event: CustomEvent<Edit>) => this.edit(event.detail)}></sb-pose>`
+          : nothing}
         <div class="room">
           <div class="frame">
             <canvas tabindex="0" role="img" aria-label="The scene in 3D"></canvas>

@@ -24,7 +24,7 @@ _FIELDS: Final[dict[str, dict[str, str]]] = {
         "moment": "camera", "duration": "duration",
         "decided_duration": "duration", "notes": "notes", "approved": "approval", "omitted": "cut",
         "covers": "cut", "joined": "cut",
-        "blocking": "blocking", "blocking_decision": "blocking", "cues": "blocking", "prop_states": "blocking",
+        "blocking_decision": "blocking",
     },
     "scenes": {
         "layout": "layout", "layout_decision": "layout", "lighting": "light", "light_decision": "light",
@@ -33,7 +33,7 @@ _FIELDS: Final[dict[str, dict[str, str]]] = {
     "head": {"scene_order": "cut"},
     "assets": {"look": "asset", "dimension": "asset", "canonical": "asset", "decision": "asset", "locked": "asset"},
 }  # fmt: skip
-"""Which field of an item is which aspect. What the crew derives from them, such as lamps, is none."""
+"""Which field of an item is which aspect. What the crew derives from them, such as lamps or marks, is none."""
 
 
 def refuse_stale(project: Project, version: str, touched: Collection[Aspect]) -> None:

@@ -13,6 +13,7 @@ from storyblender.edits.effect import name_of
 from storyblender.edits.targets import as_id
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.base import Frozen
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.scene_context import Layout, SceneContext
 from storyblender.memory.scene_decision import PersonPlace
@@ -44,6 +45,46 @@ def as_posed(graph: ContinuityMemoryGraph, scene: SceneContext, person: str, pla
     if place.holding is not None:
         update["holding"] = tuple(dict.fromkeys(_held(graph, scene, each) for each in place.holding))
     return place.model_copy(update=update)
+
+
+class PoseChoices(Frozen):
+    """What people of a scene can sit and lie on, and hold; names by id."""
+
+    sit: dict[str, str]
+    """Seats by node id."""
+    lie: dict[str, str]
+    """Beds by node id."""
+    hold: dict[str, str]
+    """Things of the story by asset id."""
+    look: dict[str, str]
+    """People by asset id, and things of the story by node id."""
+
+
+def pose_choices(graph: ContinuityMemoryGraph, scene: SceneContext) -> PoseChoices:
+    """Return what people of a scene can sit and lie on, hold and look at.
+
+    Args:
+        graph: The story.
+        scene: One that is not staged yet offers nothing.
+    """
+    layout, environment = scene.layout, scene.environment
+    if layout is None or environment is None:
+        return PoseChoices(sit={}, lie={}, hold={}, look={})
+    floor = Floor(layout, graph.assets_of(scene.scene_id), plan_of(environment))
+    names = {asset.asset_id: asset.name or asset.asset_id for asset in graph.assets}
+    things = {node_id: names.get(thing.asset_id, node_id) for node_id, thing in floor.things.items()}
+    own = graph.own_objects_of(scene.scene_id)
+    nodes = {item.asset_id: item.node_id for item in reversed(layout.objects)}
+    people = [asset_id for asset_id in scene.setup.asset_ids if graph.asset(asset_id).asset_type == "character"]
+    return PoseChoices(
+        sit={node_id: name for node_id, name in things.items() if floor.seats(node_id)},
+        lie={node_id: name for node_id, name in things.items() if floor.bed_edges(node_id)},
+        hold={asset.asset_id: names[asset.asset_id] for asset in own if _fits_hands(asset)},
+        look={
+            **{asset_id: names[asset_id] for asset_id in people},
+            **{nodes.get(asset.asset_id, asset.asset_id): names[asset.asset_id] for asset in own},
+        },
+    )
 
 
 def _support(floor: Floor, node_id: str, posture: str) -> str:
@@ -87,11 +128,16 @@ def _held(graph: ContinuityMemoryGraph, scene: SceneContext, name: str) -> str:
     own = _asset(graph, scene, name)
     if own is None or own.asset_type != "object":
         raise _unknown(name, scene, [asset.asset_id for asset in graph.own_objects_of(scene.scene_id)])
-    made = own.canonical
-    grips = made is not None and any(anchor.kind == "grip" for anchor in made.anchors)
-    if own.fitted_part or (made is not None and not grips and sorted(made.dimensions)[1] > HAND_SIZE):
+    if not _fits_hands(own):
         raise InputError(f"{own.asset_id} is too large for hands, or fixed", mend="name a smaller thing")
     return own.asset_id
+
+
+def _fits_hands(asset: Asset) -> bool:
+    """Return whether a hand can hold a thing."""
+    made = asset.canonical
+    grips = made is not None and any(anchor.kind == "grip" for anchor in made.anchors)
+    return not asset.fitted_part and (made is None or grips or sorted(made.dimensions)[1] <= HAND_SIZE)
 
 
 def _asset(graph: ContinuityMemoryGraph, scene: SceneContext, name: str) -> Asset | None:

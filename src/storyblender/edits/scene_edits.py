@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from difflib import get_close_matches
 
+from storyblender.agents.visual_effects_artist.lighting_arranger_view import MOST_LIGHTS
 from storyblender.catalog.materials import MATERIALS
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.sets import SETS, plan_of
@@ -13,6 +14,7 @@ from storyblender.catalog.sets.finishes import FINISHES
 from storyblender.edits.effect import (
     Effect,
     name_of,
+    refuse_far,
     refuse_locked,
     refuse_locked_staging,
     scene_effect,
@@ -31,8 +33,26 @@ def light_effects(graph: ContinuityMemoryGraph, edit: LightEdit) -> list[Effect]
     scene = scene_named(graph, edit.scene)
     _refuse_nothing(scene, edit.decision.words, "light", "give an hour, a weather, a warmth ...")
     refuse_locked(scene, "light")
+    _refuse_lamps(scene, edit.decision)
     decided = (scene.light_decision or LightDecision()).then(edit.decision)
     return [scene_effect(graph, scene, f"light: {edit.decision.words}", "light", ("light",), light_decision=decided)]
+
+
+def _refuse_lamps(scene: SceneContext, decision: LightDecision) -> None:
+    """Refuse a lamp that the scene has not and that is not whole, one too far away, and more than it can have."""
+    own = {light.name for light in scene.lighting.lights} if scene.lighting is not None else set[str]()
+    before = scene.light_decision.lamps if scene.light_decision is not None else {}
+    for name, lamp in decision.lamps.items():
+        known = name in own or before.get(name) is not None
+        if not known and (lamp is None or lamp.kind is None):
+            names = ", ".join(sorted(own)) or "none"
+            mend = f"it has: {names}; a kind (POINT, SPOT, AREA, SUN) adds one"
+            raise InputError(f"there is no lamp {name!r} in {name_of(scene)}", mend=mend)
+        for point in (lamp.location, lamp.target) if lamp is not None else ():
+            if point is not None:
+                refuse_far(point, scene)
+    if len({*own, *(name for name, lamp in {**before, **decision.lamps}.items() if lamp is not None)}) > MOST_LIGHTS:
+        raise InputError(f"{name_of(scene)} has {MOST_LIGHTS} lamps already", mend="take one away first")
 
 
 def set_effects(graph: ContinuityMemoryGraph, edit: SetEdit) -> list[Effect]:

@@ -143,6 +143,31 @@ def pose_edit(shot: str, person: str, pose: Mapping[str, object], *, at_end: boo
     return edit
 
 
+def lamp_edit(scene: str, lamp: str, said: Mapping[str, float | str | None], *, remove: bool = False) -> Edit:
+    """Read what a person says about a lamp of a scene.
+
+    Args:
+        scene: Such as ``SC010``.
+        lamp: Its name.
+        said: Fields of ``LampDecision``, points and colours as ``1,2,3``, kinds in any case; None says nothing.
+        remove: Whether it is taken away.
+
+    Raises:
+        InputError: It says nothing, or a word or a number cannot be.
+    """
+    points = {"location": "X,Y,Z in metres", "target": "X,Y,Z in metres", "color": "R,G,B, each 0 to 1"}
+    given: dict[str, object] = {name: value for name, value in said.items() if value is not None}
+    for name in points.keys() & given.keys():
+        given[name] = _numbers(str(given[name]), 3, points[name])
+    if "kind" in given:
+        given["kind"] = str(given["kind"]).upper()
+    if remove is bool(given):
+        raise InputError(f"nothing is decided about {lamp}", mend="give --power, --at ..., or --remove alone")
+    decision = {"lamps": {as_id(lamp): None if remove else given}}
+    [edit] = edits_of([{"kind": "light", "scene": scene, "decision": decision}])
+    return edit
+
+
 def _floor_place(point: str | None, rotation: float | None) -> dict[str, object]:
     return {"location": _numbers(point, 2, "X,Y in metres, as in 2,-3") if point else None, "rotation": rotation}
 

@@ -10,9 +10,12 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from storyblender.memory.asset_sheet import AssetDecision
-from storyblender.memory.base import Coordinate, Described, Identifier, Vec2, is_none
+from storyblender.memory.base import Coordinate, Described, Identifier, Vec2, Vec3, is_none
 from storyblender.memory.vocabulary import LightQuality, Period, TimeOfDay, Weather
 
+LampKind = Literal["POINT", "SPOT", "AREA", "SUN"]
+"""As Blender has them."""
+Share = Annotated[float, Field(ge=0, le=1)]
 SetMaterial = Identifier
 """A finish of ``catalog.sets.finishes`` or a material of ``catalog.materials``."""
 
@@ -28,8 +31,43 @@ class _Decision(Described):
     def then(self, later: Self) -> Self:
         """Return this decision with a later one on top."""
         update = {name: value for name, value in later if value not in (None, {})}
-        merged = {name: {**getattr(self, name), **value} for name, value in update.items() if isinstance(value, dict)}
+        merged = {
+            name: _merged(getattr(self, name), value) for name, value in update.items() if isinstance(value, dict)
+        }
         return self.model_copy(update={**update, **merged})
+
+
+class LampDecision(_Decision):
+    """What a person decided about one lamp of a scene, or a lamp that they added; what is left out is the crew's."""
+
+    kind: LampKind | None = None
+    """Of a lamp that is added."""
+    location: Vec3 | None = None
+    """Metres, Z up; of a SUN only the direction to ``target`` counts."""
+    target: Vec3 | None = None
+    """Where it points."""
+    power: Annotated[float, Field(ge=0, le=100_000)] | None = None
+    """Watts, as Blender means them; of a SUN watts a square metre."""
+    color: tuple[Share, Share, Share] | None = None
+    """Red, green and blue, scene-linear, 0 to 1."""
+    size: Annotated[float, Field(ge=0, le=100)] | None = None
+    """Metres: radius of POINT and SPOT, diameter of AREA; degrees of a SUN."""
+    cone: Annotated[float, Field(gt=0, le=180)] | None = None
+    """Of a SPOT, degrees."""
+
+    @property
+    def words(self) -> str:
+        """The decision as a person reads it, e.g. ``at 1, 2, 2.5, 80 W``."""
+
+        def listed(point: tuple[float, ...] | None) -> str:
+            return ", ".join(f"{value:g}" for value in point or ())
+
+        said = {
+            "kind": f"{self.kind}".lower(), "location": f"at {listed(self.location)}",
+            "target": f"pointing at {listed(self.target)}", "power": f"{self.power} W",
+            "color": f"color {listed(self.color)}", "size": f"size {self.size}", "cone": f"cone {self.cone} degrees",
+        }  # fmt: skip
+        return ", ".join(words for name, words in said.items() if getattr(self, name) is not None)
 
 
 class LightDecision(_Decision):
@@ -49,6 +87,8 @@ class LightDecision(_Decision):
     """Stops from the crew's key to fill ratio on faces: 1 is twice as contrasty, -1 half."""
     key_side: Literal["left", "right"] | None = None
     """Side of the set, as the viewer sees it, from which faces are lit."""
+    lamps: dict[Identifier, LampDecision | None] = Field(default={}, exclude_if=lambda value: not value)
+    """What each lamp is, by name; None takes it away; a name that the crew has not, with a kind, adds one."""
 
 
 class SetDecision(_Decision):
@@ -194,6 +234,16 @@ class LayoutDecision(_Decision):
     """Where a person placed things, by node id; they stay there in every staging."""
 
 
+def _merged(before: dict[str, object], later: dict[str, object]) -> dict[str, object]:
+    """Return values by name with later ones on top; a decision of a part lies over what was decided of it before."""
+    parts = {
+        name: was.then(value)
+        for name, value in later.items()
+        if isinstance(was := before.get(name), _Decision) and isinstance(value, type(was))
+    }
+    return {**before, **later, **parts}
+
+
 def _told(value: object) -> str:
     if isinstance(value, float):
         return f"{value:+g}"
@@ -203,6 +253,6 @@ def _told(value: object) -> str:
         return "on" if value else "off"
     if isinstance(value, AssetDecision):
         return value.prop
-    if isinstance(value, ThingPlace):
+    if isinstance(value, ThingPlace | LampDecision):
         return value.words
     return ", ".join(value) if isinstance(value, tuple) else "nothing" if value is None else str(value)

@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import AfterValidator, Field, TypeAdapter
 
+from storyblender.edits.posing import PoseChoices
 from storyblender.memory.base import Described
 from storyblender.memory.edits import Edit
 from storyblender.trace import Event
@@ -231,6 +232,19 @@ class PlacedThing(Described):
     """Degrees about Z."""
 
 
+class PoseOnStage(Described):
+    """How a person is at one end of a shot."""
+
+    posture: str
+    """``stand``, ``sit`` ..."""
+    on: str
+    """Node id of what they sit, lie or lean on; empty on the floor."""
+    holding: tuple[str, ...]
+    """Asset ids of what is in their hands."""
+    looking_at: str
+    """What a person decided that they look at; empty where the crew chooses."""
+
+
 class PersonOnStage(Described):
     """A person in a shot, whose marks a hand may move."""
 
@@ -242,6 +256,10 @@ class PersonOnStage(Described):
     """The same as it ends."""
     rotation: float
     """Degrees about Z as it begins."""
+    start_pose: PoseOnStage
+    """How they are as it begins."""
+    end_pose: PoseOnStage
+    """How they are as it ends."""
 
 
 class Stage(Described):
@@ -265,6 +283,8 @@ class Stage(Described):
     """What the layout places, by node id."""
     people: dict[str, PersonOnStage]
     """Who is on stage, by id."""
+    poses: PoseChoices
+    """What people here can sit on, lie on, hold and look at."""
 
 
 class Answer(Described):

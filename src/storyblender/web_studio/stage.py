@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
+from storyblender.edits.posing import pose_choices
 from storyblender.geometry.camera_path import camera_at
 from storyblender.geometry.framing import Film
 from storyblender.memory.base import shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.shot_context import CameraState, ShotContext
-from storyblender.web_studio.messages import CameraKey, PersonOnStage, PlacedThing, Stage, StageCamera
+from storyblender.memory.shot_context import CameraState, Mark, ShotContext
+from storyblender.web_studio.messages import CameraKey, PersonOnStage, PlacedThing, PoseOnStage, Stage, StageCamera
 
 KEY_EVERY = 4
 """Frames between the keys of a camera that moves, as in story.blend."""
@@ -38,6 +41,8 @@ def stage_of(graph: ContinuityMemoryGraph, shot: ShotContext, model: str, frame:
             start=blocking.start.location,
             end=blocking.end.location,
             rotation=blocking.start.yaw,
+            start_pose=_pose(shot, blocking.start, "start"),
+            end_pose=_pose(shot, blocking.end, "end"),
         )
         for blocking in shot.blocking
     }
@@ -55,6 +60,19 @@ def stage_of(graph: ContinuityMemoryGraph, shot: ShotContext, model: str, frame:
         ),
         placed=placed,
         people=people,
+        poses=pose_choices(graph, graph.scene(shot.scene_id)),
+    )
+
+
+def _pose(shot: ShotContext, mark: Mark, when: Literal["start", "end"]) -> PoseOnStage:
+    """Return how a person is at one end of a shot."""
+    decided = shot.blocking_decision.people.get(mark.asset_id) if shot.blocking_decision is not None else None
+    place = getattr(decided, when) if decided is not None else None
+    return PoseOnStage(
+        posture=mark.posture,
+        on=mark.support_id or "",
+        holding=tuple(prop for _, prop in mark.held),
+        looking_at=(place.looking_at if place is not None else None) or "",
     )
 
 

@@ -11,12 +11,12 @@ from tests.home import SCRIPT, SETTINGS
 
 from storyblender.catalog.fixtures import fixtures_called
 from storyblender.catalog.sets import plan_of
-from storyblender.edits.words import edits_of
+from storyblender.edits.words import edits_of, lamp_edit
 from storyblender.errors import InputError, Rejected, StaleEdit
 from storyblender.memory.edits import EDITS
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
-from storyblender.memory.scene_context import SceneContext
+from storyblender.memory.scene_context import Light, SceneContext
 from storyblender.memory.shot_context import ShotContext
 from storyblender.project import Project
 from storyblender.session import Session
@@ -32,7 +32,9 @@ BENCH = {"kind": "asset", "thing": "sofa", "model": "red bench"}
 PIANO = {"kind": "asset", "action": "add", "scene": ROOM, "model": "piano"}
 CHAIR = {"kind": "asset", "action": "remove", "scene": ROOM, "thing": "rug"}
 TAKE = {"kind": "take", "shot": SHOT}
-EVERY = [LIGHT, BRICK, KIT, LAYOUT, BENCH, PIANO, CHAIR, TAKE]
+SPOT = {"kind": "SPOT", "location": [2, 2, 2.4], "target": [0, 0, 1.2], "power": 300, "color": [1, 0.5, 0.2]}
+LAMP = {"kind": "light", "scene": ROOM, "decision": {"lamps": {"backlight": SPOT}}}
+EVERY = [LIGHT, LAMP, BRICK, KIT, LAYOUT, BENCH, PIANO, CHAIR, TAKE]
 
 
 def apply(session: Session, *edits: dict[str, Any], draw: bool = True) -> tuple[str, ...]:
@@ -298,3 +300,66 @@ def test_what_was_decided_is_found_again_when_the_script_changes(folder: Path) -
     assert placed(after, PARK, "piano") and after.asset("sofa").canonical.key == "bench"  # type: ignore[union-attr]
     first = shots(after, PARK)[0]
     assert (first.take, [take.number for take in first.takes]) == (2, [1])
+
+
+def lamps(graph: ContinuityMemoryGraph, name: str = ROOM) -> dict[str, Light]:
+    lighting = scene(graph, name).lighting
+    assert lighting is not None
+    return {light.name: light for light in lighting.lights}
+
+
+def lamp(name: str, said: dict[str, Any] | None) -> dict[str, Any]:
+    return {"kind": "light", "scene": ROOM, "decision": {"lamps": {name: said}}}
+
+
+def test_a_lamp_is_added_changed_and_taken_away_and_no_other(session: Session) -> None:
+    before = session.graph
+    stale = apply(session, LAMP)
+    added = lamps(session.graph)["backlight"]
+    assert stale == tuple(f"SC010_SH{10 * shot.shot_id:03d}" for shot in shots(before, ROOM))
+    assert (added.kind, added.location, added.power, added.color) == ("SPOT", (2, 2, 2.4), 300, (1, 0.5, 0.2))
+    first = next(iter(lamps(before)))
+    apply(session, lamp(first, {"power": 7.5}), lamp("backlight", {"power": 150}))
+    now = lamps(session.graph)
+    assert now[first] == lamps(before)[first].model_copy(update={"power": 7.5})
+    assert now["backlight"] == added.model_copy(update={"power": 150}), "the rest of it is as it was decided"
+    apply(session, lamp("backlight", None), lamp(first, None))
+    assert {*lamps(session.graph)} == {*lamps(before)} - {first}
+    apply(session, {"kind": "light", "scene": ROOM, "decision": {"warmth": 1}})
+    assert {*lamps(session.graph)} == {*lamps(before)} - {first}, "it stays away in another light"
+    assert scene(session.graph, ROOM).layout == scene(before, ROOM).layout
+    assert lamps(session.graph, PARK) == lamps(before, PARK)
+    apply(session, {"kind": "unlock", "target": ROOM, "parts": ["light"]})
+    assert lamps(session.graph) == lamps(before), "the crew has it back"
+
+
+@pytest.mark.parametrize(
+    "edit",
+    [
+        lamp("backlight", {"power": 10}),
+        lamp("backlight", None),
+        lamp("backlight", {"kind": "SPOT", "location": [900, 0, 2]}),
+        lamp("backlight", {"kind": "SPOT", "power": -1}),
+        lamp("backlight", {"kind": "TORCH"}),
+        {
+            "kind": "light",
+            "scene": ROOM,
+            "decision": {"lamps": {f"lamp_{number}": {"kind": "POINT"} for number in range(30)}},
+        },
+    ],
+    ids=str,
+)
+def test_a_lamp_that_cannot_be_is_refused(edit: dict[str, Any], session: Session) -> None:
+    before = session.graph
+    with pytest.raises(InputError):
+        apply(session, edit)
+    assert session.graph == before
+
+
+def test_lamps_are_said_on_the_command_line() -> None:
+    words = {"kind": "spot", "location": "2,2,2.4", "target": "0,0,1.2", "power": 300, "color": "1,0.5,0.2"}
+    assert [lamp_edit(ROOM, "backlight", words)] == list(edits_of([LAMP]))
+    assert [lamp_edit(ROOM, "Backlight", {}, remove=True)] == list(edits_of([lamp("backlight", None)]))
+    for wrong in (({}, False), ({"power": 1.0}, True), ({"location": "1,2"}, False)):
+        with pytest.raises(InputError):
+            lamp_edit(ROOM, "backlight", wrong[0], remove=wrong[1])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+
 from storyblender.agents.visual_effects_artist.environment_designer import (
     EnvironmentDesignerView,
     RulesEnvironmentDesigner,
@@ -10,10 +12,14 @@ from storyblender.agents.visual_effects_artist.environment_designer import (
 from storyblender.catalog.sets import SETS
 from storyblender.memory.base import Color
 from storyblender.memory.scene_context import Environment, Light, Lighting, Sky
-from storyblender.memory.scene_decision import LightDecision, SetDecision
+from storyblender.memory.scene_decision import LampDecision, LampKind, LightDecision, SetDecision
 
 _WARM: Color = (1.16, 1.0, 0.72)
 """What a step of warmth does to the red, green and blue of a light."""
+USUAL_WATTS: Mapping[LampKind, float] = {"POINT": 60.0, "SPOT": 150.0, "AREA": 100.0, "SUN": 3.0}
+"""Power of a lamp that is added without one."""
+USUAL_HEIGHT = 2.2
+"""Metres above the floor of a lamp that is added without a place."""
 _NO_LESS = 0.006
 """Least luminance of a set that a board can show."""
 
@@ -65,7 +71,26 @@ def decided_light(draft: Lighting, decision: LightDecision | None) -> Lighting:
         update["key_fill_ratio"] = round(max(draft.key_fill_ratio * 2.0**decision.contrast, 1.0), 2)
     if decision.key_side is not None:
         update["key_side"] = decision.key_side
+    if decision.lamps:
+        lights = update.get("lights", draft.lights)
+        update["lights"] = tuple(_with_lamps(lights if isinstance(lights, tuple) else (), decision.lamps))
     return draft.model_copy(update=update) if update else draft
+
+
+def _with_lamps(lights: tuple[Light, ...], lamps: Mapping[str, LampDecision | None]) -> Iterator[Light]:
+    """Yield the lights of a plan as a person decided them, then those that they added."""
+    for light in lights:
+        lamp = lamps.get(light.name)
+        if light.name not in lamps:
+            yield light
+        elif lamp is not None:
+            yield light.model_copy(update=lamp.model_dump(exclude_none=True))
+    there = {light.name for light in lights}
+    for name, lamp in lamps.items():
+        if name not in there and lamp is not None and lamp.kind is not None:
+            x, y, z = lamp.location or (0.0, 0.0, USUAL_HEIGHT)
+            usual = {"location": (x, y, z), "target": (x, y, z - 1.0), "power": USUAL_WATTS[lamp.kind]}
+            yield Light.model_validate({"name": name, **usual, **lamp.model_dump(exclude_none=True)})
 
 
 def warmed(draft: Lighting, warmth: float) -> dict[str, object]:
