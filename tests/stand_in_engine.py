@@ -20,6 +20,7 @@ from storyblender.geometry.framing import Figure, Film, project
 from storyblender.look.viewfinder_picture import as_png
 from storyblender.memory.asset_sheet import ModelSide
 from storyblender.memory.base import Vec3, content_hash, shot_name
+from storyblender.memory.blend_values import BlendReading, BlendValues
 from storyblender.memory.jobs import (
     ASSETS,
     AssetJob,
@@ -144,6 +145,12 @@ class StandInEngine:
     def compile_cut(self, job: CutJob) -> Future[str]:
         self.files.write(job.out, json.dumps(job.model_dump(mode="json", exclude={"former"})))
         return self._answer("compile_cut", job.out)
+
+    def read_story(self, name: str) -> Future[BlendReading]:
+        """A file of the stand-in says nothing of what it was compiled as."""
+        return self._answer(
+            "read_story", BlendReading(compiled=None, saved=BlendValues(version="", scenes=(), materials={}))
+        )
 
     def draw_sides(self, job: AssetJob, folder: str) -> Future[Vec3]:
         """Every side of a thing has a colour of its own."""

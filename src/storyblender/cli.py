@@ -15,6 +15,7 @@ from storyblender import (
     cli_lamp,
     cli_mcp,
     cli_pose,
+    cli_pull,
     cli_revise,
     cli_shots,
     cli_studio,
@@ -201,6 +202,7 @@ app.add_typer(cli_shots.app, name="shot")
 cli_crew.add_to(app)
 cli_mcp.add_to(app)
 cli_studio.add_to(app)
+cli_pull.add_to(app)
 cli_revise.add_to(app)
 cli_why.add_to(app)
 

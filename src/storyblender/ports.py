@@ -13,6 +13,7 @@ from storyblender.catalog.recipe import AssetQuery, Recipe
 from storyblender.folder import Folder
 from storyblender.geometry.framing import Figure
 from storyblender.memory.base import Vec3
+from storyblender.memory.blend_values import BlendReading
 from storyblender.memory.jobs import (
     AssetJob,
     CutJob,
@@ -190,6 +191,14 @@ class Engine(Protocol):
 
     def compile_cut(self, job: CutJob) -> Future[str]:
         """Compile the .blend of a long story, which links those of its sequences."""
+        ...
+
+    def read_story(self, name: str) -> Future[BlendReading]:
+        """Read back a .blend of the story, which a person may have changed; raises EngineError if it cannot be read.
+
+        Args:
+            name: Of the file in the project folder.
+        """
         ...
 
     def export_scene(self, job: ExportJob) -> Future[str]:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from storyblender.edits.dispatcher import Applied, apply_edits
+from storyblender.edits.pulling import Pulled, pull
 from storyblender.edits.targets import shots_named
 from storyblender.edits.undo import next_steps, redo_edit, undo_edit
 from storyblender.errors import InputError
@@ -63,6 +64,8 @@ class Session(OpenProject):
         from storyblender.pipeline.staging import stage
 
         with self._call() as run:
+            if self.made:
+                pull(run)
             ground(run, script, reading)
             run.project.files.write(REMEMBERED, self._settings.remembered(self.folder))
             keep_panorama(run)
@@ -116,6 +119,16 @@ class Session(OpenProject):
                 raise InputError(f"not understood: {'; '.join(said)}", mend=mend)
             return self.apply(meant.draft.edits, revision)
 
+    def pull(self, *, apply: bool = True) -> Pulled:
+        """Take over what a person changed and saved in ``story.blend``, as one undo; ``draw`` then draws it.
+
+        Args:
+            apply: False only tells what was changed.
+        """
+        with self._call() as run:
+            self._refuse_unmade()
+            return pull(run, apply=apply)
+
     def draw(self, applied: Applied) -> Delivery | None:
         """Draw and write what edits made stale; None where that is nothing, or where the project is only planned."""
         return self.render(applied.stale) if (applied.stale or applied.printed) and self.made else None
@@ -131,8 +144,10 @@ class Session(OpenProject):
             Cancelled: ``cancel`` was called.
         """
         with self._call() as run:
-            shots = shots_named(run.graph, names)
+            shots_named(run.graph, names)
             self._refuse_unmade()
+            pulled = pull(run).applied
+            shots = shots_named(run.graph, [*names, *pulled.stale] if names and pulled is not None else names)
             bring_up_to_date(run)
             new = [shot for shot in run.graph.shots if shot.camera is None]
             film(run)

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from storyblender.catalog.registry import Entry
     from storyblender.doctor import Finding
     from storyblender.edits.dispatcher import Applied
+    from storyblender.edits.pulling import Pulled
     from storyblender.errors import StoryBlenderError
     from storyblender.inspection import Inspection
     from storyblender.language_crew import CheckedAnswer
@@ -159,6 +160,25 @@ class Terminal:
         self._results.print(f"[bold]done[/] {_plain(applied.words)}", soft_wrap=True)
         for sentence in applied.warnings:
             self._results.print(f"[yellow]note[/] {_plain(sentence)}", soft_wrap=True)
+
+    def pulled(self, pulled: Pulled) -> None:
+        """Print what was changed in Blender, and what became of it."""
+        self._progress.stop()
+        if self._json:
+            self._write(pulled.model_dump(mode="json"))
+        if not pulled.files:
+            self._results.print("story.blend is as it was compiled.")
+        elif not (pulled.understood or pulled.conflicts or pulled.kept):
+            self._results.print("story.blend was saved, and nothing in it was changed.")
+        done = "done" if pulled.applied is not None else "changed"
+        rows = (
+            (done, "bold", pulled.understood),
+            ("conflict", "red", pulled.conflicts),
+            ("kept", "yellow", pulled.kept),
+        )
+        for label, style, sentences in rows:
+            for sentence in sentences:
+                self._results.print(f"[{style}]{label}[/] {_plain(sentence)}", soft_wrap=True)
 
     def plan(self, graph: ContinuityMemoryGraph) -> None:
         """Print cast and shots."""

@@ -32,6 +32,7 @@ from storyblender.geometry.framing import Figure
 from storyblender.look.aperture import look_through
 from storyblender.look.grade import AGX_CONTRAST, display_of
 from storyblender.memory.base import Vec3, content_hash, scene_name, shot_name
+from storyblender.memory.blend_values import BlendReading
 from storyblender.memory.graph import ProjectFormat
 from storyblender.memory.jobs import (
     DRAWING_VERSION,
@@ -97,6 +98,7 @@ class BlenderSession:
             self.render_motion,
             self.compile_story,
             self.compile_cut,
+            self.read_story,
             self.export_scene,
             self.portrait,
             self.draw_sides,
@@ -259,6 +261,13 @@ class BlenderSession:
         self._close_pack()
         compile_cut(job, self._files)
         return job.out
+
+    def read_story(self, name: str) -> BlendReading:
+        """Return what a .blend of the story was compiled as, and what it holds now."""
+        from storyblender.blender.story_values import read_file
+
+        self._close_pack()
+        return read_file(str(self._files.path(name)))
 
     def export_scene(self, job: ExportJob) -> str:
         """Write one scene as glTF or USD."""

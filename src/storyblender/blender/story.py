@@ -19,6 +19,7 @@ from storyblender.blender.pack import save_pack
 from storyblender.blender.progress import Report, ignore
 from storyblender.blender.sections import SECTION
 from storyblender.blender.story_light import light_scene
+from storyblender.blender.story_values import write_values
 from storyblender.blender.tidying import set_render_defaults, show_on_opening, tidy, write_version_note
 from storyblender.folder import Folder
 from storyblender.memory.base import scene_name, shot_name
@@ -53,6 +54,7 @@ def compile_story(job: StoryJob, files: Folder, report: Report = ignore) -> None
     add_edit(job.format, job.packs, in_film(job))
     show_on_opening(bpy.data.scenes[scene_name(job.packs[0].scene_id)])
     bpy.data.orphans_purge(do_recursive=True)
+    write_values(job.version)
     with files.writing(job.out) as part:
         save_pack(part)
         files.refuse_change(job.out, job.former)

@@ -17,6 +17,7 @@ from storyblender.engine.worker import LOG, Worker, blender_worker
 from storyblender.folder import Folder
 from storyblender.geometry.framing import Figure
 from storyblender.memory.base import Frozen, Vec3, scene_name, shot_name
+from storyblender.memory.blend_values import BlendReading
 from storyblender.memory.jobs import (
     AssetJob,
     CutJob,
@@ -147,6 +148,10 @@ class BlenderEngine:
     def compile_cut(self, job: CutJob) -> Future[str]:
         """Compile the .blend of a long story, which links those of its sequences."""
         return self._submit("compile_cut", {"job": _plain(job)}, str, subject=job.out)
+
+    def read_story(self, name: str) -> Future[BlendReading]:
+        """Read back a .blend of the story, which a person may have changed."""
+        return self._submit("read_story", {"name": name}, BlendReading.model_validate, subject=name)
 
     def export_scene(self, job: ExportJob) -> Future[str]:
         """Write one scene as glTF or USD."""

@@ -268,6 +268,8 @@ class StoryJob(Frozen):
     changed: tuple[int, ...] | None = None
     """Scenes to put in anew; the others stay in the file as they are. None compiles it whole."""
     out: str
+    version: str = ""
+    """Of the project; the file carries it, so that edits made in the file are edits of that version."""
     former: tuple[int, int] | None = None
     """The file that this one replaces: time of its last change in ns, and bytes. Saved since, it is not replaced."""
 

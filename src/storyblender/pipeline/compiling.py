@@ -22,7 +22,7 @@ from storyblender.pipeline.run import Run
 STORY = "story.blend"
 SEQUENCES = "story"
 """Folder of the sequences' files."""
-STORY_VERSION = 2
+STORY_VERSION = 3
 """Raised when the same packs are compiled otherwise: the files of old projects are then compiled anew."""
 MOST_SCENES = 40
 """In one file; a story of more has a file a sequence. A scene takes 15 to 45 MB of a worker (measured)."""
@@ -154,7 +154,13 @@ class _File:
 
 def _compiler(run: Run, job: StoryJob) -> Callable[[tuple[int, ...] | None], Future[str]]:
     return lambda changed: run.engine.compile_story(
-        job.model_copy(update={"changed": changed, "former": run.project.files.state(job.out)})
+        job.model_copy(
+            update={
+                "changed": changed,
+                "former": run.project.files.state(job.out),
+                "version": run.project.version,
+            }
+        )
     )
 
 

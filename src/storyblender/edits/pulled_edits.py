@@ -1,0 +1,140 @@
+"""Changes in a story's .blend become edits, through the one dispatcher; what cannot is told."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from storyblender.edits.blend_changes import BlendChange
+from storyblender.edits.conflicts import refuse_stale
+from storyblender.edits.families import effects_of
+from storyblender.errors import InputError, StaleEdit
+from storyblender.memory.base import Frozen, scene_name
+from storyblender.memory.blend_values import NodeValues, PoseValues
+from storyblender.memory.camera_decision import CameraDecision, CameraPosition, FreeCamera
+from storyblender.memory.edits import AssetEdit, CameraEdit, DurationEdit, Edit, PlaceEdit
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.history import replace, without
+from storyblender.memory.scene_context import LayoutObject
+from storyblender.memory.scene_decision import ThingPlace
+from storyblender.project import Project
+
+
+class PulledEdits(Frozen):
+    """What becomes of the changes in a file."""
+
+    edits: tuple[Edit, ...]
+    """In order; all of them together are one undo."""
+    understood: tuple[str, ...]
+    """The changes that they make, in words."""
+    conflicts: tuple[str, ...]
+    """Changes of what was also changed in the project since the file was compiled; none of them is made."""
+    kept: tuple[str, ...]
+    """Changes that no edit can express, or that cannot be; they stay in a copy of the file."""
+
+
+def edits_of(project: Project, changes: Sequence[BlendChange], version: str) -> PulledEdits:
+    """Return the edits that make the changes of a file, each tried on the story as those before it leave it.
+
+    Args:
+        project: Open.
+        changes: Of the file.
+        version: Of the project that the file was compiled from.
+    """
+    graph, edits = project.graph, list[Edit]()
+    told: dict[str, list[str]] = {"understood": [], "conflicts": [], "kept": []}
+    for change in _merged(changes):
+        try:
+            wanted = _edits(project.graph, change)
+            if not wanted:
+                told["kept"].append(change.words)
+                continue
+            after = graph
+            for edit in wanted:
+                done = effects_of(after, edit)
+                refuse_stale(project, version, {(each.name, aspect) for each in done for aspect in each.aspects})
+                after = replace(after, *(each.item for each in done if each.item is not None and not each.removed))
+                after = without(after, *(each.item for each in done if each.item is not None and each.removed))
+        except StaleEdit as error:
+            told["conflicts"].append(f"{change.words}; in the project: {'; '.join(error.changes)}")
+        except InputError as error:
+            told["kept"].append(f"{change.words}: {error.problem}")
+        else:
+            graph = after
+            edits += wanted
+            told["understood"].append(change.words)
+    return PulledEdits(edits=tuple(edits), **{name: tuple(words) for name, words in told.items()})
+
+
+def _merged(changes: Sequence[BlendChange]) -> list[BlendChange]:
+    """Return the changes with those of one object's place and size as one, because one edit makes them."""
+    found: dict[object, BlendChange] = {}
+    for number, change in enumerate(changes):
+        placed = change.kind in ("moved", "turned", "scaled")
+        key = (change.scene, change.subject) if placed else number
+        before = found.get(key)
+        words = f"{before.words}, {change.words.partition(' ')[2]}" if before else change.words
+        found[key] = change.model_copy(update={"words": words})
+    return list(found.values())
+
+
+def _edits(graph: ContinuityMemoryGraph, change: BlendChange) -> list[Edit]:
+    """Return the edits that make a change; none where nothing can."""
+    before, after = change.before, change.after
+    match change.kind:
+        case "moved" | "turned" | "scaled" if before is not None and after is not None and before.kind == "prop":
+            return _placed(graph, change.scene, before, after)
+        case "deleted" if before is not None and before.kind == "prop":
+            named = before.asset_id if before.asset_id == before.node_id else before.node_id
+            return [AssetEdit(action="remove", thing=named, scene=change.scene)]
+        case "camera" | "lens" if after is not None:
+            return _filmed(change.subject, after, lens_only=change.kind == "lens")
+        case "aperture" if after is not None and after.camera is not None:
+            f_number = after.camera.f_number if after.camera.blurs else 32.0
+            return [CameraEdit(shot=change.subject, decision=CameraDecision(f_number=f_number))]
+        case "marker":
+            return [DurationEdit(shot=shot, frames=frames) for shot, frames in change.lengths.items()]
+    return []
+
+
+def _placed(graph: ContinuityMemoryGraph, scene: str, before: NodeValues, after: NodeValues) -> list[Edit]:
+    """Return the edit that puts a thing where it is in the file; none for one that is tilted, or squeezed."""
+    item = _laid_out(graph, scene, before.node_id)
+    factors = {round(now / was, 3) for was, now in zip(before.scale, after.scale, strict=True) if was}
+    tilted = any(abs(a - b) > 0.01 for a, b in zip(before.rotation[:2], after.rotation[:2], strict=True))
+    if item is None or tilted or len(factors) != 1:
+        return []
+    [factor] = factors
+    moved = [now - was for was, now in zip(before.location, after.location, strict=True)]
+    turned = (after.rotation[2] - before.rotation[2]) % 360.0
+    place = ThingPlace()
+    if any(abs(each) > 1e-6 for each in moved):
+        x, y, z = (round(at + by, 4) for at, by in zip(item.location, moved, strict=True))
+        place = place.model_copy(update={"location": (x, y), "height": z})
+    if min(turned, 360.0 - turned) > 1e-3:
+        place = place.model_copy(update={"rotation": round((item.rotation[2] + turned) % 360.0, 3)})
+    scale = factor if factor != 1.0 else None
+    return [PlaceEdit(scene=scene, thing=before.node_id, place=place, scale=scale)]
+
+
+def _laid_out(graph: ContinuityMemoryGraph, scene: str, node_id: str) -> LayoutObject | None:
+    layout = next((each.layout for each in graph.scenes if scene_name(each.scene_id) == scene), None)
+    return next((item for item in layout.objects if item.node_id == node_id), None) if layout is not None else None
+
+
+def _filmed(shot: str, after: NodeValues, *, lens_only: bool) -> list[Edit]:
+    """Return the edit that takes a shot from where its camera is in the file; none for a move of more than two keys."""
+    assert after.camera is not None, "a camera has the values of one"
+    poses = after.camera.poses
+    lenses = {round(pose.lens, 2) for pose in poses}
+    if len(lenses) > 1:
+        return []
+    [lens] = lenses
+    if lens_only:
+        return [CameraEdit(shot=shot, decision=CameraDecision(lens=lens))]
+    start, *rest = map(_position, poses)
+    placed = FreeCamera(start=start, end=rest[-1] if rest else None)
+    return [CameraEdit(shot=shot, decision=CameraDecision(lens=lens, placed=placed))]
+
+
+def _position(pose: PoseValues) -> CameraPosition:
+    return CameraPosition(location=pose.location, rotation=pose.rotation)

@@ -1,0 +1,77 @@
+"""Pull: what a person saved in ``story.blend`` becomes edits, as one undo, before the file is written anew."""
+
+from __future__ import annotations
+
+from storyblender.edits.blend_changes import changes_of
+from storyblender.edits.dispatcher import Applied, apply_edits
+from storyblender.edits.pulled_edits import edits_of
+from storyblender.memory.base import Frozen
+from storyblender.pipeline.reading_back import changed_files, read_back, take_over
+from storyblender.pipeline.run import Run
+from storyblender.trace import Event
+
+_NEWER = "cannot be read by Blender 4.5; save it there, or in 4.5's format"
+
+
+class Pulled(Frozen):
+    """What came of the story's files that a person had changed."""
+
+    files: tuple[str, ...] = ()
+    """Those that were changed."""
+    understood: tuple[str, ...] = ()
+    """Changes that became edits."""
+    conflicts: tuple[str, ...] = ()
+    """Changes of what was changed in the project as well since the file was compiled; the project's stand."""
+    kept: tuple[str, ...] = ()
+    """Changes that no edit can express; a dated copy of the file has them."""
+    applied: Applied | None = None
+    """The edits; None where there are none, or where they were only asked for."""
+
+
+def pull(run: Run, *, apply: bool = True) -> Pulled:
+    """Read the story's changed files back, and make the edits that a person made in them.
+
+    Args:
+        run: On a made project.
+        apply: Whether the edits are made, and the files count as read then; False only tells them.
+
+    Raises:
+        Rejected: The Gatekeeper refused.
+    """
+    pulled = Pulled()
+    for name in changed_files(run):
+        pulled = _with_file(run, name, pulled, apply=apply)
+    return pulled
+
+
+def _with_file(run: Run, name: str, pulled: Pulled, *, apply: bool) -> Pulled:
+    reading = read_back(run, name)
+    files = (*pulled.files, name)
+    if reading is None or reading.compiled is None:
+        why = _NEWER if reading is None else "was compiled by an early version, which wrote no values into it"
+        if apply:
+            run.copy_aside(name)
+            take_over(run, name)
+        return pulled.model_copy(update={"files": files, "kept": (*pulled.kept, f"{name} {why}")})
+    changes = changes_of(reading)
+    found = edits_of(run.project, changes, reading.compiled.version)
+    applied = pulled.applied
+    if apply:
+        if found.conflicts or found.kept:
+            run.copy_aside(name)
+        if found.edits:
+            applied = apply_edits(run.project, found.edits)
+            run.tell(Event(kind="commit", role="user", subject=name, message=f"pulled: {applied.words}"))
+        for sentence in (
+            *(f"conflict: {each}" for each in found.conflicts),
+            *(f"not taken over: {each}" for each in found.kept),
+        ):
+            run.tell(Event(kind="warning", role=name, message=sentence))
+        take_over(run, name, whole=bool(changes))
+    return Pulled(
+        files=files,
+        understood=(*pulled.understood, *found.understood),
+        conflicts=(*pulled.conflicts, *found.conflicts),
+        kept=(*pulled.kept, *found.kept),
+        applied=applied,
+    )

@@ -1,0 +1,132 @@
+"""What a story's .blend says in values: as it was compiled, and as a person saved it."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from storyblender.memory.base import Frozen
+
+Vector = tuple[float, float, float]
+
+
+class CurveValues(Frozen):
+    """The keys of an action, or of what a strip plays, for one object."""
+
+    keys: int
+    """How many there are, over all channels."""
+    frames: str
+    """Digest of channels and frames."""
+    values: str
+    """Digest of the values."""
+
+
+class StripValues(Frozen):
+    """A strip of an object's motion."""
+
+    name: str
+    """Such as ``SC010_SH020``."""
+    start: float
+    """Frame of the scene's timeline."""
+    end: float
+    """Likewise."""
+    curves: CurveValues
+    """What it plays."""
+
+
+class PoseValues(Frozen):
+    """Where a camera is at a frame."""
+
+    frame: int
+    """Of the scene's timeline."""
+    location: Vector
+    """Metres."""
+    rotation: tuple[float, float, float, float]
+    """World from camera: w, x, y, z of a unit quaternion."""
+    lens: float
+    """mm."""
+
+
+class CameraValues(Frozen):
+    """What is peculiar to a camera."""
+
+    poses: tuple[PoseValues, ...]
+    """At its first and last key; one pose if it rests."""
+    between: tuple[int, ...]
+    """Frames of the keys between."""
+    f_number: float
+    """Of its depth of field."""
+    blurs: bool
+    """Whether that is switched on."""
+
+
+class LampValues(Frozen):
+    """What is peculiar to a lamp."""
+
+    power: float
+    """As Blender has it: watts, or W/m2 of a sun."""
+    color: Vector
+    """Linear RGB."""
+
+
+class NodeValues(Frozen):
+    """One object of a scene; the parts of a person go with their armature."""
+
+    name: str
+    """As it is called in the file."""
+    kind: Literal["character", "prop", "set", "light", "camera", ""]
+    """Empty for what the program did not make."""
+    node_id: str
+    """In the graph."""
+    asset_id: str
+    """In the graph; empty for set pieces, lamps and cameras."""
+    origin: str
+    """Name that it was compiled with; a copy has the same, and what a person added has none."""
+    animated: bool
+    """Whether keys say where it is; its place at rest means nothing then."""
+    location: Vector
+    """Metres, of its origin."""
+    rotation: Vector
+    """Degrees about X, Y and Z, in this order."""
+    scale: Vector
+    """Factors."""
+    strips: tuple[StripValues, ...] = ()
+    """Of its motion."""
+    action: CurveValues | None = None
+    """Its own action above the strips."""
+    camera: CameraValues | None = None
+    """Of a camera."""
+    lamp: LampValues | None = None
+    """Of a lamp."""
+
+
+class SceneValues(Frozen):
+    """A scene of the file."""
+
+    name: str
+    """Such as ``SC010``."""
+    nodes: tuple[NodeValues, ...]
+    """By name."""
+    markers: dict[str, int]
+    """Frame at which each shot begins, by name of the shot."""
+    end: int
+    """Last frame."""
+
+
+class BlendValues(Frozen):
+    """A file of the story."""
+
+    version: str
+    """Of the project that it was compiled from; edits in it were made on that."""
+    scenes: tuple[SceneValues, ...]
+    """By name."""
+    materials: dict[str, Vector]
+    """Base colour by name, linear RGB."""
+
+
+class BlendReading(Frozen):
+    """A file as it is now, beside what it was compiled as."""
+
+    compiled: BlendValues | None
+    """None for a file of an early version, and one whose text block is gone."""
+    saved: BlendValues
+    """As it is in the file."""

@@ -1,0 +1,144 @@
+"""Edits in Blender, saved, pulled, and built again: each is taken over as that edit, and stays."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from storyblender.project import read_project_graph
+from storyblender.settings import Settings
+from storyblender.studio import Studio
+from tests.e2e.conftest import SCRIPT, SMALL, made
+
+pytestmark = [pytest.mark.blender, pytest.mark.slow]
+
+IN_BLENDER = """
+import bpy, sys
+bpy.ops.wm.open_mainfile(filepath=sys.argv[1], use_scripts=False)
+scene = bpy.data.scenes["SC010"]
+objects = sorted(scene.objects, key=lambda obj: obj.name)
+thing = next(obj for obj in objects if str(obj.get("node_id")).startswith("set_") and obj.get("kind") == "prop")
+camera = next(obj for obj in objects if obj.type == "CAMERA" and not obj.animation_data)
+person = next(obj for obj in objects if obj.type == "ARMATURE")
+strip = person.animation_data.nla_tracks[0].strips[0]
+bag = strip.action.layers[0].strips[0].channelbag(strip.action_slot)
+curve = next(curve for curve in bag.fcurves if len(curve.keyframe_points) > 2)
+"""
+
+
+def in_blender(story: Path, code: str) -> None:
+    """Change a file as a person in Blender would, in a process of its own."""
+    text = f"{IN_BLENDER}\n{code}\nbpy.ops.wm.save_mainfile()"
+    subprocess.run([sys.executable, "-c", text, str(story)], check=True, stdout=subprocess.DEVNULL)
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("pulled")
+    (folder / "two_cups.fountain").write_text(SCRIPT, encoding="utf-8")
+    made([folder / "two_cups.fountain", "--out", folder / "two_cups.storyboard", "--no-animatic", *SMALL])
+    return folder / "two_cups.storyboard"
+
+
+def pulled(project: Path) -> Any:
+    with Studio(Settings.load(project=project)).open(project) as session:
+        found = session.pull()
+        if found.applied is not None:
+            session.draw(found.applied)
+        else:
+            session.render()
+        again = session.pull()
+        assert not again.files, "a build after it keeps it, and there is nothing left to pull"
+        return found
+
+
+def saved(project: Path) -> Any:
+    """Return what the compiled file says of the first static thing and camera."""
+    code = """
+import json
+print(json.dumps({"thing": [*thing.location, thing.rotation_euler.z], "size": list(thing.dimensions),
+    "camera": [*camera.location, camera.data.lens, camera.data.dof.aperture_fstop], "name": thing.get("node_id"),
+    "markers": {marker.name: marker.frame for marker in scene.timeline_markers}}), file=sys.stderr)
+"""
+    text = f"{IN_BLENDER}\n{code}"
+    ran = subprocess.run(
+        [sys.executable, "-c", text, str(project / "story.blend")], check=True, capture_output=True, text=True
+    )
+    return json.loads(ran.stderr.splitlines()[-1])
+
+
+def test_a_file_that_was_only_saved_changes_nothing(project: Path) -> None:
+    in_blender(project / "story.blend", "")
+    before = read_project_graph(project)
+    found = pulled(project)
+    assert not (found.understood or found.conflicts or found.kept)
+    assert read_project_graph(project) == before
+
+
+@pytest.mark.parametrize(
+    ("code", "kept"),
+    [
+        ("thing.location.x += 0.3", lambda was, now: abs(now["thing"][0] - was["thing"][0] - 0.3) < 0.002),
+        ("thing.rotation_euler.z += 0.5", lambda was, now: abs(now["thing"][3] - was["thing"][3] - 0.5) < 0.01),
+        ("thing.scale = (1.2,) * 3", lambda was, now: abs(now["size"][2] / was["size"][2] - 1.2) < 0.02),
+        ("camera.location.z += 0.2", lambda was, now: abs(now["camera"][2] - was["camera"][2] - 0.2) < 0.002),
+        ("camera.data.lens += 10", lambda was, now: abs(now["camera"][3] - was["camera"][3] - 10) < 0.1),
+        (
+            "camera.data.dof.use_dof = True; camera.data.dof.aperture_fstop = 1.4",
+            lambda was, now: abs(now["camera"][4] - 1.4) < 0.01,
+        ),
+        (
+            "list(scene.timeline_markers)[1].frame -= 6",
+            lambda was, now: sorted(was["markers"].values())[1] - sorted(now["markers"].values())[1] == 6,
+        ),
+    ],
+)
+def test_an_edit_in_blender_is_pulled_as_that_edit_and_stays(
+    project: Path, code: str, kept: Callable[[Any, Any], bool]
+) -> None:
+    was = saved(project)
+    in_blender(project / "story.blend", code)
+    found = pulled(project)
+    assert len(found.understood) == 1 and not found.kept and not found.conflicts, found
+    assert kept(was, saved(project)), "the file that is built after it has the edit"
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "bpy.ops.mesh.primitive_cube_add(); scene.collection.objects.link(bpy.context.object)"
+        " if bpy.context.object.name not in scene.objects else None",
+        "thing.name = 'Grandmother chair'",
+        "curve.keyframe_points[1].co.y += 0.1",
+        "curve.keyframe_points[1].co.x += 0.4",
+        "strip.frame_start += 2",
+    ],
+)
+def test_what_no_edit_can_say_is_kept_in_a_copy_and_told(project: Path, code: str) -> None:
+    before, copies = read_project_graph(project), set(project.glob("story *.blend"))
+    in_blender(project / "story.blend", code)
+    found = pulled(project)
+    assert found.kept and not found.understood
+    assert read_project_graph(project).scenes == before.scenes
+    assert len(set(project.glob("story *.blend")) - copies) == 1
+
+
+def test_what_was_changed_on_both_sides_is_a_conflict_and_the_project_stands(project: Path) -> None:
+    with Studio(Settings.load(project=project)).open(project) as session:
+        shot = session.graph.cut[0]
+        name = f"SC{shot.scene_id * 10:03d}_SH{shot.shot_id * 10:03d}"
+    in_blender(project / "story.blend", f"scene.objects[{name!r}].data.lens = 77")
+    with Studio(Settings.load(project=project)).open(project) as session:
+        from storyblender.memory.edits import CameraEdit
+
+        session.apply([CameraEdit.model_validate({"kind": "camera", "shot": name, "decision": {"lens": 24}})])
+        found = session.pull(apply=False)
+        assert len(found.conflicts) == 1 and not found.understood
+        session.undo()
+        assert session.pull(apply=False).understood, "undone, there is no conflict any more"
