@@ -15,6 +15,7 @@ from storyblender import (
     cli_lamp,
     cli_mcp,
     cli_pose,
+    cli_propose,
     cli_pull,
     cli_revise,
     cli_shots,
@@ -197,6 +198,7 @@ def render(
 
 cli_edits.add_to(app)
 cli_pose.add_to(app)
+cli_propose.add_to(app)
 cli_lamp.add_to(app)
 app.add_typer(cli_shots.app, name="shot")
 cli_crew.add_to(app)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from storyblender.deliver.contact_sheet import write_contact_sheet
 from storyblender.edits.dispatcher import Applied, apply_edits
 from storyblender.edits.pulling import Pulled, pull
 from storyblender.edits.targets import shots_named
@@ -232,6 +233,18 @@ class Session(OpenProject):
             bring_up_to_date(run)
             names = pictures_of_takes(run, run.graph.shot(found.scene_id, found.shot_id))
             return {number: self.folder / name for number, name in names.items() if run.outputs.whole(name)}
+
+    def keep_sheet(self, name: str, pictures: Mapping[str, Path]) -> str:
+        """Write pictures side by side into the project, and return the file's name.
+
+        Args:
+            name: A JPEG.
+            pictures: By what is written under each; at least one.
+        """
+        with self._call() as run:
+            with run.delivering(name) as part:
+                write_contact_sheet(pictures, part)
+            return name
 
     def why(self, shot: str) -> ShotReasons:
         """Return why a shot is as it is: who decided what, how it was judged, which words it stands on.

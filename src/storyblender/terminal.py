@@ -253,6 +253,16 @@ class Terminal:
             table.add_row(light.name, light.kind.lower(), f"{light.power:g}", at, color)
         self._results.print(table)
 
+    def stagings(self, found: Mapping[int, str]) -> None:
+        """Print the stagings that stand to choose, each with what is elsewhere in it."""
+        self._progress.stop()
+        if self._json:
+            self._write({"stagings": [{"number": number, "moved": words} for number, words in found.items()]})
+        for number, words in found.items():
+            self._results.print(f"[bold]staging {number}[/] {_plain(words)}", soft_wrap=True)
+        if not found:
+            self._results.print("no other staging without a fault was found", soft_wrap=True)
+
     def check(self, report: Inspection) -> None:
         """Print the result of a check."""
         self._progress.stop()

@@ -185,7 +185,6 @@ def test_a_person_is_seated_made_to_look_and_given_a_thing(stage: Page, studio: 
         "option"
     ).evaluate_all("options => options.map((option) => option.value)")
     assert pose.get_by_label("Posture").input_value() == "sit" and pose.get_by_label("Looks").input_value() == "ada"
-    stage.screenshot(path="/tmp/pose_panel.png")
     undo(stage)
     undo(stage)
     assert graph_of(studio) == before, "byte for byte"
@@ -207,6 +206,23 @@ def test_a_camera_is_taken_by_hand(stage: Page, studio: RunningStudio) -> None:
     orbit = camera_at(camera, 0, Film(camera.sensor_width))
     assert np.asarray(orbit.position) == pytest.approx(np.asarray(pose["location"]), abs=1e-3)
     undo(stage)
+
+
+def test_another_staging_is_chosen_among_pictures(stage: Page, studio: RunningStudio) -> None:
+    before = graph_of(studio)
+    stage.get_by_role("button", name="Other stagings").click()
+    dialog = stage.get_by_role("dialog", name="Stagings of")
+    pictures = dialog.locator("img")
+    expect(pictures.first).to_be_visible(timeout=2 * LOADED)
+    assert graph_of(studio) == before, "nothing is changed by looking"
+    assert all(pictures.evaluate_all("all => all.map((each) => each.complete && each.naturalWidth > 100)"))
+    stage.screenshot(path="/tmp/pose_stagings.png")
+    with shown_anew(stage):
+        dialog.get_by_role("button", name="Choose staging").first.click()
+        expect(said(stage)).to_contain_text("staging")
+    assert graph_of(studio).scene(1).layout != before.scene(1).layout
+    undo(stage)
+    assert graph_of(studio) == before, "byte for byte"
 
 
 def test_a_lost_context_comes_back(stage: Page) -> None:

@@ -165,6 +165,12 @@ export interface StageCamera {
   hidden: string[];
 }
 
+export interface StagingCard {
+  number: number;
+  picture: string;
+  moved: string;
+}
+
 export interface Pose {
   posture: string;
   on: string;

@@ -4,6 +4,7 @@ import { LitElement, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import type { Board, Edit, PanelCard, ShotDetails } from "./messages";
 import "./shot_why";
+import "./stagings_choose";
 import type { TakesCompare } from "./takes_compare";
 import "./takes_compare";
 import type { Wire } from "./wire";
@@ -86,6 +87,8 @@ export class ShotInspector extends LitElement {
               <sb-compare .details=${shot} .picture=${card.picture} .aspect=${this.board.aspect} .wire=${this.wire}
                 @edit=${(event: CustomEvent<Edit>) => this.edit(event.detail)}></sb-compare>`
           : nothing}
+        <sb-stagings .shot=${this.shot} .aspect=${this.board.aspect} .wire=${this.wire}
+          @edit=${(event: CustomEvent<Edit>) => this.edit(event.detail)}></sb-stagings>
       </fieldset>
       <p class="buttons">
         <button @click=${() => this.edit({ kind: "approve", shot: this.shot, approved: !shot.approved })}>

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from itertools import groupby
 from pathlib import Path
 
@@ -10,8 +10,9 @@ from storyblender.deliver.page import FILES
 from storyblender.deliver.panel import Panel, cue_of, length_of, panels
 from storyblender.memory.base import scene_name
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.proposing import ProposedStaging
 from storyblender.session import Session
-from storyblender.web_studio.messages import Board, PanelCard, SceneCard
+from storyblender.web_studio.messages import Board, PanelCard, SceneCard, StagingCard
 
 
 def board_of(session: Session, stale: Collection[str], previews: Mapping[str, Path]) -> Board:
@@ -84,3 +85,18 @@ def _cast(graph: ContinuityMemoryGraph) -> dict[str, str]:
 def _film(folder: Path) -> str:
     film = folder / "animatic.mp4"
     return f"/files/{film.name}?v={film.stat().st_mtime_ns}" if film.exists() else ""
+
+
+def staging_cards(found: Sequence[ProposedStaging], shot: str) -> tuple[list[StagingCard], dict[str, Path]]:
+    """Return stagings as the page shows them, and their pictures by the name in their address.
+
+    Args:
+        found: With previews.
+        shot: The shot that is shown.
+    """
+    pictures = {f"{shot}-staging-{each.number}": each.pictures[shot] for each in found}
+    cards = [
+        StagingCard(number=each.number, picture=f"/takes/{name}.png?v={path.stem}", moved=each.words)
+        for each, (name, path) in zip(found, pictures.items(), strict=True)
+    ]
+    return cards, pictures

@@ -17,9 +17,10 @@ from storyblender.errors import InputError, StoryBlenderError
 from storyblender.memory.base import shot_name
 from storyblender.memory.coverage import as_filmed
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.proposing import propose_stagings
 from storyblender.session import Session
 from storyblender.trace import Event
-from storyblender.web_studio.board import board_of
+from storyblender.web_studio.board import board_of, staging_cards
 from storyblender.web_studio.drawer import Drawer
 from storyblender.web_studio.messages import (
     Answer,
@@ -31,6 +32,7 @@ from storyblender.web_studio.messages import (
     News,
     OpenCall,
     PlainCall,
+    ProposeCall,
     ReviseCall,
     ShotCall,
     Stage,
@@ -132,6 +134,8 @@ class Hub:
                 return lambda: asked(call.shot)
             case ReviseCall():
                 return lambda: self._compare(call) if call.call == "compare" else self._revise(call)
+            case ProposeCall():
+                return lambda: self._propose(call)
             case StageCall():
                 return lambda: self._stage(call.shot, call.frame)
             case PlainCall():
@@ -211,6 +215,18 @@ class Hub:
         pictures = self.place.session.takes(panel.name)
         self.takes |= {f"{panel.name}-{number}": path for number, path in pictures.items()}
         return {number: f"/takes/{panel.name}-{number}.png?v={path.stem}" for number, path in pictures.items()}
+
+    def _propose(self, call: ProposeCall) -> list[dict[str, Any]]:
+        """Return other stagings of a shot's scene; nothing is drawn while they are tried."""
+        self._refuse_busy()
+        panel, session = self.place.panel(call.shot), self.place.session
+        self._stop_drawing()
+        try:
+            found = propose_stagings(session, panel.name, call.takes)
+        finally:
+            self._begin_drawing(session)
+        cards, self.takes = staging_cards(found, panel.name)
+        return [card.model_dump() for card in cards]
 
     def _stage(self, name: str, frame: int | None) -> Stage:
         """Return the scene of a shot in 3D; what is being drawn waits."""

@@ -106,6 +106,17 @@ class ReviseCall(_Call):
     """The script itself, if it was dropped into the page."""
 
 
+class ProposeCall(_Call):
+    """Asks for other stagings of the scene of a shot; nothing is changed."""
+
+    call: Literal["propose"]
+    """Which call this is."""
+    shot: _Name
+    """The shot that is to be seen in them."""
+    takes: Annotated[int, Field(ge=1, le=6)] = 3
+    """How many."""
+
+
 class PlainCall(_Call):
     """A call that needs nothing else."""
 
@@ -114,10 +125,21 @@ class PlainCall(_Call):
 
 
 Call = Annotated[
-    OpenCall | MakeCall | ApplyCall | InstructCall | ShotCall | StageCall | ReviseCall | PlainCall,
+    OpenCall | MakeCall | ApplyCall | InstructCall | ShotCall | StageCall | ReviseCall | ProposeCall | PlainCall,
     Field(discriminator="call"),
 ]
 CALLS: TypeAdapter[Call] = TypeAdapter(Call)
+
+
+class StagingCard(Described):
+    """A staging that stands to choose."""
+
+    number: int
+    """What a layout edit calls it."""
+    picture: str
+    """Address of the shot's picture in it."""
+    moved: str
+    """What is elsewhere in it, and how far."""
 
 
 class PanelCard(Described):
