@@ -25,6 +25,7 @@ scene = bpy.data.scenes["SC010"]
 objects = sorted(scene.objects, key=lambda obj: obj.name)
 thing = next(obj for obj in objects if str(obj.get("node_id")).startswith("set_") and obj.get("kind") == "prop")
 camera = next(obj for obj in objects if obj.type == "CAMERA" and not obj.animation_data)
+lamp = next(obj for obj in objects if obj.type == "LIGHT" and not obj["node_id"].startswith("ambient"))
 person = next(obj for obj in objects if obj.type == "ARMATURE")
 strip = person.animation_data.nla_tracks[0].strips[0]
 bag = strip.action.layers[0].strips[0].channelbag(strip.action_slot)
@@ -109,12 +110,45 @@ def test_an_edit_in_blender_is_pulled_as_that_edit_and_stays(
     assert kept(was, saved(project)), "the file that is built after it has the edit"
 
 
+def test_a_lamp_is_dimmed_moved_and_taken_away(project: Path) -> None:
+    in_blender(project / "story.blend", "lamp.data.energy *= 3; lamp.location.z -= 0.4")
+    found = pulled(project)
+    assert len(found.understood) == 1 and not found.kept, found
+    [decision] = [scene.light_decision for scene in read_project_graph(project).scenes if scene.light_decision]
+    [(name, lamp)] = decision.lamps.items()
+    plan = next(each.lighting for each in read_project_graph(project).scenes if each.light_decision)
+    assert plan is not None and lamp is not None
+    assert next(light.power for light in plan.lights if light.name == name) == lamp.power
+    in_blender(project / "story.blend", f"bpy.data.objects.remove(scene.objects['SC010.{name}'])")
+    assert len(pulled(project).understood) == 1
+    plan = next(each.lighting for each in read_project_graph(project).scenes if each.light_decision)
+    assert plan is not None and name not in {light.name for light in plan.lights}
+
+
+def test_a_copy_is_one_more_thing_where_it_stands(project: Path) -> None:
+    code = "copy = thing.copy(); copy.location.x += 1.1; scene.collection.objects.link(copy)"
+    was = saved(project)["thing"]
+    in_blender(project / "story.blend", code)
+    found = pulled(project)
+    assert len(found.understood) == 1 and not found.kept, found
+    added = [asset.asset_id for asset in read_project_graph(project).assets if asset.origin == "user"]
+    items = [item for scene in read_project_graph(project).scenes if scene.layout for item in scene.layout.objects]
+    [item] = [item for item in items if item.asset_id in added]
+    assert abs(item.location[0] - was[0] - 1.1) < 0.01 and abs(item.location[1] - was[1]) < 0.01
+
+
+def test_another_name_is_printed_and_nothing_is_drawn_for_it(project: Path) -> None:
+    in_blender(project / "story.blend", "person.name = 'SC010.The Stranger'")
+    found = pulled(project)
+    assert len(found.understood) == 1 and found.applied is not None and not found.applied.stale, found
+    assert "The Stranger" in {asset.name for asset in read_project_graph(project).assets}
+
+
 @pytest.mark.parametrize(
     "code",
     [
         "bpy.ops.mesh.primitive_cube_add(); scene.collection.objects.link(bpy.context.object)"
         " if bpy.context.object.name not in scene.objects else None",
-        "thing.name = 'Grandmother chair'",
         "curve.keyframe_points[1].co.y += 0.1",
         "curve.keyframe_points[1].co.x += 0.4",
         "strip.frame_start += 2",

@@ -18,6 +18,7 @@ from storyblender.catalog.sets import SETS, plan_of
 from storyblender.edits.effect import (
     Effect,
     name_of,
+    refuse_far,
     refuse_locked,
     refuse_locked_staging,
     scene_effect,
@@ -49,6 +50,8 @@ def asset_effects(graph: ContinuityMemoryGraph, edit: AssetEdit) -> list[Effect]
         assert scene is not None, "the edit is whole"
         return _added(graph, scene, edit)
     asset = _thing(graph, edit.thing or "", scene)
+    if edit.action == "rename":
+        return [_renamed(graph, asset, edit)]
     if asset is not None:
         if edit.action == "replace":
             return _made_from(graph, asset, decision_of(edit.model or ""), edit.model or "")
@@ -126,9 +129,12 @@ def _added(graph: ContinuityMemoryGraph, scene: SceneContext, edit: AssetEdit) -
     )
     asset = Asset(asset_id=asset_id, asset_type="object", name=model, description=model, tags=("prop",), origin="user")
     before = scene.layout_decision or LayoutDecision()
-    decided = before.then(LayoutDecision(added=(*(before.added or ()), asset_id)))
+    places = {asset_id: edit.place} if edit.place is not None else {}
+    decided = before.then(LayoutDecision(added=(*(before.added or ()), asset_id), things=places))
     setup = scene.setup.model_copy(update={"asset_ids": (*scene.setup.asset_ids, asset_id)})
-    words = f"{model} added"
+    words = f"{model} added" if edit.place is None else f"{model} added {edit.place.words}"
+    if edit.place is not None and edit.place.location is not None:
+        refuse_far((*edit.place.location, edit.place.height or 0.0), scene)
     if edit.relation is not None and edit.anchor is not None:
         _refuse_no_anchor(graph, scene, edit.anchor)
         relation = Relation(asset_id=asset_id, kind=edit.relation, anchor_asset_id=edit.anchor)
@@ -138,6 +144,14 @@ def _added(graph: ContinuityMemoryGraph, scene: SceneContext, edit: AssetEdit) -
         Effect(made_from(asset, decision), asset_id, words, frozenset({"asset"})),
         scene_effect(graph, scene, words, "layout", ("layout",), setup=setup, layout_decision=decided),
     ]
+
+
+def _renamed(graph: ContinuityMemoryGraph, asset: Asset | None, edit: AssetEdit) -> Effect:
+    """Return what another name does to a thing or a person of the story: it is printed, and nothing is drawn."""
+    if asset is None:
+        raise InputError(f"there is no thing {edit.thing!r} of the story's own", mend=_names(graph))
+    words = f"is called {edit.name}"
+    return Effect(asset.model_copy(update={"name": edit.name}), asset.asset_id, words, frozenset({"name"}))
 
 
 def _refuse_no_anchor(graph: ContinuityMemoryGraph, scene: SceneContext, anchor: str) -> None:

@@ -31,7 +31,8 @@ _FIELDS: Final[dict[str, dict[str, str]]] = {
         "environment": "set", "set_decision": "set", "omitted": "cut", "shot_order": "cut",
     },
     "head": {"scene_order": "cut"},
-    "assets": {"look": "asset", "dimension": "asset", "canonical": "asset", "decision": "asset", "locked": "asset"},
+    "assets": {"look": "asset", "dimension": "asset", "canonical": "asset", "decision": "asset", "locked": "asset",
+               "name": "name"},
 }  # fmt: skip
 """Which field of an item is which aspect. What the crew derives from them, such as lamps or marks, is none."""
 

@@ -14,7 +14,7 @@ from storyblender.memory.edits import Edit
 from storyblender.memory.history import replace, without
 from storyblender.project import Project
 
-PRINTED: Final = frozenset({"notes", "approval", "cut"})
+PRINTED: Final = frozenset({"notes", "approval", "cut", "name"})
 """Aspects that the deliverables show without a new frame."""
 _NAMED = 4
 """Most items whose names a sentence lists."""

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
+from storyblender.catalog.props import PROPS
+from storyblender.catalog.props.prop_names import prop_of
 from storyblender.edits.blend_changes import BlendChange
 from storyblender.edits.conflicts import refuse_stale
 from storyblender.edits.families import effects_of
 from storyblender.errors import InputError, StaleEdit
 from storyblender.memory.base import Frozen, scene_name
-from storyblender.memory.blend_values import NodeValues, PoseValues
+from storyblender.memory.blend_values import NodeValues, PoseValues, Vector
 from storyblender.memory.camera_decision import CameraDecision, CameraPosition, FreeCamera
-from storyblender.memory.edits import AssetEdit, CameraEdit, DurationEdit, Edit, PlaceEdit
+from storyblender.memory.edits import AssetEdit, CameraEdit, DurationEdit, Edit, LightEdit, PlaceEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace, without
-from storyblender.memory.scene_context import LayoutObject
-from storyblender.memory.scene_decision import ThingPlace
+from storyblender.memory.scene_context import LayoutObject, Light
+from storyblender.memory.scene_decision import LampDecision, LightDecision, ThingPlace
 from storyblender.project import Project
 
 
@@ -69,7 +72,7 @@ def _merged(changes: Sequence[BlendChange]) -> list[BlendChange]:
     """Return the changes with those of one object's place and size as one, because one edit makes them."""
     found: dict[object, BlendChange] = {}
     for number, change in enumerate(changes):
-        placed = change.kind in ("moved", "turned", "scaled")
+        placed = change.kind in ("moved", "turned", "scaled", "lamp")
         key = (change.scene, change.subject) if placed else number
         before = found.get(key)
         words = f"{before.words}, {change.words.partition(' ')[2]}" if before else change.words
@@ -83,9 +86,16 @@ def _edits(graph: ContinuityMemoryGraph, change: BlendChange) -> list[Edit]:
     match change.kind:
         case "moved" | "turned" | "scaled" if before is not None and after is not None and before.kind == "prop":
             return _placed(graph, change.scene, before, after)
+        case "moved" | "turned" | "lamp" if before is not None and after is not None and before.kind == "light":
+            return _lit(graph, change.scene, before, after)
         case "deleted" if before is not None and before.kind == "prop":
-            named = before.asset_id if before.asset_id == before.node_id else before.node_id
-            return [AssetEdit(action="remove", thing=named, scene=change.scene)]
+            return [AssetEdit(action="remove", thing=before.node_id, scene=change.scene)]
+        case "deleted" if before is not None and _lamp(graph, change.scene, before.node_id) is not None:
+            return [LightEdit(scene=change.scene, decision=LightDecision(lamps={before.node_id: None}))]
+        case "duplicated" if before is not None and after is not None and before.kind == "prop":
+            return _copied(graph, change.scene, before, after)
+        case "renamed" if before is not None and after is not None and before.kind in ("prop", "character"):
+            return _renamed(graph, change.scene, before, after)
         case "camera" | "lens" if after is not None:
             return _filmed(change.subject, after, lens_only=change.kind == "lens")
         case "aperture" if after is not None and after.camera is not None:
@@ -114,6 +124,58 @@ def _placed(graph: ContinuityMemoryGraph, scene: str, before: NodeValues, after:
         place = place.model_copy(update={"rotation": round((item.rotation[2] + turned) % 360.0, 3)})
     scale = factor if factor != 1.0 else None
     return [PlaceEdit(scene=scene, thing=before.node_id, place=place, scale=scale)]
+
+
+def _copied(graph: ContinuityMemoryGraph, scene: str, before: NodeValues, after: NodeValues) -> list[Edit]:
+    """Return the edit that adds one more of a thing of the library where its copy stands."""
+    item, prop = _laid_out(graph, scene, before.node_id), prop_of(graph.asset(before.asset_id))
+    if item is None or prop not in PROPS or before.scale != after.scale:
+        return []
+    x, y, z = (round(a + c - b, 4) for a, b, c in zip(item.location, before.location, after.location, strict=True))
+    turned = round((item.rotation[2] + after.rotation[2] - before.rotation[2]) % 360.0, 3)
+    place = ThingPlace(location=(x, y), height=z, rotation=turned)
+    return [AssetEdit(action="add", scene=scene, model=prop, place=place)]
+
+
+def _renamed(graph: ContinuityMemoryGraph, scene: str, before: NodeValues, after: NodeValues) -> list[Edit]:
+    """Return the edit that gives a thing or a person of the story another name; furniture has none of its own."""
+    name = after.name.removeprefix(f"{scene}.")[:64]
+    own = graph.asset(before.asset_id).origin != "dressing"
+    return [AssetEdit(action="rename", thing=before.asset_id, name=name)] if own and name else []
+
+
+def _lit(graph: ContinuityMemoryGraph, scene: str, before: NodeValues, after: NodeValues) -> list[Edit]:
+    """Return the edit that makes a lamp of the scene's plan what it is in the file; none for a lamp of one shot."""
+    lamp = _lamp(graph, scene, before.node_id)
+    if lamp is None or before.lamp is None or after.lamp is None:
+        return []
+    decided = LampDecision()
+    if before.lamp.power and after.lamp.power != before.lamp.power:
+        # The file has the lamps as the meter set them; what counts is how much brighter this one is.
+        decided = decided.model_copy(update={"power": round(lamp.power * after.lamp.power / before.lamp.power, 4)})
+    if after.lamp.color != before.lamp.color:
+        decided = decided.model_copy(update={"color": after.lamp.color})
+    if (before.location, before.rotation) != (after.location, after.rotation):
+        away = math.dist(lamp.location, lamp.target) or 1.0
+        aimed = zip(after.location, _looking(after.rotation), strict=True)
+        target = tuple(round(at + away * toward, 4) for at, toward in aimed)
+        decided = decided.model_copy(update={"location": after.location, "target": target})
+    return [LightEdit(scene=scene, decision=LightDecision(lamps={before.node_id: decided}))]
+
+
+def _looking(rotation: Vector) -> Vector:
+    """Return where a lamp shines that is turned by some degrees about X, Y and Z: along its own -Z."""
+    x, y, z = map(math.radians, rotation)
+    return (
+        -(math.cos(z) * math.sin(y) * math.cos(x) + math.sin(z) * math.sin(x)),
+        -(math.sin(z) * math.sin(y) * math.cos(x) - math.cos(z) * math.sin(x)),
+        -math.cos(y) * math.cos(x),
+    )
+
+
+def _lamp(graph: ContinuityMemoryGraph, scene: str, name: str) -> Light | None:
+    plan = next((each.lighting for each in graph.scenes if scene_name(each.scene_id) == scene), None)
+    return next((light for light in plan.lights if light.name == name), None) if plan is not None else None
 
 
 def _laid_out(graph: ContinuityMemoryGraph, scene: str, node_id: str) -> LayoutObject | None:

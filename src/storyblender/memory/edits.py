@@ -142,11 +142,11 @@ class BlockingEdit(Described):
 
 
 class AssetEdit(Described):
-    """Replaces, adds or takes away a thing."""
+    """Replaces, adds, takes away or renames a thing."""
 
     kind: Literal["asset"] = "asset"
     """Which edit this is."""
-    action: Literal["replace", "add", "remove"] = "replace"
+    action: Literal["replace", "add", "remove", "rename"] = "replace"
     """What is done."""
     thing: _Name | None = None
     """What is replaced or taken away: the id or name of a thing, or what a piece of furniture is, such as sofa."""
@@ -158,12 +158,21 @@ class AssetEdit(Described):
     """Where what is added stands at its ``anchor``: next_to, on, behind ...; the crew chooses if left out."""
     anchor: Identifier | None = Field(default=None, exclude_if=is_none)
     """With ``relation``: the id of a thing, or a part of the set: ``window``, ``door``, ``back_wall``."""
+    place: ThingPlace | None = Field(default=None, exclude_if=is_none)
+    """Where what is added stands to the millimetre, in place of a relation."""
+    name: _Name | None = Field(default=None, exclude_if=is_none)
+    """What a thing of the story is called from now on, on board and lists; its id stays."""
 
     @model_validator(mode="after")
     def _is_whole(self) -> Self:
         if (self.relation is None) != (self.anchor is None) or (self.anchor is not None and self.action != "add"):
             raise ValueError("a place takes a relation and an anchor, and is that of a thing that is added")
-        wanted = {"replace": ("thing", "model"), "add": ("scene", "model"), "remove": ("thing", "scene")}[self.action]
+        if self.place is not None and (self.action != "add" or self.anchor is not None):
+            raise ValueError("a thing that is added has a place, or a relation to an anchor")
+        wanted = {
+            "replace": ("thing", "model"), "add": ("scene", "model"), "remove": ("thing", "scene"),
+            "rename": ("thing", "name"),
+        }[self.action]  # fmt: skip
         for name in wanted:
             if getattr(self, name) is None:
                 raise ValueError(f"to {self.action} a thing takes a {name}")
