@@ -186,12 +186,19 @@ class PersonPlace(FloorPlace):
     def words(self) -> str:
         """As of a floor place, and the rest: ``sitting on sofa, looking at ilsa, holding letter``."""
         posed = f"{_POSTURES[self.posture]}{f' on {self.on}' if self.on else ''}" if self.posture is not None else ""
-        looks = f"looking {'' if self.looking_at in _WAYS else 'at '}{self.looking_at}" if self.looking_at else ""
+        looks = f"looking {_WAYS.get(self.looking_at, f'at {self.looking_at}')}" if self.looking_at else ""
         holds = "" if self.holding is None else f"holding {', '.join(self.holding) or 'nothing'}"
         return ", ".join(filter(None, [super().words, posed, looks, holds]))
 
 
-_WAYS = ("left", "right", "up", "down")
+_WAYS = {
+    "left": "left",
+    "right": "right",
+    "up": "up",
+    "down": "down",
+    "camera": "to the camera",
+    "closed": "at nothing",
+}
 
 
 class PersonMarks(Described):

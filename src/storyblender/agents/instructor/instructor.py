@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from storyblender.agents.instructor.address import address_of
 from storyblender.agents.instructor.mentions import Mentions, Present
 from storyblender.agents.instructor.parsing import Phrase, read_sentences
+from storyblender.agents.instructor.person_phrases import edits_of_person
 from storyblender.agents.instructor.phrases import CameraWords, problem_of
 from storyblender.agents.instructor.scene_faults import scene_faults
 from storyblender.agents.instructor.scene_phrases import edits_of_scene
@@ -198,9 +199,17 @@ class _Phrases:
             if whole := edits_of_shot(words, shot.name, shot.frames / self._view.fps):
                 yield shot.name, whole
                 continue
+            present = Present(shot.on_stage, self._view.genders)
+            if posed := edits_of_person(words, shot.name, self._mentions, present, self._furniture(shot.name)):
+                yield shot.name, posed
+                continue
             said = camera.read(words)
             edits: list[Edit] = [CameraEdit(shot=shot.name, decision=said)] if isinstance(said, CameraDecision) else []
             yield shot.name, said if isinstance(said, str) else edits
+
+    def _furniture(self, shot: str) -> Mapping[str, str]:
+        """Return the catalogue key of each piece of furniture of a shot's scene, by node id."""
+        return next((scene.furniture for scene in self._view.scenes if shot.startswith(f"{scene.name}_")), {})
 
     def _together(self, words: str, meant: Sequence[tuple[str, list[Edit] | str]]) -> Phrase | None:
         """Return what words mean for all; if one of those that were named cannot, that is a problem."""

@@ -34,6 +34,8 @@ _REMOVE: Final = re.compile(
     rf"(?:remove|delete|lose|take away|take out|clear away|get rid of|without|no) {THE}(?P<thing>.+)"
     rf"|take {THE}(?P<taken>.+) (?:away|out)"
 )
+_SENTENCE: Final = re.compile(r"\b(?:holds?|looks?|sits?|lies?|leans?|stands?) (?:on |at |against |in )?the\b")
+"""Words that say what a person does with a thing, and are no name of one."""
 _ADD: Final = re.compile(
     r"(?:(?P<verb>add|put in|put|bring in|with|place|stand|there (?:is|should be)) )?(?:an?|another|one|some)"
     r" (?P<what>.+?)(?: (?:in|into|to) (?:the )?(?:room|scene|set|picture))?"
@@ -68,6 +70,8 @@ def edits_of_things(words: str, scene: SceneNow) -> list[Edit] | str:
         return _coloured(match["thing"], match["colours"], scene)
     if match := _REMOVE.fullmatch(words):
         name = match["thing"] or match["taken"]
+        if _SENTENCE.search(name):
+            return []
         thing = _there(name, scene)
         problem = _no_such(thing, name, scene)
         return problem or ([AssetEdit(action="remove", thing=thing, scene=scene.name)] if thing else [])

@@ -21,7 +21,8 @@ from storyblender.agents.instructor.instructor import (
 )
 from storyblender.errors import InputError
 from storyblender.memory.camera_decision import CameraInstruction
-from storyblender.memory.edits import CameraEdit, DurationEdit, Edit, LightEdit, SetEdit
+from storyblender.memory.edits import BlockingEdit, CameraEdit, DurationEdit, Edit, LightEdit, SetEdit
+from storyblender.memory.scene_decision import BlockingDecision
 
 PAGE = (Path(__file__).parents[4] / "docs" / "edits.md").read_text("utf-8").split("\n## In words")[1].split("\n## ")[0]
 NAMES = {"rick": "Rick Blaine", "ilsa": "Ilsa Lund", "letter": "letter"}
@@ -57,6 +58,8 @@ def told(edit: Edit) -> str:
             return edit.decision.words
         case LightEdit() | SetEdit():
             return f"{edit.kind}: {edit.decision.words}"
+        case BlockingEdit():
+            return BlockingDecision(people={edit.person: edit.marks}).words
         case DurationEdit():
             return f"{edit.seconds:g} seconds"
     said = edit.model_dump(mode="json", exclude_defaults=True, exclude={"kind", "shot", "scene", "target"})
