@@ -1,4 +1,4 @@
-"""``storyblender pose``: how a person stands or sits in a shot, what they look at and hold."""
+"""``storyblender pose`` and ``motion``: how a person is in a shot, what they look at and hold, and what they do."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from storyblender.shell import shown
 
 
 def add_to(app: typer.Typer) -> None:
-    """Add the command to the command line."""
+    """Add the commands to the command line."""
     app.command(
         epilog=examples(
             "pose my_film.storyboard SC010_SH020 rick --posture sit --on sofa",
@@ -20,6 +20,13 @@ def add_to(app: typer.Typer) -> None:
             "pose my_film.storyboard SC010_SH020 ilsa --posture stand --empty-hands",
         )
     )(pose)
+    app.command(
+        epilog=examples(
+            "motion my_film.storyboard SC010_SH020 rick wave --to ilsa --at 1.5",
+            "motion my_film.storyboard SC010_SH020 rick walk --at 0.5",
+            "motion my_film.storyboard SC010_SH020 rick nod --remove",
+        )
+    )(motion)
 
 
 def pose(
@@ -60,6 +67,40 @@ def pose(
         settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
         studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
         applied, delivery = studio.edit(folder, [edit], revision, draw=draw)
+        terminal.applied(applied)
+        if delivery is not None:
+            terminal.files(delivery.folder, delivery.files)
+
+
+def motion(
+    context: typer.Context,
+    folder: Folder,
+    shot: Annotated[str, typer.Argument(metavar="SHOT", help="Such as SC010_SH020.", show_default=False)],
+    person: Annotated[str, typer.Argument(metavar="PERSON", help="Who does it.", show_default=False)],
+    what: Annotated[str, typer.Argument(metavar="MOTION", help="As `catalog motions` lists them.", show_default=False)],
+    at: Annotated[float | None, typer.Option(help="Second of the shot from which it begins.")] = None,
+    seconds: Annotated[float | None, typer.Option(help="Its length, of motions that can have another one.")] = None,
+    to: Annotated[str | None, typer.Option(help="The person or thing that it is aimed at.")] = None,
+    prop: Annotated[str | None, typer.Option("--with", help="The thing in hand.")] = None,
+    remove: Annotated[bool, typer.Option("--remove", help="They do not do it.")] = False,
+    draw: Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")] = True,
+    look: LookOption = None,
+    jobs: Jobs = None,
+    quiet: Quiet = False,
+    json_lines: Json = False,
+) -> None:
+    """Add a motion to a shot, give one another time, or take it away; walks and turns that it needs come by themselves.
+
+    `unlock SHOT --part blocking` gives it back to the crew; `undo` takes it back.
+    """
+    with shown(quiet, json_lines) as terminal:
+        from storyblender.edits.words import motion_edit
+
+        said = {"at": at, "seconds": seconds, "target": to, "prop": prop}
+        edit = motion_edit(shot, person, what, said, remove=remove)
+        settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
+        studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
+        applied, delivery = studio.edit(folder, [edit], draw=draw)
         terminal.applied(applied)
         if delivery is not None:
             terminal.files(delivery.folder, delivery.files)

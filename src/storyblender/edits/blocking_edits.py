@@ -10,6 +10,7 @@ from storyblender.agents.visual_effects_artist.floor import BODY, Floor
 from storyblender.agents.visual_effects_artist.marks_by_hand import ON_FLOOR
 from storyblender.catalog.sets import plan_of
 from storyblender.edits.effect import Effect, name_of, refuse_far, refuse_locked, shot_names
+from storyblender.edits.moving import as_moved, merged_motions
 from storyblender.edits.posing import as_posed
 from storyblender.edits.targets import person_or_thing, shots_named
 from storyblender.errors import InputError
@@ -48,16 +49,15 @@ def blocking_effects(graph: ContinuityMemoryGraph, edit: BlockingEdit) -> list[E
         there = ", ".join(each.start.asset_id for each in shot.blocking)
         mend = f"there are: {there}" if there else "run `storyblender render` first" if shot.on_stage else "nobody is"
         raise InputError(f"{person} is not on stage in {name}", mend=mend)
-    marks = PersonMarks(
-        **{
-            when: as_posed(graph, scene, person, _on_floor(place, scene))
-            for when, place in edit.marks
-            if place is not None
-        }
+    start, end = (
+        None if place is None else as_posed(graph, scene, person, _on_floor(place, scene))
+        for place in (edit.marks.start, edit.marks.end)
     )
+    marks = PersonMarks(start=start, end=end, motions=as_moved(graph, shot, person, edit.marks.motions))
     decided = shot.blocking_decision or BlockingDecision()
     before = decided.people.get(person, PersonMarks())
-    whole = PersonMarks(start=_over(before.start, marks.start), end=_over(before.end, marks.end))
+    motions = merged_motions(before.motions, marks.motions)
+    whole = PersonMarks(start=_over(before.start, marks.start), end=_over(before.end, marks.end), motions=motions)
     _refuse_seated(name, own.start, whole.start, marks.start)
     _refuse_given_twice(decided, person, whole)
     decided = decided.then(BlockingDecision(people={person: whole}))

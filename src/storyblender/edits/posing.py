@@ -41,9 +41,9 @@ def as_posed(graph: ContinuityMemoryGraph, scene: SceneContext, person: str, pla
         floor = Floor(layout, graph.assets_of(scene.scene_id), plan_of(environment))
         update["on"] = _support(floor, _node(graph, scene, layout, place.on), str(place.posture))
     if place.looking_at is not None and place.looking_at not in WAYS:
-        update["looking_at"] = _looked_at(graph, scene, layout, person, place.looking_at)
+        update["looking_at"] = looked_at(graph, scene, person, place.looking_at)
     if place.holding is not None:
-        update["holding"] = tuple(dict.fromkeys(_held(graph, scene, each) for each in place.holding))
+        update["holding"] = tuple(dict.fromkeys(held_thing(graph, scene, each) for each in place.holding))
     return place.model_copy(update=update)
 
 
@@ -112,8 +112,21 @@ def _node(graph: ContinuityMemoryGraph, scene: SceneContext, layout: Layout, nam
     return found[0]
 
 
-def _looked_at(graph: ContinuityMemoryGraph, scene: SceneContext, layout: Layout, person: str, name: str) -> str:
-    """Return the id of a person or a thing to look at. Raises InputError."""
+def looked_at(graph: ContinuityMemoryGraph, scene: SceneContext, person: str, name: str) -> str:
+    """Return the id of a person or a thing that another person looks at, or does something to.
+
+    Args:
+        graph: The story.
+        scene: Where they are.
+        person: Who looks; asset id.
+        name: Of what they look at: an id or a name.
+
+    Raises:
+        InputError: There is none, or it is themselves.
+    """
+    layout = scene.layout
+    if layout is None:
+        raise InputError(f"{name_of(scene)} is not staged yet", mend="run `storyblender render` first")
     own = _asset(graph, scene, name)
     if own is not None and own.asset_id == person:
         raise InputError(f"{person} cannot look at themselves", mend="name another one, or a direction: left, camera")
@@ -123,8 +136,17 @@ def _looked_at(graph: ContinuityMemoryGraph, scene: SceneContext, layout: Layout
     return nodes.get(own.asset_id, own.asset_id) if own is not None else _node(graph, scene, layout, name)
 
 
-def _held(graph: ContinuityMemoryGraph, scene: SceneContext, name: str) -> str:
-    """Return the id of a thing of the story that a hand can hold. Raises InputError."""
+def held_thing(graph: ContinuityMemoryGraph, scene: SceneContext, name: str) -> str:
+    """Return the id of a thing of the story that a hand can hold.
+
+    Args:
+        graph: The story.
+        scene: Where it is.
+        name: Its id or name.
+
+    Raises:
+        InputError: There is none, or it is too large.
+    """
     own = _asset(graph, scene, name)
     if own is None or own.asset_type != "object":
         raise _unknown(name, scene, [asset.asset_id for asset in graph.own_objects_of(scene.scene_id)])

@@ -143,6 +143,26 @@ def pose_edit(shot: str, person: str, pose: Mapping[str, object], *, at_end: boo
     return edit
 
 
+def motion_edit(shot: str, person: str, motion: str, said: Mapping[str, object], *, remove: bool = False) -> Edit:
+    """Read what a person says about a motion in a shot.
+
+    Args:
+        shot: Such as ``SC010_SH020``.
+        person: Their id or name.
+        motion: Key or words of the motion: ``wave``.
+        said: Fields of ``DecidedMotion``; None says nothing.
+        remove: Whether they do not do it.
+
+    Raises:
+        InputError: A number cannot be.
+    """
+    given = {name: value for name, value in said.items() if value is not None}
+    given |= {name: as_id(str(given[name])) for name in ("target", "prop") if name in given}
+    marks = {"motions": {as_id(motion): None if remove else given}}
+    [edit] = edits_of([{"kind": "blocking", "shot": shot, "person": person, "marks": marks}])
+    return edit
+
+
 def lamp_edit(scene: str, lamp: str, said: Mapping[str, float | str | None], *, remove: bool = False) -> Edit:
     """Read what a person says about a lamp of a scene.
 

@@ -136,8 +136,8 @@ class BlockingEdit(Described):
 
     @model_validator(mode="after")
     def _says_something(self) -> Self:
-        if not any(place is not None and place.words for place in (self.marks.start, self.marks.end)):
-            raise ValueError("a mark has a location, a rotation, a posture, a look or things held, at start or end")
+        if not self.marks.says_something:
+            raise ValueError("a mark has a location, a rotation, a posture, a look or things held, or a motion")
         return self
 
 

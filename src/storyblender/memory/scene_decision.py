@@ -201,6 +201,26 @@ _WAYS = {
 }
 
 
+class DecidedMotion(_Decision):
+    """What a person decided about a motion of a shot; what is left out is the crew's."""
+
+    at: Annotated[float, Field(ge=0, le=3600)] | None = None
+    """Second of the shot from which it begins, once the person is free for it."""
+    seconds: Annotated[float, Field(gt=0, le=600)] | None = None
+    """Its length, of motions that can have another one."""
+    target: Identifier | None = None
+    """Of a motion that is added: the person or the thing that it is aimed at."""
+    prop: Identifier | None = None
+    """Of a motion that is added: the thing in hand."""
+
+    @property
+    def words(self) -> str:
+        """The decision as a person reads it, e.g. ``at 1.5 s, for 2 s, to ilsa``."""
+        said = {"at": f"at {self.at} s", "seconds": f"for {self.seconds} s"}
+        said |= {"target": f"to {self.target}", "prop": f"with {self.prop}"}
+        return ", ".join(words for name, words in said.items() if getattr(self, name) is not None)
+
+
 class PersonMarks(Described):
     """The marks of one person in one shot that a person set."""
 
@@ -208,6 +228,13 @@ class PersonMarks(Described):
     """As the shot begins; left out, where they were."""
     end: PersonPlace | None = None
     """As it ends; a person who is elsewhere walks there. Left out, where their actions lead them."""
+    motions: dict[Identifier, DecidedMotion | None] = Field(default={}, exclude_if=lambda value: not value)
+    """What they do, by key of the motion; None: they do not; one that the script has not is added."""
+
+    @property
+    def says_something(self) -> bool:
+        """Whether anything is decided."""
+        return bool(self.motions) or any(place is not None and place.words for place in (self.start, self.end))
 
 
 class BlockingDecision(_Decision):
@@ -225,7 +252,14 @@ class BlockingDecision(_Decision):
             for verb, place in (("starts", marks.start), ("ends", marks.end))
             if place is not None
         )
-        return ", ".join(ends)
+        does = (
+            f"{name} does not {key.replace('_', ' ')}"
+            if motion is None
+            else ", ".join(filter(None, [f"{name} does {key.replace('_', ' ')}", motion.words]))
+            for name, marks in self.people.items()
+            for key, motion in marks.motions.items()
+        )
+        return ", ".join((*ends, *does))
 
 
 class LayoutDecision(_Decision):

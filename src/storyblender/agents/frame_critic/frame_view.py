@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from storyblender.agents.layout_artist.story_moment import board_frame, cue_span, cues_of
+from storyblender.agents.visual_effects_artist.motions_by_hand import is_left_out
 from storyblender.catalog.motions import MOTIONS
 from storyblender.look.picture_measure import PictureMeasure
 from storyblender.memory.asset_sheet import Asset
@@ -64,7 +65,12 @@ class FrameView:
 
 def actions_to_see(shot: ShotContext) -> list[CharacterAction]:
     """Return the actions of a shot that must be visible: neither waiting nor talk."""
-    return [action for action in shot.character_actions if action.motion not in (*_WAITING, *_SPEAKING)]
+    decided = shot.blocking_decision.people if shot.blocking_decision is not None else {}
+    return [
+        action
+        for action in shot.character_actions
+        if action.motion not in (*_WAITING, *_SPEAKING) and not is_left_out(action, decided)
+    ]
 
 
 def actions_not_shown(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> list[CharacterAction]:

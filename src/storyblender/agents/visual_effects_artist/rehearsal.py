@@ -16,6 +16,13 @@ from storyblender.agents.visual_effects_artist.fallen_props import FallenProps
 from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.agents.visual_effects_artist.left_props import held_props, lay_left_props
 from storyblender.agents.visual_effects_artist.marks_by_hand import end_on_mark, missed_marks, take_set_starts
+from storyblender.agents.visual_effects_artist.motions_by_hand import (
+    do_added,
+    is_left_out,
+    missed_motions,
+    second_of,
+    stretch,
+)
 from storyblender.agents.visual_effects_artist.person import StagedPerson
 from storyblender.agents.visual_effects_artist.poses_by_hand import (
     end_as_decided,
@@ -156,21 +163,24 @@ class Rehearsal:
         began = sheet.clock
         for number, action in enumerate(shot.character_actions):
             person = stage.people.get(action.asset_id)
-            if person is None or not person.present:
+            if person is None or not person.present or is_left_out(action, decided):
                 continue
             if number and _is_same_action(action, shot.character_actions[number - 1]):
                 sheet.clock = began + GROUP_DELAY
             latest = sheet.clock
             if number in directions.together:
                 sheet.clock = began
+            if (at := second_of(action, decided)) is not None:
+                sheet.clock = at
             began, person.goal = sheet.clock, directions.goals.get(number)
             if action.motion in SPOKEN:
                 speeches.add_speech(action, person, seconds.get(number, 2.0), cast)
             else:
                 actions.add_action(action, person, shot.character_actions[number + 1 :])
-            if number in directions.together:
+            if number in directions.together or at is not None:
                 sheet.clock = max(sheet.clock, latest)
             person.goal = None
+        do_added(sheet, stage, ends, decided, shot.character_actions)
         for asset_id, marks in decided.items():
             person = stage.people.get(asset_id)
             if person is not None and person.present and marks.end is not None:
@@ -179,12 +189,17 @@ class Rehearsal:
         speeches.add_idle_looks(shot, cast)
         PostureCues(stage, sheet).add_posture_cues(shot)
         keep_looking(sheet, stage, decided)
+        stretch(sheet, decided)
         duration = shot.duration
         if "duration" not in shot.locked and shot.decided_duration is None:
             needed = math.ceil((max((person.busy for person in cast), default=0.0) + 0.25) * self.fps)
             duration = min(max(duration, needed), math.ceil(sheet.hard_limit * self.fps))
         blocking = tuple(Blocking(start=sheet.starts[person.asset_id], end=person.mark()) for person in cast)
-        missed = (*missed_marks(decided, blocking), *missed_poses(decided, blocking))
+        missed = (
+            *missed_marks(decided, blocking),
+            *missed_poses(decided, blocking),
+            *missed_motions(sheet, decided),
+        )
         stage.end_shot(stay)
         going_on = extend_lasting_cues(sheet.cues, duration)
         beasts, places = self.animals.play(shot, self.fps, duration)

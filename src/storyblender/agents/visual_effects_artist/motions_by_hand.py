@@ -1,0 +1,100 @@
+"""Motions that a person added, moved in time or took away: they lie over what the script has people do."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from storyblender.agents.visual_effects_artist.actions import Actions
+from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
+from storyblender.agents.visual_effects_artist.stage_state import StageState
+from storyblender.catalog.motions import MOTIONS
+from storyblender.memory.scene_decision import PersonMarks
+from storyblender.memory.shot_context import BodyState, CharacterAction, Flaw
+
+_LATE = 2.0
+"""Seconds after the one that was asked for, in which the person turns to what a motion is aimed at."""
+
+
+def is_left_out(action: CharacterAction, marks: Mapping[str, PersonMarks]) -> bool:
+    """Return whether a person took an action away.
+
+    Args:
+        action: Of the script.
+        marks: What was decided, by asset id.
+    """
+    own = marks.get(action.asset_id, PersonMarks()).motions
+    return action.motion in own and own[action.motion] is None
+
+
+def second_of(action: CharacterAction, marks: Mapping[str, PersonMarks]) -> float | None:
+    """Return the second of the shot from which an action is to begin; None where the crew decides.
+
+    Args:
+        action: Of the script.
+        marks: What was decided, by asset id.
+    """
+    told = marks.get(action.asset_id, PersonMarks()).motions.get(action.motion)
+    return told.at if told is not None else None
+
+
+def do_added(
+    sheet: CueSheet,
+    stage: StageState,
+    ends: Mapping[str, BodyState],
+    marks: Mapping[str, PersonMarks],
+    scripted: Sequence[CharacterAction],
+) -> None:
+    """Write the motions that the script does not have, each from its second on, or after what the person does.
+
+    Args:
+        sheet: The cues of the shot; changed.
+        stage: The people after their actions; changed.
+        ends: How the script has people at the end of the shot, by asset id.
+        marks: What was decided, by asset id.
+        scripted: The actions of the shot.
+    """
+    actions, there = Actions(stage, sheet, ends), {(each.asset_id, each.motion) for each in scripted}
+    for asset_id, mark in marks.items():
+        person = stage.people.get(asset_id)
+        if person is None or not person.present:
+            continue
+        for key, motion in mark.motions.items():
+            if motion is None or (asset_id, key) in there:
+                continue
+            latest = sheet.clock
+            sheet.clock = latest if motion.at is None else motion.at
+            said = {"asset_id": asset_id, "action_description": MOTIONS[key].name, "motion": key}
+            action = CharacterAction.model_validate({**said, "target_id": motion.target, "prop_id": motion.prop})
+            actions.add_action(action, person, ())
+            sheet.clock = max(sheet.clock, latest)
+
+
+def stretch(sheet: CueSheet, marks: Mapping[str, PersonMarks]) -> None:
+    """Give motions the length that was decided, where they can have another one.
+
+    Args:
+        sheet: The cues of the shot; changed.
+        marks: What was decided, by asset id.
+    """
+    for index, cue in enumerate(sheet.cues):
+        told = marks.get(cue.asset_id, PersonMarks()).motions.get(cue.clip)
+        if told is not None and told.seconds is not None and MOTIONS[cue.clip].stretches:
+            frames = max(1, round(told.seconds * sheet.fps))
+            sheet.cues[index] = cue.model_copy(update={"duration": frames})
+
+
+def missed_motions(sheet: CueSheet, marks: Mapping[str, PersonMarks]) -> Iterator[Flaw]:
+    """Yield a flaw for each motion that was asked for and nobody does, or that begins later than asked.
+
+    Args:
+        sheet: The cues of the shot.
+        marks: What was decided, by asset id.
+    """
+    for asset_id, mark in marks.items():
+        for key, motion in mark.motions.items():
+            begins = [cue.start / sheet.fps for cue in sheet.cues if (cue.asset_id, cue.clip) == (asset_id, key)]
+            if motion is None or (begins and (motion.at is None or min(begins) <= motion.at + _LATE)):
+                continue
+            late = f" before {min(begins):.1f} s" if begins else ""
+            message = f"{asset_id} does not {MOTIONS[key].name}{late}, as a person decided"
+            yield Flaw(kind="mark", subject=asset_id, weight=1.0, message=message)
