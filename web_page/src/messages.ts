@@ -148,6 +148,28 @@ export interface ScriptChanges {
   scenes: number;
 }
 
+export interface CutSpeech {
+  start: number;
+  end: number;
+  speaker: string;
+  words: string;
+}
+
+export interface CutShot {
+  shot: string;
+  scene: string;
+  title: string;
+  frames: number;
+  fixed: boolean;
+  speech: CutSpeech[];
+}
+
+export interface Cut {
+  fps: number;
+  shots: CutShot[];
+  stale: string[];
+}
+
 /** Metres, Z up. */
 export type Point = [number, number, number];
 

@@ -4,6 +4,7 @@ import { LitElement, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import "./board_view";
 import "./crew_view";
+import "./cut_view";
 import "./revise_view";
 import "./shot_inspector";
 import "./stage_view";
@@ -16,6 +17,7 @@ const EVENTS_SHOWN = 400;
 const VIEWS = {
   board: "Board",
   stage: "Stage",
+  cut: "Cut",
   revise: "Revised script",
 };
 type View = keyof typeof VIEWS;
@@ -206,6 +208,10 @@ export class Studio extends LitElement {
           @edit=${(event: CustomEvent<{ edits: Edit[]; settled: (done: boolean) => void }>) =>
             this.edit(event.detail.edits).then(event.detail.settled)}
           @select=${select}></sb-stage>`;
+      case "cut":
+        return html`<sb-cut .board=${board} .selected=${this.selected} .wire=${this.wire} @select=${select}
+          @edit=${(event: CustomEvent<{ edits: Edit[]; settled: (done: boolean) => void }>) =>
+            this.edit(event.detail.edits).then(event.detail.settled)}></sb-cut>`;
       case "revise":
         return html`<sb-revise .wire=${this.wire} @revise=${(event: CustomEvent<object>) => this.begin("revise", event.detail)}></sb-revise>`;
     }

@@ -21,12 +21,14 @@ from storyblender.proposing import propose_stagings
 from storyblender.session import Session
 from storyblender.trace import Event
 from storyblender.web_studio.board import board_of, staging_cards
+from storyblender.web_studio.cut import cut_of
 from storyblender.web_studio.drawer import Drawer
 from storyblender.web_studio.messages import (
     Answer,
     ApplyCall,
     Board,
     Call,
+    Cut,
     InstructCall,
     MakeCall,
     News,
@@ -142,6 +144,7 @@ class Hub:
                 return {
                     "places": self._places,
                     "board": self.board,
+                    "cut": self._cut,
                     "vocabulary": vocabulary,
                     "undo": lambda: self._stepped("undo"),
                     "redo": lambda: self._stepped("redo"),
@@ -153,6 +156,10 @@ class Hub:
         """Return the open project as the page shows it. Raises InputError if there is none."""
         stale = self._drawer.stale if self._drawer is not None else frozenset[str]()
         return board_of(self.place.session, stale, self.previews)
+
+    def _cut(self) -> Cut:
+        stale = self._drawer.stale if self._drawer is not None else frozenset[str]()
+        return cut_of(self.place.session.graph, stale)
 
     def _places(self) -> dict[str, Any]:
         scripts, projects = self.place.names()

@@ -120,8 +120,9 @@ class ProposeCall(_Call):
 class PlainCall(_Call):
     """A call that needs nothing else."""
 
-    call: Literal["places", "board", "vocabulary", "undo", "redo", "cancel", "deliver", "check"]
-    """``places``: scripts and projects of the folder; ``deliver``: board, lists and story.blend are written now."""
+    call: Literal["places", "board", "vocabulary", "undo", "redo", "cancel", "deliver", "check", "cut"]
+    """``places``: scripts and projects of the folder; ``cut``: the film as a timeline;
+    ``deliver``: board, lists and story.blend are written now."""
 
 
 Call = Annotated[
@@ -215,6 +216,47 @@ class Board(Described):
     """Address of the animatic; empty while there is none."""
     files: tuple[str, ...]
     """Deliverables that can be downloaded."""
+
+
+class CutSpeech(Described):
+    """A speech on the timeline."""
+
+    start: int
+    """First frame, from the start of its shot."""
+    end: int
+    """The frame after the last."""
+    speaker: str
+    """As scripts write a cue."""
+    words: str
+    """What is said."""
+
+
+class CutShot(Described):
+    """A shot on the timeline."""
+
+    shot: str
+    """Its name."""
+    scene: str
+    """Name of its scene."""
+    title: str
+    """Heading of its scene."""
+    frames: int
+    """Length."""
+    fixed: bool
+    """Whether its length is locked."""
+    speech: tuple[CutSpeech, ...]
+    """In order."""
+
+
+class Cut(Described):
+    """The film as a timeline."""
+
+    fps: int
+    """Frames a second."""
+    shots: tuple[CutShot, ...]
+    """In the order of the film, without what is omitted."""
+    stale: tuple[str, ...]
+    """Shots whose pictures do not show the story as it is."""
 
 
 class CameraKey(Described):

@@ -259,3 +259,16 @@ def test_a_script_is_opened_as_the_project_that_was_made_of_it(stage: Stage) -> 
     hub.begin("tale.fountain")
     assert hub.place.session.folder == stage.folder
     hub.close()
+
+
+def test_the_cut_is_the_film_in_its_order_with_what_is_said_when(page: TestClient) -> None:
+    with page.websocket_connect("/wire") as socket:
+        browser = Browser(socket)
+        cut = browser.value("cut")
+        names = [shot["shot"] for shot in cut["shots"]]
+        assert names == [card["shot"] for card in cards(browser.value("board"))]
+        for shot in cut["shots"]:
+            assert all(0 <= said["start"] <= said["end"] <= shot["frames"] for said in shot["speech"])
+        browser.value("apply", edits=[{"kind": "omit", "target": names[0]}])
+        assert [shot["shot"] for shot in browser.value("cut")["shots"]] == names[1:]
+        browser.value("undo")
