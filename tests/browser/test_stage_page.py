@@ -185,8 +185,13 @@ def test_a_person_is_seated_made_to_look_and_given_a_thing(stage: Page, studio: 
         "option"
     ).evaluate_all("options => options.map((option) => option.value)")
     assert pose.get_by_label("Posture").input_value() == "sit" and pose.get_by_label("Looks").input_value() == "ada"
-    undo(stage)
-    undo(stage)
+    with shown_anew(stage):
+        pose.get_by_label("Does from here").fill("wave")
+        pose.get_by_label("Does from here").press("Enter")
+        expect(said(stage)).to_contain_text("does wave")
+    assert "wave" in {cue.clip for cue in graph_of(studio).shot(1, 1).cues if cue.asset_id == "tom"}
+    for _ in range(3):
+        undo(stage)
     assert graph_of(studio) == before, "byte for byte"
 
 

@@ -3,6 +3,7 @@
 import { LitElement, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import type { Edit, Stage } from "./messages";
+import type { Wire } from "./wire";
 
 type When = "start" | "end";
 const POSTURES: Record<string, string> = { stand: "Stand", sit: "Sit", lie: "Lie", kneel: "Kneel", crouch: "Crouch", lean: "Lean" };
@@ -12,15 +13,35 @@ const WAYS: Record<string, string> = { left: "to the left", right: "to the right
 export class StagePose extends LitElement {
   @property({ attribute: false }) stage!: Stage;
   @property({ attribute: false }) person = "";
+  /** The moment that is shown, from the start of the shot. */
+  @property({ type: Number }) frame = 0;
+  @property({ attribute: false }) wire!: Wire;
   @state() private when: When = "start";
+  @state() private motions: Record<string, string> = {};
 
   protected createRenderRoot(): HTMLElement {
     return this;
   }
 
+  async connectedCallback(): Promise<void> {
+    super.connectedCallback();
+    this.motions = (await this.wire.call<{ motions: Record<string, string> }>("vocabulary")).motions;
+  }
+
   private decide(place: Record<string, unknown>): void {
-    const edit: Edit = { kind: "blocking", shot: this.stage.shot, person: this.person, marks: { [this.when]: place } };
+    this.mark({ [this.when]: place });
+  }
+
+  private mark(marks: Record<string, unknown>): void {
+    const edit: Edit = { kind: "blocking", shot: this.stage.shot, person: this.person, marks };
     this.dispatchEvent(new CustomEvent("pose", { detail: edit }));
+  }
+
+  /** A motion is added from the moment that is shown. */
+  private does(field: HTMLInputElement): void {
+    const at = Math.round((this.frame / this.stage.fps) * 100) / 100;
+    if (field.value in this.motions) this.mark({ motions: { [field.value]: { at } } });
+    field.value = "";
   }
 
   /** A labelled list of choices; what is shown first stands for what is as it is. */
@@ -44,6 +65,9 @@ export class StagePose extends LitElement {
       ${carries ? this.choice("On", on, carries, (key) => this.decide({ posture, on: key })) : nothing}
       ${this.choice("Looks", looking_at, { ...others, ...WAYS }, (key) => this.decide({ looking_at: key }))}
       ${this.choice("Holds", holding[0] ?? "nothing", { nothing: "nothing", ...hold }, (key) => this.decide({ holding: key === "nothing" ? [] : [key] }))}
+      <label>Does from here <input list="motions" size="10" placeholder="wave ..." autocomplete="off"
+        @change=${(event: Event) => this.does(event.target as HTMLInputElement)} /></label>
+      <datalist id="motions">${Object.entries(this.motions).map(([key, told]) => html`<option value=${key}>${told}</option>`)}</datalist>
     </div>`;
   }
 }

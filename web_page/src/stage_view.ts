@@ -155,7 +155,7 @@ export class StageView extends LitElement {
             : nothing}
         </div>
         ${this.stage && this.chosen in this.stage.people
-          ? html`<sb-pose .stage=${this.stage} .person=${this.chosen} @pose=${(event: CustomEvent<Edit>) => this.edit(event.detail)}></sb-pose>`
+          ? html`<sb-pose .stage=${this.stage} .person=${this.chosen} .frame=${this.frame} .wire=${this.wire} @pose=${(event: CustomEvent<Edit>) => this.edit(event.detail)}></sb-pose>`
           : nothing}
         <div class="room">
           <div class="frame">
