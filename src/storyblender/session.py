@@ -19,7 +19,7 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit
 from storyblender.open_project import OpenProject
 from storyblender.pipeline.compiling import story_files
-from storyblender.pipeline.drawing import draw_shots
+from storyblender.pipeline.drawing import DELIVERED, draw_frames, draw_shots
 from storyblender.pipeline.filming import cuts_made_wrong, film, with_cuts_judged
 from storyblender.pipeline.packing import pack_scenes
 from storyblender.pipeline.panorama import keep_panorama
@@ -157,6 +157,17 @@ class Session(OpenProject):
                 run.tell(Event(kind="warning", role="camera_operator", subject=flaw.shot, message=flaw.message))
             files, reviews = draw_shots(run, [run.graph.shot(shot.scene_id, shot.shot_id) for shot in shots])
             return Delivery(self.folder, files, run.graph, wrong_cuts=tuple(wrong), reviews=reviews)
+
+    def shoot(self, names: Sequence[str]) -> None:
+        """Draw the frames of shots; ``render`` writes what is delivered later. Raises as it does."""
+        with self._filming() as run:
+            draw_frames(run, shots_named(run.graph, names))
+
+    @property
+    def delivered(self) -> bool:
+        """Whether board, lists and story.blend show the project as it is now."""
+        record = self._project.outputs.read(DELIVERED, bytes.decode)
+        return record == self.revision
 
     def preview(self, names: Sequence[str]) -> dict[str, Path]:
         """Draw shots small and quickly, to see what an edit did, and return the pictures; raises as ``render``."""

@@ -11,6 +11,20 @@ from storyblender.pipeline.reviewing import FrameReview
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import damaged_frames, is_cut_otherwise, prune, shoot_frames, shoot_motion
 
+DELIVERED = "build/delivered"
+"""Name of the record of the project's version that the deliverables show."""
+
+
+def draw_frames(run: Run, shots: Sequence[ShotContext]) -> None:
+    """Draw the frames of shots and take poor ones again; nothing is delivered.
+
+    Args:
+        run: With packs and cameras.
+        shots: Those to draw.
+    """
+    shoot_frames(run, shots)
+    retake_poor_frames(run, shots)
+
 
 def draw_shots(run: Run, shots: Sequence[ShotContext]) -> tuple[list[str], dict[str, FrameReview]]:
     """Draw shots, take poor ones again, and deliver; the film has every shot moving, whichever are named.
@@ -33,4 +47,6 @@ def draw_shots(run: Run, shots: Sequence[ShotContext]) -> tuple[list[str], dict[
     clips = shoot_motion(run, film) if run.settings.animatic or is_cut_otherwise(run) else None
     if len(shots) >= len(film):
         prune(run, run.graph.shots)
-    return deliver(run, clips, story), reviews
+    files = deliver(run, clips, story)
+    run.outputs.write(DELIVERED, run.project.version)
+    return files, reviews

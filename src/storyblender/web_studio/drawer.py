@@ -1,4 +1,4 @@
-"""Draws what edits made stale, beside the conversation: previews first, then the frames and what is delivered."""
+"""Draws what edits made stale, beside the conversation: previews, then frames, at last what is delivered."""
 
 from __future__ import annotations
 
@@ -14,6 +14,8 @@ FIRST = 2
 """Previews that are drawn at once; the rest of them follow."""
 REST = 2.0
 """Seconds without an edit before the frames themselves are drawn."""
+IDLE = 15.0
+"""Seconds without an edit before board, lists and story.blend are written."""
 
 Shown = Callable[[Mapping[str, Path]], None]
 
@@ -38,7 +40,7 @@ class Drawer:
         self._session, self._previewed, self._drawn, self._failed = session, previewed, drawn, failed
         self._waiting: dict[str, bool] = {}
         self._changed = threading.Condition()
-        self._working = self._ended = self._unknown = False
+        self._working = self._ended = self._unknown = self._delivering = False
         self._thread = threading.Thread(target=self._run, name="drawer", daemon=True)
         self._thread.start()
 
@@ -64,6 +66,7 @@ class Drawer:
         with self._changed:
             rest = {name: False for name in self._waiting | dict.fromkeys(names) if name not in names}
             self._waiting = dict.fromkeys(sorted(names, key=lambda name: name != first), True) | rest
+            self._delivering = True
             self._changed.notify_all()
 
     def interrupt(self) -> None:
@@ -84,34 +87,41 @@ class Drawer:
         while True:
             with self._changed:
                 self._working = False
-                self._changed.wait_for(lambda: self._waiting or self._unknown or self._ended)
+                self._changed.wait_for(lambda: self._waiting or self._unknown or self._ended or self._delivering)
                 if not self._unknown and not any(self._waiting.values()):
-                    self._changed.wait_for(lambda: self._ended or any(self._waiting.values()), REST)
+                    rest = REST if self._waiting else IDLE
+                    self._changed.wait_for(lambda: self._ended or any(self._waiting.values()), rest)
                 if self._ended:
                     return
                 there = self._shots()
                 self._waiting = {name: preview for name, preview in self._waiting.items() if name in there}
-                if not self._waiting and not self._unknown:
+                if not self._waiting and not self._unknown and not self._delivering:
                     continue
                 wanted = [name for name, preview in self._waiting.items() if preview][:FIRST]
                 self._working, all_of_them, unknown = True, tuple(self._waiting), self._unknown
             try:
                 if unknown:
                     self.draw(self._session.stale_frames())
-                    self._unknown = False
+                    self._unknown, self._delivering = False, not self._session.delivered
                 elif wanted:
                     self._previewed(self._session.preview(wanted))
                     self._settle(wanted, drawn=False)
+                elif all_of_them:
+                    next_ones = all_of_them[:FIRST]
+                    self._session.shoot(next_ones)
+                    self._settle(next_ones, drawn=True)
+                    self._drawn(next_ones)
                 else:
-                    self._session.render(all_of_them)
-                    self._settle(all_of_them, drawn=True)
-                    self._drawn(all_of_them)
+                    self._session.render()
+                    self._delivering = False
+                    self._drawn(())
             except Cancelled:
                 continue
             except StoryBlenderError as error:
                 if not self._shots().issuperset(wanted or all_of_them):
                     continue  # an edit or an undo took one of them away meanwhile
                 self._unknown = False
+                self._delivering = self._delivering and bool(wanted or all_of_them)
                 self._settle(wanted or all_of_them, drawn=not wanted)
                 self._failed(str(error))
 

@@ -279,7 +279,7 @@ class Hub:
         return {"clean": found.clean, "findings": list(found.findings)}
 
     def _draw(self, stale: Collection[str], first: str) -> None:
-        if self._drawer is not None and stale:
+        if self._drawer is not None:
             for name in stale:
                 self.previews.pop(name, None)
             self._drawer.draw(stale, first)
