@@ -221,7 +221,6 @@ def test_another_staging_is_chosen_among_pictures(stage: Page, studio: RunningSt
     expect(pictures.first).to_be_visible(timeout=2 * LOADED)
     assert graph_of(studio) == before, "nothing is changed by looking"
     assert all(pictures.evaluate_all("all => all.map((each) => each.complete && each.naturalWidth > 100)"))
-    stage.screenshot(path="/tmp/pose_stagings.png")
     with shown_anew(stage):
         dialog.get_by_role("button", name="Choose staging").first.click()
         expect(said(stage)).to_contain_text("staging")

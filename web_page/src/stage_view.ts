@@ -20,6 +20,8 @@ export class StageView extends LitElement {
   @state() private view: View = "shot";
   @state() private frame = 0;
   @state() private chosen = "";
+  /** Whose pose is shown: who was chosen as the pointer was let go, so that nothing shifts below a drag. */
+  @state() private posed = "";
   @state() private guides = true;
   @state() private why = "";
   @query("canvas") private canvas!: HTMLCanvasElement;
@@ -31,6 +33,13 @@ export class StageView extends LitElement {
 
   protected createRenderRoot(): HTMLElement {
     return this;
+  }
+
+  private released = () => (this.posed = this.chosen);
+
+  connectedCallback(): void {
+    super.connectedCallback();
+    window.addEventListener("pointerup", this.released);
   }
 
   private resized = new ResizeObserver(() => this.fit());
@@ -45,6 +54,7 @@ export class StageView extends LitElement {
 
   disconnectedCallback(): void {
     super.disconnectedCallback();
+    window.removeEventListener("pointerup", this.released);
     this.resized.disconnect();
     this.scene?.dispose();
   }
@@ -154,8 +164,8 @@ export class StageView extends LitElement {
                 <button title="Turn right ( ] )" @click=${() => this.turn(-TURN)}>⟳ ${TURN}°</button>`
             : nothing}
         </div>
-        ${this.stage && this.chosen in this.stage.people
-          ? html`<sb-pose .stage=${this.stage} .person=${this.chosen} .frame=${this.frame} .wire=${this.wire} @pose=${(event: CustomEvent<Edit>) => this.edit(event.detail)}></sb-pose>`
+        ${this.stage && this.posed in this.stage.people
+          ? html`<sb-pose .stage=${this.stage} .person=${this.posed} .frame=${this.frame} .wire=${this.wire} @pose=${(event: CustomEvent<Edit>) => this.edit(event.detail)}></sb-pose>`
           : nothing}
         <div class="room">
           <div class="frame">
