@@ -139,7 +139,7 @@ class StandInEngine:
         return self._answer("render_motion", 2)
 
     def compile_story(self, job: StoryJob) -> Future[str]:
-        self.files.write(job.out, json.dumps(job.model_dump(mode="json", exclude={"changed", "former"})))
+        self.files.write(job.out, json.dumps(job.model_dump(mode="json", exclude={"changed", "former", "version"})))
         return self._answer("compile_story", job.out)
 
     def compile_cut(self, job: CutJob) -> Future[str]:

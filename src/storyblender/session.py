@@ -14,6 +14,7 @@ from storyblender.edits.targets import shots_named
 from storyblender.edits.undo import next_steps, redo_edit, undo_edit
 from storyblender.errors import InputError
 from storyblender.inspection import Inspection, inspect
+from storyblender.memory.base import content_hash
 from storyblender.memory.edits import Edit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit
@@ -166,8 +167,7 @@ class Session(OpenProject):
     @property
     def delivered(self) -> bool:
         """Whether board, lists and story.blend show the project as it is now."""
-        record = self._project.outputs.read(DELIVERED, bytes.decode)
-        return record == self.revision
+        return self._project.outputs.read(DELIVERED, bytes.decode) == content_hash(self.graph)
 
     def preview(self, names: Sequence[str]) -> dict[str, Path]:
         """Draw shots small and quickly, to see what an edit did, and return the pictures; raises as ``render``."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from storyblender.memory.base import content_hash
 from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.compiling import Compilation
 from storyblender.pipeline.retaking import retake_poor_frames
@@ -12,7 +13,7 @@ from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import damaged_frames, is_cut_otherwise, prune, shoot_frames, shoot_motion
 
 DELIVERED = "build/delivered"
-"""Name of the record of the project's version that the deliverables show."""
+"""Name of the record of the story that the deliverables show: its hash."""
 
 
 def draw_frames(run: Run, shots: Sequence[ShotContext]) -> None:
@@ -48,5 +49,5 @@ def draw_shots(run: Run, shots: Sequence[ShotContext]) -> tuple[list[str], dict[
     if len(shots) >= len(film):
         prune(run, run.graph.shots)
     files = deliver(run, clips, story)
-    run.outputs.write(DELIVERED, run.project.version)
+    run.outputs.write(DELIVERED, content_hash(run.graph))
     return files, reviews
