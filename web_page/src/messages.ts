@@ -170,6 +170,39 @@ export interface Cut {
   stale: string[];
 }
 
+export interface LampValue {
+  name: string;
+  kind: string;
+  power: number;
+  color: number[];
+}
+
+export interface SceneDetails {
+  scene: string;
+  title: string;
+  shots: string[];
+  kit: string;
+  kits: { key: string; name: string }[];
+  options: Record<string, boolean>;
+  walls: string | null;
+  ground: string | null;
+  materials: string[];
+  period: string;
+  snow: boolean;
+  time_of_day: string;
+  weather: string;
+  qualities: string[];
+  warmth: number;
+  brightness: number;
+  contrast: number;
+  key_side: string;
+  lamps: LampValue[];
+  panorama: string;
+  words: Record<"time_of_day" | "weather" | "qualities" | "period", string[]>;
+  decided: string[];
+  locked: string[];
+}
+
 /** Metres, Z up. */
 export type Point = [number, number, number];
 

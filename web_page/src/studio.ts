@@ -6,6 +6,7 @@ import "./board_view";
 import "./crew_view";
 import "./cut_view";
 import "./revise_view";
+import "./set_view";
 import "./shot_inspector";
 import "./stage_view";
 import "./start_view";
@@ -17,6 +18,7 @@ const EVENTS_SHOWN = 400;
 const VIEWS = {
   board: "Board",
   stage: "Stage",
+  set: "Set and light",
   cut: "Cut",
   revise: "Revised script",
 };
@@ -200,7 +202,8 @@ export class Studio extends LitElement {
 
   /** The view that is chosen. */
   private shown(board: Board) {
-    const select = (event: CustomEvent<string[]>) => (this.selected = event.detail);
+    // Fields send an event of the same name when their text is selected.
+    const select = (event: CustomEvent<string[]>) => Array.isArray(event.detail) && (this.selected = event.detail);
     switch (this.view) {
       case "stage":
         if (!this.selected.length) break;
@@ -208,6 +211,9 @@ export class Studio extends LitElement {
           @edit=${(event: CustomEvent<{ edits: Edit[]; settled: (done: boolean) => void }>) =>
             this.edit(event.detail.edits).then(event.detail.settled)}
           @select=${select}></sb-stage>`;
+      case "set":
+        return html`<sb-set .board=${board} .selected=${this.selected} .wire=${this.wire} @select=${select}
+          @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}></sb-set>`;
       case "cut":
         return html`<sb-cut .board=${board} .selected=${this.selected} .wire=${this.wire} @select=${select}
           @edit=${(event: CustomEvent<{ edits: Edit[]; settled: (done: boolean) => void }>) =>

@@ -57,8 +57,7 @@ def _with_file(run: Run, name: str, pulled: Pulled, *, apply: bool) -> Pulled:
     found = edits_of(run.project, changes, reading.compiled.version)
     applied = pulled.applied
     if apply:
-        if found.conflicts or found.kept:
-            run.copy_aside(name)
+        run.copy_aside(name)  # what the values do not tell, such as a mesh that was sculpted, is in the copy alone
         if found.edits:
             applied = apply_edits(run.project, found.edits)
             run.tell(Event(kind="commit", role="user", subject=name, message=f"pulled: {applied.words}"))

@@ -6,9 +6,49 @@ from collections.abc import Collection
 
 from storyblender.deliver.panel import cue_of, panels
 from storyblender.deliver.speech import speeches
-from storyblender.memory.base import scene_name
+from storyblender.memory.base import Described, scene_name
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.web_studio.messages import Cut, CutShot, CutSpeech
+
+
+class CutSpeech(Described):
+    """A speech on the timeline."""
+
+    start: int
+    """First frame, from the start of its shot."""
+    end: int
+    """The frame after the last."""
+    speaker: str
+    """As scripts write a cue."""
+    words: str
+    """What is said."""
+
+
+class CutShot(Described):
+    """A shot on the timeline."""
+
+    shot: str
+    """Its name."""
+    scene: str
+    """Name of its scene."""
+    title: str
+    """Heading of its scene."""
+    frames: int
+    """Length."""
+    fixed: bool
+    """Whether its length is locked."""
+    speech: tuple[CutSpeech, ...]
+    """In order."""
+
+
+class Cut(Described):
+    """The film as a timeline."""
+
+    fps: int
+    """Frames a second."""
+    shots: tuple[CutShot, ...]
+    """In the order of the film, without what is omitted."""
+    stale: tuple[str, ...]
+    """Shots whose pictures do not show the story as it is."""
 
 
 def cut_of(graph: ContinuityMemoryGraph, stale: Collection[str]) -> Cut:

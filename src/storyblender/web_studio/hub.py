@@ -21,14 +21,13 @@ from storyblender.proposing import propose_stagings
 from storyblender.session import Session
 from storyblender.trace import Event
 from storyblender.web_studio.board import board_of, staging_cards
-from storyblender.web_studio.cut import cut_of
+from storyblender.web_studio.cut import Cut, cut_of
 from storyblender.web_studio.drawer import Drawer
 from storyblender.web_studio.messages import (
     Answer,
     ApplyCall,
     Board,
     Call,
-    Cut,
     InstructCall,
     MakeCall,
     News,
@@ -36,10 +35,12 @@ from storyblender.web_studio.messages import (
     PlainCall,
     ProposeCall,
     ReviseCall,
+    SceneCall,
     ShotCall,
     Stage,
     StageCall,
 )
+from storyblender.web_studio.scene import scene_details
 from storyblender.web_studio.stage import stage_of
 from storyblender.workplace.values import details_of
 from storyblender.workplace.workplace import Workplace
@@ -138,6 +139,8 @@ class Hub:
                 return lambda: self._compare(call) if call.call == "compare" else self._revise(call)
             case ProposeCall():
                 return lambda: self._propose(call)
+            case SceneCall():
+                return lambda: scene_details(self.place.session.graph, call.scene)
             case StageCall():
                 return lambda: self._stage(call.shot, call.frame)
             case PlainCall():

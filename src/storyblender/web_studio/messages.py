@@ -84,6 +84,15 @@ class ShotCall(_Call):
     """Such as ``SC010_SH020``."""
 
 
+class SceneCall(_Call):
+    """Asks for the set and the light of a scene."""
+
+    call: Literal["scene"]
+    """Which call this is."""
+    scene: _Name
+    """Such as ``SC010``."""
+
+
 class StageCall(_Call):
     """Asks for the scene of a shot in 3D, at one moment."""
 
@@ -126,7 +135,16 @@ class PlainCall(_Call):
 
 
 Call = Annotated[
-    OpenCall | MakeCall | ApplyCall | InstructCall | ShotCall | StageCall | ReviseCall | ProposeCall | PlainCall,
+    OpenCall
+    | MakeCall
+    | ApplyCall
+    | InstructCall
+    | ShotCall
+    | SceneCall
+    | StageCall
+    | ReviseCall
+    | ProposeCall
+    | PlainCall,
     Field(discriminator="call"),
 ]
 CALLS: TypeAdapter[Call] = TypeAdapter(Call)
@@ -216,47 +234,6 @@ class Board(Described):
     """Address of the animatic; empty while there is none."""
     files: tuple[str, ...]
     """Deliverables that can be downloaded."""
-
-
-class CutSpeech(Described):
-    """A speech on the timeline."""
-
-    start: int
-    """First frame, from the start of its shot."""
-    end: int
-    """The frame after the last."""
-    speaker: str
-    """As scripts write a cue."""
-    words: str
-    """What is said."""
-
-
-class CutShot(Described):
-    """A shot on the timeline."""
-
-    shot: str
-    """Its name."""
-    scene: str
-    """Name of its scene."""
-    title: str
-    """Heading of its scene."""
-    frames: int
-    """Length."""
-    fixed: bool
-    """Whether its length is locked."""
-    speech: tuple[CutSpeech, ...]
-    """In order."""
-
-
-class Cut(Described):
-    """The film as a timeline."""
-
-    fps: int
-    """Frames a second."""
-    shots: tuple[CutShot, ...]
-    """In the order of the film, without what is omitted."""
-    stale: tuple[str, ...]
-    """Shots whose pictures do not show the story as it is."""
 
 
 class CameraKey(Described):

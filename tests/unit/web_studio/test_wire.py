@@ -272,3 +272,18 @@ def test_the_cut_is_the_film_in_its_order_with_what_is_said_when(page: TestClien
         browser.value("apply", edits=[{"kind": "omit", "target": names[0]}])
         assert [shot["shot"] for shot in browser.value("cut")["shots"]] == names[1:]
         browser.value("undo")
+
+
+def test_a_scene_tells_its_set_and_light_and_what_both_can_be(page: TestClient) -> None:
+    with page.websocket_connect("/wire") as socket:
+        browser = Browser(socket)
+        board = browser.value("board")
+        scene = browser.value("scene", scene=SHOT[:5])
+        assert scene["shots"] == [card["shot"] for card in cards(board) if card["scene"] == SHOT[:5]]
+        assert scene["kit"] in {kit["key"] for kit in scene["kits"]}
+        assert scene["time_of_day"] in scene["words"]["time_of_day"]
+        browser.value("apply", edits=[{"kind": "light", "scene": SHOT[:5], "decision": {"warmth": 1.5}}])
+        changed = browser.value("scene", scene=SHOT[:5])
+        assert changed["warmth"] == 1.5 and any("warmth" in said for said in changed["decided"])
+        browser.value("undo")
+        assert not browser.call("scene", scene="SC990")["ok"]
