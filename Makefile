@@ -42,22 +42,22 @@ bench: $(READY)  ## Print the benchmark tables
 
 $(READY): requirements.lock pyproject.toml
 	@sh scripts/environment.sh $(PYTHON) $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --require-hashes -r requirements.lock
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
 	$(BIN)/python -m storyblender.library.body_data
 	$(BIN)/storyblender doctor
 	@touch $@
 
 $(CREW): $(READY) requirements-crew.lock
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-crew.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --require-hashes -r requirements-crew.lock
 	@touch $@
 
 $(LOCAL): $(CREW) requirements-local-llm.lock
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-local-llm.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --require-hashes -r requirements-local-llm.lock
 	@touch $@
 
 $(BROWSER): $(READY) requirements-browser.lock
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-browser.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --require-hashes -r requirements-browser.lock
 	@touch $@
 
 clean:  ## Remove what was made, not the environment
