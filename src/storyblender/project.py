@@ -8,7 +8,8 @@ checkpoint brought up to HEAD on opening. Killed at any instant, the folder open
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from datetime import datetime
 from functools import cached_property
 from pathlib import Path
@@ -24,8 +25,9 @@ from storyblender.history_files import GRAPH, HEAD, HISTORY, Saved, commit_name
 from storyblender.memory.base import content_hash
 from storyblender.memory.gatekeeper import Gatekeeper
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.history import Commit, apply, changes_between
+from storyblender.memory.history import CAUSED_BY_PERSON, TRIAL, Commit, apply, changes_between
 from storyblender.outputs import Outputs
+from storyblender.set_aside import SetAside
 from storyblender.trace import Event
 
 TRACE, DRAFTS = "trace.jsonl", "drafts.jsonl"
@@ -101,6 +103,11 @@ class Project:
         """What the program wrote here, but for the graph and its history."""
         return Outputs(self.files)
 
+    @cached_property
+    def set_aside(self) -> SetAside:
+        """Undone commits whose place in the line has been taken."""
+        return SetAside(self.files)
+
     @property
     def version(self) -> str:
         """The revision with the digest of its commit: after an undo, other commits may have the same numbers."""
@@ -132,7 +139,7 @@ class Project:
         except ValueError as error:
             raise Rejected((str(error),)) from error
         Gatekeeper(self.graph, MOTIONS).admit(graph, changes, author)
-        self._forget_undone()
+        self._end_undone(author)
         self.files.write(commit_name(commit.revision), commit.model_dump_json())
         self._move_head(Saved(graph, commit.revision, commit.digest))
         return commit
@@ -149,21 +156,43 @@ class Project:
             self._restore_sources(saved.graph.plan_digest)
         self._move_head(saved)
 
+    def drop(self, revision: int) -> None:
+        """Take commits back for good, as if they had never been made; what could be redone before them can be again.
+
+        Args:
+            revision: To go back to.
+        """
+        self.go_to(revision)
+        self._cut_off()
+
+    def bring_back(self, base: int, commits: Sequence[Commit]) -> None:
+        """Put undone commits that were set aside in the place of what the crew did since.
+
+        Args:
+            base: Revision that the first of them was made on.
+            commits: In order.
+        """
+        self.drop(base)
+        for commit in commits:
+            self.files.write(commit_name(commit.revision), commit.model_dump_json())
+        self.go_to(commits[-1].revision)
+        self.set_aside.forget(*commits)
+
     def log(self) -> list[Commit]:
         """Return every commit up to the current revision, oldest first."""
         return [*self.backwards()][::-1]
 
     @property
     def has_undone(self) -> bool:
-        """Whether there is something to redo."""
+        """Whether the commit after the current one is there, undone; what was set aside is not in line."""
         return (self.folder / commit_name(self.revision + 1)).exists()
 
     def forwards(self) -> Iterator[Commit]:
         """Yield every commit that was undone, the next one first."""
-        for revision in range(self.revision + 1, 10**9):
-            if not (self.folder / commit_name(revision)).exists():
-                return
+        revision = self.revision + 1
+        while (self.folder / commit_name(revision)).exists():
             yield history_files.read_commit(self.folder, revision)
+            revision += 1
 
     def backwards(self) -> Iterator[Commit]:
         """Yield every commit from the current revision back, reading only as many as are taken."""
@@ -198,16 +227,26 @@ class Project:
         if not ours and any(item.name != ".lock" for item in self.folder.iterdir()):
             raise InputError("is not empty and not a project", mend="give another --out", path=self.folder)
 
-    def _forget_undone(self) -> None:
-        """A new commit ends what could be redone. Latest first, and only once no checkpoint needs the way back."""
-        if not self._redoable:
-            return
-        undone = [revision for revision in history_files.commit_revisions(self.folder) if revision > self.revision]
-        if undone:
+    def _end_undone(self, author: str) -> None:
+        """Forget what could be redone for a person's commit; for another one, set it aside where it is in the way."""
+        if author in CAUSED_BY_PERSON and author != TRIAL:
+            if self._redoable:
+                self.set_aside.forget()
+                self._cut_off()
+                self._redoable = False
+        elif self.has_undone:
+            with suppress(InputError):  # one that cannot be read cannot be redone either
+                for commit in self.forwards():
+                    self.set_aside.keep(commit)
+            self._cut_off()
+
+    def _cut_off(self) -> None:
+        """Delete the commits after the current one: latest first, and only once no checkpoint needs the way back."""
+        later = [revision for revision in history_files.commit_revisions(self.folder) if revision > self.revision]
+        if later:
             self.checkpoint()
-        for revision in reversed(undone):
+        for revision in reversed(later):
             self.files.delete(commit_name(revision))
-        self._redoable = False
 
     def _restore_sources(self, plan_digest: str) -> None:
         """Put the script of a plan, and its corrected reading if it has one, back beside the graph."""

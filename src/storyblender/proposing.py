@@ -82,12 +82,9 @@ def _tried(
     session: Session, scene: SceneContext, number: int, shown: Sequence[str]
 ) -> tuple[SceneContext, dict[str, Path]]:
     """Return a scene in another staging, with pictures of its shots; it is taken back, whatever happens."""
-    session.apply([LayoutEdit(scene=scene_name(scene.scene_id), staging=number)])
-    try:
+    with session.trying([LayoutEdit(scene=scene_name(scene.scene_id), staging=number)]):
         pictures = session.preview(shown)
         return session.graph.scene(scene.scene_id), pictures
-    finally:
-        session.undo()
 
 
 def _faulty(graph: ContinuityMemoryGraph, scene: SceneContext) -> bool:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,7 +18,7 @@ from storyblender.inspection import Inspection, inspect
 from storyblender.memory.base import content_hash
 from storyblender.memory.edits import Edit
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.history import Commit
+from storyblender.memory.history import TRIAL, Commit
 from storyblender.open_project import OpenProject
 from storyblender.pipeline.compiling import story_files
 from storyblender.pipeline.drawing import DELIVERED, draw_frames, draw_shots
@@ -101,6 +102,21 @@ class Session(OpenProject):
             applied = apply_edits(self._project, edits, revision)
             self._tell(Event(kind="commit", role="user", message=applied.words, turn=self._project.revision))
             return applied
+
+    @contextmanager
+    def trying(self, edits: Sequence[Edit]) -> Iterator[None]:
+        """Have the story as a batch of edits would make it, to look at; after that it is as it was, undo and redo too.
+
+        Args:
+            edits: As for ``apply``, which says what is raised.
+        """
+        with self._alone():
+            before = self._project.revision
+            apply_edits(self._project, edits, author=TRIAL)
+            try:
+                yield
+            finally:
+                self._project.drop(before)
 
     def instruct(self, words: str, revision: str | None = None) -> Applied:
         """Let the Instructor turn words into edits and commit them, as ``apply``.

@@ -38,13 +38,14 @@ class Applied(Frozen):
     warnings: tuple[str, ...] = ()
 
 
-def apply_edits(project: Project, edits: Sequence[Edit], version: str | None = None) -> Applied:
+def apply_edits(project: Project, edits: Sequence[Edit], version: str | None = None, author: str = "user") -> Applied:
     """Commit a batch of edits: all of them or none.
 
     Args:
         project: Open.
         edits: In order; a later one sees what an earlier one did.
         version: What they were made on; None for the present one.
+        author: Whose they are, for the history.
 
     Raises:
         InputError: An edit names what does not exist or cannot be, or what is locked.
@@ -64,7 +65,7 @@ def apply_edits(project: Project, edits: Sequence[Edit], version: str | None = N
     words = "; ".join(
         f"{_listed([each.name for each in same])}: {said}" for said, same in groupby(effects, lambda each: each.words)
     )
-    project.commit(graph, "user", words)
+    project.commit(graph, author, words)
     there = {name_of(shot) for shot in graph.shots if not shot.joined}
     stale = dict.fromkeys(name for each in effects for name in each.stale if name in there)
     printed = any(each.aspects & PRINTED for each in effects)

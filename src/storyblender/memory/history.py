@@ -27,7 +27,9 @@ HEAD_FIELDS = (
 )  # fmt: skip
 """The graph's own fields, kept as the single item of the layer ``head``."""
 
-PEOPLE: Final = ("user", "sync")
+TRIAL: Final = "trial"
+"""Author of edits that are tried on a person's behalf and then dropped: they end nothing that can be redone."""
+PEOPLE: Final = ("user", "sync", TRIAL)
 """Authors of edits that a person made: here, or in Blender."""
 CAUSED_BY_PERSON: Final = (*PEOPLE, "director")
 """Authors of commits that a person caused: an edit, or a script that was read. The crew's follow from them."""

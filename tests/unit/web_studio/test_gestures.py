@@ -1,4 +1,4 @@
-"""Random gestures over the wire: when all are undone, the story and its frames are as they were."""
+"""Random gestures over the wire: undone, the story and its frames are as they were; redone, as they had become."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def frames(stage: Stage, board: dict[str, Any]) -> dict[str, bytes]:
 
 
 @pytest.mark.parametrize("gestures", [40, pytest.param(200, marks=pytest.mark.slow)])
-def test_all_gestures_are_undone(browser: Browser, stage: Stage, gestures: int) -> None:
+def test_all_gestures_are_undone_and_redone(browser: Browser, stage: Stage, gestures: int) -> None:
     chance = random.Random(gestures)
     board = browser.is_drawn()
     first, first_frames = story(stage), frames(stage, board)
@@ -98,10 +98,14 @@ def test_all_gestures_are_undone(browser: Browser, stage: Stage, gestures: int) 
         refused += not answer["ok"]
         assert refused < 4 * gestures
         browser.news.clear()
-    assert story(stage) != first
-    browser.is_drawn()
-    for _ in range(gestures):
-        browser.value("undo")
-        browser.news.clear()
-    assert story(stage) == first, "one gesture, one undo"
-    assert frames(stage, browser.is_drawn()) == first_frames
+    last_frames = frames(stage, browser.is_drawn())
+    last = story(stage)
+    assert last != first
+    for way, after, drawn in (("undo", first, first_frames), ("redo", last, last_frames)):
+        for number in range(gestures):
+            browser.value(way)
+            browser.news.clear()
+            if number % 10 == 0:
+                browser.is_drawn()  # the crew works on what the person has gone back to
+        assert story(stage) == after, f"one gesture, one {way}"
+        assert frames(stage, browser.is_drawn()) == drawn
