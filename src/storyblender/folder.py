@@ -88,19 +88,20 @@ class Folder:
             return (PurePosixPath(BUILD) / path.relative_to(self.build).as_posix()).as_posix()
         return path.relative_to(self.root).as_posix()
 
-    def write(self, name: str, content: str | bytes) -> Path:
+    def write(self, name: str, content: str | bytes, *, private: bool = False) -> Path:
         """Write a file whole or not at all, text as UTF-8; on disk when this returns.
 
         Args:
             name: Of the file; folders above it are made.
             content: All of it.
+            private: Whether only the user who runs the program can read it.
 
         Raises:
             InputError: The name leads out of the folder, or the disk cannot take the file.
         """
         place = self._with_parent(name)
         with _explained(place):
-            part, file = _new_part(place)
+            part, file = _new_part(place, 0o600 if private else 0o666)
             try:
                 with file:
                     file.write(content.encode() if isinstance(content, str) else content)
@@ -304,12 +305,12 @@ def _part_of(place: Path) -> Path:
     return place.with_name(f".{place.name}.{os.getpid()}-{next(_numbers)}{_PART}")
 
 
-def _new_part(place: Path) -> tuple[Path, BinaryIO]:
-    """Open a part file that was not there before."""
+def _new_part(place: Path, mode: int) -> tuple[Path, BinaryIO]:
+    """Open a part file that was not there before; ``mode`` says who may read and write it."""
     while True:
         part = _part_of(place)
         try:
-            return part, os.fdopen(os.open(part, os.O_WRONLY | os.O_CREAT | os.O_EXCL | _NO_LINK, 0o666), "wb")
+            return part, os.fdopen(os.open(part, os.O_WRONLY | os.O_CREAT | os.O_EXCL | _NO_LINK, mode), "wb")
         except FileExistsError:  # of a killed process that had our number
             continue
 

@@ -12,6 +12,8 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from starlette.websockets import WebSocketClose
 
 COOKIE = "storyblender_studio"
+PROGRAMS = "/calls"
+"""Where programs make calls; the page has the wire."""
 POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' blob: data:; "
     "media-src 'self'; connect-src 'self' blob:; font-src 'self'; base-uri 'none'; form-action 'none'; "
@@ -26,10 +28,13 @@ _HEADERS = {
     "Cross-Origin-Opener-Policy": "same-origin",
 }
 _NO_ENTRY = "open the address that `storyblender studio` printed: it has the key"
+_NO_KEY = "programs name the key that is in .studio.json of the open project"
 
 
 class Door:
     """Lets a request through if it names this machine, comes from the studio's page and has the session's cookie.
+
+    Programs have a key of their own, for calls alone; what comes from any page does not pass with it.
 
     The token opens the door once: the page's first address carries it, and is answered with a cookie and the same
     address without it. A second use is refused, so an address left in a history opens nothing.
@@ -38,10 +43,11 @@ class Door:
         app: Behind the door.
         token: In the first address.
         origin: Of the page, such as ``http://127.0.0.1:8765``.
+        key: Of programs.
     """
 
-    def __init__(self, app: ASGIApp, token: str, origin: str) -> None:
-        self._app, self._origin, self._host = app, origin, origin.partition("//")[2]
+    def __init__(self, app: ASGIApp, token: str, origin: str, key: str) -> None:
+        self._app, self._origin, self._host, self._key = app, origin, origin.partition("//")[2], key
         self._token: str | None = token
         self._passes: set[str] = set()
 
@@ -56,7 +62,14 @@ class Door:
             await self._app(scope, receive, send)
             return
         headers = Headers(scope=scope)
-        if headers.get("host") != self._host or not self._is_own(scope, headers.get("origin")):
+        if headers.get("host") != self._host:
+            await _refuse(scope, receive, send, "this address is not the studio's")
+        elif scope["path"] == PROGRAMS:
+            allowed = self._is_program(scope, headers)
+            await (
+                self._app(scope, receive, _with_headers(send)) if allowed else _refuse(scope, receive, send, _NO_KEY)
+            )
+        elif not self._is_own(scope, headers.get("origin")):
             await _refuse(scope, receive, send, "this address is not the studio's")
         elif (token := QueryParams(scope["query_string"]).get("token")) is not None and scope["type"] == "http":
             await self._enter(token)(scope, receive, _with_headers(send))
@@ -70,6 +83,13 @@ class Door:
         if origin is None:
             return scope["type"] == "http" and scope["method"] in ("GET", "HEAD")
         return origin == self._origin
+
+    def _is_program(self, scope: Scope, headers: Headers) -> bool:
+        """Return whether a request is a program's: it names the key, and no page, which a browser always does."""
+        if scope["type"] != "http" or scope["method"] != "POST" or "origin" in headers:
+            return False
+        named = headers.get("authorization", "")
+        return secrets.compare_digest(named.encode(), f"Bearer {self._key}".encode())
 
     def _enter(self, token: str) -> PlainTextResponse | RedirectResponse:
         if self._token is None or not secrets.compare_digest(token.encode(), self._token.encode()):

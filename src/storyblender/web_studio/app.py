@@ -1,4 +1,4 @@
-"""The routes of the studio: the page, pictures and files of the open project, and the wire."""
+"""The routes of the studio: the page, pictures and files of the open project, the wire, and calls of programs."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from storyblender.deliver.page import FILES
 from storyblender.errors import StoryBlenderError
+from storyblender.web_studio.access import PROGRAMS
 from storyblender.web_studio.hub import Hub
 from storyblender.web_studio.messages import CALLS, Answer, News
 
@@ -59,6 +60,15 @@ def build_app(hub: Hub) -> Starlette:
         name = request.path_params["name"]
         return _file(hub, name) if name in _DELIVERED else _NOT_THERE
 
+    async def calls(request: Request) -> Response:
+        said = bytearray()
+        async for part in request.stream():
+            said += part
+            if len(said) > LARGEST_CALL:
+                return PlainTextResponse("the call is too large", 413)
+        answer = await _answered(hub, said.decode(errors="replace"))
+        return Response(answer.model_dump_json(), media_type="application/json")
+
     async def wire(socket: WebSocket) -> None:
         await _serve(hub, socket)
 
@@ -70,6 +80,7 @@ def build_app(hub: Hub) -> Starlette:
             Route("/takes/{name}.png", take),
             Route("/moments/{name}.glb", moment),
             Route("/files/{name}", delivered),
+            Route(PROGRAMS, calls, methods=["POST"]),
             WebSocketRoute("/wire", wire),
             Mount("/static", StaticFiles(directory=PAGE)),
         ]

@@ -55,10 +55,11 @@ class Hub:
 
     Args:
         folder: Of scripts and projects; nothing outside it is read or written.
+        opened: Hears which project is open now; None where there is none.
     """
 
-    def __init__(self, folder: Path) -> None:
-        self.place = Workplace(folder, self._hear)
+    def __init__(self, folder: Path, opened: Callable[[Path | None], None] = lambda _: None) -> None:
+        self.place = Workplace(folder, self._hear, opened)
         self._calls = ThreadPoolExecutor(1, "calls")
         self._browsers: set[asyncio.Queue[News]] = set()
         self._loop: asyncio.AbstractEventLoop | None = None
@@ -133,7 +134,12 @@ class Hub:
             case InstructCall():
                 return lambda: self._edited(lambda session: session.instruct(call.words, call.revision), ())
             case ShotCall():
-                asked = {"shot": self._shot, "why": self._why, "takes": self._takes}[call.call]
+                asked = {
+                    "shot": self._shot,
+                    "why": self._why,
+                    "takes": self._takes,
+                    "draw": self._draw_now,
+                }[call.call]
                 return lambda: asked(call.shot)
             case ReviseCall():
                 return lambda: self._compare(call) if call.call == "compare" else self._revise(call)
@@ -147,12 +153,14 @@ class Hub:
                 return {
                     "places": self._places,
                     "board": self.board,
+                    "shots": self._shots,
                     "cut": self._cut,
                     "vocabulary": vocabulary,
                     "undo": lambda: self._stepped("undo"),
                     "redo": lambda: self._stepped("redo"),
                     "deliver": self._deliver,
                     "check": self._check,
+                    "pull": self._pull,
                 }[call.call]
 
     def board(self) -> Board:
@@ -212,6 +220,19 @@ class Hub:
         panel = self.place.panel(name)
         return details_of(panel, self.place.session.graph).model_dump()
 
+    def _shots(self) -> list[dict[str, Any]]:
+        graph = self.place.session.graph
+        return [details_of(panel, graph).model_dump() for panel in self.place.panels()]
+
+    def _draw_now(self, name: str) -> str:
+        """Draw the frame of a shot before all others, and return the name of its file in the project."""
+        self._refuse_busy()
+        panel = self.place.panel(name)
+        self._pause_drawing()
+        self.place.session.shoot([panel.name])
+        self._frames_drawn([panel.name])
+        return f"frames/{panel.name}.png"
+
     def _why(self, name: str) -> dict[str, Any]:
         self._refuse_busy()
         self._pause_drawing()
@@ -257,6 +278,16 @@ class Hub:
         self._draw(applied.stale, looked_at)
         self._tell(News(news="board", revision=applied.version))
         return applied.model_dump()
+
+    def _pull(self) -> dict[str, Any]:
+        """Take over what was changed in Blender, and draw what that makes stale."""
+        self._refuse_busy()
+        self._pause_drawing()
+        pulled = self.place.session.pull()
+        if pulled.applied is not None:
+            self._draw(pulled.applied.stale, "")
+            self._tell(News(news="board", revision=pulled.applied.version))
+        return pulled.model_dump(exclude={"applied"})
 
     def _stepped(self, way: str) -> dict[str, Any]:
         """Undo or redo; a frame that was drawn before is found again."""

@@ -1,4 +1,4 @@
-"""What a browser and the studio say to each other over the wire: calls, their answers, and news for all browsers."""
+"""What a browser or a program and the studio say to each other: calls, their answers, and news for all browsers."""
 
 from __future__ import annotations
 
@@ -78,8 +78,9 @@ class InstructCall(_Call):
 class ShotCall(_Call):
     """Asks for something about a shot."""
 
-    call: Literal["shot", "why", "takes"]
-    """``shot``: everything that can be changed; ``why``: who decided what; ``takes``: pictures of its other takes."""
+    call: Literal["shot", "why", "takes", "draw"]
+    """``shot``: everything that can be changed; ``why``: who decided what; ``takes``: pictures of its other takes;
+    ``draw``: its frame is drawn now."""
     shot: _Name
     """Such as ``SC010_SH020``."""
 
@@ -129,9 +130,12 @@ class ProposeCall(_Call):
 class PlainCall(_Call):
     """A call that needs nothing else."""
 
-    call: Literal["places", "board", "vocabulary", "undo", "redo", "cancel", "deliver", "check", "cut"]
+    call: Literal[
+        "places", "board", "shots", "vocabulary", "undo", "redo", "cancel", "deliver", "check", "cut", "pull"
+    ]  # fmt: skip
     """``places``: scripts and projects of the folder; ``cut``: the film as a timeline;
-    ``deliver``: board, lists and story.blend are written now."""
+    ``shots``: all that ``shot`` tells, of every shot; ``deliver``: board, lists and story.blend are written now;
+    ``pull``: what was changed and saved in Blender is taken over."""
 
 
 Call = Annotated[

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import secrets
+import signal
 import socket
 import webbrowser
 from collections.abc import Callable
@@ -11,6 +12,7 @@ from pathlib import Path
 import uvicorn
 
 from storyblender.web_studio.access import Door
+from storyblender.web_studio.address_file import AddressFile
 from storyblender.web_studio.app import LARGEST_CALL, build_app
 from storyblender.web_studio.hub import Hub
 
@@ -31,21 +33,22 @@ def serve(folder: Path, begin: str, port: int, say: Callable[[str], None], *, br
         InputError: No such project or script.
         ProjectLocked: Another program has it open.
     """
-    hub = Hub(folder)
-    try:
-        if begin:
-            hub.open(begin) if (folder / begin).is_dir() else hub.begin(begin)
-        with socket.socket() as listening:
-            listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-            listening.bind((LOOPBACK, port))
-            listening.listen()
-            origin, token = f"http://{LOOPBACK}:{listening.getsockname()[1]}", secrets.token_urlsafe(24)
-            config = uvicorn.Config(
-                Door(build_app(hub), token, origin), log_level="warning", ws_max_size=LARGEST_CALL, lifespan="off"
-            )
+    with socket.socket() as listening:
+        listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listening.bind((LOOPBACK, port))
+        listening.listen()
+        origin = f"http://{LOOPBACK}:{listening.getsockname()[1]}"
+        token, key = secrets.token_urlsafe(24), secrets.token_urlsafe(24)
+        hub = Hub(folder, AddressFile(origin, key).follow)
+        signal.signal(signal.SIGTERM, signal.default_int_handler)  # the project is closed as after Ctrl-C
+        try:
+            if begin:
+                hub.open(begin) if (folder / begin).is_dir() else hub.begin(begin)
+            door = Door(build_app(hub), token, origin, key)
+            config = uvicorn.Config(door, log_level="warning", ws_max_size=LARGEST_CALL, lifespan="off")
             say(f"{origin}/?token={token}")
             if browser:
                 webbrowser.open(f"{origin}/?token={token}")
             uvicorn.Server(config).run([listening])
-    finally:
-        hub.close()
+        finally:
+            hub.close()

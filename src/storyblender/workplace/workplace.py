@@ -28,10 +28,13 @@ class Workplace:
     Args:
         root: The folder.
         listener: Hears every event of the work, on the thread that causes it.
+        opened: Hears which project is open now; None where there is none.
     """
 
-    def __init__(self, root: Path, listener: Listener = silent) -> None:
-        self._files, self._listener = Folder(root.resolve()), listener
+    def __init__(
+        self, root: Path, listener: Listener = silent, opened: Callable[[Path | None], None] = lambda _: None
+    ) -> None:
+        self._files, self._listener, self._opened = Folder(root.resolve()), listener, opened
         self._session: Session | None = None
         self._thread: threading.Thread | None = None
         self._state = threading.Lock()
@@ -111,8 +114,7 @@ class Workplace:
         folder = self._files.path(project)
         read_project_graph(folder)
         self.close()
-        self._session = Studio(Settings.load(project=folder), self._hear).open(folder)
-        return self._session
+        return self._hold(Studio(Settings.load(project=folder), self._hear).open(folder))
 
     def make(self, script: str, settings: dict[str, object]) -> None:
         """Begin to turn a script of the folder into a storyboard; ``status`` says how far it is.
@@ -129,7 +131,7 @@ class Workplace:
         folder = self._files.path(self.project_of(script))
         studio = Studio(Settings.load(path, folder, **settings), self._hear)
         self.close()
-        self._session = session = studio.start(path, folder)
+        session = self._hold(studio.start(path, folder))
         self.begin(f"make {script}", lambda: session.make(path))
 
     def begin(self, work: str, call: Callable[[], Delivery]) -> None:
@@ -184,8 +186,14 @@ class Workplace:
     def close(self) -> None:
         """Close the open project, if there is one."""
         if self._session is not None:
+            self._opened(None)
             self._session.close()
             self._session = None
+
+    def _hold(self, session: Session) -> Session:
+        self._session = session
+        self._opened(session.folder)
+        return session
 
     def _script(self, name: str) -> Path:
         path = self._files.path(name)

@@ -12,9 +12,9 @@ from starlette.routing import Route, WebSocketRoute
 from starlette.testclient import TestClient
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from storyblender.web_studio.access import Door
+from storyblender.web_studio.access import PROGRAMS, Door
 
-ORIGIN, TOKEN = "http://127.0.0.1:8123", "key"
+ORIGIN, TOKEN, KEY = "http://127.0.0.1:8123", "key", "program's key"
 
 
 async def secret(request: Request) -> PlainTextResponse:
@@ -29,8 +29,9 @@ async def wire(socket: WebSocket) -> None:
 
 @pytest.fixture
 def visitor() -> Iterator[TestClient]:
-    inside = Starlette(routes=[Route("/", secret, methods=["GET", "POST"]), WebSocketRoute("/wire", wire)])
-    with TestClient(Door(inside, TOKEN, ORIGIN), base_url=ORIGIN) as client:
+    ways = [Route(path, secret, methods=["GET", "POST"]) for path in ("/", PROGRAMS)]
+    inside = Starlette(routes=[*ways, WebSocketRoute("/wire", wire), WebSocketRoute(PROGRAMS, wire)])
+    with TestClient(Door(inside, TOKEN, ORIGIN, KEY), base_url=ORIGIN) as client:
         yield client
 
 
@@ -86,3 +87,35 @@ def test_every_answer_forbids_foreign_content(visitor: TestClient) -> None:
         assert "default-src 'none'" in policy and "frame-ancestors 'none'" in policy and "http:" not in policy
     cookie = TestClient(visitor.app, base_url=ORIGIN, follow_redirects=False)
     assert cookie.get("/").headers["x-content-type-options"] == "nosniff"
+
+
+def test_a_program_makes_calls_with_its_own_key_and_nothing_else(visitor: TestClient) -> None:
+    key = {"authorization": f"Bearer {KEY}"}
+    assert visitor.post(PROGRAMS, headers=key).text == "secret"
+    assert visitor.get("/", headers=key).status_code == 403, "pictures and the page are for the browser"
+    assert visitor.get(PROGRAMS, headers=key).status_code == 403
+    with (
+        pytest.raises(WebSocketDisconnect),
+        visitor.websocket_connect(f"ws://127.0.0.1:8123{PROGRAMS}", headers=key) as socket,
+    ):
+        socket.receive_text()
+
+
+@pytest.mark.parametrize(
+    "headers",
+    [
+        {},
+        {"authorization": f"Bearer {TOKEN}"},
+        {"authorization": "Bearer "},
+        {"authorization": KEY},
+        {"authorization": "Bearer \u00e9"},
+        {"authorization": f"Bearer {KEY}", "origin": ORIGIN},
+        {"authorization": f"Bearer {KEY}", "origin": "http://elsewhere.example"},
+        {"authorization": f"Bearer {KEY}", "host": "rebound.example:8123"},
+    ],
+)
+def test_a_program_without_the_key_and_every_page_is_refused(visitor: TestClient, headers: dict[str, str]) -> None:
+    encoded = {name: value.encode("latin-1") for name, value in headers.items()}
+    assert visitor.post(PROGRAMS, headers=encoded).status_code == 403
+    enter(visitor)
+    assert visitor.post(PROGRAMS, headers=encoded).status_code == 403, "the page's cookie is of no use there"

@@ -13,7 +13,8 @@ from starlette.testclient import TestClient, WebSocketTestSession
 from tests.stage import Stage
 
 from storyblender.project import read_project_graph
-from storyblender.web_studio.app import build_app
+from storyblender.web_studio.address_file import ADDRESS_FILE, AddressFile
+from storyblender.web_studio.app import LARGEST_CALL, build_app
 from storyblender.web_studio.hub import Hub
 
 SHOT = "SC010_SH010"
@@ -287,3 +288,29 @@ def test_a_scene_tells_its_set_and_light_and_what_both_can_be(page: TestClient) 
         assert changed["warmth"] == 1.5 and any("warmth" in said for said in changed["decided"])
         browser.value("undo")
         assert not browser.call("scene", scene="SC990")["ok"]
+
+
+def test_a_program_makes_the_same_calls_one_at_a_time(page: TestClient) -> None:
+    said = page.post("/calls", json={"id": 1, "call": "apply", "edits": SIZE}).json()
+    assert said["ok"] and said["value"]["stale"] == [SHOT]
+    shots = page.post("/calls", json={"id": 2, "call": "shots"}).json()["value"]
+    assert [each["size"] for each in shots if each["shot"] == SHOT] == ["ECU"]
+    drawn = page.post("/calls", json={"id": 3, "call": "draw", "shot": SHOT}).json()
+    assert drawn["value"] == f"frames/{SHOT}.png"
+    pulled = page.post("/calls", json={"id": 4, "call": "pull"}).json()
+    assert pulled["value"] == {"files": [], "understood": [], "conflicts": [], "kept": []}
+    refused = page.post("/calls", content=b"\xff{").json()
+    assert not refused["ok"] and refused["error"]
+    assert page.post("/calls", content=b" " * (LARGEST_CALL + 1)).status_code == 413
+
+
+def test_the_address_of_the_studio_is_in_the_open_project_alone_and_private(stage: Stage) -> None:
+    hub = Hub(stage.folder.parent, AddressFile("http://127.0.0.1:1", "secret").follow)
+    hub.open(stage.folder.name)
+    file = stage.folder / ADDRESS_FILE
+    assert json.loads(file.read_text()) == {
+        "address": "http://127.0.0.1:1", "key": "secret", "project": str(stage.folder.resolve()),
+    }  # fmt: skip
+    assert file.stat().st_mode & 0o777 == 0o600
+    hub.close()
+    assert not file.exists()
