@@ -18,6 +18,7 @@ from storyblender import (
     cli_propose,
     cli_pull,
     cli_revise,
+    cli_scene,
     cli_shots,
     cli_studio,
     cli_why,
@@ -200,6 +201,7 @@ cli_edits.add_to(app)
 cli_pose.add_to(app)
 cli_propose.add_to(app)
 cli_lamp.add_to(app)
+cli_scene.add_to(app)
 app.add_typer(cli_shots.app, name="shot")
 cli_crew.add_to(app)
 cli_mcp.add_to(app)

@@ -19,12 +19,13 @@ from storyblender.memory.base import content_hash
 from storyblender.memory.edits import Edit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import TRIAL, Commit
+from storyblender.memory.panorama import Panorama
 from storyblender.open_project import OpenProject
 from storyblender.pipeline.compiling import story_files
 from storyblender.pipeline.drawing import DELIVERED, draw_frames, draw_shots
 from storyblender.pipeline.filming import cuts_made_wrong, film, with_cuts_judged
 from storyblender.pipeline.packing import pack_scenes
-from storyblender.pipeline.panorama import keep_panorama
+from storyblender.pipeline.panorama import keep_panoramas, take_in_panorama
 from storyblender.pipeline.previewing import moment_of, preview_shots
 from storyblender.pipeline.reviewing import FrameReview, review_frames
 from storyblender.pipeline.shooting import (
@@ -71,7 +72,7 @@ class Session(OpenProject):
                 pull(run)
             ground(run, script, reading)
             run.project.files.write(REMEMBERED, self._settings.remembered(self.folder))
-            keep_panorama(run)
+            keep_panoramas(run)
             materialize(run)
             stage(run)
             make_stale_anew(run)
@@ -260,6 +261,18 @@ class Session(OpenProject):
             bring_up_to_date(run)
             names = pictures_of_takes(run, run.graph.shot(found.scene_id, found.shot_id))
             return {number: self.folder / name for number, name in names.items() if run.outputs.whole(name)}
+
+    def take_in_panorama(self, file: Path) -> Panorama:
+        """Keep the picture of a user's panorama in the project, and return what an edit of light names it by.
+
+        Args:
+            file: An .hdr or .exr, twice as wide as high.
+
+        Raises:
+            InputError: It is missing, broken or of another shape.
+        """
+        with self._call() as run:
+            return take_in_panorama(run, file)
 
     def keep_sheet(self, name: str, pictures: Mapping[str, Path]) -> str:
         """Write pictures side by side into the project, and return the file's name.

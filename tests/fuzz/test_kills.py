@@ -51,6 +51,17 @@ def _add(*names: str) -> Step:
     return step
 
 
+def _work(name: str) -> Step:
+    """Commit something of the crew's, on a story as an undo left it."""
+
+    def step(folder: Path) -> None:
+        with Project(folder) as project:
+            asset = Asset(asset_id=name, asset_type="object", description="")
+            project.commit(replace(project.graph, asset), "animator", f"adds {name}")
+
+    return step
+
+
 def _undo(folder: Path) -> None:
     with Project(folder) as project:
         undo_edit(project)
@@ -81,7 +92,8 @@ def _plan(word: str) -> Step:
 
 
 COMMITS: tuple[Step, ...] = (
-    _add("cup", "key"), _undo, _redo, _add("hat"), _undo, _undo, _add("box", "pen"), _undo, _redo,
+    _add("cup", "key"), _undo, _redo, _add("hat"), _undo, _work("rehearsal"), _redo, _undo, _undo,
+    _add("box", "pen"), _undo, _work("retake"), _undo, _redo, _redo,
 )  # fmt: skip
 COMMANDS: tuple[Step, ...] = (_edit("CU"), _plan("early"), _undo, _lengthen(96), _edit("ECU"), _undo, _plan("noon"))
 
@@ -183,10 +195,12 @@ def _between(states: list[ContinuityMemoryGraph], done: int) -> list[ContinuityM
     """Return the states that a step may be killed in: before it, after it, or between its commits."""
     before, after = states[done], states[min(done + 1, len(states) - 1)]
     assets = {asset.asset_id: asset for graph in (before, after) for asset in graph.assets}
-    grown = [before]
+    kept = tuple(asset for asset in before.assets if asset in after.assets)
+    # A redo first drops what the crew did on the story as the undo had left it; it will do that again.
+    grown = [before.model_copy(update={"assets": kept}), before]
     for asset in after.assets:
         if asset.asset_id not in {known.asset_id for known in before.assets}:
-            grown.append(replace(grown[-1], assets[asset.asset_id]))
+            grown += [replace(start, assets[asset.asset_id]) for start in grown[-2:]]
     return [before, after, *grown]
 
 

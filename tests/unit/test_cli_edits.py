@@ -108,3 +108,16 @@ def test_notes_and_approval_are_typed_and_seen(folder: Path) -> None:
     assert "takes its text" in refused["error"]
     said("shot", "approve", folder, SHOT, "--withdraw", "--no-render")
     assert read_project_graph(folder).shots[0].approved is None
+
+
+def test_light_and_set_of_a_scene_are_typed(folder: Path) -> None:
+    *_, lit = [line for line in said("light", folder, "SC010", "--hour", "night", "--warmth", "1") if "edited" in line]
+    assert lit["edited"] == "SC010: light: time of day night, warmth +1"
+    said("set", folder, "SC010", "--snow", "--no-render")
+    scene = read_project_graph(folder).scenes[0]
+    assert scene.light_decision is not None and scene.light_decision.time_of_day == "night"
+    assert scene.set_decision is not None and scene.set_decision.snow
+    [refused] = said("light", folder, "SC010", "--weather", "frogs", code=2)
+    assert "weather" in refused["problem"]
+    [refused] = said("light", folder, "SC010", "--hdri", folder / "no.hdr", code=2)
+    assert "no.hdr" in str(refused)

@@ -198,6 +198,7 @@ export interface SceneDetails {
   key_side: string;
   lamps: LampValue[];
   panorama: string;
+  panoramas: string[];
   words: Record<"time_of_day" | "weather" | "qualities" | "period", string[]>;
   decided: string[];
   locked: string[];

@@ -100,8 +100,21 @@ export class SetView extends LitElement {
         const qualities = has ? details.qualities.filter((each) => each !== name) : [...details.qualities, name];
         return html`<label><input type="checkbox" .checked=${has} @change=${() => this.light({ qualities })} /> ${name}</label>`;
       })}</div>
-      ${details.panorama ? html`<p>Lit by the panorama ${details.panorama}.</p>` : nothing}
+      ${details.panorama || details.panoramas.length ? this.panorama(details) : nothing}
     </fieldset>`;
+  }
+
+  /** The panorama that lights an exterior by day: one of the folder, or the drawn sky. */
+  private panorama(details: SceneDetails) {
+    const files = [...new Set([...details.panoramas, details.panorama])].filter(Boolean);
+    return html`<label>Panorama <select data-field="panorama" @change=${(event: Event) => this.lightBy(value(event))}>
+      <option value="" ?selected=${!details.panorama}>the drawn sky</option>
+      ${files.map((file) => html`<option ?selected=${file === details.panorama}>${file}</option>`)}</select></label>`;
+  }
+
+  private lightBy(file: string): void {
+    if (file) this.dispatchEvent(new CustomEvent("panorama", { detail: { scene: this.scene, file } }));
+    else this.light({ panorama: "none" });
   }
 
   private words(label: string, field: string, words: string[], now: string, chosen: (word: string) => void) {

@@ -113,8 +113,13 @@ export class Studio extends LitElement {
   }
 
   private edit(edits: Edit[]): Promise<boolean> {
+    return this.call("apply", { edits });
+  }
+
+  /** Make an edit by a call of its own. */
+  private call(name: "apply" | "panorama", detail: object): Promise<boolean> {
     const revision = this.board?.revision;
-    return this.attempt(async () => (await this.wire.call<{ words: string }>("apply", { edits, revision })).words);
+    return this.attempt(async () => (await this.wire.call<{ words: string }>(name, { ...detail, revision })).words);
   }
 
   private instruct(event: SubmitEvent): void {
@@ -213,7 +218,8 @@ export class Studio extends LitElement {
           @select=${select}></sb-stage>`;
       case "set":
         return html`<sb-set .board=${board} .selected=${this.selected} .wire=${this.wire} @select=${select}
-          @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}></sb-set>`;
+          @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}
+          @panorama=${(event: CustomEvent<object>) => this.call("panorama", event.detail)}></sb-set>`;
       case "cut":
         return html`<sb-cut .board=${board} .selected=${this.selected} .wire=${this.wire} @select=${select}
           @edit=${(event: CustomEvent<{ edits: Edit[]; settled: (done: boolean) => void }>) =>

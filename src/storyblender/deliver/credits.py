@@ -21,8 +21,10 @@ def credited_works(graph: ContinuityMemoryGraph) -> dict[Provenance, list[str]]:
     for asset in graph.assets:
         if asset.canonical is not None and asset.canonical.provenance is not None:
             shown.setdefault(asset.canonical.provenance, []).append(asset.name or asset.asset_id)
-    if graph.panorama is not None and _panorama_lights(graph):
-        shown.setdefault(graph.panorama.provenance, []).append("light of the sky")
+    lit = _panoramas_seen(graph)
+    for panorama in graph.panoramas:
+        if panorama.provenance.digest in lit:
+            shown.setdefault(panorama.provenance, []).append("light of the sky")
     return shown
 
 
@@ -37,14 +39,15 @@ def write_credits(graph: ContinuityMemoryGraph, part: Path) -> None:
     for model, names in credited_works(graph).items():
         told = (", ".join(names), model.file, model.author, model.license, model.copyright, model.url)
         rows.append((*(_cell(text) for text in told), model.digest[:16]))
-    kind = "Works" if _panorama_lights(graph) else "Models"
+    kind = "Works" if _panoramas_seen(graph) else "Models"
     lines = ["# Credits", "", f"{kind} in “{_cell(graph.title)}” that are not part of StoryBlender.", ""]
     part.write_text("\n".join([*lines, *(f"| {' | '.join(row)} |" for row in rows), ""]), encoding="utf-8")
 
 
-def _panorama_lights(graph: ContinuityMemoryGraph) -> bool:
-    """Return whether the light of a scene or of a shot has the panorama."""
-    return any(each.lighting and each.lighting.panorama for each in (*graph.scenes, *graph.shots))
+def _panoramas_seen(graph: ContinuityMemoryGraph) -> set[str]:
+    """Return the digests of the panoramas that light a scene or a shot."""
+    plans = (each.lighting for each in (*graph.scenes, *graph.shots))
+    return {plan.panorama.digest for plan in plans if plan is not None and plan.panorama is not None}
 
 
 def _cell(text: str) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Collection
 from difflib import get_close_matches
 
 from storyblender.agents.visual_effects_artist.lighting_arranger_view import MOST_LIGHTS
+from storyblender.catalog.light_recipes import HOURS
 from storyblender.catalog.materials import MATERIALS
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.sets import SETS, plan_of
@@ -35,7 +36,20 @@ def light_effects(graph: ContinuityMemoryGraph, edit: LightEdit) -> list[Effect]
     refuse_locked(scene, "light")
     _refuse_lamps(scene, edit.decision)
     decided = (scene.light_decision or LightDecision()).then(edit.decision)
-    return [scene_effect(graph, scene, f"light: {edit.decision.words}", "light", ("light",), light_decision=decided)]
+    done = scene_effect(graph, scene, f"light: {edit.decision.words}", "light", ("light",), light_decision=decided)
+    return [done.warned(_unlit(scene, edit.decision))]
+
+
+def _unlit(scene: SceneContext, decision: LightDecision) -> tuple[str, ...]:
+    """Return what a person should know of a panorama that does not light the scene. Raises InputError for a room."""
+    if decision.panorama in (None, "none"):
+        return ()
+    if scene.setup.scene_type == "indoor":
+        mend = "choose one for a scene outside; rooms are lit by their lamps and windows"
+        raise InputError(f"{name_of(scene)} is inside, and a panorama lights what is outside", mend=mend)
+    hour = decision.time_of_day or scene.decided_setup.time_of_day
+    burning = HOURS[hour].lamps
+    return (f"{name_of(scene)} plays at {hour}; a panorama lights it from morning to afternoon",) if burning else ()
 
 
 def _refuse_lamps(scene: SceneContext, decision: LightDecision) -> None:

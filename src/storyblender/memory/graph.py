@@ -127,6 +127,13 @@ class ContinuityMemoryGraph(Frozen):
         return tuple(scenes[scene_id] for scene_id in in_order(tuple(scenes), self.scene_order))
 
     @property
+    def panoramas(self) -> tuple[Panorama, ...]:
+        """The story's panorama, and those that a person chose for a scene; each once."""
+        chosen = (scene.light_decision.panorama for scene in self.scenes if scene.light_decision is not None)
+        found = [self.panorama, *(each for each in chosen if each != "none")]
+        return tuple({each.provenance.digest: each for each in found if each is not None}.values())
+
+    @property
     def cut(self) -> tuple[ShotContext, ...]:
         """The shots of the film, in its order."""
         edited = any(scene.omitted or scene.shot_order for scene in self.scenes)

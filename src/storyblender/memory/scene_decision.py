@@ -11,6 +11,7 @@ from pydantic import Field, model_validator
 
 from storyblender.memory.asset_sheet import AssetDecision
 from storyblender.memory.base import Coordinate, Described, Identifier, Vec2, Vec3, is_none
+from storyblender.memory.panorama import Panorama
 from storyblender.memory.vocabulary import LightQuality, Period, TimeOfDay, Weather
 
 LampKind = Literal["POINT", "SPOT", "AREA", "SUN"]
@@ -87,6 +88,8 @@ class LightDecision(_Decision):
     """Stops from the crew's key to fill ratio on faces: 1 is twice as contrasty, -1 half."""
     key_side: Literal["left", "right"] | None = None
     """Side of the set, as the viewer sees it, from which faces are lit."""
+    panorama: Panorama | Literal["none"] | None = Field(default=None, exclude_if=is_none)
+    """Panorama that lights the place by day, in place of the story's; ``none`` is the drawn sky."""
     lamps: dict[Identifier, LampDecision | None] = Field(default={}, exclude_if=lambda value: not value)
     """What each lamp is, by name; None takes it away; a name that the crew has not, with a kind, adds one."""
 
@@ -294,6 +297,8 @@ def _told(value: object) -> str:
         return "on" if value else "off"
     if isinstance(value, AssetDecision):
         return value.prop
+    if isinstance(value, Panorama):
+        return value.provenance.file
     if isinstance(value, ThingPlace | LampDecision):
         return value.words
     return ", ".join(value) if isinstance(value, tuple) else "nothing" if value is None else str(value)

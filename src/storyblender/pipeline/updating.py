@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from storyblender.pipeline.asset_files import assets_to_build
 from storyblender.pipeline.packing import pack_scenes
-from storyblender.pipeline.panorama import keep_panorama
+from storyblender.pipeline.panorama import keep_panoramas
 from storyblender.pipeline.run import Run
 from storyblender.settings import REMEMBERED
 from storyblender.trace import Event
@@ -21,7 +21,7 @@ def bring_up_to_date(run: Run) -> None:
     if staged and not (folder / REMEMBERED).exists():
         message = f"{REMEMBERED} is missing; look, width and lenses are the defaults"
         run.tell(Event(kind="warning", role="project", subject=folder.name, message=message))
-    keep_panorama(run)
+    keep_panoramas(run)
     if assets_to_build(run, run.graph.assets):
         from storyblender.pipeline.materializing import materialize
 

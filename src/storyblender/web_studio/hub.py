@@ -16,7 +16,9 @@ from storyblender.edits.dispatcher import Applied
 from storyblender.errors import InputError, StoryBlenderError
 from storyblender.memory.base import shot_name
 from storyblender.memory.coverage import as_filmed
+from storyblender.memory.edits import LightEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.scene_decision import LightDecision
 from storyblender.proposing import propose_stagings
 from storyblender.session import Session
 from storyblender.trace import Event
@@ -32,6 +34,7 @@ from storyblender.web_studio.messages import (
     MakeCall,
     News,
     OpenCall,
+    PanoramaCall,
     PlainCall,
     ProposeCall,
     ReviseCall,
@@ -146,7 +149,9 @@ class Hub:
             case ProposeCall():
                 return lambda: self._propose(call)
             case SceneCall():
-                return lambda: scene_details(self.place.session.graph, call.scene)
+                return lambda: scene_details(self.place.session.graph, call.scene, self.place.panoramas())
+            case PanoramaCall():
+                return lambda: self._lit_by(call)
             case StageCall():
                 return lambda: self._stage(call.shot, call.frame)
             case PlainCall():
@@ -288,6 +293,14 @@ class Hub:
             self._draw(pulled.applied.stale, "")
             self._tell(News(news="board", revision=pulled.applied.version))
         return pulled.model_dump(exclude={"applied"})
+
+    def _lit_by(self, call: PanoramaCall) -> dict[str, Any]:
+        """Take a panorama of the folder into the project, and light a scene by it."""
+        self._refuse_busy()
+        self._pause_drawing()
+        taken_in = self.place.session.take_in_panorama(self.place.panorama(call.file))
+        edits = [LightEdit(scene=call.scene, decision=LightDecision(panorama=taken_in))]
+        return self._edited(lambda session: session.apply(edits, call.revision), edits)
 
     def _stepped(self, way: str) -> dict[str, Any]:
         """Undo or redo; a frame that was drawn before is found again."""

@@ -94,6 +94,19 @@ class SceneCall(_Call):
     """Such as ``SC010``."""
 
 
+class PanoramaCall(_Call):
+    """Lights a scene by a panorama of the folder: one undo."""
+
+    call: Literal["panorama"]
+    """Which call this is."""
+    scene: _Name
+    """Such as ``SC010``."""
+    file: _Name
+    """File name of an .hdr or .exr in the folder."""
+    revision: _Name | None = None
+    """What the person saw when they chose it."""
+
+
 class StageCall(_Call):
     """Asks for the scene of a shot in 3D, at one moment."""
 
@@ -145,6 +158,7 @@ Call = Annotated[
     | InstructCall
     | ShotCall
     | SceneCall
+    | PanoramaCall
     | StageCall
     | ReviseCall
     | ProposeCall

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import get_args
 
 from storyblender.catalog.materials import MATERIALS
@@ -80,7 +80,9 @@ class SceneDetails(Described):
     lamps: tuple[LampValue, ...]
     """Of the plan that the scene begins with."""
     panorama: str
-    """Name of the panorama that lights the scene; empty where none does."""
+    """File name of the panorama that lights the scene; empty where none does."""
+    panoramas: tuple[str, ...]
+    """File names of those that it can be lit by: outside, those of the folder."""
     words: dict[str, tuple[str, ...]]
     """What hour, weather, qualities and period can be."""
     decided: tuple[str, ...]
@@ -89,12 +91,13 @@ class SceneDetails(Described):
     """Parts that are locked."""
 
 
-def scene_details(graph: ContinuityMemoryGraph, name: str) -> SceneDetails:
+def scene_details(graph: ContinuityMemoryGraph, name: str, panoramas: Sequence[str] = ()) -> SceneDetails:
     """Return a scene as the page shows it.
 
     Args:
         graph: The story.
         name: Such as ``SC010``.
+        panoramas: File names of those in the folder.
 
     Raises:
         InputError: There is no such scene.
@@ -131,7 +134,8 @@ def scene_details(graph: ContinuityMemoryGraph, name: str) -> SceneDetails:
             LampValue(name=lamp.name, kind=lamp.kind, power=round(lamp.power, 2), color=lamp.color)
             for lamp in (plan.lights if plan is not None else ())
         ),
-        panorama=plan.panorama.file if plan is not None and plan.panorama is not None else "",
+        panorama=_panorama(graph, plan.panorama.digest) if plan is not None and plan.panorama is not None else "",
+        panoramas=() if indoor else tuple(panoramas),
         words={
             "time_of_day": get_args(TimeOfDay), "weather": get_args(Weather), "qualities": get_args(LightQuality),
             "period": get_args(Period),
@@ -139,6 +143,10 @@ def scene_details(graph: ContinuityMemoryGraph, name: str) -> SceneDetails:
         decided=tuple(f"{part}: {each.words}" for part, each in decisions.items() if each is not None and each.words),
         locked=scene.locked,
     )  # fmt: skip
+
+
+def _panorama(graph: ContinuityMemoryGraph, digest: str) -> str:
+    return next((each.provenance.file for each in graph.panoramas if each.provenance.digest == digest), "")
 
 
 def _options(known: Mapping[str, object], params: Mapping[str, object]) -> dict[str, bool]:

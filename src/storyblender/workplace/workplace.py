@@ -18,6 +18,7 @@ from storyblender.trace import Event, Listener, silent
 from storyblender.workplace.values import WARNINGS, Status, warning_of
 
 SCRIPTS = (".fountain", ".fdx", ".txt", ".md")
+PANORAMAS = (".hdr", ".exr")
 _PROJECT = ".storyboard"
 _REVISIONS = "build/revisions"
 
@@ -66,6 +67,18 @@ class Workplace:
         scripts = [path.name for path in root.iterdir() if path.suffix in SCRIPTS and path.is_file()]
         projects = [path.name for path in root.iterdir() if path.suffix == _PROJECT and path.is_dir()]
         return sorted(scripts), sorted(projects)
+
+    def panoramas(self) -> list[str]:
+        """Return the panoramas of the folder, by name."""
+        root = self._files.root
+        return sorted(path.name for path in root.iterdir() if path.suffix.lower() in PANORAMAS and path.is_file())
+
+    def panorama(self, name: str) -> Path:
+        """Return a panorama of the folder by its name. Raises InputError."""
+        if name not in self.panoramas():
+            mend = "put the .hdr or .exr file beside the project"
+            raise InputError(f"there is no panorama {name!r} here", mend=mend)
+        return self._files.path(name)
 
     def write_script(self, name: str, text: str) -> Path:
         """Write a script into the folder; one that is there with other words is refused.

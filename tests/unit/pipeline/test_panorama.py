@@ -1,4 +1,4 @@
-"""A panorama in the settings: which scenes it lights, what it leaves alone, what is refused."""
+"""A panorama in the settings, or chosen for a scene: which scenes it lights, what it leaves alone, what is refused."""
 
 from __future__ import annotations
 
@@ -20,9 +20,11 @@ from storyblender.errors import InputError
 from storyblender.look.illumination import direction_of
 from storyblender.look.irradiance import irradiance_at
 from storyblender.look.raster import luminance
+from storyblender.memory.edits import LightEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.panorama import PanoramaLight, panorama_file
 from storyblender.memory.scene_context import Lighting
+from storyblender.memory.scene_decision import LightDecision
 from storyblender.project import read_project_graph
 from storyblender.settings import Settings
 from storyblender.studio import Studio
@@ -151,3 +153,37 @@ def test_another_one_lights_the_project_anew_and_undo_brings_the_first_back(tmp_
     assert plans(read_project_graph(tmp_path / "a.storyboard"))[0].panorama == one
     without = made(tmp_path)
     assert without.panorama is None and not any(plan.panorama for plan in plans(without))
+
+
+def test_a_person_lights_one_scene_by_another_one(tmp_path: Path) -> None:
+    graph = made(tmp_path)
+    project, before = tmp_path / "a.storyboard", plans(graph)
+    sky = write_sky(tmp_path / "sky.hdr")
+    (tmp_path / "sky.credits.toml").write_text('author = "Ann Light"')
+    with Studio(Settings.model_validate(QUICK)).open(project) as session:
+        by_it = LightDecision(panorama=session.take_in_panorama(sky))
+        applied = session.apply([LightEdit(scene="SC010", decision=by_it)])
+        assert applied.stale == ("SC010_SH010",) and "sky.hdr" in applied.words and not applied.warnings
+        session.draw(applied)
+        lit = plans(session.graph)
+        assert lit[0].panorama is not None and lit[1:] == before[1:]
+        assert "Ann Light" in (project / "credits.md").read_text()
+        with pytest.raises(InputError, match="SC020 is inside"):
+            session.apply([LightEdit(scene="SC020", decision=by_it)])
+        assert session.apply([LightEdit(scene="SC030", decision=by_it)]).warnings
+        session.undo()
+        sky.unlink()
+        session.apply([LightEdit(scene="SC010", decision=LightDecision(panorama="none"))])
+        session.render()
+        assert plans(session.graph) == before
+        session.undo()
+        session.render()
+        assert plans(session.graph) == lit, "its picture is in the project"
+        session.undo()
+        assert session.graph == graph
+    kept = project / panorama_file(lit[0].panorama.digest)
+    kept.unlink()
+    with Studio(Settings.model_validate(QUICK)).open(project) as session:
+        session.redo()
+        with pytest.raises(InputError, match="picture of this panorama is gone"):
+            session.render()

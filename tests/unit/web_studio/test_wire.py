@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 from starlette.testclient import TestClient, WebSocketTestSession
+from tests.panoramas import write_sky
 from tests.stage import Stage
 
 from storyblender.project import read_project_graph
@@ -314,3 +315,20 @@ def test_the_address_of_the_studio_is_in_the_open_project_alone_and_private(stag
     assert file.stat().st_mode & 0o777 == 0o600
     hub.close()
     assert not file.exists()
+
+
+def test_a_scene_is_lit_by_a_panorama_of_the_folder(page: TestClient, stage: Stage) -> None:
+    write_sky(stage.folder.parent / "sky.hdr")
+    with page.websocket_connect("/wire") as socket:
+        browser = Browser(socket)
+        browser.is_drawn()
+        assert browser.value("scene", scene=SHOT[:5])["panoramas"] == [], "a room"
+        assert browser.value("scene", scene="SC020")["panoramas"] == ["sky.hdr"]
+        before = read_project_graph(stage.folder)
+        browser.value("panorama", scene="SC020", file="sky.hdr")
+        [decided] = [each for each in browser.value("scene", scene="SC020")["decided"] if "panorama" in each]
+        assert decided == "light: panorama sky.hdr"
+        for name in ("../sky.hdr", "other.hdr", "/etc/passwd"):
+            assert "no panorama" in browser.call("panorama", scene="SC020", file=name)["error"]
+        browser.value("undo")
+        assert read_project_graph(stage.folder) == before

@@ -21,7 +21,7 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline
 from storyblender.memory.panorama import Panorama
 from storyblender.memory.request import Picture
-from storyblender.memory.scene_context import Environment, Layout, Light, Lighting, SceneSetup
+from storyblender.memory.scene_context import Environment, Layout, Light, Lighting, SceneContext, SceneSetup
 from storyblender.memory.shot_context import LightChange
 
 MOST_LIGHTS = 20
@@ -111,8 +111,14 @@ def lighting_arranger_view(
     plan, assets = plan_of(scene.environment), graph.assets_of(scene_id)
     return LightingArrangerView(
         scene.decided_setup, plan, scene.environment, scene.layout, assets, current, change,
-        panorama=graph.panorama, outline=graph.outline_of(scene_id), shot_id=shot_id, draw=draw,
+        panorama=_panorama(graph, scene), outline=graph.outline_of(scene_id), shot_id=shot_id, draw=draw,
     )  # fmt: skip
+
+
+def _panorama(graph: ContinuityMemoryGraph, scene: SceneContext) -> Panorama | None:
+    """Return the panorama on offer to a scene: the one that a person chose for it, else the story's."""
+    chosen = scene.light_decision.panorama if scene.light_decision is not None else None
+    return graph.panorama if chosen is None else chosen if chosen != "none" else None
 
 
 def burning_lamps(view: LightingArrangerView, share: float) -> tuple[Light, ...]:
