@@ -17,6 +17,7 @@ from story_stage import LENGTH, SKY, lamp, pack, shot, story
 
 from storyblender.blender.export import export_scene
 from storyblender.blender.materials import material
+from storyblender.blender.people.control_rig import CONTROLS, SWITCHES
 from storyblender.blender.session import BlenderSession
 from storyblender.blender.story import compile_story
 from storyblender.blender.usd_visibility import _library
@@ -96,6 +97,12 @@ def test_a_door_turns_in_the_animation_of_its_shot(held: dict[str, Any]):
 def test_gltf_has_the_lamps_of_the_set_alone(held: dict[str, Any]):
     lights = held["extensions"]["KHR_lights_punctual"]["lights"]
     assert [light["name"] for light in lights] == ["SC010.pendant"]
+
+
+def test_the_controls_of_rigs_are_for_blender_alone(held: dict[str, Any]):
+    names = {node["name"] for node in held["nodes"]}
+    assert {"SC010.tom_rig", "SC010.ada_rig", "head"} <= names and not names & set(CONTROLS)
+    assert not [node["name"] for node in held["nodes"] if set(SWITCHES) & set(node.get("extras", ()))]
 
 
 def test_a_reader_of_gltf_gets_what_was_written(glb: Path):

@@ -105,7 +105,12 @@ def test_names_speak_and_bones_are_in_groups(tmp_path: Path):
     groups = {
         group.name: {bone.name for bone in group.bones} for group in bpy.data.armatures["SC010.ada_rig"].collections
     }
-    assert groups == {"Torso": {"hips"}, "Head": {"head"}, "Face": {"jaw", "eye.L", "eye.R"}}
+    assert groups == {
+        "Controls": {"root", "torso", "look_at"},
+        "Limbs": {"hips", "head"},
+        "Fingers": set(),
+        "Deform": {"hips", "head", "jaw", "eye.L", "eye.R"},
+    }
 
 
 def test_a_scene_put_in_anew_finds_the_materials_of_the_others(tmp_path: Path):

@@ -9,6 +9,7 @@ import bpy
 
 from storyblender.blender.glb_visibility import hide_nodes
 from storyblender.blender.hiding import is_hidden, key_hidden
+from storyblender.blender.people.control_rig import remove_controls
 from storyblender.blender.usd_visibility import hide_prims
 from storyblender.errors import EngineError
 
@@ -33,6 +34,7 @@ def export_scene(story: Path, scene_name: str, kind: Literal["glb", "usd"], part
     if scene is None:
         raise EngineError(f"{story.name} has no scene {scene_name}")
     bpy.context.window.scene = scene
+    remove_controls([obj for obj in scene.objects if obj.type == "ARMATURE"])
     shots = [(marker.name, marker.frame) for marker in sorted(scene.timeline_markers, key=lambda mark: mark.frame)]
     shown = _show_all(scene, [frame for _, frame in shots])
     if kind == "glb":

@@ -1,4 +1,4 @@
-"""Makes a compiled scene pleasant to work in: readable names, bones in groups, render settings."""
+"""Makes a compiled scene pleasant to work in: readable names, rigs with controls, render settings."""
 
 from __future__ import annotations
 
@@ -8,6 +8,9 @@ from collections.abc import Collection
 import bpy
 
 from storyblender.blender.merge import IDENTITY, identity_of
+from storyblender.blender.motion.control_keys import key_controls
+from storyblender.blender.people.control_rig import add_controls
+from storyblender.blender.people.rig_display import show_controls
 from storyblender.catalog.color_words import color_word
 from storyblender.look.grade import AGX_CONTRAST
 
@@ -15,14 +18,6 @@ _COLORED = re.compile(r"_[0-9a-f]{6}(?=_|$)")
 _COPY = re.compile(r"\.(\d{3,})$")
 _PAINT = re.compile(r"(\w+) [\d.]+ [\d.]+ [\d.]+ \((painted|alpha [\d.e-]+)\)")
 """Names of people's materials in a pack: finish, colour and kind of colouring (``people.parts``)."""
-_GROUPS = {
-    "Face": ("eye", "jaw"),
-    "Head": ("neck", "head"),
-    "Torso": ("hips", "spine", "chest", "upper_chest"),
-    "Arm": ("shoulder", "upper_arm", "forearm"),
-    "Hand": ("hand", "thumb", "index1", "index2", "fingers1", "fingers2"),
-    "Leg": ("thigh", "shin", "foot", "toe"),
-}
 _VERSION = """\
 Made for Blender 4.5 LTS: open it with Blender 4.5 or newer.
 
@@ -32,11 +27,13 @@ actions, one slot a person, which came with Blender 4.4.
 
 
 def tidy(objects: Collection[bpy.types.Object]) -> None:
-    """Give objects added last, their data and materials readable names, and group the bones of rigs."""
+    """Give objects added last, their data and materials readable names, and controls to rigs."""
     for obj in objects:
         _name_object(obj)
-        if obj.type == "ARMATURE":
-            _group_bones(obj.data)
+    rigs = [obj for obj in objects if obj.type == "ARMATURE"]
+    add_controls(rigs)
+    key_controls(rigs)
+    show_controls(rigs)
     for material in bpy.data.materials:
         if IDENTITY not in material:
             material[IDENTITY] = identity_of(material)
@@ -97,16 +94,6 @@ def _name_object(obj: bpy.types.Object) -> None:
         data.name = data.shape_keys.name = obj.name
     elif obj.type == "MESH" and "digest" not in data and data.name not in bpy.data.objects:
         data.name = obj.name  # of the set; what several pieces share is called after the first
-
-
-def _group_bones(rig: bpy.types.Armature) -> None:
-    """Sort the bones of a rig into collections."""
-    for group, stems in _GROUPS.items():
-        for bone in rig.bones:
-            stem, _, side = bone.name.partition(".")
-            if stem in stems:
-                name = f"{group}.{side}" if side and group != "Face" else group
-                (rig.collections.get(name) or rig.collections.new(name)).assign(bone)
 
 
 def _unused_name(name: str, taken: bpy.types.bpy_prop_collection, between: str = " ") -> str:

@@ -22,7 +22,7 @@ from storyblender.pipeline.run import Run
 STORY = "story.blend"
 SEQUENCES = "story"
 """Folder of the sequences' files."""
-STORY_VERSION = 3
+STORY_VERSION = 4
 """Raised when the same packs are compiled otherwise: the files of old projects are then compiled anew."""
 MOST_SCENES = 40
 """In one file; a story of more has a file a sequence. A scene takes 15 to 45 MB of a worker (measured)."""

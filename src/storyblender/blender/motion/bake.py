@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import bpy
 import numpy as np
-from mathutils import Matrix
 from numpy.typing import NDArray
 
+from storyblender.blender.motion.baked import quaternions
 from storyblender.blender.motion.plan import Floats, Performance, PersonTrack
 
 LEGS = ("hips", "thigh", "shin", "foot", "toe")
@@ -126,12 +126,8 @@ class _ActionWriter:
         """Write world location and rotation of a prop; its scale stays."""
         prop.rotation_mode = "QUATERNION"
         bag = self._add_slot("OBJECT", asset_id, [prop])
-        turns = np.array([Matrix(matrix.tolist()).to_quaternion() for matrix in matrices])
-        for index in range(1, len(turns)):
-            if turns[index] @ turns[index - 1] < 0:
-                turns[index] *= -1
         self._curves(bag, "location", matrices[:, :3, 3], PLACE_TOLERANCE, "Root")
-        self._curves(bag, "rotation_quaternion", turns, TOLERANCE / 2, "Root")
+        self._curves(bag, "rotation_quaternion", quaternions(matrices), TOLERANCE / 2, "Root")
 
     def _shapes(self, asset_id: str, armature: bpy.types.Object, track: PersonTrack) -> None:
         """Write shape keys; meshes that are driven by the same keys share a slot."""
@@ -166,17 +162,28 @@ class _ActionWriter:
         return self.keys.channelbag(slot, ensure=True)
 
     def _curves(self, bag: object, path: str, values: Floats, tolerance: float, group: str) -> None:
-        """Write ``values`` (N, C) as linear keys of one property, reduced to ``tolerance``."""
-        if np.abs(values - values[0]).max() < tolerance / 2:
-            kept = np.array([0])
-        else:
-            kept = reduce_keys(self.frames, values, tolerance)
-        for column in range(values.shape[1]):
-            curve = bag.fcurves.new(path, index=column)
-            if group:
-                curve.group = bag.groups.get(group) or bag.groups.new(group)
-            curve.keyframe_points.add(len(kept))
-            points = np.c_[self.frames[kept], values[kept, column]].astype(np.float32)
-            curve.keyframe_points.foreach_set("co", points.ravel())
-            curve.keyframe_points.foreach_set("interpolation", np.full(len(kept), LINEAR, np.int32))
-            curve.update()
+        write_curves(bag, path, self.frames, values, tolerance, group)
+
+
+def write_curves(bag: object, path: str, frames: Floats, values: Floats, tolerance: float, group: str) -> None:
+    """Write linear keys of one property, as few as keep to a tolerance.
+
+    Args:
+        bag: Curves of one object.
+        path: Of the property.
+        frames: (N,) of the action, increasing.
+        values: (N, C) of the property.
+        tolerance: In the unit of the values.
+        group: Of the curves; empty for none.
+    """
+    still = np.abs(values - values[0]).max() < tolerance / 2
+    kept = np.array([0]) if still else reduce_keys(frames, values, tolerance)
+    for column in range(values.shape[1]):
+        curve = bag.fcurves.new(path, index=column)
+        if group:
+            curve.group = bag.groups.get(group) or bag.groups.new(group)
+        curve.keyframe_points.add(len(kept))
+        points = np.c_[frames[kept], values[kept, column]].astype(np.float32)
+        curve.keyframe_points.foreach_set("co", points.ravel())
+        curve.keyframe_points.foreach_set("interpolation", np.full(len(kept), LINEAR, np.int32))
+        curve.update()
