@@ -96,7 +96,9 @@ def edit(
     to_look_at: Annotated[str | None, typer.Option(help="What it looks at there; as before if not given.")] = None,
     seconds: Annotated[float | None, typer.Option(help="Length of the shot in seconds.")] = None,
     frames: Annotated[int | None, typer.Option(help="Length of the shot in frames.")] = None,
-    batch: Annotated[Path | None, typer.Option(help="A JSON list of edits (docs/edits.md) instead.")] = None,
+    batch: Annotated[
+        Path | None, typer.Option(help="A JSON list of edits (docs/edits.md) instead; - reads it from standard input.")
+    ] = None,
     revision: Revision = None,
     draw: Draw = True,
     look: LookOption = None,

@@ -1,14 +1,18 @@
-"""``storyblender shot``: the commands that change the cut, write notes and approve; each is one edit for each name."""
+"""``storyblender shot``: the commands that list shots, change the cut, write notes and approve."""
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from storyblender.cli_options import Folder, Json, Quiet, examples, open_studio
 from storyblender.shell import shown
+
+if TYPE_CHECKING:
+    from storyblender.web_studio.messages import PanelCard
 
 Shot = Annotated[str, typer.Argument(metavar="SHOT", help="A shot, such as SC010_SH020.", show_default=False)]
 Shots = Annotated[list[str], typer.Argument(metavar="SHOT...", help="Shots, such as SC010_SH020.", show_default=False)]
@@ -18,8 +22,41 @@ Draw = Annotated[
 app = typer.Typer(
     no_args_is_help=True,
     rich_markup_mode="rich",
-    help="Change the cut, write notes on shots and approve them; `undo` takes it back.",
+    help="List shots, change the cut, write notes and approve; `undo` takes it back.",
 )
+
+
+@app.command(name="list", epilog=examples("shot list my_film.storyboard"))
+def list_shots(folder: Folder, json_lines: Json = False) -> None:
+    """List all shots with what you should know of them: stale, omitted, locked, approved, notes, takes, what to check.
+
+    `--json` tells all of every shot, as the studio's board and inspector show it.
+    """
+    with shown(quiet=False, json_lines=json_lines) as terminal:
+        from storyblender.deliver.panel import panels
+        from storyblender.web_studio.board import board_of
+        from storyblender.workplace.values import details_of
+
+        with open_studio(terminal, project=folder).open(folder) as session:
+            stale = session.stale_frames() if session.made and not session.delivered else []
+            board = board_of(session, stale, {})
+            shots = [details_of(panel, session.graph) for panel in panels(session.graph, with_omitted=True)]
+        if json_lines:
+            told = {"board": board.model_dump(mode="json"), "shots": [shot.model_dump(mode="json") for shot in shots]}
+            typer.echo(json.dumps(told))
+            return
+        for card in (card for scene in board.scenes for card in scene.shots):
+            typer.echo(f"{card.shot}  {card.seconds:5.1f} s  {card.facts:44}  {', '.join(_known_of(card))}".rstrip())
+
+
+def _known_of(card: PanelCard) -> list[str]:
+    """Return what a person should know of a shot, a word or two each."""
+    counted = {"note": card.notes, "take": card.takes if card.takes > 1 else 0}
+    said = {"not drawn": card.state == "none", "stale": card.state == "stale", "omitted": card.omitted}
+    said |= {"approved": card.approved, "locked": card.locked and not card.approved}
+    words = [word for word, holds in said.items() if holds]
+    words += [f"{n} {word}{'s' if n > 1 else ''}" for word, n in counted.items() if n]
+    return words + ([f"{card.problems} to check"] if card.problems else [])
 
 
 @app.command(

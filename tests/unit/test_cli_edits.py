@@ -121,3 +121,27 @@ def test_light_and_set_of_a_scene_are_typed(folder: Path) -> None:
     assert "weather" in refused["problem"]
     [refused] = said("light", folder, "SC010", "--hdri", folder / "no.hdr", code=2)
     assert "no.hdr" in str(refused)
+
+
+def test_a_program_writes_its_edits_to_standard_input(folder: Path) -> None:
+    note = json.dumps([{"kind": "note", "shot": SHOT, "action": "add", "text": "Slower."}])
+    done = CliRunner().invoke(app, ["edit", str(folder), "--batch", "-", "--no-render", "--json"], input=note)
+    assert done.exit_code == 0, done.output
+    assert [each.text for each in read_project_graph(folder).shots[0].notes] == ["Slower."]
+    broken = CliRunner().invoke(app, ["edit", str(folder), "--batch", "-", "--json"], input="[{")
+    assert broken.exit_code == 2 and "JSON" in json.loads(broken.stdout.splitlines()[-1])["problem"]
+
+
+def test_shots_are_listed_with_what_a_person_should_know_of_them(folder: Path) -> None:
+    said("shot", "note", folder, SHOT, "Slower.", "--no-render")
+    said("edit", folder, SHOT, "--size", "CU", "--no-render")
+    said("lock", folder, "SC020_SH010", "--part", "camera")
+    listed = CliRunner().invoke(app, ["shot", "list", str(folder)])
+    first, *_, last = listed.stdout.splitlines()
+    assert first.startswith(SHOT) and first.endswith("not drawn, 1 note") and " CU " in first
+    assert last.startswith("SC020_SH010") and "locked" in last
+    *_, told = said("shot", "list", folder)
+    cards = {card["shot"]: card for scene in told["board"]["scenes"] for card in scene["shots"]}
+    assert cards[SHOT]["notes"] == 1 and cards["SC020_SH010"]["locked"] and cards[SHOT]["state"] == "none"
+    [details] = [shot for shot in told["shots"] if shot["shot"] == SHOT]
+    assert details["notes"][0]["text"] == "Slower." and details["size"] == "CU"

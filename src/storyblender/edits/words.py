@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, get_args
@@ -208,13 +209,14 @@ def _numbers(text: str, count: int, form: str) -> tuple[float, ...]:
 
 
 def read_edits(path: Path) -> tuple[Edit, ...]:
-    """Read a batch of edits from a JSON file.
+    """Read a batch of edits from a JSON file; ``-`` is standard input.
 
     Raises:
         InputError: It cannot be read, or holds something else.
     """
     try:
-        return edits_of(from_json(path.read_bytes(), allow_inf_nan=False), path)
+        text = sys.stdin.buffer.read() if path == Path("-") else path.read_bytes()
+        return edits_of(from_json(text, allow_inf_nan=False), path)
     except (OSError, ValueError) as error:
         raise InputError(f"cannot be read as JSON ({error})", mend="see docs/edits.md", path=path) from error
 
