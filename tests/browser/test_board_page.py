@@ -68,7 +68,7 @@ def test_arrows_go_from_shot_to_shot_and_enter_opens(page: Page) -> None:
     chosen = page.evaluate("document.activeElement.dataset.shot")
     assert chosen not in (None, SHOT)
     page.keyboard.press("Enter")
-    expect(page.locator(".inspector h2")).to_have_text(chosen)
+    expect(page.locator(".inspector > .head h2")).to_have_text(chosen)
     page.keyboard.press("Escape")
     expect(page.locator(".inspector")).to_have_count(0)
 

@@ -3,6 +3,7 @@
 import { LitElement, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import type { Board, Edit, PanelCard, ShotDetails } from "./messages";
+import "./shot_parts";
 import "./shot_why";
 import "./stagings_choose";
 import type { TakesCompare } from "./takes_compare";
@@ -98,6 +99,7 @@ export class ShotInspector extends LitElement {
         <button @click=${() => this.edit({ kind: card.omitted ? "restore" : "omit", target: this.shot })}>
           ${card.omitted ? "Restore" : "Omit"}</button>
       </p>
+      <sb-parts .board=${this.board} .details=${shot} @edit=${(event: CustomEvent<Edit>) => this.edit(event.detail)}></sb-parts>
       ${this.notes(shot)}
       ${shot.problems.length ? html`<h3>To check</h3><ul>${shot.problems.map((each) => html`<li>${each}</li>`)}</ul>` : nothing}
       <h3>Script</h3>
