@@ -10,6 +10,7 @@ import typer
 
 from storyblender import (
     __version__,
+    cli_cast,
     cli_crew,
     cli_edits,
     cli_lamp,
@@ -202,6 +203,7 @@ cli_pose.add_to(app)
 cli_propose.add_to(app)
 cli_lamp.add_to(app)
 cli_scene.add_to(app)
+cli_cast.add_to(app)
 app.add_typer(cli_shots.app, name="shot")
 cli_crew.add_to(app)
 cli_mcp.add_to(app)

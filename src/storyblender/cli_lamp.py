@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Annotated, Any
 
 import typer
 
 from storyblender.cli_options import Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
 from storyblender.shell import shown
+
+_COLUMNS: dict[str, Callable[[Any], str]] = {
+    "lamp": lambda lamp: lamp.name,
+    "kind": lambda lamp: lamp.kind.lower(),
+    "watts": lambda lamp: f"{lamp.power:g}",
+    "at": lambda lamp: ", ".join(f"{value:.2f}" for value in lamp.location),
+    "color": lambda lamp: ", ".join(f"{value:.2f}" for value in lamp.color),
+}
 
 
 def add_to(app: typer.Typer) -> None:
@@ -55,7 +64,7 @@ def lamp(
             from storyblender.project import read_project_graph
 
             lighting = scene_named(read_project_graph(folder), scene).lighting
-            terminal.lamps(lighting.lights if lighting is not None else ())
+            terminal.listed("lamps", lighting.lights if lighting is not None else (), _COLUMNS)
             return
         said = {"location": at, "target": point_at, "power": power, "color": color, "size": size, "cone": cone}
         edit = lamp_edit(scene, name, {**said, "kind": kind}, remove=remove)

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from io import TextIOWrapper
 from itertools import groupby
 from pathlib import Path
 from time import monotonic
 from types import TracebackType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
 from rich.markup import escape
@@ -38,9 +38,9 @@ if TYPE_CHECKING:
     from storyblender.errors import StoryBlenderError
     from storyblender.inspection import Inspection
     from storyblender.language_crew import CheckedAnswer
+    from storyblender.memory.base import Frozen
     from storyblender.memory.graph import ContinuityMemoryGraph
     from storyblender.memory.history import Commit
-    from storyblender.memory.scene_context import Light
     from storyblender.pipeline.reviewing import FrameReview
     from storyblender.pipeline.script_changes import ScriptChanges
     from storyblender.pipeline.shot_reasons import ShotReasons
@@ -242,15 +242,14 @@ class Terminal:
                 read = f"“{line[word.start : word.end]}” read as {word.kind} {word.what} ({word.rule})"
                 self._results.print(f"  {_plain(read)}", soft_wrap=True)
 
-    def lamps(self, lights: Sequence[Light]) -> None:
-        """Print the lamps of a scene."""
+    def listed(self, what: str, values: Sequence[Frozen], columns: Mapping[str, Callable[[Any], str]]) -> None:
+        """Print a list of values as a table with what each column reads of them; as JSON they are told whole."""
         self._progress.stop()
         if self._json:
-            self._write({"lamps": [light.model_dump(mode="json") for light in lights]})
-        table = Table("lamp", "kind", "watts", "at", "color", box=None)
-        for light in lights:
-            at, color = (", ".join(f"{value:.2f}" for value in values) for values in (light.location, light.color))
-            table.add_row(light.name, light.kind.lower(), f"{light.power:g}", at, color)
+            self._write({what: [value.model_dump(mode="json") for value in values]})
+        table = Table(*columns, box=None)
+        for value in values:
+            table.add_row(*(_plain(read(value)) for read in columns.values()))
         self._results.print(table)
 
     def stagings(self, found: Mapping[int, str]) -> None:

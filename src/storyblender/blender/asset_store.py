@@ -21,10 +21,11 @@ from storyblender.blender.props.build import PropBuild, build_prop
 from storyblender.blender.props.imported import build_from_file
 from storyblender.blender.props.stand_in import build_stand_in
 from storyblender.catalog.props.prop_names import prop_of
+from storyblender.catalog.wardrobe import person_seed
 from storyblender.errors import InputError
 from storyblender.folder import Folder
 from storyblender.memory.asset_sheet import Asset, CharacterLook, ModelPose
-from storyblender.memory.base import Frozen, content_hash
+from storyblender.memory.base import Frozen, content_hash, seed_of
 from storyblender.memory.jobs import ASSETS, FETCHED, AssetJob, asset_suffixes
 from storyblender.memory.measure import AssetMeasure
 from storyblender.model_content import content_of
@@ -142,11 +143,10 @@ class AssetStore:
 
     def _build_person(self, asset: Asset, digest: str, collection: bpy.types.Collection) -> AssetMeasure:
         """Build a person with seated clothes into a collection; return its measure."""
-        look = asset.look or CharacterLook()
+        look = asset.decided_look or CharacterLook()
         if asset.dimension is not None and asset.dimension.height is not None:
             look = look.model_copy(update={"stature": min(2.4, max(0.4, asset.dimension.height))})
-        identity = asset.reference_character or asset.asset_id
-        build = build_person(asset.asset_id, look, seed=_seed(identity))
+        build = build_person(asset.asset_id, look, seed=person_seed(asset))
         drape_seated(build)
         for obj in (build.armature, *build.meshes):
             collection.objects.link(obj) if obj.name not in collection.objects else None
@@ -187,7 +187,7 @@ class AssetStore:
         """Return the built prop of an asset, from the catalogue, a user's file, or as a stand-in."""
         canonical = asset.canonical
         assert canonical is not None, "the Concept Artist decides what an asset is before it is built"
-        seed = _seed(digest)
+        seed = seed_of(digest)
         match canonical.source:
             case "catalog":
                 return build_prop(canonical.key, canonical.params, seed, asset.dimension)
@@ -228,8 +228,3 @@ def _digest(asset: Asset) -> str:
     """Return the digest of a built asset."""
     assert asset.canonical is not None, f"{asset.asset_id} has not been built"
     return asset.canonical.digest
-
-
-def _seed(text: str) -> int:
-    """Return a seed for a text."""
-    return int(content_hash(text)[:8], 16)

@@ -203,7 +203,7 @@ def recipe(look: CharacterLook, seed: int) -> BodyRecipe:
         look: Gender, age, build and skin.
         seed: Source of variation.
     """
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng([seed, look.face] if look.face else seed)
     gender = resolved_gender(look, seed)
     muscle, weight, extras = BUILDS[look.build]
     details = dict(extras)

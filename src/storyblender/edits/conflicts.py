@@ -32,7 +32,7 @@ _FIELDS: Final[dict[str, dict[str, str]]] = {
     },
     "head": {"scene_order": "cut"},
     "assets": {"look": "asset", "dimension": "asset", "canonical": "asset", "decision": "asset", "locked": "asset",
-               "name": "name"},
+               "look_decision": "asset", "turned_down": "asset", "name": "name"},
 }  # fmt: skip
 """Which field of an item is which aspect. What the crew derives from them, such as lamps or marks, is none."""
 

@@ -12,6 +12,7 @@ from storyblender.edits.coverage_edits import add_effects, join_effects, split_e
 from storyblender.edits.cut_edits import omit_effects, reorder_effects, restore_effects
 from storyblender.edits.effect import Effect
 from storyblender.edits.lock_edits import lock_effects, unlock_effects
+from storyblender.edits.look_edits import look_effects
 from storyblender.edits.note_edits import approve_effects, note_effects
 from storyblender.edits.place_edits import place_effects
 from storyblender.edits.scene_edits import layout_effects, light_effects, set_effects
@@ -28,6 +29,7 @@ from storyblender.memory.edits import (
     LayoutEdit,
     LightEdit,
     LockEdit,
+    LookEdit,
     NoteEdit,
     OmitEdit,
     PlaceEdit,
@@ -63,6 +65,7 @@ _FAMILIES: Final[dict[type[Edit], Callable[[ContinuityMemoryGraph, Any], list[Ef
     PlaceEdit: place_effects,
     BlockingEdit: blocking_effects,
     AssetEdit: asset_effects,
+    LookEdit: look_effects,
     TakeEdit: take_effects,
     NoteEdit: note_effects,
     ApproveEdit: approve_effects,

@@ -8,6 +8,7 @@ from typing import Any
 
 from storyblender.edits.asset_edits import given_back
 from storyblender.edits.effect import Effect, name_of, refuse_locked, scene_effect, scenes_of_place, shot_names
+from storyblender.edits.look_edits import look_given_back
 from storyblender.edits.targets import Target, target_named
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Asset
@@ -55,7 +56,7 @@ def unlock_effects(graph: ContinuityMemoryGraph, edit: UnlockEdit) -> list[Effec
     item, name, parts = _parts(graph, edit)
     words = f"{', '.join(parts)} unlocked"
     if isinstance(item, Asset):
-        return given_back(graph, item)
+        return look_given_back(graph, item) if item.asset_type == "character" else given_back(graph, item)
     if isinstance(item, SceneContext):
         return list(_scene_unlocked(graph, item, parts, words))
     if item.approved is not None:

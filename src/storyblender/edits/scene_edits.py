@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
-from difflib import get_close_matches
-
 from storyblender.agents.visual_effects_artist.lighting_arranger_view import MOST_LIGHTS
 from storyblender.catalog.light_recipes import HOURS
 from storyblender.catalog.materials import MATERIALS
@@ -21,7 +18,7 @@ from storyblender.edits.effect import (
     scene_effect,
     scenes_of_place,
 )
-from storyblender.edits.targets import scene_named
+from storyblender.edits.targets import refuse_other, scene_named
 from storyblender.errors import InputError
 from storyblender.memory.edits import LayoutEdit, LightEdit, SetEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -119,18 +116,18 @@ def _refuse_unknown(scene: SceneContext, decision: SetDecision) -> None:
     """Refuse what the catalogue, or the set of a scene, does not have."""
     kit = SETS.get(decision.kit or scene.decided_setup.kit)
     if decision.kit is not None:
-        _refuse_other(decision.kit, "set kit", SETS)
+        refuse_other(decision.kit, "set kit", SETS)
         assert kit is not None
         if kit.indoor != (scene.setup.scene_type == "indoor"):
             where = "indoors" if kit.indoor else "outdoors"
             mend = "change the heading in the script, or choose another kit"
             raise InputError(f"the set kit {kit.key!r} is {where}, {name_of(scene)} is not", mend=mend)
     for option in decision.options:
-        _refuse_other(option, f"option of the set {kit.key if kit else ''}".rstrip(), kit.options if kit else ())
+        refuse_other(option, f"option of the set {kit.key if kit else ''}".rstrip(), kit.options if kit else ())
     for name in ("walls", "ground"):
         finish = getattr(decision, name)
         if finish is not None:
-            _refuse_other(finish, "material", {**FINISHES, **MATERIALS})
+            refuse_other(finish, "material", {**FINISHES, **MATERIALS})
     if scene.environment is None or scene.environment.kit not in SETS or decision.kit is not None:
         return
     plan = plan_of(scene.environment)
@@ -139,16 +136,6 @@ def _refuse_unknown(scene: SceneContext, decision: SetDecision) -> None:
     if decision.ground is not None and not has_ground(plan):
         raise InputError(f"the set of {name_of(scene)} has no ground that can be of another material")
     for node_id, prop in decision.furniture.items():
-        _refuse_other(node_id, f"furniture of {name_of(scene)}", [item.node_id for item in plan.furnishings])
+        refuse_other(node_id, f"furniture of {name_of(scene)}", [item.node_id for item in plan.furnishings])
         if prop is not None:
-            _refuse_other(prop.prop, "prop", PROPS)
-
-
-def _refuse_other(key: str, what: str, known: Collection[str]) -> None:
-    """Refuse a key that is not among the known ones, with the nearest of them."""
-    if key in known:
-        return
-    near = get_close_matches(key, known, n=3, cutoff=0.6)
-    several = ", ".join(near or sorted(known)[:12])
-    mend = f"did you mean {several}?" if near else f"there are: {several} ..." if several else "it has none"
-    raise InputError(f"there is no {what} {key!r}", mend=mend)
+            refuse_other(prop.prop, "prop", PROPS)

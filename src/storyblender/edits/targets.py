@@ -78,6 +78,25 @@ def person_or_thing(graph: ContinuityMemoryGraph, name: str) -> str:
     return ids.get(name) or called.get(as_id(name)) or _known("person or thing", name, name.lower(), ids)
 
 
+def refuse_other(key: str, what: str, known: Collection[str]) -> None:
+    """Refuse a key that is not among the known ones, with the nearest of them.
+
+    Args:
+        key: As an edit gives it.
+        what: It is of, for people.
+        known: Keys that there are.
+
+    Raises:
+        InputError: It is none of them.
+    """
+    if key in known:
+        return
+    near = get_close_matches(key, known, n=3, cutoff=0.6)
+    several = ", ".join(near or sorted(known)[:12])
+    mend = f"did you mean {several}?" if near else f"there are: {several} ..." if several else "it has none"
+    raise InputError(f"there is no {what} {key!r}", mend=mend)
+
+
 def as_id(name: str) -> str:
     """Return a name in the form of an id: ``Young Anna`` is ``young_anna``."""
     return "_".join(name.lower().split())

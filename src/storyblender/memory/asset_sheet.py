@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import Field, StringConstraints
 
@@ -26,6 +26,11 @@ class Garment(Frozen):
     color: Color | None = None
 
 
+BodyBuild = Literal["slim", "average", "athletic", "stocky", "heavy"]
+SkinTone = Literal["pale", "light", "tan", "brown", "dark"]
+FacialHair = Literal["none", "stubble", "moustache", "beard"]
+
+
 class CharacterLook(Frozen):
     """How a person looks, in the words of casting; the people builder fills every gap with a plausible default."""
 
@@ -34,17 +39,59 @@ class CharacterLook(Frozen):
     """Years."""
     stature: float | None = Field(default=None, ge=0.4, le=2.4)
     """Metres; None lets age and gender decide."""
-    build: Literal["slim", "average", "athletic", "stocky", "heavy"] = "average"
-    skin: Literal["pale", "light", "tan", "brown", "dark"] = "light"
+    build: BodyBuild = "average"
+    skin: SkinTone = "light"
     hair: Identifier = "short"
     """A key of ``catalog.hair``."""
     hair_color: Color | None = None
-    facial_hair: Literal["none", "stubble", "moustache", "beard"] = "none"
+    facial_hair: FacialHair = "none"
     garments: tuple[Garment, ...] = ()
     """From the inside out; empty lets gender, age and period decide."""
     glasses: bool = False
     species: str = ""
     """Key of ``catalog.species`` for an animal cast as a character; empty for people."""
+    face: int = Field(default=0, ge=0, le=999, exclude_if=lambda value: not value)
+    """Which of the faces that fit these words."""
+
+
+class LookDecision(Described):
+    """What a person decided about how somebody looks, over the words of casting; what is left out is the crew's."""
+
+    gender: Literal["female", "male"] | None = Field(default=None, exclude_if=is_none)
+    """Of the body, and of the clothes that people usually wear."""
+    age: Annotated[float, Field(ge=0, le=110)] | None = Field(default=None, exclude_if=is_none)
+    """Years."""
+    stature: Annotated[float, Field(ge=0.4, le=2.4)] | None = Field(default=None, exclude_if=is_none)
+    """Height in metres."""
+    build: BodyBuild | None = Field(default=None, exclude_if=is_none)
+    """Of the body."""
+    skin: SkinTone | None = Field(default=None, exclude_if=is_none)
+    """Tone of the skin."""
+    hair: Identifier | None = Field(default=None, exclude_if=is_none)
+    """A key of ``catalog hair``: ``bob``."""
+    hair_color: Color | None = Field(default=None, exclude_if=is_none)
+    """Scene-linear; also of a beard."""
+    facial_hair: FacialHair | None = Field(default=None, exclude_if=is_none)
+    """``none``, ``stubble``, ``moustache`` or ``beard``."""
+    glasses: bool | None = Field(default=None, exclude_if=is_none)
+    """Whether they wear any."""
+    garments: tuple[Garment, ...] | None = Field(default=None, exclude_if=is_none)
+    """All that they wear."""
+    face: Annotated[int, Field(ge=0, le=999)] | None = Field(default=None, exclude_if=is_none)
+    """Which of the faces that fit the rest; another number, another face."""
+
+    def then(self, later: LookDecision) -> LookDecision:
+        """Return this decision with a later one on top."""
+        return self.model_copy(update=later.told)
+
+    def over(self, look: CharacterLook) -> CharacterLook:
+        """Return a look with what was decided over it."""
+        return look.model_copy(update=self.told)
+
+    @property
+    def told(self) -> dict[str, Any]:
+        """The fields that are decided."""
+        return {name: value for name, value in self if value is not None}
 
 
 class Anchor(Frozen):
@@ -209,6 +256,10 @@ class Asset(Frozen):
     canonical: CanonicalAsset | None = None
     decision: AssetDecision | None = Field(default=None, exclude_if=is_none)
     """What a person had it made from, whatever the script calls it."""
+    look_decision: LookDecision | None = Field(default=None, exclude_if=is_none)
+    """How a person decided that somebody looks, whatever the script says."""
+    turned_down: tuple[Note, ...] = Field(default=(), exclude_if=lambda value: not value)
+    """Keys of what a person did not want it made from."""
     image_prompt: Annotated[str, StringConstraints(max_length=PROMPT_LENGTH)] = Field(
         default="", exclude_if=lambda value: not value
     )
@@ -216,6 +267,11 @@ class Asset(Frozen):
     locked: bool = Field(default=False, exclude_if=lambda value: not value)
     """Whether a person locked its look, its size and its model."""
     _former = dropping("text_to_image_prompt")
+
+    @property
+    def decided_look(self) -> CharacterLook | None:
+        """How a person looks, with what was decided over the words of casting; None for objects."""
+        return self.look if self.look is None or self.look_decision is None else self.look_decision.over(self.look)
 
     @property
     def fitted_part(self) -> str:

@@ -81,6 +81,11 @@ def content_hash(*parts: BaseModel | dict[str, object] | list[object] | str | in
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
+def seed_of(text: str) -> int:
+    """Return a seed for a text, stable across runs and machines."""
+    return int(content_hash(text)[:8], 16)
+
+
 def scene_name(scene_id: int) -> str:
     """Return the name written on slates and in the .blend, e.g. ``SC010`` for scene 1."""
     return f"SC{scene_id * 10:03d}"

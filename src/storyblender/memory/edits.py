@@ -6,6 +6,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, TypeAdapter, model_validator
 
+from storyblender.memory.asset_sheet import Garment, LookDecision
 from storyblender.memory.base import Described, Frames, Identifier, is_none
 from storyblender.memory.locks import LockName
 from storyblender.memory.notes import MOST_NOTES, NoteAuthor, NoteText
@@ -179,6 +180,21 @@ class AssetEdit(Described):
         return self
 
 
+class LookEdit(Described):
+    """Decides how a person looks: body, hair, clothes; they are built anew, and the scenes that show them follow."""
+
+    kind: Literal["look"] = "look"
+    """Which edit this is."""
+    person: _Name
+    """Their id or name."""
+    decision: LookDecision = LookDecision()
+    """Any of its fields; those left out stay as they are."""
+    wear: tuple[Garment, ...] = ()
+    """What they put on, over what they wear or in its place; keys are of ``catalog garments``."""
+    take_off: tuple[Identifier, ...] = ()
+    """Keys of garments that they take off."""
+
+
 class TakeEdit(Described):
     """Keeps the camera of a shot as a take and goes on with the next, chooses a take, or drops one."""
 
@@ -327,6 +343,7 @@ Edit = Annotated[
     | PlaceEdit
     | BlockingEdit
     | AssetEdit
+    | LookEdit
     | TakeEdit
     | NoteEdit
     | ApproveEdit

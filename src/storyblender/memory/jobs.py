@@ -53,7 +53,7 @@ class AssetJob(Frozen):
         return content_hash(
             GEOMETRY_VERSION,
             asset.asset_id if asset.asset_type == "character" else "",
-            asset.look.model_dump(mode="json") if asset.look else None,
+            look.model_dump(mode="json") if (look := asset.decided_look) else None,
             asset.dimension.model_dump(mode="json") if asset.dimension else None,
             None if canonical is None else f"{canonical.source}:{canonical.key}",
             *([MODEL_VERSION] if canonical is not None and canonical.source == "file" else []),

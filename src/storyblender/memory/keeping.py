@@ -44,6 +44,8 @@ def lock_violations(old: Item, new: Item, author: str) -> Iterator[str]:
         case Asset(), Asset():
             if old.locked and _model(new) != _model(old) and (new.locked or author not in PEOPLE):
                 yield f"{old.asset_id} is locked"
+            if author not in PEOPLE and new.look_decision != old.look_decision:
+                yield f"a person decided how {old.asset_id} looks"
             if author not in PEOPLE and old.decision is not None:
                 recipe = new.canonical and (new.canonical.key, new.canonical.params)
                 if new.decision != old.decision or recipe not in (None, (old.decision.prop, old.decision.params)):
@@ -102,4 +104,4 @@ def _model(asset: Asset) -> tuple[object, ...]:
     """Return what a locked asset keeps: its look, its size, and the model that it became."""
     made = asset.canonical
     recipe = (made.source, made.key, tuple(sorted(made.params.items()))) if made is not None else None
-    return asset.look, asset.dimension, recipe
+    return asset.decided_look, asset.dimension, recipe

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Mapping
 
 from storyblender.catalog.recipe import made_from
+from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
 from storyblender.memory.scene_context import SceneContext
@@ -20,9 +21,20 @@ def with_decided_models(old: ContinuityMemoryGraph, plan: ContinuityMemoryGraph)
         old: The graph as it is.
         plan: Of other settings.
     """
-    decided = {asset.asset_id: asset.decision for asset in old.assets if asset.decision is not None}
-    made = [made_from(asset, decided[asset.asset_id]) for asset in plan.assets if asset.asset_id in decided]
-    return replace(plan, *made)
+    former = {asset.asset_id: asset for asset in old.assets}
+    known = (asset for asset in plan.assets if asset.asset_id in former)
+    return replace(plan, *(decided_as_before(asset, former[asset.asset_id]) for asset in known))
+
+
+def decided_as_before(asset: Asset, past: Asset) -> Asset:
+    """Return an asset with what a person decided about what it is made from, and how it looks.
+
+    Args:
+        asset: As the Director plans it.
+        past: As it was.
+    """
+    asset = asset.model_copy(update={"look_decision": past.look_decision, "turned_down": past.turned_down})
+    return asset if past.decision is None else made_from(asset, past.decision)
 
 
 def with_scene_decisions(

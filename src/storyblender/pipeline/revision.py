@@ -11,7 +11,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
 
-from storyblender.catalog.recipe import made_from
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import content_hash, scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -22,7 +21,13 @@ from storyblender.memory.scene_context import Environment, SceneContext
 from storyblender.memory.shot_context import CameraDecision, CameraInstruction, CameraState, ShotContext
 from storyblender.pipeline.kept_coverage import with_coverage
 from storyblender.pipeline.kept_cut import ShotKey, with_cut
-from storyblender.pipeline.kept_decisions import marks_of, takes_of, with_decided_models, with_scene_decisions
+from storyblender.pipeline.kept_decisions import (
+    decided_as_before,
+    marks_of,
+    takes_of,
+    with_decided_models,
+    with_scene_decisions,
+)
 
 Words = tuple[tuple[str, str], ...]
 Designer = Callable[[ContinuityMemoryGraph, int], Environment]
@@ -280,12 +285,12 @@ def _with_assets(old: ContinuityMemoryGraph, plan: ContinuityMemoryGraph) -> Con
         elif past is not None and past.locked:
             same = {name: getattr(past, name) for name in ("look", *_MADE)}
             kept.append(asset.model_copy(update=same))
-        elif past is not None and past.decision is not None:
-            kept.append(made_from(asset, past.decision))
+        elif past is not None:
+            kept.append(decided_as_before(asset, past))
     return replace(plan, *kept)
 
 
-_MADE = ("dimension", "canonical", "locked", "decision", "image_prompt")
+_MADE = ("dimension", "canonical", "locked", "decision", "look_decision", "turned_down", "image_prompt")
 """Fields of an asset that neither the script nor the Director decides."""
 
 

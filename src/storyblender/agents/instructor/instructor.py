@@ -127,7 +127,7 @@ def instructor_view(graph: ContinuityMemoryGraph, words: str) -> InstructorView:
     )
     assets = [asset for asset in graph.assets if asset.origin != "dressing"]
     names = {asset.asset_id: asset.name or asset.asset_id for asset in assets}
-    genders = {asset.asset_id: asset.look.gender for asset in assets if asset.look is not None}
+    genders = {asset.asset_id: look.gender for asset in assets if (look := asset.decided_look) is not None}
     involved = {name.partition("_")[0] for name in wanted}
     now = tuple(scene_now(graph, scene) for scene in graph.scenes if scene_name(scene.scene_id) in involved)
     return InstructorView(

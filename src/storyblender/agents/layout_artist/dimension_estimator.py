@@ -183,10 +183,11 @@ def fit_to_room(dimension: AssetDimension, asset: Asset, room: Vec3 | None) -> A
 
 def _estimate_without_room(asset: Asset) -> AssetDimension:
     """Return the dimension of an asset by measure, kind, class and words of size."""
-    if asset.stated_size.measure is not None:
+    decided = asset.look_decision
+    if asset.stated_size.measure is not None and (decided is None or decided.stature is None):
         return asset.stated_size.measure
-    if asset.asset_type == "character" and asset.look is not None:
-        return AssetDimension(height=round(min(max(_stature(asset.look, asset.stated_size.word), 0.4), 2.4), 2))
+    if (look := asset.decided_look) is not None and asset.asset_type == "character":
+        return AssetDimension(height=round(min(max(_stature(look, asset.stated_size.word), 0.4), 2.4), 2))
     scale = next((factor for word, factor in _SCALES.items() if word == asset.stated_size.word), 1.0)
     if asset.canonical is not None and asset.canonical.source == "catalog":
         side, value = _largest_side(asset.canonical.dimensions)

@@ -78,7 +78,7 @@ def _open(view: DimensionEstimatorView) -> dict[str, Asset]:
     return {
         each.asset_id: _measured(each, view)
         for each in view.assets
-        if each.stated_size.measure is None and (each.look is None or each.look.stature is None)
+        if each.stated_size.measure is None and ((look := each.decided_look) is None or look.stature is None)
     }
 
 
@@ -153,7 +153,7 @@ def _shown(view: DimensionEstimatorView, usual: Dimensions) -> dict[str, Any]:
 
 
 def _shown_asset(asset: Asset, usual: AssetDimension, view: DimensionEstimatorView, drawn: bool) -> dict[str, Any]:
-    made, look, room = asset.canonical, asset.look, view.rooms.get(asset.asset_id)
+    made, look, room = asset.canonical, asset.decided_look, view.rooms.get(asset.asset_id)
     told: dict[str, Any] = {"id": asset.asset_id, "is": asset.name, "description": asset.description}
     if look is not None:
         told |= {"person": True, "gender": look.gender, "age": look.age, "species": look.species}

@@ -111,4 +111,4 @@ def stature_of(asset: Asset) -> float:
     """Return a character's height in metres: as measured, else as described, else 1.7."""
     if asset.canonical is not None:
         return asset.canonical.dimensions[2]
-    return (asset.look.stature if asset.look else None) or 1.7
+    return (look.stature if (look := asset.decided_look) else None) or 1.7

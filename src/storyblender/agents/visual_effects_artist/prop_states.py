@@ -53,6 +53,6 @@ def _find_body_place(person: StagedPerson, prop: str, assets: Mapping[str, Asset
         return None
     canonical = assets[prop].canonical if prop in assets else None
     key = canonical.key if canonical is not None else None
-    look = assets[person.asset_id].look if person.asset_id in assets else None
+    look = assets[person.asset_id].decided_look if person.asset_id in assets else None
     clothes = {garment.key for garment in look.garments} if look is not None else set[str]()
     return None if key in clothes else body_place_of(person.on_body[prop], key)

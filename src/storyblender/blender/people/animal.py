@@ -18,12 +18,11 @@ from storyblender.blender.people.solids import bar
 from storyblender.blender.people.tailor import Worn
 from storyblender.blender.tags import Surface
 from storyblender.catalog.bodies import mix, recipe, typical_stature
-from storyblender.catalog.garments import GARMENTS
 from storyblender.catalog.materials import hex_color
 from storyblender.catalog.skeleton import SKELETON
 from storyblender.catalog.species import Species
 from storyblender.geometry.solids import Floats
-from storyblender.memory.asset_sheet import CharacterLook, Garment
+from storyblender.memory.asset_sheet import CharacterLook
 from storyblender.memory.base import Color
 
 _PUPIL, _WHITE, _GLINT = (0.005, 0.005, 0.005), (0.72, 0.70, 0.66), (1.0, 1.0, 1.0)
@@ -131,9 +130,3 @@ class AnimalBody:
         return build_object(
             f"{armature.name}_glasses", join(rings), [Paint(_FRAME, "satin")], armature, surface=Surface.PROP
         )
-
-
-def animal_garments(look: CharacterLook) -> tuple[Garment, ...]:
-    """Return the garments of an animal, innermost first: only those in the script, because it has a coat."""
-    chosen = [garment for garment in look.garments if garment.key in GARMENTS]
-    return tuple(sorted(chosen, key=lambda garment: GARMENTS[garment.key].layer))

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.blender.people import eyewear, face, hair, mannequin, mouth, rig, skin, tailor, whiskers
-from storyblender.blender.people.animal import AnimalBody, animal_garments
+from storyblender.blender.people.animal import AnimalBody
 from storyblender.blender.people.body import RiggedBody
 from storyblender.blender.people.figure import BodyFigure
 from storyblender.blender.people.pack import PARTS, BodyPack, load_body_pack
@@ -26,6 +26,7 @@ from storyblender.catalog.garments import dressed
 from storyblender.catalog.hair import hairstyle
 from storyblender.catalog.skeleton import SKELETON
 from storyblender.catalog.species import SPECIES
+from storyblender.catalog.wardrobe import clothes_of_animal
 from storyblender.memory.asset_sheet import CharacterLook
 
 HEM = 0.004
@@ -88,7 +89,7 @@ def _build_animal(asset_id: str, look: CharacterLook, seed: int, pack: BodyPack)
     animal = AnimalBody(pack, SPECIES[look.species], look, seed)
     armature = rig.build_armature(asset_id, animal.joints)
     tag(armature, kind="character", node_id=asset_id, asset_id=asset_id)
-    wardrobe = tailor.dress_figure(animal.figure, animal_garments(look), seed)
+    wardrobe = tailor.dress_figure(animal.figure, clothes_of_animal(look), seed)
     meshes = [
         *animal.build(armature, wardrobe, glasses=look.glasses),
         *(_build_garment(animal.figure, armature, worn) for worn in wardrobe),

@@ -18,6 +18,7 @@ from storyblender.catalog import cuts
 from storyblender.catalog.bodies import mix
 from storyblender.catalog.garments import GARMENTS, GarmentSpec
 from storyblender.catalog.materials import hex_color
+from storyblender.catalog.wardrobe import in_colors
 from storyblender.geometry.solids import Floats
 from storyblender.memory.asset_sheet import Garment
 from storyblender.memory.base import Color
@@ -80,13 +81,12 @@ def dress_figure(figure: BodyFigure, outfit: Sequence[Garment], seed: int) -> li
         outfit: Innermost first.
         seed: Picks the colours that the outfit leaves open.
     """
-    rng = np.random.default_rng(seed + 3)
     layers = WornLayers(float(figure.joint("neck")[1]) - 0.01 * figure.scale)
     wardrobe: list[Worn] = []
-    for garment in outfit:
+    for garment in in_colors(outfit, seed):
         spec = GARMENTS[garment.key]
-        picked = hex_color(spec.colors[int(rng.integers(len(spec.colors)))])
-        worn = Worn(spec, garment.color or picked, [])
+        assert garment.color is not None, "every piece has its colour"
+        worn = Worn(spec, garment.color, [])
         for piece in spec.pieces:
             bolts = BUILDERS[type(piece)](piece, figure, layers)
             worn.bolts += bolts

@@ -1,0 +1,88 @@
+"""``storyblender cast``: how people look is listed and changed: body, hair, clothes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Annotated, Any
+
+import typer
+
+from storyblender.cli_options import Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
+from storyblender.shell import shown
+
+_COLUMNS: dict[str, Callable[[Any], str]] = {
+    "person": lambda card: card.asset,
+    "name": lambda card: card.name,
+    "looks": lambda card: card.told,
+    "": lambda card: ", ".join(["you decided"] * card.decided + ["locked"] * card.locked),
+}
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the command to the command line."""
+    app.command(
+        epilog=examples(
+            "cast my_film.storyboard",
+            'cast my_film.storyboard rick --wear "red coat" --take-off tie',
+            "cast my_film.storyboard ilsa --hair bob --hair-color black --age 30",
+            "cast my_film.storyboard ilsa --face 2",
+        )
+    )(cast)
+
+
+def cast(
+    context: typer.Context,
+    folder: Folder,
+    person: Annotated[
+        str | None, typer.Argument(metavar="PERSON", help="Who; left out, all are listed.", show_default=False)
+    ] = None,
+    wear: Annotated[
+        list[str] | None,
+        typer.Option(help='What they put on: "red coat". May be repeated.'),
+    ] = None,
+    take_off: Annotated[list[str] | None, typer.Option(help="What they take off; may be repeated.")] = None,
+    hair: Annotated[str | None, typer.Option(help="Their hair, as `catalog hair` lists it: bob.")] = None,
+    hair_color: Annotated[str | None, typer.Option(help="Its colour: black, or #6b4a30.")] = None,
+    facial_hair: Annotated[str | None, typer.Option(help="none, stubble, moustache or beard.")] = None,
+    glasses: Annotated[bool | None, typer.Option("--glasses/--no-glasses", help="Whether they wear any.")] = None,
+    skin: Annotated[str | None, typer.Option(help="pale, light, tan, brown or dark.")] = None,
+    age: Annotated[float | None, typer.Option(help="Years.")] = None,
+    sex: Annotated[str | None, typer.Option(help="female or male.")] = None,
+    build: Annotated[str | None, typer.Option(help="slim, average, athletic, stocky or heavy.")] = None,
+    height: Annotated[float | None, typer.Option(help="Metres.")] = None,
+    face: Annotated[int | None, typer.Option(help="Another number, another face.")] = None,
+    revision: Annotated[
+        str | None, typer.Option(help="What you looked at, as --json told it; refused if that changed since.")
+    ] = None,
+    draw: Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")] = True,
+    look: LookOption = None,
+    jobs: Jobs = None,
+    quiet: Quiet = False,
+    json_lines: Json = False,
+) -> None:
+    """Change how somebody looks, in all scenes that show them; without a name, list the cast. It stays when the script
+    changes.
+
+    `lock` keeps it against further edits, `unlock` gives it back to the crew, `undo` takes it back.
+    """
+    said: dict[str, Any] = {
+        "hair": hair, "hair_color": hair_color, "facial_hair": facial_hair, "glasses": glasses, "skin": skin,
+        "age": age, "gender": sex, "build": build, "stature": height, "face": face,
+    }  # fmt: skip
+    with shown(quiet, json_lines) as terminal:
+        from storyblender.edits.look_words import look_edit
+
+        if person is None:
+            from storyblender.project import read_project_graph
+            from storyblender.workplace.cast import cards_of
+
+            people = [card for card in cards_of(read_project_graph(folder)) if card.sort == "person"]
+            terminal.listed("cast", people, _COLUMNS)
+            return
+        edit = look_edit(person, said, wear or (), take_off or ())
+        settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
+        studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
+        applied, delivery = studio.edit(folder, [edit], revision, draw=draw)
+        terminal.applied(applied)
+        if delivery is not None:
+            terminal.files(delivery.folder, delivery.files)
