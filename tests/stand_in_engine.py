@@ -148,9 +148,7 @@ class StandInEngine:
 
     def read_story(self, name: str) -> Future[BlendReading]:
         """A file of the stand-in says nothing of what it was compiled as."""
-        return self._answer(
-            "read_story", BlendReading(compiled=None, saved=BlendValues(version="", scenes=(), materials={}))
-        )
+        return self._answer("read_story", BlendReading(compiled=None, saved=BlendValues(version="", scenes=())))
 
     def draw_sides(self, job: AssetJob, folder: str) -> Future[Vec3]:
         """Every side of a thing has a colour of its own."""

@@ -15,6 +15,7 @@ from storyblender import (
     cli_edits,
     cli_lamp,
     cli_mcp,
+    cli_paint,
     cli_pose,
     cli_propose,
     cli_pull,
@@ -204,6 +205,7 @@ cli_propose.add_to(app)
 cli_lamp.add_to(app)
 cli_scene.add_to(app)
 cli_cast.add_to(app)
+cli_paint.add_to(app)
 app.add_typer(cli_shots.app, name="shot")
 cli_crew.add_to(app)
 cli_mcp.add_to(app)

@@ -13,6 +13,7 @@ from storyblender.blender.library_scene import add_assets, new_file
 from storyblender.blender.tidying import show_on_opening, write_version_note
 from storyblender.folder import Folder
 from storyblender.memory.base import scene_name, shot_name
+from storyblender.memory.blend_values import StripInEdit
 from storyblender.memory.graph import ProjectFormat
 from storyblender.memory.jobs import CutJob, PackRef, SequenceFile, StoryJob
 from storyblender.memory.shot_context import ShotContext
@@ -35,7 +36,7 @@ def compile_cut(job: CutJob, files: Folder) -> None:
         for sequence in job.sequences:
             _stand_in(beside, sequence, job)
         new_file()
-        add_assets(job.assets, AssetStore(files))
+        add_assets(job.assets, AssetStore(files), job.paints)
         write_version_note()
         bpy.ops.wm.save_as_mainfile(filepath=str(beside.path(job.out)))  # links are relative to where the file lies
         for sequence in job.sequences:
@@ -78,6 +79,21 @@ def add_edit(film: ProjectFormat, packs: Sequence[PackRef], shots: Sequence[Shot
         strip.frame_final_duration = shot.duration
         frame += shot.duration
     edit.frame_start, edit.frame_end = 1, max(1, frame - 1)
+
+
+def cut_values() -> tuple[StripInEdit, ...] | None:
+    """Return the strips of the scene with the cut in the open file, in order; None if it has no such scene."""
+    edit = bpy.data.scenes.get(EDIT)
+    if edit is None or edit.sequence_editor is None:
+        return None
+    strips = (strip for strip in edit.sequence_editor.strips if strip.type == "SCENE")
+    return tuple(
+        StripInEdit(
+            name=strip.name, start=strip.frame_final_start, frames=strip.frame_final_duration,
+            offset=round(strip.frame_offset_start), muted=strip.mute,
+        )
+        for strip in sorted(strips, key=lambda strip: (strip.frame_final_start, strip.name))
+    )  # fmt: skip
 
 
 def in_film(job: StoryJob | CutJob) -> tuple[ShotContext, ...]:

@@ -9,9 +9,11 @@ import bpy
 
 from storyblender.blender.asset_store import AssetStore
 from storyblender.blender.merge import merge_duplicates
+from storyblender.blender.painting import paint_objects
 from storyblender.blender.tags import tag
 from storyblender.blender.tidying import tidy
 from storyblender.memory.asset_sheet import Asset, Provenance
+from storyblender.memory.paint import Paint
 
 LIBRARY = "00_ASSET_LIBRARY"
 
@@ -22,12 +24,13 @@ def new_file() -> None:
     bpy.context.scene.name = LIBRARY
 
 
-def add_assets(assets: Sequence[Asset], store: AssetStore) -> None:
+def add_assets(assets: Sequence[Asset], store: AssetStore, paints: Sequence[Paint] = ()) -> None:
     """Add every canonical asset once, on a grid, each in a collection marked for the Asset Browser.
 
     Args:
         assets: Of the story; those without a canonical are left out.
         store: Builds or reads their meshes.
+        paints: What a person decided about their materials.
     """
     library = bpy.data.scenes[LIBRARY]
     bpy.context.window.scene = library
@@ -47,6 +50,7 @@ def add_assets(assets: Sequence[Asset], store: AssetStore) -> None:
         _credit(collection.asset_data, asset.canonical.provenance)
         for word in asset.tags:
             collection.asset_data.tags.new(word, skip_if_exists=True)
+    paint_objects(library.objects, paints)
     merge_duplicates()
     tidy(library.objects)
 

@@ -19,6 +19,7 @@ from storyblender.blender.hiding import key_hidden
 from storyblender.blender.merge import merge_duplicates
 from storyblender.blender.motion.bake import bake
 from storyblender.blender.motion.solve import solve_shot
+from storyblender.blender.painting import paint_objects
 from storyblender.blender.progress import Report, ignore
 from storyblender.blender.sections import split_sections, with_sections
 from storyblender.blender.sets.build import build_set
@@ -91,6 +92,7 @@ class ScenePacker:
             problems += self._perform(planner, shot, doors)
         swing_doors(doors, built)
         self._key_visibility()
+        paint_objects(scene.objects, self._job.paints, self._job.scene.scene_id)
         merge_duplicates()
         return tuple(problems)
 

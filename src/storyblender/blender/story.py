@@ -49,7 +49,7 @@ def compile_story(job: StoryJob, files: Folder, report: Report = ignore) -> None
             shots = tuple(shot for shot in job.shots if shot.scene_id == pack.scene_id)
             _add_scene(job, pack, scenes[pack.scene_id], shots, files)
     if changed is None:
-        add_assets(job.assets, AssetStore(files))
+        add_assets(job.assets, AssetStore(files), job.paints)
     write_version_note()
     add_edit(job.format, job.packs, in_film(job))
     show_on_opening(bpy.data.scenes[scene_name(job.packs[0].scene_id)])

@@ -11,6 +11,8 @@ import numpy as np
 from mathutils import Euler, Quaternion
 from pydantic import ValidationError
 
+from storyblender.blender.cut import cut_values
+from storyblender.blender.surface_values import is_solid, materials_of, shape_of, surface_values
 from storyblender.memory.blend_values import (
     BlendReading,
     BlendValues,
@@ -73,7 +75,8 @@ def read_values(version: str) -> BlendValues:
     return BlendValues(
         version=version,
         scenes=tuple(_scene_values(scene) for scene in scenes),
-        materials={material.name: _base_color(material) for material in bpy.data.materials if material.users},
+        surfaces={material.name: surface_values(material) for material in bpy.data.materials if material.users},
+        cut=cut_values(),
     )
 
 
@@ -88,6 +91,7 @@ def _scene_values(scene: bpy.types.Scene) -> SceneValues:
         nodes=tuple(_node_values(obj) for obj in sorted(shown, key=lambda obj: obj.name)),
         markers={marker.name: marker.frame for marker in scene.timeline_markers},
         end=scene.frame_end,
+        bound={marker.name: marker.camera.name for marker in scene.timeline_markers if marker.camera is not None},
     )
 
 
@@ -113,9 +117,10 @@ def _node_values(obj: bpy.types.Object) -> NodeValues:
         strips=tuple(_strips(obj)),
         action=_own_action(obj),
         camera=_camera_values(obj) if obj.type == "CAMERA" else None,
-        lamp=LampValues(power=round(obj.data.energy, 4), color=_rounded(obj.data.color))
-        if obj.type == "LIGHT"
-        else None,
+        lamp=_lamp_values(obj.data) if obj.type == "LIGHT" else None,
+        materials=materials_of(obj),
+        shape=shape_of(obj),
+        solid=is_solid(obj),
     )
 
 
@@ -177,6 +182,18 @@ def _camera_values(camera: bpy.types.Object) -> CameraValues:
     )
 
 
+def _lamp_values(lamp: bpy.types.Light) -> LampValues:
+    size = {"AREA": "size", "SUN": "angle"}.get(lamp.type, "shadow_soft_size")
+    degrees = lamp.type == "SUN"
+    return LampValues(
+        kind=lamp.type,
+        power=round(lamp.energy, 4),
+        color=_rounded(lamp.color),
+        size=round(math.degrees(getattr(lamp, size)) if degrees else getattr(lamp, size), 4),
+        cone=round(math.degrees(lamp.spot_size), 3) if lamp.type == "SPOT" else 60.0,
+    )
+
+
 def _pose(camera: bpy.types.Object, curves: Sequence[bpy.types.FCurve], frame: int) -> PoseValues:
     """Return where a camera is at a frame: as keyed, and as it rests where nothing is keyed."""
 
@@ -196,14 +213,6 @@ def _pose(camera: bpy.types.Object, curves: Sequence[bpy.types.FCurve], frame: i
     return PoseValues(
         frame=frame, location=_rounded(channel("location", camera.location)), rotation=(w, x, y, z), lens=round(lens, 3)
     )
-
-
-def _base_color(material: bpy.types.Material) -> Vector:
-    """Return the colour of a material: of its shader where that has one, else as it is shown in the viewport."""
-    nodes = material.node_tree.nodes if material.use_nodes and material.node_tree is not None else ()
-    shader = next((node for node in nodes if node.type == "BSDF_PRINCIPLED"), None)
-    plain = shader is not None and not shader.inputs["Base Color"].is_linked
-    return _rounded((shader.inputs["Base Color"].default_value if plain else material.diffuse_color)[:3])
 
 
 def _rounded(values: Sequence[float]) -> Vector:

@@ -9,6 +9,7 @@ import bpy
 
 from storyblender.blender.merge import IDENTITY, identity_of
 from storyblender.blender.motion.control_keys import key_controls
+from storyblender.blender.painting import PAINTED, plain_name
 from storyblender.blender.people.control_rig import add_controls
 from storyblender.blender.people.rig_display import show_controls
 from storyblender.catalog.color_words import color_word
@@ -47,6 +48,8 @@ def readable_name(material: bpy.types.Material) -> str:
     paint = _PAINT.fullmatch(name)
     if paint is not None:
         return paint[1].capitalize() if paint[2] == "painted" else f"{paint[1].capitalize()} {color}"
+    if PAINTED in material:
+        return f"{_COLORED.sub('', plain_name(material)).replace('_', ' ').capitalize()} {color}"
     if not name.startswith("MT_"):
         return name
     plain = _COLORED.sub("", name.removeprefix("MT_")).replace("_", " ")

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
-from typing import Final, Literal
+from typing import Final
 
-from storyblender.memory.base import Frozen
+from storyblender.edits.blend_change import BlendChange, ChangeKind
+from storyblender.edits.material_changes import material_changes
 from storyblender.memory.blend_values import (
     BlendReading,
     CurveValues,
@@ -17,11 +18,6 @@ from storyblender.memory.blend_values import (
     Vector,
 )
 
-ChangeKind = Literal[
-    "moved", "turned", "scaled", "deleted", "duplicated", "added", "renamed", "camera", "lens", "aperture",
-    "lamp", "material", "marker", "strip", "keys added", "keys retimed", "posed", "unknown",
-]  # fmt: skip
-
 _Said = Callable[[ChangeKind, str], "BlendChange"]
 """Makes a change of one object from its kind and what is said of it."""
 _METRES: Final = 0.0005
@@ -29,25 +25,6 @@ _DEGREES: Final = 0.01
 _CAMERA_DEGREES: Final = 0.05
 _SHARE: Final = 0.0005
 """Less than that is no change: it is what single precision and an undo in Blender leave."""
-
-
-class BlendChange(Frozen):
-    """One thing that is otherwise in the file than it was compiled."""
-
-    kind: ChangeKind
-    """What was done."""
-    scene: str = ""
-    """Such as ``SC010``; empty for a material."""
-    subject: str
-    """Node id of a thing, person or lamp, name of a shot or of a material."""
-    words: str
-    """What was done, as a person reads it."""
-    before: NodeValues | None = None
-    """The object as it was compiled."""
-    after: NodeValues | None = None
-    """As it is."""
-    lengths: dict[str, int] = {}
-    """Frames of the shots that a moved marker makes longer or shorter, by name."""
 
 
 def changes_of(reading: BlendReading) -> list[BlendChange]:
@@ -69,11 +46,7 @@ def changes_of(reading: BlendReading) -> list[BlendChange]:
     known = {scene.name for scene in reading.compiled.scenes}
     for name in sorted(set(saved) - known):
         changes.append(BlendChange(kind="unknown", scene=name, subject=name, words="a scene that is new"))
-    for name, color in reading.saved.materials.items():
-        was = reading.compiled.materials.get(name)
-        if was is not None and _differ(was, color, _SHARE):
-            words = f"material {name!r} is of another colour"
-            changes.append(BlendChange(kind="material", subject=name, words=words))
+    changes += material_changes(reading.compiled, reading.saved)
     return changes
 
 

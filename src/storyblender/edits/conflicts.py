@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator
-from typing import Final
+from collections.abc import Collection, Iterator, Sequence
+from typing import Any, Final
 
 from storyblender.errors import InputError, StaleEdit
 from storyblender.history_files import commit_name, read_commit
@@ -84,12 +84,27 @@ def _concerned(commit: Commit, touched: Collection[Aspect]) -> Iterator[Aspect]:
 def _aspects(change: Change) -> Iterator[Aspect]:
     before, after = change.before or {}, change.after or {}
     name = _name(change)
+    if change.layer == "head":
+        yield from _painted_otherwise(before.get("paints", ()), after.get("paints", ()))
     for field, aspect in _FIELDS.get(change.layer, {}).items():
         if before.get(field) != after.get(field):
             yield name, aspect
     if change.layer in ("shots", "scenes"):
         for lock in {*before.get("locked", ())} ^ {*after.get("locked", ())}:
             yield name, str(lock)
+
+
+def paint_aspect(material: str | None) -> str:
+    """Return what is touched of a thing, a scene or the film whose material is painted."""
+    return f"paint {material or ''}".rstrip()
+
+
+def _painted_otherwise(before: Sequence[Any], after: Sequence[Any]) -> Iterator[Aspect]:
+    for paint in (each for each in (*before, *after) if (each in before) != (each in after)):
+        target = paint["target"]
+        where = scene_name(target["scene_id"]) if target.get("scene_id") is not None else ""
+        what = target.get("node_id") or target.get("asset_id")
+        yield " ".join(filter(None, [where, what])) or FILM, paint_aspect(target.get("material"))
 
 
 def _name(change: Change) -> str:

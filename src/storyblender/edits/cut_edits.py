@@ -62,7 +62,7 @@ def reorder_effects(graph: ContinuityMemoryGraph, edit: ReorderEdit) -> list[Eff
         now = [scene.scene_id for scene in graph.scenes_in_order]
         order = _moved(now, item.scene_id, other.scene_id, where, name, near)
         order = () if list(order) == natural else order
-        return [Effect(None, FILM, f"{name} {where} {near}", _CUT, scene_order=order)]
+        return [Effect(None, FILM, f"{name} {where} {near}", _CUT, head={"scene_order": order})]
     if not isinstance(item, ShotContext) or not isinstance(other, ShotContext):
         raise InputError(
             f"{name} cannot be {where} {near}", mend="a shot has its place among shots, a scene among scenes"

@@ -7,11 +7,10 @@ from itertools import groupby
 from typing import Final
 
 from storyblender.edits.conflicts import refuse_stale
-from storyblender.edits.effect import Effect, name_of
+from storyblender.edits.effect import Effect, name_of, with_effects
 from storyblender.edits.families import effects_of
 from storyblender.memory.base import Frozen
 from storyblender.memory.edits import Edit
-from storyblender.memory.history import replace, without
 from storyblender.project import Project
 
 PRINTED: Final = frozenset({"notes", "approval", "cut", "name"})
@@ -55,10 +54,7 @@ def apply_edits(project: Project, edits: Sequence[Edit], version: str | None = N
     graph, effects = project.graph, list[Effect]()
     for edit in edits:
         done = effects_of(graph, edit)
-        graph = replace(graph, *(each.item for each in done if each.item is not None and not each.removed))
-        graph = without(graph, *(each.item for each in done if each.item is not None and each.removed))
-        for order in (each.scene_order for each in done if each.scene_order is not None):
-            graph = graph.model_copy(update={"scene_order": order})
+        graph = with_effects(graph, done)
         effects += done
     if version is not None:
         refuse_stale(project, version, {(each.name, aspect) for each in effects for aspect in each.aspects})

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 from storyblender.errors import InputError
 from storyblender.memory.base import Vec2, Vec3, scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.history import Item
+from storyblender.memory.history import Item, without
+from storyblender.memory.history import replace as replaced
 from storyblender.memory.locks import SceneLock, ShotLock, StaleWork
 from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.shot_context import ShotContext
@@ -29,7 +30,7 @@ class Effect:
         words: What was done to it.
         aspects: What of it was touched, such as ``camera``: two edits of one item may touch different things.
         stale: Shots whose frames show something else now.
-        scene_order: The order of the scenes in the film then; None leaves it.
+        head: Fields of the graph itself as they are then, such as the order of the scenes.
         warnings: What a person should know of it, one sentence each.
         removed: Whether the item leaves the graph.
     """
@@ -39,13 +40,27 @@ class Effect:
     words: str
     aspects: frozenset[str]
     stale: tuple[str, ...] = ()
-    scene_order: tuple[int, ...] | None = None
+    head: Mapping[str, Any] | None = None
     warnings: tuple[str, ...] = ()
     removed: bool = False
 
     def warned(self, warnings: tuple[str, ...]) -> Effect:
         """Return the effect with what a person should know of it."""
         return replace(self, warnings=warnings)
+
+
+def with_effects(graph: ContinuityMemoryGraph, effects: Sequence[Effect]) -> ContinuityMemoryGraph:
+    """Return the graph as edits leave it.
+
+    Args:
+        graph: As it was.
+        effects: Of the edits, in order.
+    """
+    graph = replaced(graph, *(each.item for each in effects if each.item is not None and not each.removed))
+    graph = without(graph, *(each.item for each in effects if each.item is not None and each.removed))
+    for head in (each.head for each in effects if each.head is not None):
+        graph = graph.model_copy(update=head)
+    return graph
 
 
 def refuse_locked(item: ShotContext | SceneContext, part: ShotLock | SceneLock) -> None:

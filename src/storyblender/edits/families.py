@@ -14,6 +14,7 @@ from storyblender.edits.effect import Effect
 from storyblender.edits.lock_edits import lock_effects, unlock_effects
 from storyblender.edits.look_edits import look_effects
 from storyblender.edits.note_edits import approve_effects, note_effects
+from storyblender.edits.paint_edits import paint_effects
 from storyblender.edits.place_edits import place_effects
 from storyblender.edits.scene_edits import layout_effects, light_effects, set_effects
 from storyblender.edits.take_edits import take_effects
@@ -32,6 +33,7 @@ from storyblender.memory.edits import (
     LookEdit,
     NoteEdit,
     OmitEdit,
+    PaintEdit,
     PlaceEdit,
     ReorderEdit,
     RestoreEdit,
@@ -66,6 +68,7 @@ _FAMILIES: Final[dict[type[Edit], Callable[[ContinuityMemoryGraph, Any], list[Ef
     BlockingEdit: blocking_effects,
     AssetEdit: asset_effects,
     LookEdit: look_effects,
+    PaintEdit: paint_effects,
     TakeEdit: take_effects,
     NoteEdit: note_effects,
     ApproveEdit: approve_effects,

@@ -7,8 +7,9 @@ from collections.abc import Sequence
 
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.prop_names import prop_of
-from storyblender.edits.blend_changes import BlendChange
+from storyblender.edits.blend_change import BlendChange
 from storyblender.edits.conflicts import refuse_stale
+from storyblender.edits.effect import with_effects
 from storyblender.edits.families import effects_of
 from storyblender.errors import InputError, StaleEdit
 from storyblender.memory.base import Frozen, scene_name
@@ -16,7 +17,6 @@ from storyblender.memory.blend_values import NodeValues, PoseValues, Vector
 from storyblender.memory.camera_decision import CameraDecision, CameraPosition, FreeCamera
 from storyblender.memory.edits import AssetEdit, CameraEdit, DurationEdit, Edit, LightEdit, PlaceEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.history import replace, without
 from storyblender.memory.scene_context import LayoutObject, Light
 from storyblender.memory.scene_decision import LampDecision, LightDecision, ThingPlace
 from storyblender.project import Project
@@ -55,8 +55,7 @@ def edits_of(project: Project, changes: Sequence[BlendChange], version: str) -> 
             for edit in wanted:
                 done = effects_of(after, edit)
                 refuse_stale(project, version, {(each.name, aspect) for each in done for aspect in each.aspects})
-                after = replace(after, *(each.item for each in done if each.item is not None and not each.removed))
-                after = without(after, *(each.item for each in done if each.item is not None and each.removed))
+                after = with_effects(after, done)
         except StaleEdit as error:
             told["conflicts"].append(f"{change.words}; in the project: {'; '.join(error.changes)}")
         except InputError as error:
@@ -83,6 +82,8 @@ def _merged(changes: Sequence[BlendChange]) -> list[BlendChange]:
 def _edits(graph: ContinuityMemoryGraph, change: BlendChange) -> list[Edit]:
     """Return the edits that make a change; none where nothing can."""
     before, after = change.before, change.after
+    if change.edits:
+        return list(change.edits)
     match change.kind:
         case "moved" | "turned" | "scaled" if before is not None and after is not None and before.kind == "prop":
             return _placed(graph, change.scene, before, after)

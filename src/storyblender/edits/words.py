@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -10,6 +11,7 @@ from typing import Any, get_args
 from pydantic import ValidationError
 from pydantic_core import from_json
 
+from storyblender.catalog.materials import hex_color
 from storyblender.edits.targets import as_id
 from storyblender.errors import InputError
 from storyblender.memory.camera_decision import CameraPosition, FreeCamera
@@ -187,6 +189,32 @@ def lamp_edit(scene: str, lamp: str, said: Mapping[str, float | str | None], *, 
     decision = {"lamps": {as_id(lamp): None if remove else given}}
     [edit] = edits_of([{"kind": "light", "scene": scene, "decision": decision}])
     return edit
+
+
+def paint_edit(
+    thing: str | None, material: str | None, scene: str | None, said: Mapping[str, Any], *, remove: bool = False
+) -> Edit:
+    """Read what a person says about a material.
+
+    Args:
+        thing: A thing, a person or a piece of a set; None for all that has the material.
+        material: Its name; None for the one that covers most of the thing.
+        scene: Such as ``SC010``; None for the whole story.
+        said: Fields of ``PaintDecision``, a color as ``#8a2f2a`` or ``0.2,0.1,0.1``; None says nothing.
+        remove: Whether the paint is taken off.
+
+    Raises:
+        InputError: It says nothing, or a word or a number cannot be.
+    """
+    given = {name: value for name, value in said.items() if value is not None}
+    if remove is bool(given):
+        raise InputError("nothing is decided", mend="give --color, --roughness, --finish ..., or --remove alone")
+    if "color" in given:
+        color = str(given["color"])
+        coded = re.fullmatch("#[0-9a-fA-F]{6}", color)
+        given["color"] = hex_color(color) if coded else _numbers(color, 3, "#RRGGBB, or R,G,B, each 0 to 1")
+    edit = {"kind": "paint", "thing": thing, "material": material, "scene": scene, "look": given or None}
+    return edits_of([edit])[0]
 
 
 def _floor_place(point: str | None, rotation: float | None) -> dict[str, object]:

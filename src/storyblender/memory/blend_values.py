@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from storyblender.memory.base import Frozen
+from storyblender.memory.base import Frozen, dropping
 
 Vector = tuple[float, float, float]
 
@@ -62,10 +62,49 @@ class CameraValues(Frozen):
 class LampValues(Frozen):
     """What is peculiar to a lamp."""
 
+    kind: Literal["POINT", "SPOT", "AREA", "SUN"] = "POINT"
+    """As Blender has them."""
+    size: float = 0.0
+    """Metres: radius of POINT and SPOT, diameter of AREA; degrees of a SUN."""
+    cone: float = 60.0
+    """Of a SPOT, degrees."""
+
     power: float
     """As Blender has it: watts, or W/m2 of a sun."""
     color: Vector
     """Linear RGB."""
+
+
+class SurfaceValues(Frozen):
+    """A material."""
+
+    name: str
+    """As it was before it was painted, which is what edits call it."""
+    color: Vector
+    """Linear RGB; of one with a picture as the viewport shows it."""
+    roughness: float
+    """0 to 1."""
+    metallic: float
+    """0 to 1."""
+    base: Literal["plain", "picture", "other"]
+    """Where its colour comes from; of ``other`` nothing can be painted."""
+    finish: str = ""
+    """Key of the catalogue's material that it is as it was made there; else empty."""
+
+
+class StripInEdit(Frozen):
+    """A strip of the scene with the cut."""
+
+    name: str
+    """Such as ``SC010_SH020``."""
+    start: int
+    """First frame that is seen."""
+    frames: int
+    """How many are."""
+    offset: int
+    """Frames of its scene before the first that is seen."""
+    muted: bool
+    """Whether it is switched off."""
 
 
 class NodeValues(Frozen):
@@ -97,6 +136,12 @@ class NodeValues(Frozen):
     """Of a camera."""
     lamp: LampValues | None = None
     """Of a lamp."""
+    materials: tuple[str, ...] = ()
+    """In its slots, with those of its parts."""
+    shape: str = ""
+    """Digest of its mesh, with its modifiers and without its materials; empty where it has none."""
+    solid: bool = False
+    """Whether it, or what hangs on it, has a surface."""
 
 
 class SceneValues(Frozen):
@@ -110,6 +155,8 @@ class SceneValues(Frozen):
     """Frame at which each shot begins, by name of the shot."""
     end: int
     """Last frame."""
+    bound: dict[str, str] = {}
+    """Name of the camera that each marker switches to."""
 
 
 class BlendValues(Frozen):
@@ -119,8 +166,11 @@ class BlendValues(Frozen):
     """Of the project that it was compiled from; edits in it were made on that."""
     scenes: tuple[SceneValues, ...]
     """By name."""
-    materials: dict[str, Vector]
-    """Base colour by name, linear RGB."""
+    surfaces: dict[str, SurfaceValues] = {}
+    """Materials by name in the file."""
+    cut: tuple[StripInEdit, ...] | None = None
+    """The strips of the scene EDIT, in order; None where it has none."""
+    _former = dropping("materials")
 
 
 class BlendReading(Frozen):

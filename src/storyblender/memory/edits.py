@@ -10,6 +10,7 @@ from storyblender.memory.asset_sheet import Garment, LookDecision
 from storyblender.memory.base import Described, Frames, Identifier, is_none
 from storyblender.memory.locks import LockName
 from storyblender.memory.notes import MOST_NOTES, NoteAuthor, NoteText
+from storyblender.memory.paint import MaterialName, PaintDecision
 from storyblender.memory.scene_decision import LightDecision, PersonMarks, SetDecision, ThingPlace
 from storyblender.memory.shot_context import CameraDecision
 from storyblender.memory.vocabulary import RelationKind
@@ -195,6 +196,29 @@ class LookEdit(Described):
     """Keys of garments that they take off."""
 
 
+class PaintEdit(Described):
+    """Paints a material: of a thing or a person, of a scene, or of the whole story; no staging and no model changes."""
+
+    kind: Literal["paint"] = "paint"
+    """Which edit this is."""
+    material: MaterialName | None = None
+    """The material as the story has it: ``wood_dark``; left out, the one that covers most of the thing."""
+    thing: _Name | None = None
+    """Id or name of a thing or a person, wherever it is; with ``scene``, what stands there, or a piece of its set."""
+    scene: _Name | None = None
+    """Such as ``SC010``: only there; left out, in the whole story."""
+    look: PaintDecision | None = None
+    """How it looks then; left out, as it was before anybody painted it."""
+
+    @model_validator(mode="after")
+    def _is_whole(self) -> Self:
+        if self.material is None and self.thing is None:
+            raise ValueError("what is painted is a material, a thing, or both")
+        if self.look is not None and not self.look.words:
+            raise ValueError("a look has a color, a roughness, a metallic, a finish, or is plain")
+        return self
+
+
 class TakeEdit(Described):
     """Keeps the camera of a shot as a take and goes on with the next, chooses a take, or drops one."""
 
@@ -344,6 +368,7 @@ Edit = Annotated[
     | BlockingEdit
     | AssetEdit
     | LookEdit
+    | PaintEdit
     | TakeEdit
     | NoteEdit
     | ApproveEdit

@@ -10,6 +10,7 @@ from pydantic import Field
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Digest, Frozen, SceneId, is_none
 from storyblender.memory.outline import SceneOutline
+from storyblender.memory.paint import Paint
 from storyblender.memory.panorama import Panorama
 from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.shot_context import ShotContext
@@ -69,6 +70,8 @@ class ContinuityMemoryGraph(Frozen):
     """The user's, that may light exteriors."""
     scene_order: tuple[SceneId, ...] = Field(default=(), exclude_if=lambda value: not value)
     """The order that a person gave the scenes in the film; empty for that of the script."""
+    paints: tuple[Paint, ...] = Field(default=(), exclude_if=lambda value: not value)
+    """What a person decided about materials."""
     outline: tuple[SceneOutline, ...] = ()
     assets: tuple[Asset, ...] = ()
     scenes: tuple[SceneContext, ...] = ()

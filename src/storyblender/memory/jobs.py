@@ -15,6 +15,7 @@ from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen, Vec3, content_hash, scene_name
 from storyblender.memory.graph import ProjectFormat
 from storyblender.memory.outline import SceneOutline
+from storyblender.memory.paint import Paint
 from storyblender.memory.scene_context import Light, Lighting, SceneContext
 from storyblender.memory.shot_context import Flaw, ShotContext
 from storyblender.memory.thing_states import Condition
@@ -98,6 +99,8 @@ class SceneJob(Frozen):
     fps: int = 24
     in_states: tuple[AssetInState, ...] = ()
     """Built things of the scene as they look in the states that its shots bring them to."""
+    paints: tuple[Paint, ...] = ()
+    """What a person decided about materials that it may show."""
 
     @property
     def digest(self) -> str:
@@ -117,7 +120,10 @@ class SceneJob(Frozen):
             if each.asset.canonical
         ]
         found: dict[str, object] = {name: [*each.labels] for name, each in self.scene.setup.found.items()}
-        return content_hash(GEOMETRY_VERSION, scene, list(shots), list(geometry), self.fps, *([found] if found else []))
+        further: list[dict[str, object] | list[object]] = [found] if found else []
+        if self.paints:
+            further.append([paint.model_dump(mode="json") for paint in self.paints])
+        return content_hash(GEOMETRY_VERSION, scene, list(shots), list(geometry), self.fps, *further)
 
     @property
     def out(self) -> str:
@@ -263,6 +269,8 @@ class StoryJob(Frozen):
     packs: tuple[PackRef, ...]
     cut: Cut = Field(default=(), exclude_if=lambda value: not value)
     """The shots of the film in its order; empty where that is all of them in the order of the script."""
+    paints: tuple[Paint, ...] = Field(default=(), exclude_if=lambda value: not value)
+    """What a person decided about materials."""
     beside: Cut = Field(default=(), exclude_if=lambda value: not value)
     """Shots that are other cameras on the time of another shot: they have no marker on the timeline."""
     changed: tuple[int, ...] | None = None
@@ -289,6 +297,8 @@ class CutJob(Frozen):
     shots: tuple[ShotContext, ...]
     packs: tuple[PackRef, ...]
     cut: Cut = Field(default=(), exclude_if=lambda value: not value)
+    """As of a story."""
+    paints: tuple[Paint, ...] = Field(default=(), exclude_if=lambda value: not value)
     """As of a story."""
     sequences: tuple[SequenceFile, ...]
     """In order; they need not be there yet."""

@@ -180,6 +180,7 @@ def _story_job(run: Run, packs: Sequence[PackRef], sequence: SequenceFile | None
         shots=tuple(shot for shot in graph.shots if shot.scene_id in ids),
         packs=tuple(pack for pack in packs if pack.scene_id in ids),
         cut=_film_of(graph, ids),
+        paints=graph.paints,
         beside=_beside(run.graph, ids),
         out=STORY if sequence is None else sequence.path,
     )
@@ -205,12 +206,13 @@ def _cut(run: Run, packs: Sequence[PackRef], sequences: tuple[SequenceFile, ...]
         shots=graph.shots,
         packs=tuple(packs),
         cut=_film_of(graph, {pack.scene_id for pack in packs}),
+        paints=graph.paints,
         sequences=sequences,
         out=STORY,
     )
     lengths = [[shot.scene_id, shot.shot_id, shot.duration] for shot in graph.cut]
     plain = job.model_dump(
-        mode="json", include={"format", "assets", "sequences"}, exclude={"assets": {"__all__": {"locked"}}}
+        mode="json", include={"format", "assets", "sequences", "paints"}, exclude={"assets": {"__all__": {"locked"}}}
     )
     record = StoryRecord(common=content_hash(__version__, STORY_VERSION, plain, list(lengths)), scenes={})
 
@@ -228,7 +230,7 @@ def _record_of(job: StoryJob) -> StoryRecord:
     for pack in job.packs:
         of_scene = [[part for part in plain[name] if part["scene_id"] == pack.scene_id] for name in ("scenes", "shots")]
         scenes[pack.scene_id] = content_hash(pack, list(of_scene))
-    common = [plain[name] for name in ("format", "outline", "assets")]
+    common = [plain[name] for name in ("format", "outline", "assets", "paints") if name in plain]
     versions = [GEOMETRY_VERSION, STORY_VERSION]
     cut = content_hash([list(key) for key in job.cut]) if job.cut else ""
     return StoryRecord(common=content_hash(__version__, list(versions), common, list(scenes)), scenes=scenes, cut=cut)

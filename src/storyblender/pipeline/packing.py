@@ -8,6 +8,7 @@ from storyblender.memory.base import scene_name
 from storyblender.memory.coverage import is_cut_anew, spans_of, staged_spans
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import PackRef, SceneJob
+from storyblender.memory.paint import paints_in
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.state_assets import assets_in_states, build_states
 
@@ -95,4 +96,5 @@ def scene_job(graph: ContinuityMemoryGraph, scene_id: int) -> SceneJob:
     scene, shots = graph.scene(scene_id), graph.staged_shots_of(scene_id)
     assets = graph.assets_of(scene_id)
     states = assets_in_states(assets, shots, scene.setup.found)
-    return SceneJob(scene=scene, shots=shots, assets=assets, fps=graph.format.fps, in_states=states)
+    paints = paints_in(graph.paints, scene_id, (asset.asset_id for asset in assets))
+    return SceneJob(scene=scene, shots=shots, assets=assets, fps=graph.format.fps, in_states=states, paints=paints)

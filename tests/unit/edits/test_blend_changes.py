@@ -17,6 +17,7 @@ from storyblender.memory.blend_values import (
     PoseValues,
     SceneValues,
     StripValues,
+    SurfaceValues,
 )
 
 CURVES = CurveValues(keys=12, frames="f", values="v")
@@ -32,7 +33,7 @@ def node(node_id: str, kind: str = "prop", **more: object) -> NodeValues:
     return NodeValues.model_validate(values | more)
 
 
-CHAIR, TABLE = node("chair"), node("table")
+CHAIR, TABLE = node("chair", materials=("Wood",)), node("table")
 LAMP = node("lamp", "light", lamp=LampValues(power=40, color=(1, 0.9, 0.8)))
 CAMERA = node(
     "sh010", "camera", name="SC010_SH010", origin="SC010_SH010",
@@ -47,7 +48,8 @@ MARKERS = {"SC010_SH010": 1, "SC010_SH020": 49, "SC010_SH030": 97}
 def found(*nodes: NodeValues, markers: dict[str, int] = MARKERS, paint: float = 0.5) -> list[tuple[str, str]]:
     def values(nodes: tuple[NodeValues, ...], markers: dict[str, int], paint: float) -> BlendValues:
         scene = SceneValues(name="SC010", nodes=nodes, markers=markers, end=144)
-        return BlendValues(version="3.ab", scenes=(scene,), materials={"Wood": (paint, 0.2, 0.1)})
+        wood = SurfaceValues(name="wood", color=(paint, 0.2, 0.1), roughness=0.5, metallic=0, base="plain")
+        return BlendValues(version="3.ab", scenes=(scene,), surfaces={"Wood": wood})
 
     reading = BlendReading(compiled=values(NODES, MARKERS, 0.5), saved=values(nodes, markers, paint))
     return [(change.kind, change.subject) for change in changes_of(reading)]
@@ -119,9 +121,9 @@ def test_a_marker_makes_one_shot_longer_and_the_next_shorter() -> None:
 
 
 def test_a_colour_is_told_of_its_material() -> None:
-    assert found(*NODES, paint=0.9) == [("material", "Wood")]
+    assert found(*NODES, paint=0.9) == [("material", "wood")]
 
 
 def test_a_file_of_an_early_version_says_nothing() -> None:
-    values = BlendValues(version="", scenes=(), materials={})
+    values = BlendValues(version="", scenes=())
     assert changes_of(BlendReading(compiled=None, saved=values)) == []
