@@ -10,6 +10,7 @@ import typer
 
 from storyblender import (
     __version__,
+    cli_blender_extension,
     cli_cast,
     cli_crew,
     cli_edits,
@@ -211,6 +212,7 @@ cli_crew.add_to(app)
 cli_mcp.add_to(app)
 cli_studio.add_to(app)
 cli_pull.add_to(app)
+cli_blender_extension.add_to(app)
 cli_revise.add_to(app)
 cli_why.add_to(app)
 
