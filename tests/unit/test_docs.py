@@ -20,7 +20,9 @@ ROOMS = tuple(path.name for path in (ROOT / "src" / "storyblender").iterdir() if
 @pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: path.name)
 def test_every_command_and_option_exists(document: Path) -> None:
     commands = typer.main.get_command(app).commands  # pyright: ignore[reportAttributeAccessIssue]
-    for name, rest in re.findall(r"(?:^|[`/])storyblender (\w+)([^`\n#]*)", document.read_text("utf-8"), re.MULTILINE):
+    for name, rest in re.findall(
+        r"(?:^|[`/])storyblender (\w[\w-]*)([^`\n#]*)", document.read_text("utf-8"), re.MULTILINE
+    ):
         command = commands[name]
         if hasattr(command, "commands"):
             command = command.commands[rest.split()[0]]

@@ -12,7 +12,7 @@ from .story import STORY
 _NEWER = "story.blend was written anew: press Reload; what you changed here since you pulled is lost then"
 
 
-def save() -> None:
+def save_changes() -> None:
     """Save what was changed here."""
     if bpy.data.is_dirty:
         bpy.ops.wm.save_mainfile()

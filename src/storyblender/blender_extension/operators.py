@@ -4,7 +4,7 @@ import bpy
 
 from . import pictures
 from .connection import Program, Studio
-from .open_file import open_anew, reload, save, tell
+from .open_file import open_anew, reload, save_changes, tell
 from .shots_in_file import go_to, shots
 from .story import STORY
 
@@ -82,7 +82,7 @@ class DrawFrame(ShotOperator):
     def execute(self, context: bpy.types.Context) -> set[str]:
         """Ask for it, show it where pictures are shown, then open the file that has what was taken over."""
         name = self.chosen(context)
-        save()
+        save_changes()
 
         def drawn(pulled: dict) -> None:
             tell(pulled)
@@ -123,7 +123,7 @@ class Pull(ShotOperator):
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         """Ask for it, and open the file that is written anew."""
-        save()
+        save_changes()
 
         def taken(link: Studio | Program) -> dict:
             pulled = link.pull()
@@ -148,7 +148,7 @@ class Push(ShotOperator):
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         """Ask for it; what was changed here is taken over first, so nothing is lost."""
-        save()
+        save_changes()
         STORY.ask("Writing story.blend", lambda link: link.push(), lambda _: open_anew())
         return {"FINISHED"}
 
