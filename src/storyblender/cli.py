@@ -13,6 +13,7 @@ from storyblender import (
     cli_blender_extension,
     cli_cast,
     cli_crew,
+    cli_deliver,
     cli_edits,
     cli_lamp,
     cli_mcp,
@@ -82,7 +83,9 @@ Crew = Annotated[
         "rules,director=ollama:MODEL."
     ),
 ]
-Paper = Annotated[str | None, typer.Option(help="Size of the board's pages: a4 (the default) or letter.")]
+Paper = Annotated[
+    str | None, typer.Option(help="Size of the board's pages: a4 (the default), letter, a3, legal or tabloid.")
+]
 Reading = Annotated[
     Path | None, typer.Option(help="A reading of the script that you corrected, from `plan --write-reading FILE`.")
 ]
@@ -209,6 +212,7 @@ cli_cast.add_to(app)
 cli_paint.add_to(app)
 app.add_typer(cli_shots.app, name="shot")
 cli_crew.add_to(app)
+cli_deliver.add_to(app)
 cli_mcp.add_to(app)
 cli_studio.add_to(app)
 cli_pull.add_to(app)

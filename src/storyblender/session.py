@@ -16,6 +16,7 @@ from storyblender.edits.undo import next_steps, redo_edit, undo_edit
 from storyblender.errors import InputError
 from storyblender.inspection import Inspection, inspect
 from storyblender.memory.base import content_hash
+from storyblender.memory.board_layout import BoardLayout
 from storyblender.memory.edits import Edit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import TRIAL, Commit
@@ -34,9 +35,10 @@ from storyblender.pipeline.shooting import (
     shoot_frames,
     undrawn_shots,
 )
+from storyblender.pipeline.shown import note_shown, shows
 from storyblender.pipeline.updating import bring_up_to_date
 from storyblender.results import Delivery
-from storyblender.settings import REMEMBERED
+from storyblender.settings import REMEMBERED, Settings
 from storyblender.trace import Event
 
 if TYPE_CHECKING:
@@ -185,6 +187,48 @@ class Session(OpenProject):
     def delivered(self) -> bool:
         """Whether board, lists and story.blend show the project as it is now."""
         return self._project.outputs.read(DELIVERED, bytes.decode) == content_hash(self.graph)
+
+    def shows_story(self, name: str) -> bool:
+        """Return whether a file that was written on request, such as the film, shows the story as it is."""
+        known = shows(self._project.outputs, self.graph, name)
+        return self.delivered if known is None else known
+
+    @property
+    def board_layout(self) -> BoardLayout:
+        """How the pages of the board are laid out."""
+        return self._settings.board_layout
+
+    def print_board(self, layout: BoardLayout) -> Delivery:
+        """Write the board in a layout that the project keeps; shots that look otherwise are drawn first.
+
+        Args:
+            layout: Of its pages.
+
+        Raises:
+            InputError: The project is only planned.
+            Cancelled: ``cancel`` was called.
+        """
+        from storyblender.pipeline.delivery import BOARD, BOARD_SINGLE, frame_paths, write_boards
+
+        with self._filming() as run:
+            draw_frames(run, shots_named(run.graph, stale) if (stale := undrawn_shots(run)) else ())
+            run.settings = self._settings = self._settings.model_copy(update=layout.model_dump())
+            kept = Settings.load(project=self.folder, **layout.model_dump())
+            run.project.files.write(REMEMBERED, kept.remembered(self.folder))
+            write_boards(run, frame_paths(run))
+            for name in (BOARD, BOARD_SINGLE):
+                note_shown(run.outputs, run.graph, name)
+            return Delivery(self.folder, [BOARD, BOARD_SINGLE], run.graph)
+
+    def render_film(self) -> Delivery:
+        """Make the animatic, and write all else that shows something else now; raises as ``render``."""
+        with self._alone():
+            usual = self._settings
+            self._settings = usual.model_copy(update={"animatic": True})
+            try:
+                return self.render()
+            finally:
+                self._settings = usual
 
     def preview(self, names: Sequence[str]) -> dict[str, Path]:
         """Draw shots small and quickly, to see what an edit did, and return the pictures; raises as ``render``."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 import re
 from pathlib import Path
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Self
 
 from pydantic import AfterValidator, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 from pydantic_core import ErrorDetails
@@ -16,6 +16,7 @@ from pydantic_core import ErrorDetails
 from storyblender.crew_setting import LimitName, RoleName, players
 from storyblender.errors import InputError
 from storyblender.memory.base import Frozen
+from storyblender.memory.board_layout import BoardLayout, Orientation, PanelsPerPage, Paper
 from storyblender.memory.jobs import Look
 from storyblender.settings_file import REMEMBERED, SettingsFile, short
 
@@ -86,8 +87,12 @@ class Settings(Frozen):
     """Burn the shot's name, lens and timecode into the frames."""
     start_timecode: Annotated[str, AfterValidator(_clock)] = "01:00:00:00"
     """Timecode of the first frame, ``HH:MM:SS:FF``, in the timeline, the shot list and on slates."""
-    paper: Literal["a4", "letter"] = "a4"
-    """Of the board, across."""
+    panels: PanelsPerPage = 6
+    """On a page of the board."""
+    paper: Paper = "a4"
+    """Of the board."""
+    orientation: Orientation = "landscape"
+    """Of the pages of the board."""
     jobs: int = Field(default=0, ge=0, le=64)
     """Blender processes; 0 takes one for each processor, two at most for memory's sake."""
     models: Annotated[tuple[Path, ...], BeforeValidator(_as_list), Field(max_length=20)] = ()
@@ -178,6 +183,11 @@ class Settings(Frozen):
     def language_roles(self) -> tuple[RoleName, ...]:
         """Roles that a model or a person plays, without their names: a replay makes the same plan as its recording."""
         return tuple(role for role, player in players(self.crew).items() if player.kind != "rules")
+
+    @property
+    def board_layout(self) -> BoardLayout:
+        """How the pages of the board are laid out."""
+        return BoardLayout(panels=self.panels, paper=self.paper, orientation=self.orientation)
 
     def remembered(self, project: Path) -> str:
         """Return what a project keeps, as JSON: all that differs from the defaults and is not of this machine.

@@ -211,6 +211,17 @@ class Studio:
         with self.open(folder) as session:
             return session.export(kinds)
 
+    def print_board(self, folder: Path) -> Delivery:
+        """Open a project for one call of ``Session.print_board``, with the layout of the settings.
+
+        Raises:
+            InputError: No such project, or one that is only planned.
+            ProjectLocked: Another session has it open.
+            EngineError: Blender failed for good.
+        """
+        with self.open(folder) as session:
+            return session.print_board(session.board_layout)
+
     def catalog(self, kind: str = "") -> dict[str, list[Entry]]:
         """Return the entries of one catalogue, or of all.
 

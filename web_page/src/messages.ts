@@ -36,7 +36,6 @@ export interface Board {
   undo: string;
   redo: string;
   film: string;
-  files: string[];
 }
 
 export interface Status {
@@ -64,6 +63,7 @@ export interface CrewEvent {
   details?: string[];
   step?: number | null;
   total?: number | null;
+  by?: string | null;
 }
 
 export interface Take {

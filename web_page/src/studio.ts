@@ -5,6 +5,7 @@ import { customElement, state } from "lit/decorators.js";
 import "./board_view";
 import "./crew_view";
 import "./cut_view";
+import "./deliver_view";
 import "./revise_view";
 import "./set_view";
 import "./shot_inspector";
@@ -21,6 +22,7 @@ const VIEWS = {
   set: "Set and light",
   cut: "Cut",
   revise: "Revised script",
+  deliver: "Deliver",
 };
 type View = keyof typeof VIEWS;
 
@@ -136,8 +138,8 @@ export class Studio extends LitElement {
     });
   }
 
-  /** Begin long work: ``make`` of a script, or ``revise`` by another version of it. */
-  private begin(call: "make" | "revise", detail: object): Promise<boolean> {
+  /** Begin long work: ``make`` of a script, ``revise`` by another version of it, or what was stopped. */
+  private begin(call: "make" | "revise" | "go_on", detail: object): Promise<boolean> {
     this.events = [];
     this.selected = [];
     return this.attempt(async () => {
@@ -153,10 +155,11 @@ export class Studio extends LitElement {
         <button class="home" @click=${() => this.leave()} title="Scripts and projects">StoryBlender</button>
         ${this.board ? html`<h1>${this.board.title}</h1><span class="summary">${this.board.summary}</span>` : nothing}
         <span class="space"></span>
-        ${this.board?.made && !this.status?.busy ? this.tools(this.board) : nothing}
+        ${this.board?.made && !this.making ? this.tools(this.board) : nothing}
       </header>
       ${this.connected ? nothing : html`<p class="bar wrong" role="alert">The studio does not answer. Start it again; nothing is lost.</p>`}
       ${this.said ? html`<p class="bar ${this.said.wrong ? "wrong" : ""}" role="status">${this.said.text}</p>` : nothing}
+      ${this.board ? this.unfinished(this.board) : nothing}
       <main>${this.main()}</main>
     `;
   }
@@ -176,18 +179,13 @@ export class Studio extends LitElement {
       </form>
       <button @click=${() => this.step("undo")} ?disabled=${!board.undo} title=${board.undo || "Nothing to undo"}>Undo</button>
       <button @click=${() => this.step("redo")} ?disabled=${!board.redo} title=${board.redo || "Nothing to redo"}>Redo</button>
-      ${board.files.length
-        ? html`<details class="menu"><summary>Deliver</summary>
-            ${board.files.map((name) => html`<a href="/files/${name}" download>${name}</a>`)}</details>`
-        : nothing}
     `;
   }
 
   private main() {
-    if (this.status?.busy || (this.status?.error && !this.board)) {
+    if (this.making || (this.status?.error && !this.board?.scenes.length)) {
       return html`<sb-crew .events=${this.events} .status=${this.status} .board=${this.board}
-        @stop=${() => this.attempt(async () => (await this.wire.call("cancel"), "Stopped; make it again to go on."))}
-        @back=${() => this.leave()}></sb-crew>`;
+        @stop=${() => this.stop()} @go-on=${() => this.begin("go_on", {})} @back=${() => this.leave()}></sb-crew>`;
     }
     if (!this.board) {
       return html`<sb-start .places=${this.places}
@@ -203,6 +201,24 @@ export class Studio extends LitElement {
             @close=${() => ((this.selected = []), (this.view = "board"))}></sb-shot>`
         : nothing}
     `;
+  }
+
+  /** Whether the crew works on the story; while something is written that is delivered, every view stays. */
+  private get making(): boolean {
+    return !!this.status?.busy && !this.status.work.startsWith("write ");
+  }
+
+  private stop(): Promise<boolean> {
+    return this.attempt(async () => (await this.wire.call("cancel"), ""));
+  }
+
+  /** Where work was stopped, or has failed: what became of it, and a button to go on. */
+  private unfinished(board: Board) {
+    const { busy, error, work } = this.status ?? {};
+    if (busy || !board.scenes.length || (board.made && !error)) return nothing;
+    const writing = work?.startsWith("write ");
+    return html`<p class="bar" role="status">${error || "This storyboard is not finished."}
+      ${writing ? nothing : html`<button @click=${() => this.begin("go_on", {})}>Go on</button>`}</p>`;
   }
 
   /** The view that is chosen. */
@@ -224,6 +240,10 @@ export class Studio extends LitElement {
         return html`<sb-cut .board=${board} .selected=${this.selected} .wire=${this.wire} @select=${select}
           @edit=${(event: CustomEvent<{ edits: Edit[]; settled: (done: boolean) => void }>) =>
             this.edit(event.detail.edits).then(event.detail.settled)}></sb-cut>`;
+      case "deliver":
+        return html`<sb-deliver .board=${board} .status=${this.status} .wire=${this.wire} @stop=${() => this.stop()}
+          @write=${(event: CustomEvent<object>) =>
+            this.attempt(async () => ((this.status = await this.wire.call<Status>("write", event.detail)), ""))}></sb-deliver>`;
       case "revise":
         return html`<sb-revise .wire=${this.wire} @revise=${(event: CustomEvent<object>) => this.begin("revise", event.detail)}></sb-revise>`;
     }

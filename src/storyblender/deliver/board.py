@@ -1,16 +1,14 @@
-"""The storyboard as a PDF, six panels or one panel a page, with scene headings over the first panel of each scene."""
+"""The storyboard as a PDF: panels in a grid, with scene headings over the first panel of each scene."""
 
 from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Literal
 from xml.sax.saxutils import escape
 
 from reportlab import rl_config
 from reportlab.lib.colors import Color, HexColor
-from reportlab.lib.pagesizes import A4, LETTER, landscape
 from reportlab.lib.styles import ParagraphStyle
 from reportlab.lib.utils import ImageReader
 from reportlab.pdfgen.canvas import Canvas
@@ -18,20 +16,14 @@ from reportlab.platypus import Flowable, Paragraph
 
 from storyblender.deliver import fonts
 from storyblender.deliver.arrows import draw_way
+from storyblender.deliver.board_cells import GUTTER, MARGIN, Cell, cells_of, page_size
 from storyblender.deliver.lettering import Lettering, width_of
 from storyblender.deliver.panel import Panel, cue_of, length_of, panels
+from storyblender.memory.board_layout import BoardLayout
 from storyblender.memory.graph import ContinuityMemoryGraph
 
 INK, GREY, RULE, NOTE = HexColor("#1b1b1f"), HexColor("#6d6d76"), HexColor("#d5d5da"), HexColor("#2f5f9e")
-MARGIN, GUTTER = 30.0, 16.0
-HEADING = 13.0
-"""Points kept free above every picture for a scene heading."""
-Paper = Literal["a4", "letter"]
-PAPERS: dict[Paper, tuple[float, float]] = {"a4": landscape(A4), "letter": landscape(LETTER)}
-"""Width and height in points."""
 
-LEAST_WORDS = 480.0
-"""Least width of the text under a picture in the ``single`` layout, in points."""
 ELLIPSIS = 12.0
 """Points kept free at the right for the ellipsis of a cut text."""
 BASELINE = 0.15
@@ -40,8 +32,9 @@ MOST_LETTERS = 4000
 """Characters of a text that are laid out at most; a page holds fewer."""
 SHRINKING = (0.9, 0.8, 0.7)
 """Font sizes, as shares of the usual one, that are tried before a long text is cut."""
-PICTURE_SHARE = {"grid": 0.66, "single": 0.78}
-"""Largest share of a panel's height for the picture, by layout; the rest is text."""
+_GAP = 0.45
+"""Space between slate and words, as a share of the font size."""
+USUAL = BoardLayout()
 
 
 class _Print(ImageReader):
@@ -58,8 +51,7 @@ def write_board(
     graph: ContinuityMemoryGraph,
     frames: Mapping[str, Path],
     part: Path,
-    layout: Literal["grid", "single"] = "grid",
-    paper: Paper = "a4",
+    layout: BoardLayout = USUAL,
 ) -> None:
     """Write the board.
 
@@ -67,29 +59,28 @@ def write_board(
         graph: The story.
         frames: Shot name to picture, JPEG for a small file; a missing one is drawn as an empty frame.
         part: The PDF.
-        layout: ``grid`` sets six panels on a page, ``single`` one.
-        paper: Page size; pages are landscape.
+        layout: Of the pages.
     """
     fonts.register()
     rl_config.useA85 = 0  # pictures as the bytes they are: to write them as text takes nine tenths of the time
-    canvas = Canvas(str(part), pagesize=PAPERS[paper], invariant=1)
+    size, aspect = page_size(layout), graph.format.aspect
+    canvas = Canvas(str(part), pagesize=size, invariant=1)
     canvas.setTitle(graph.title or "Storyboard")
     canvas.setAuthor("StoryBlender")
-    shots = panels(graph)
+    shots, cells = panels(graph), cells_of(layout, aspect)
     length = length_of(shots)
-    pages = _pages(shots, 6 if layout == "grid" else 1)
+    pages = _pages(shots, layout.panels)
     listed: set[int] = set()
     for number, page in enumerate(pages, start=1):
-        _page_frame(canvas, graph, length, (number, len(pages)), PAPERS[paper])
-        for index, panel in enumerate(page):
-            x, y, width, height = _cell(index, layout, graph.format.aspect, PAPERS[paper])
+        _page_frame(canvas, graph, length, (number, len(pages)), size)
+        for index, (panel, cell) in enumerate(zip(page, cells, strict=False)):
             if index == 0 or panel.scene is not page[index - 1].scene:
-                _line(canvas, panel.scene.numbered_title, x, y + 4, 9, width, color=GREY)
+                _heading(canvas, panel, cell)
             if panel.scene.scene_id not in listed:
                 listed.add(panel.scene.scene_id)
                 canvas.bookmarkPage(panel.name)
                 canvas.addOutlineEntry(panel.scene.numbered_title, panel.name)
-            _panel(canvas, panel, frames.get(panel.name), graph.format.aspect, x, y, width, height, layout)
+            _panel(canvas, panel, frames.get(panel.name), cell)
         canvas.showPage()
     canvas.save()
 
@@ -97,27 +88,6 @@ def write_board(
 def _pages(items: Sequence[Panel], size: int) -> list[list[Panel]]:
     """Split panels into pages of ``size``; a single empty page for no panels."""
     return [list(items[index : index + size]) for index in range(0, len(items), size)] or [[]]
-
-
-def _cell(index: int, layout: str, aspect: float, size: tuple[float, float]) -> tuple[float, float, float, float]:
-    """Return left, top, width and height of a panel, in points.
-
-    Args:
-        index: Of the panel on its page.
-        layout: ``grid`` or ``single``.
-        aspect: Width over height of the picture.
-        size: Width and height of the page in points.
-    """
-    across, down = size
-    top, height = down - MARGIN - 16, down - 2 * MARGIN - 22
-    if layout == "single":
-        picture = (height - HEADING) * PICTURE_SHARE["single"] * aspect
-        width = min(across - 2 * MARGIN, max(picture, LEAST_WORDS))
-        return (across - width) / 2, top - HEADING, width, height - HEADING
-    width = (across - 2 * MARGIN - 2 * GUTTER) / 3
-    row_height = height / 2
-    column, row = index % 3, index // 3
-    return MARGIN + column * (width + GUTTER), top - HEADING - row * row_height, width, row_height - HEADING
 
 
 def _page_frame(
@@ -136,37 +106,43 @@ def _page_frame(
     canvas.line(MARGIN, down - MARGIN - 8, across - MARGIN, down - MARGIN - 8)
 
 
-def _panel(
-    canvas: Canvas,
-    panel: Panel,
-    frame: Path | None,
-    aspect: float,
-    x: float,
-    top: float,
-    width: float,
-    height: float,
-    layout: str,
-) -> None:
-    single = layout == "single"
-    picture_height = min(width / aspect, height * PICTURE_SHARE[layout])
-    picture_width = picture_height * aspect
-    left = x + (width - picture_width) / 2
-    bottom = top - picture_height
+def _heading(canvas: Canvas, panel: Panel, cell: Cell) -> None:
+    """Draw the heading of a panel's scene over its picture."""
+    left = min(cell.picture.left, cell.words.left)
+    right = max(box.left + box.width for box in (cell.picture, cell.words))
+    _line(canvas, panel.scene.numbered_title, left, cell.picture.top + 4, 9, right - left, color=GREY)
+
+
+def _panel(canvas: Canvas, panel: Panel, frame: Path | None, cell: Cell) -> None:
+    left, top, width, height = cell.picture
+    bottom = top - height
     if frame is not None:
-        canvas.drawImage(_Print(str(frame)), left, bottom, picture_width, picture_height)
+        canvas.drawImage(_Print(str(frame)), left, bottom, width, height)
     canvas.setStrokeColor(INK)
     canvas.setLineWidth(0.8)
-    canvas.rect(left, bottom, picture_width, picture_height)
+    canvas.rect(left, bottom, width, height)
     if panel.way is not None:
-        draw_way(canvas, panel, panel.way, left, bottom, picture_width, picture_height)
-    size = 13.0 if single else 9.0
-    y = bottom - size * 1.35
+        draw_way(canvas, panel, panel.way, left, bottom, width, height)
+    slate = _slate(canvas, panel, cell)
+    _words(canvas, panel, cell.words.left, slate, cell.words.width, slate - cell.words.bottom, cell.size)
+
+
+def _slate(canvas: Canvas, panel: Panel, cell: Cell) -> float:
+    """Draw name, length and camera of a shot, on two lines where one is too short; return where its words begin."""
+    (x, top, width, _), size = cell.words, cell.size
+    y = top - size * (1.0 if cell.beside else 1.35)
     _line(canvas, panel.name, x, y, size, width)
-    name_width = canvas.stringWidth(panel.name, fonts.REGULAR, size)
+    length = f"{panel.seconds:.1f} s"
+    _line(canvas, length, x, y, size * 0.86, width, color=GREY, right=True)
     facts = " · ".join(filter(None, (panel.status, panel.facts)))
-    _line(canvas, facts, x + name_width + 8, y, size * 0.86, width - name_width - 40, color=GREY)
-    _line(canvas, f"{panel.seconds:.1f} s", x, y, size * 0.86, width, color=GREY, right=True)
-    _words(canvas, panel, x, y - 4, width, y - 4 - (top - height), size)
+    name_width = canvas.stringWidth(panel.name, fonts.REGULAR, size)
+    room = width - name_width - canvas.stringWidth(length, fonts.REGULAR, size * 0.86) - 16
+    if _width(canvas, facts, size * 0.86) <= room:
+        _line(canvas, facts, x + name_width + 8, y, size * 0.86, room, color=GREY)
+        return y - size * _GAP
+    y -= size * 1.2
+    _line(canvas, facts, x, y, size * 0.86, width, color=GREY)
+    return y - size * _GAP
 
 
 def _words(canvas: Canvas, panel: Panel, x: float, y: float, width: float, room: float, size: float) -> None:

@@ -6,16 +6,20 @@ them; the rest stays in the trace.
 
 from __future__ import annotations
 
+import csv
 import re
 import shlex
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 
 from storyblender.deliver.panel import Panel, panels
+from storyblender.deliver.shot_list import inert
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.shot_context import Flag, Flaw, ShotContext
 from storyblender.memory.shot_sizes import SHOT_SIZES
 
+CHECKLIST_FILE = "checklist.csv"
 CAMERA: dict[str, tuple[float, str, str]] = {
     "inside": (0.0, "the camera stands inside {who}", "above"),
     "below_floor": (0.0, "the camera is below the floor", "above"),
@@ -102,6 +106,19 @@ def checklist(graph: ContinuityMemoryGraph, staged: Iterable[Flaw], poor: Iterab
         found += _camera_checks(panel, folder, names)
         found += _frame_checks(panel, frame_flaws.get(panel.name, []), folder, names)
     return list(dict.fromkeys(found))
+
+
+def write_checklist(checks: Iterable[Check], part: Path) -> None:
+    """Write the checklist as CSV. UTF-8 with a byte order mark, so that spreadsheets read names rightly.
+
+    Args:
+        checks: In story order.
+        part: The CSV file.
+    """
+    with part.open("w", encoding="utf-8-sig", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow(("shot", "to_check", "mend"))
+        writer.writerows([inert(value) for value in (check.shot, check.says, check.mend)] for check in checks)
 
 
 def names_of(graph: ContinuityMemoryGraph) -> dict[str, str]:

@@ -13,7 +13,7 @@ from string import Template
 from types import MappingProxyType
 
 from storyblender.deliver.asset_list import ASSETS_FILE
-from storyblender.deliver.checklist import Check
+from storyblender.deliver.checklist import CHECKLIST_FILE, Check
 from storyblender.deliver.contact_sheet import sheets_in
 from storyblender.deliver.credits import CREDITS_FILE
 from storyblender.deliver.panel import Panel, cue_of, length_of, panels
@@ -24,9 +24,10 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 FILES = (
     ("story.blend", "Blender file"),
     ("board.pdf", "Board (PDF)"),
-    ("board_single.pdf", "One shot a page (PDF)"),
+    ("board_single.pdf", "Board, one shot a page (PDF)"),
     ("shots.csv", "Shot list"),
     (ASSETS_FILE, "Asset list"),
+    (CHECKLIST_FILE, "Checklist"),
     ("timeline.otio", "Timeline"),
     ("animatic.mp4", "Animatic"),
     (CREDITS_FILE, "Credits"),

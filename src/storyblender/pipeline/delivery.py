@@ -9,7 +9,7 @@ from storyblender.deliver import slate
 from storyblender.deliver.animatic import film_segments, write_animatic, write_subtitles
 from storyblender.deliver.asset_list import ASSETS_FILE, write_asset_list
 from storyblender.deliver.board import write_board
-from storyblender.deliver.checklist import Check, checklist
+from storyblender.deliver.checklist import CHECKLIST_FILE, Check, checklist, write_checklist
 from storyblender.deliver.contact_sheet import sheet_name, sheet_pages, shown_by, write_contact_sheet
 from storyblender.deliver.credits import CREDITS_FILE, credited_works, write_credits
 from storyblender.deliver.page import write_page
@@ -22,13 +22,17 @@ from storyblender.memory.base import content_hash
 from storyblender.memory.shot_context import Flaw
 from storyblender.pipeline.compiling import Compilation
 from storyblender.pipeline.filming import with_cuts_judged
-from storyblender.pipeline.prints import make_prints
+from storyblender.pipeline.prints import Prints, make_prints
 from storyblender.pipeline.reviewing import kept_reviews
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import FILM_RECORD, cut_record, shots_not_in_film
+from storyblender.pipeline.shown import FILM, note_old, note_shown
 from storyblender.trace import Event
 
 CLIPS = "clips"
+BOARD, BOARD_SINGLE = "board.pdf", "board_single.pdf"
+SMALL_PANELS = 6
+"""Panels on a page from which small prints are sharp enough."""
 
 
 def frame_paths(run: Run) -> dict[str, Path]:
@@ -62,25 +66,24 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
     graph, folder = run.graph, run.project.folder
     frames = frame_paths(run)
     steps = 6
-    run.progress("deliver", 0, steps, "board.pdf")
-    prints = make_prints(run, _with_slates(run, frames) if run.settings.slate else frames)
-    with run.delivering("board.pdf") as part:
-        write_board(graph, prints.small, part, "grid", run.settings.paper)
-    with run.delivering("board_single.pdf") as part:
-        write_board(graph, prints.large, part, "single", run.settings.paper)
+    run.progress("deliver", 0, steps, BOARD)
+    prints = write_boards(run, frames)
     run.progress("deliver", 2, steps, "shots.csv")
     with run.delivering("shots.csv") as part:
         write_shot_list(graph, part, run.settings.start_timecode)
     with run.delivering(ASSETS_FILE) as part:
         write_asset_list(graph, part)
+    checks = checks_of(run)
+    with run.delivering(CHECKLIST_FILE) as part:
+        write_checklist(checks, part)
     if credited_works(graph):
         with run.delivering(CREDITS_FILE) as part:
             write_credits(graph, part)
     else:
         run.outputs.keep_only(CREDITS_FILE, ())
     sheets = _contact_sheets(run, prints.small)
-    run.progress("deliver", 3, steps, "animatic.mp4")
-    film = folder / "animatic.mp4"
+    run.progress("deliver", 3, steps, FILM)
+    film = folder / FILM
     if clips is not None and frames:
         segments = encode_segments(
             film_segments(graph, clips, frames),
@@ -89,28 +92,50 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
             run.engine.processes,
             lambda done, of: run.progress("encode", done, of),
         )
-        with run.delivering("animatic.mp4") as part:
+        with run.delivering(FILM) as part:
             write_animatic(graph, segments, part)
         with run.delivering("animatic.srt") as part:
             write_subtitles(graph, part)
         run.outputs.write(FILM_RECORD, cut_record(run))
+        note_shown(run.outputs, graph, FILM)
         _place_clips(run, {panel.name: path for panel, path in zip(panels(graph), segments, strict=True)})
     elif film.exists() and (stale := shots_not_in_film(run)):
         told = f"still shows {', '.join(stale)} as before; `storyblender render --animatic` shoots it again"
-        run.tell(Event(kind="warning", role="animatic.mp4", message=told))
+        run.tell(Event(kind="warning", role=FILM, message=told))
+        note_old(run.outputs, FILM)
         _place_clips(run, {name: path for name, path in clip_paths(run).items() if name not in stale})
+    elif film.exists():
+        note_shown(run.outputs, graph, FILM)
     with run.delivering("timeline.otio") as part:
         write_timeline(timeline_media(run), part)
     run.progress("deliver", 5, steps, "story.blend")
     story.finish()
     with run.delivering("index.html") as part:
-        write_page(graph, frames, part, folder, checks_of(run), prints.small)
+        write_page(graph, frames, part, folder, checks, prints.small)
     run.progress("deliver", steps, steps)
     names = [
-        "index.html", "story.blend", "story/", "frames/", "board.pdf", "board_single.pdf", *sheets,
-        "animatic.mp4", "animatic.srt", "clips/", "shots.csv", ASSETS_FILE, CREDITS_FILE, "timeline.otio", "graph.json",
+        "index.html", "story.blend", "story/", "frames/", BOARD, BOARD_SINGLE, *sheets,
+        FILM, "animatic.srt", "clips/", "shots.csv", ASSETS_FILE, CHECKLIST_FILE, CREDITS_FILE, "timeline.otio",
+        "graph.json",
     ]  # fmt: skip
     return [name for name in names if (folder / name).exists()]
+
+
+def write_boards(run: Run, frames: Mapping[str, Path]) -> Prints:
+    """Write the board in the layout of the settings, and with one panel a page; return the prints in it.
+
+    Args:
+        run: The run.
+        frames: Shot name to picture.
+    """
+    prints = make_prints(run, _with_slates(run, frames) if run.settings.slate else frames)
+    layout = run.settings.board_layout
+    pictures = prints.small if layout.panels >= SMALL_PANELS else prints.large
+    with run.delivering(BOARD) as part:
+        write_board(run.graph, pictures, part, layout)
+    with run.delivering(BOARD_SINGLE) as part:
+        write_board(run.graph, prints.large, part, layout.model_copy(update={"panels": 1}))
+    return prints
 
 
 def _place_clips(run: Run, clips: Mapping[str, Path]) -> None:

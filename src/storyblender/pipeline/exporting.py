@@ -11,6 +11,7 @@ from storyblender.memory.jobs import ExportJob
 from storyblender.pipeline.compiling import STORY, file_of
 from storyblender.pipeline.delivery import timeline_media
 from storyblender.pipeline.run import Run
+from storyblender.pipeline.shown import note_shown
 
 
 def export(run: Run, kinds: Sequence[str]) -> list[str]:
@@ -31,6 +32,8 @@ def export(run: Run, kinds: Sequence[str]) -> list[str]:
                 write_extra(timeline_media(run), part, kind)
         else:
             files += _export_scenes(run, kind)
+    for name in files:
+        note_shown(run.outputs, run.graph, name)
     return files
 
 

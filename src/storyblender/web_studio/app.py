@@ -18,6 +18,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from storyblender.deliver.page import FILES
 from storyblender.errors import StoryBlenderError
 from storyblender.web_studio.access import PROGRAMS
+from storyblender.web_studio.deliver import may_be_downloaded
 from storyblender.web_studio.hub import Hub
 from storyblender.web_studio.messages import CALLS, Answer, News
 
@@ -58,7 +59,7 @@ def build_app(hub: Hub) -> Starlette:
 
     async def delivered(request: Request) -> Response:
         name = request.path_params["name"]
-        return _file(hub, name) if name in _DELIVERED else _NOT_THERE
+        return _file(hub, name) if name in _DELIVERED or may_be_downloaded(name) else _NOT_THERE
 
     async def calls(request: Request) -> Response:
         said = bytearray()
@@ -79,8 +80,8 @@ def build_app(hub: Hub) -> Starlette:
             Route("/previews/{name}.png", preview),
             Route("/takes/{name}.png", take),
             Route("/moments/{name}.glb", moment),
-            Route("/files/{name}", delivered),
             Route(PROGRAMS, calls, methods=["POST"]),
+            Route("/files/{name:path}", delivered),
             WebSocketRoute("/wire", wire),
             Mount("/static", StaticFiles(directory=PAGE)),
         ]

@@ -6,7 +6,6 @@ from collections.abc import Collection, Mapping, Sequence
 from itertools import groupby
 from pathlib import Path
 
-from storyblender.deliver.page import FILES
 from storyblender.deliver.panel import Panel, cue_of, length_of, panels
 from storyblender.memory.base import scene_name
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -43,7 +42,6 @@ def board_of(session: Session, stale: Collection[str], previews: Mapping[str, Pa
         undo=undo,
         redo=redo,
         film=_film(session.folder),
-        files=tuple(name for name, _ in FILES if (session.folder / name).exists()),
     )
 
 

@@ -8,6 +8,7 @@ import threading
 from collections.abc import Callable, Collection, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +25,7 @@ from storyblender.session import Session
 from storyblender.trace import Event
 from storyblender.web_studio.board import board_of, staging_cards
 from storyblender.web_studio.cut import Cut, cut_of
+from storyblender.web_studio.deliver import DeliverCall, WriteCall, deliveries_of, write_now
 from storyblender.web_studio.drawer import Drawer
 from storyblender.web_studio.messages import (
     Answer,
@@ -69,6 +71,8 @@ class Hub:
         self._drawer: Drawer | None = None
         self.previews: dict[str, Path] = {}
         self.takes: dict[str, Path] = {}
+        self._begun: Callable[[], dict[str, Any]] | None = None
+        """Makes the story from its script, as it was begun last for the open project."""
 
     def join(self) -> asyncio.Queue[News]:
         """Return the news for one more browser, from now on."""
@@ -90,6 +94,7 @@ class Hub:
     def open(self, project: str) -> None:
         """Open a project, and draw what is not up to date. Raises InputError, ProjectLocked."""
         self._stop_drawing()
+        self._begun = None
         try:
             self.place.open(project)
         finally:
@@ -154,6 +159,10 @@ class Hub:
                 return lambda: self._lit_by(call)
             case StageCall():
                 return lambda: self._stage(call.shot, call.frame)
+            case DeliverCall():
+                return lambda: deliveries_of(self.place.session, call.layout).model_dump()
+            case WriteCall():
+                return lambda: self._write(call)
             case PlainCall():
                 return {
                     "places": self._places,
@@ -163,7 +172,7 @@ class Hub:
                     "vocabulary": vocabulary,
                     "undo": lambda: self._stepped("undo"),
                     "redo": lambda: self._stepped("redo"),
-                    "deliver": self._deliver,
+                    "go_on": self._go_on,
                     "check": self._check,
                     "pull": self._pull,
                 }[call.call]
@@ -191,6 +200,7 @@ class Hub:
         if call.text is not None:
             self.place.write_script(call.script, call.text)
         self.place.make(call.script, {"look": call.look, "animatic": call.animatic, "crew": call.crew})
+        self._begun = partial(self._make, call)
         return self._followed()
 
     def _compare(self, call: ReviseCall) -> dict[str, Any]:
@@ -203,6 +213,7 @@ class Hub:
         script, session = self.place.revision(call.script, call.text), self.place.session
         self._stop_drawing()
         self.place.begin(f"revise {call.script}", lambda: session.make(script))
+        self._begun = partial(self._revise, call)
         return self._followed()
 
     def _followed(self) -> dict[str, Any]:
@@ -217,7 +228,7 @@ class Hub:
             self._tell(News(news="status", status=status))
             if not status.busy:
                 break
-        if not status.error:
+        if not status.error or status.work.startswith("write "):
             self._begin_drawing(self.place.session)
         self._tell(News(news="board", revision=self.place.session.revision))
 
@@ -316,9 +327,23 @@ class Hub:
             "done": "; ".join(each.reason for each in commits if each.author == "user"),
         }
 
-    def _deliver(self) -> dict[str, Any]:
+    def _write(self, call: WriteCall) -> dict[str, Any]:
+        """Begin to write something that is delivered; what is to be drawn waits until it is there, or stopped."""
         self._refuse_busy()
-        return {"files": self.place.session.render().files}
+        session = self.place.session
+        self._stop_drawing()
+        self.place.begin(f"write {call.what}", partial(write_now, session, call))
+        return self._followed()
+
+    def _go_on(self) -> dict[str, Any]:
+        """Go on with work that was stopped, here or in another run of the studio."""
+        self._refuse_busy()
+        if self._begun is not None:
+            return self._begun()
+        script = self.place.script_of_open_project
+        self._stop_drawing()
+        self.place.make(script, self.place.settings_made_with)
+        return self._followed()
 
     def _check(self) -> dict[str, Any]:
         self._refuse_busy()

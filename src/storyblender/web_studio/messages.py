@@ -10,6 +10,8 @@ from storyblender.edits.posing import PoseChoices
 from storyblender.memory.base import Described
 from storyblender.memory.edits import Edit
 from storyblender.trace import Event
+from storyblender.web_studio.deliver import DeliverCall, WriteCall
+from storyblender.web_studio.page_call import PageCall as _Call
 from storyblender.workplace.values import ShotDetails, Status
 
 _Name = Annotated[str, Field(min_length=1, max_length=128)]
@@ -20,11 +22,6 @@ def _without_folders(crew: str) -> str:
     if any(player in crew for player in ("ask:", "replay:")):
         raise ValueError("a folder of answers is named on the command line, with --crew")
     return crew
-
-
-class _Call(Described):
-    id: int = Field(ge=0, le=2**53)
-    """Number that the answer names."""
 
 
 class OpenCall(_Call):
@@ -144,10 +141,10 @@ class PlainCall(_Call):
     """A call that needs nothing else."""
 
     call: Literal[
-        "places", "board", "shots", "vocabulary", "undo", "redo", "cancel", "deliver", "check", "cut", "pull"
+        "places", "board", "shots", "vocabulary", "undo", "redo", "cancel", "go_on", "check", "cut", "pull"
     ]  # fmt: skip
     """``places``: scripts and projects of the folder; ``cut``: the film as a timeline;
-    ``shots``: all that ``shot`` tells, of every shot; ``deliver``: board, lists and story.blend are written now;
+    ``shots``: all that ``shot`` tells, of every shot; ``go_on``: work that was stopped is gone on with;
     ``pull``: what was changed and saved in Blender is taken over."""
 
 
@@ -162,6 +159,8 @@ Call = Annotated[
     | StageCall
     | ReviseCall
     | ProposeCall
+    | DeliverCall
+    | WriteCall
     | PlainCall,
     Field(discriminator="call"),
 ]
@@ -250,8 +249,6 @@ class Board(Described):
     """What redo makes again."""
     film: str
     """Address of the animatic; empty while there is none."""
-    files: tuple[str, ...]
-    """Deliverables that can be downloaded."""
 
 
 class CameraKey(Described):

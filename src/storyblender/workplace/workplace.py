@@ -116,6 +116,22 @@ class Workplace:
         """Return the name of the project that a script is made into. Raises InputError: it is no name of a script."""
         return f"{self._script(script).stem}{_PROJECT}"
 
+    @property
+    def script_of_open_project(self) -> str:
+        """File name of the script that the open project was made from. Raises InputError if it is not here."""
+        project = self.session.folder.name
+        found = [script for script in self.names()[0] if self.project_of(script) == project]
+        if not found:
+            mend = "put the script back beside it, or make it with `storyblender make SCRIPT --out FOLDER`"
+            raise InputError("its script is not in this folder", mend=mend, path=project)
+        return found[0]
+
+    @property
+    def settings_made_with(self) -> dict[str, object]:
+        """The settings that the open project remembers and that a person chooses as it is made."""
+        made_with = Settings.load(project=self.session.folder)
+        return {"look": made_with.look, "animatic": made_with.animatic, "crew": made_with.crew}
+
     def open(self, project: str) -> Session:
         """Open a finished or planned project of the folder; the one open before is closed.
 

@@ -23,6 +23,7 @@ from storyblender.deliver.timeline_media import TimelineMedia
 from storyblender.errors import InputError
 from storyblender.folder import Folder
 from storyblender.geometry import orbit
+from storyblender.memory.board_layout import BoardLayout
 from storyblender.memory.graph import ContinuityMemoryGraph, ProjectFormat
 from storyblender.memory.outline import SceneOutline, ScriptLine, SourceSpan
 from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Cue
@@ -75,15 +76,15 @@ def test_clauses_in_one_picture_are_one_sentence(graph: ContinuityMemoryGraph) -
     assert panels(joined)[0].action == "She turns, and goes."
 
 
-@pytest.mark.parametrize("layout", ["grid", "single"])
+@pytest.mark.parametrize("layout", [board.USUAL, BoardLayout(panels=1)])
 def test_board_is_a_pdf_with_every_panel_and_is_reproducible(
-    graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path, layout: str
+    graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path, layout: BoardLayout
 ) -> None:
-    board.write_board(graph, frames, tmp_path / "a.pdf", layout)  # type: ignore[arg-type]
-    board.write_board(graph, frames, tmp_path / "b.pdf", layout)  # type: ignore[arg-type]
+    board.write_board(graph, frames, tmp_path / "a.pdf", layout)
+    board.write_board(graph, frames, tmp_path / "b.pdf", layout)
     data = (tmp_path / "a.pdf").read_bytes()
     assert data.startswith(b"%PDF") and data == (tmp_path / "b.pdf").read_bytes()
-    assert data.count(b"/Type /Page\n") == (1 if layout == "grid" else 2)
+    assert data.count(b"/Type /Page\n") == (1 if layout.panels > 1 else 2)
 
 
 def test_prints_are_bound_without_being_unpacked(
@@ -178,7 +179,7 @@ def test_every_timeline_shows_moving_pictures_where_there_are_any(
         assert lengths == [12, 12], lengths
 
 
-def drawn(monkeypatch: pytest.MonkeyPatch, graph: ContinuityMemoryGraph, tmp_path: Path, layout: str) -> list[str]:
+def drawn(monkeypatch: pytest.MonkeyPatch, graph: ContinuityMemoryGraph, tmp_path: Path) -> list[str]:
     """Everything that a board says, page by page, as it is set."""
     said: list[str] = []
     set_ = board._setting
@@ -187,7 +188,7 @@ def drawn(monkeypatch: pytest.MonkeyPatch, graph: ContinuityMemoryGraph, tmp_pat
     left, right = Canvas.drawString, Canvas.drawRightString
     monkeypatch.setattr(Canvas, "drawString", lambda *a: said.append(a[3]) or left(*a))
     monkeypatch.setattr(Canvas, "drawRightString", lambda *a: said.append(a[3]) or right(*a))
-    board.write_board(graph, {}, tmp_path / "a.pdf", layout)  # type: ignore[arg-type]
+    board.write_board(graph, {}, tmp_path / "a.pdf")
     return said
 
 
@@ -199,19 +200,19 @@ def test_board_heads_every_scene_where_it_begins(
     shot = graph.shots[0].model_copy(update={"scene_id": 2})
     scenes = (*graph.scenes, graph.scenes[0].model_copy(update={"scene_id": 2}))
     graph = graph.model_copy(update={"outline": (outline, other), "scenes": scenes, "shots": (*graph.shots, shot)})
-    said = drawn(monkeypatch, graph, tmp_path, "grid")
+    said = drawn(monkeypatch, graph, tmp_path)
     assert said.count("INT. BAR - NIGHT") == 1 and said.index("EXT. ROAD - DAY") > said.index("SC010_SH020")
 
 
 def test_board_says_where_words_were_cut(
     graph: ContinuityMemoryGraph, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    assert "…" not in drawn(monkeypatch, graph, tmp_path, "grid")
+    assert "…" not in drawn(monkeypatch, graph, tmp_path)
     outline = graph.outline[0]
     speech = outline.shots[1].lines[0]
     long = outline.shots[1].model_copy(update={"lines": (speech,) * 30})
     graph = graph.model_copy(update={"outline": (outline.model_copy(update={"shots": (outline.shots[0], long)}),)})
-    assert "…" in drawn(monkeypatch, graph, tmp_path, "grid")
+    assert "…" in drawn(monkeypatch, graph, tmp_path)
 
 
 def test_board_sets_a_long_speech_whole_in_smaller_letters(
@@ -221,24 +222,9 @@ def test_board_sets_a_long_speech_whole_in_smaller_letters(
     line = outline.shots[1].lines[0].model_copy(update={"text": "I waited for the train and it never came. " * 18})
     long = outline.shots[1].model_copy(update={"lines": (line,)})
     graph = graph.model_copy(update={"outline": (outline.model_copy(update={"shots": (outline.shots[0], long)}),)})
-    assert "…" not in drawn(monkeypatch, graph, tmp_path, "grid")
+    assert "…" not in drawn(monkeypatch, graph, tmp_path)
     monkeypatch.setattr(board, "SHRINKING", ())
-    assert "…" in drawn(monkeypatch, graph, tmp_path, "grid"), "the speech must be one that does not fit at full size"
-
-
-@pytest.mark.parametrize("aspect", [0.5625, 1.78, 2.39])
-@pytest.mark.parametrize("size", board.PAPERS.values())
-def test_words_under_a_single_picture_have_room(aspect: float, size: tuple[float, float]) -> None:
-    left, _, width, _ = board._cell(0, "single", aspect, size)
-    assert width >= board.LEAST_WORDS and left >= board.MARGIN and left + width <= size[0] - board.MARGIN + 1e-6
-
-
-@pytest.mark.parametrize(("paper", "box"), [("a4", b"841.8898 595.2756"), ("letter", b"792 612")])
-def test_a_board_is_as_large_as_its_paper(
-    graph: ContinuityMemoryGraph, tmp_path: Path, paper: board.Paper, box: bytes
-) -> None:
-    board.write_board(graph, {}, tmp_path / "a.pdf", "grid", paper)
-    assert b"/MediaBox [ 0 0 " + box in (tmp_path / "a.pdf").read_bytes()
+    assert "…" in drawn(monkeypatch, graph, tmp_path), "the speech must be one that does not fit at full size"
 
 
 def test_notes_stand_on_board_list_and_page(
@@ -249,7 +235,7 @@ def test_notes_stand_on_board_list_and_page(
     outline = graph.outline[0].model_copy(update={"notes": ("Real rain?",), "shots": noted})
     about = {"script_name": "bar.fountain", "edition": "Second draft, 22 Nov 2026"}
     graph = graph.model_copy(update={"outline": (outline,), **about})
-    said = drawn(monkeypatch, graph, tmp_path, "grid")
+    said = drawn(monkeypatch, graph, tmp_path)
     assert said.index("Real rain?") < said.index("SC010_SH020") < said.index("Match <scene> 3")
     assert "bar.fountain · Second draft, 22 Nov 2026" in said and "1 / 1" in said
     shot_list.write_shot_list(graph, tmp_path / "shots.csv")
@@ -265,7 +251,7 @@ def test_a_line_that_is_too_long_ends_in_an_ellipsis_in_any_letters(
     graph: ContinuityMemoryGraph, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for word in ("夜の電車", "Night train\n", "Night train " * 10_000):
-        said = drawn(monkeypatch, graph.model_copy(update={"title": word * 40}), tmp_path, "grid")
+        said = drawn(monkeypatch, graph.model_copy(update={"title": word * 40}), tmp_path)
         assert said[0].startswith(word[:3]) and said[0].endswith("…")
 
 
@@ -294,7 +280,7 @@ def test_board_says_how_long_the_story_is_and_which_scene_of_the_script(
     graph: ContinuityMemoryGraph, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     outline = graph.outline[0].model_copy(update={"script_number": "12A"})
-    said = drawn(monkeypatch, graph.model_copy(update={"outline": (outline,)}), tmp_path, "grid")
+    said = drawn(monkeypatch, graph.model_copy(update={"outline": (outline,)}), tmp_path)
     assert "1 scene, 2 shots, 0:02 minutes" in said and "12A  INT. BAR - NIGHT" in said
     assert b"/Outlines" in (tmp_path / "a.pdf").read_bytes()
 
