@@ -54,6 +54,7 @@ def add_to(app: typer.Typer) -> None:
             "place my_film.storyboard SC010 armchair --at 1.2,0.5 --turn 90",
             "place my_film.storyboard SC010 letter --at -0.8,1.1 --height 0.75",
             "place my_film.storyboard SC010_SH020 rick --at 1,2 --turn 45 --to -1,0.5",
+            "place my_film.storyboard SC010_SH020 rick --via 0,1.5 --via -0.5,1",
         )
     )(place)
     app.command(
@@ -152,6 +153,9 @@ def place(
     scale: Annotated[float | None, typer.Option(help="Factor on the size of a thing, in all its scenes.")] = None,
     to: Annotated[str | None, typer.Option(help="Where a person ends the shot: X,Y; they walk there.")] = None,
     to_turn: Annotated[float | None, typer.Option(help="Degrees that a person faces at the end.")] = None,
+    via: Annotated[
+        list[str] | None, typer.Option(help="X,Y that a person walks through; may be repeated. `crew` frees the way.")
+    ] = None,
     revision: Revision = None,
     draw: Draw = True,
     look: LookOption = None,
@@ -166,7 +170,7 @@ def place(
     with shown(quiet, json_lines) as terminal:
         from storyblender.edits.words import place_edit
 
-        edit = place_edit(where, what, (at, turn), (to, to_turn), height, scale)
+        edit = place_edit(where, what, (at, turn), (to, to_turn), height, scale, via=via)
         settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
         studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
         applied, delivery = studio.edit(folder, [edit], revision, draw=draw)

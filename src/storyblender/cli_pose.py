@@ -1,4 +1,4 @@
-"""``storyblender pose`` and ``motion``: how a person is in a shot, what they look at and hold, and what they do."""
+"""``storyblender pose``, ``motion``, ``line``: how a person is in a shot, what they do, and when they say a line."""
 
 from __future__ import annotations
 
@@ -27,6 +27,12 @@ def add_to(app: typer.Typer) -> None:
             "motion my_film.storyboard SC010_SH020 rick nod --remove",
         )
     )(motion)
+    app.command(
+        epilog=examples(
+            "line my_film.storyboard SC010_SH020 rick 2 --at 3.5",
+            "line my_film.storyboard SC010_SH020 rick 2 --crew",
+        )
+    )(line)
 
 
 def pose(
@@ -98,6 +104,40 @@ def motion(
 
         said = {"at": at, "seconds": seconds, "target": to, "prop": prop}
         edit = motion_edit(shot, person, what, said, remove=remove)
+        settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
+        studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
+        applied, delivery = studio.edit(folder, [edit], draw=draw)
+        terminal.applied(applied)
+        if delivery is not None:
+            terminal.files(delivery.folder, delivery.files)
+
+
+def line(
+    context: typer.Context,
+    folder: Folder,
+    shot: Annotated[str, typer.Argument(metavar="SHOT", help="Such as SC010_SH020.", show_default=False)],
+    person: Annotated[str, typer.Argument(metavar="PERSON", help="Who says it.", show_default=False)],
+    number: Annotated[int, typer.Argument(metavar="LINE", help="Number of the line in the shot.", show_default=False)],
+    at: Annotated[float | None, typer.Option(help="Second of the shot from which it is said.")] = None,
+    seconds: Annotated[float | None, typer.Option(help="Its length.")] = None,
+    crew: Annotated[bool, typer.Option("--crew", help="The crew has it again.")] = False,
+    draw: Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")] = True,
+    look: LookOption = None,
+    jobs: Jobs = None,
+    quiet: Quiet = False,
+    json_lines: Json = False,
+) -> None:
+    """Decide when a line of a shot is said, and for how long; what is said after it follows, and the shot grows.
+
+    `--crew` gives it back to the crew; `undo` takes it back.
+    """
+    with shown(quiet, json_lines) as terminal:
+        from storyblender.edits.words import line_edit
+
+        said = {name: value for name, value in {"at": at, "seconds": seconds}.items() if value is not None}
+        if bool(said) == crew:
+            raise InputError("a line has a second, a length, or is the crew's", mend="give --at, --seconds or --crew")
+        edit = line_edit(shot, person, number, said)
         settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
         studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
         applied, delivery = studio.edit(folder, [edit], draw=draw)

@@ -97,6 +97,11 @@ class OpenProject:
         return self._project.version
 
     @property
+    def lens_kit(self) -> tuple[float, ...]:
+        """Lenses at hand in mm; empty allows any."""
+        return self._settings.lens_kit
+
+    @property
     def made(self) -> bool:
         """Whether every scene is staged; a project that is only planned has nothing to draw."""
         parts = [(scene.layout, scene.environment, scene.lighting) for scene in self.graph.scenes]

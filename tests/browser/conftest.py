@@ -99,3 +99,18 @@ def page(studio: RunningStudio, chromium: Browser) -> Iterator[Page]:
     yield page
     page.close()
     assert not errors
+
+
+@pytest.fixture(scope="module")
+def stage(studio: RunningStudio, chromium: Browser) -> Iterator[Page]:
+    """The stage of the first shot; a script error fails its test module."""
+    page = chromium.new_page(viewport={"width": 1280, "height": 800})
+    errors: list[str] = []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.goto(studio.address)
+    page.locator('[data-shot="SC010_SH010"]').click()
+    page.get_by_role("button", name="Stage", exact=True).click()
+    page.wait_for_selector(".scrub", timeout=120_000)
+    yield page
+    page.close()
+    assert not errors

@@ -2,82 +2,27 @@
 
 from __future__ import annotations
 
-import io
-from collections.abc import Iterator
-from contextlib import contextmanager
-from pathlib import Path
-from typing import Any
-
 import numpy as np
 import pytest
 from PIL import Image
-from playwright.sync_api import Browser, Locator, Page, expect
+from playwright.sync_api import Page, expect
 
 from storyblender.geometry.camera_path import camera_at
 from storyblender.geometry.framing import Film, project
-from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.project import read_project_graph
 from tests.browser.conftest import RunningStudio
-
-SHOT = "SC010_SH010"
-LOADED = 120_000
-"""Most milliseconds that a scene in 3D is waited for."""
-
-
-@pytest.fixture(scope="module")
-def stage(studio: RunningStudio, chromium: Browser) -> Iterator[Page]:
-    page = chromium.new_page(viewport={"width": 1280, "height": 800})
-    errors: list[str] = []
-    page.on("pageerror", lambda error: errors.append(str(error)))
-    page.goto(studio.address)
-    page.locator(f'[data-shot="{SHOT}"]').click()
-    page.get_by_role("button", name="Stage", exact=True).click()
-    page.wait_for_selector(".scrub", timeout=LOADED)
-    yield page
-    page.close()
-    assert not errors
-
-
-def project_of(studio: RunningStudio) -> Path:
-    return studio.folder / "two_cups.storyboard"
-
-
-def graph_of(studio: RunningStudio) -> ContinuityMemoryGraph:
-    return read_project_graph(project_of(studio))
-
-
-def look(page: Page, view: str) -> np.ndarray:
-    page.get_by_role("button", name=view, exact=True).click()
-    page.wait_for_timeout(1200)
-    return np.asarray(Image.open(io.BytesIO(page.locator(".frame canvas").screenshot())).convert("RGB"), dtype=float)
-
-
-def in_page(page: Page, script: str, *values: Any) -> Any:
-    return page.evaluate(
-        f"([...values]) => {{ const view = document.querySelector('sb-stage'); {script} }}", list(values)
-    )
-
-
-@contextmanager
-def shown_anew(page: Page) -> Iterator[None]:
-    """Wait until the page shows the scene as it is after what is done inside."""
-    in_page(page, "window.shownBefore = view.stage;")
-    yield
-    for _ in range(LOADED // 500):  # the page's policy forbids what wait_for_function does
-        if in_page(page, "return view.stage !== window.shownBefore && !view.busy;"):
-            return
-        page.wait_for_timeout(500)
-    raise AssertionError(f"the stage was not shown anew: {in_page(page, 'return [view.busy, view.why];')}")
-
-
-def undo(page: Page) -> None:
-    with shown_anew(page):
-        page.get_by_role("button", name="Undo").click()
-        expect(said(page)).to_contain_text("Undone")
-
-
-def said(page: Page) -> Locator:
-    return page.locator("header ~ .bar")
+from tests.browser.stage_page import (
+    LOADED,
+    SHOT,
+    drag,
+    graph_of,
+    in_page,
+    look,
+    point_on,
+    project_of,
+    said,
+    shown_anew,
+    undo,
+)
 
 
 def test_every_view_shows_a_picture_of_its_own(stage: Page) -> None:
@@ -111,32 +56,15 @@ def test_the_frame_that_was_drawn_has_the_same_picture(stage: Page, studio: Runn
     assert np.corrcoef(drawn.ravel(), seen.ravel())[0, 1] > 0.5
 
 
-def point_on(page: Page, node: str) -> tuple[float, float]:
-    """Return where a thing is on the screen in the view that is shown."""
-    x, y = in_page(page, "return view.scene.onScreen(values[0]);", node)
-    box = page.locator(".frame canvas").bounding_box()
-    assert box is not None
-    return box["x"] + x * box["width"], box["y"] + y * box["height"]
-
-
-def drag(page: Page, node: str, by: tuple[int, int], *, cancel: bool = False) -> None:
-    x, y = point_on(page, node)
-    page.mouse.move(x, y)
-    page.mouse.down()
-    page.mouse.move(x + by[0], y + by[1], steps=4)
-    if cancel:
-        page.keyboard.press("Escape")
-    page.mouse.up()
-
-
 def test_a_person_who_is_dragged_stands_there_and_undo_brings_them_back(stage: Page, studio: RunningStudio) -> None:
     look(stage, "From above")
     before = graph_of(studio)
-    where = {block.start.asset_id: block.start.location for block in before.shot(1, 1).blocking}
+    end = in_page(stage, "return view.scene.stage.people.tom.now;")
+    where = {block.start.asset_id: getattr(block, end).location for block in before.shot(1, 1).blocking}
     with shown_anew(stage):
         drag(stage, "tom", (30, 20))
-        expect(said(stage)).to_contain_text("tom starts")
-    now = {block.start.asset_id: block.start.location for block in graph_of(studio).shot(1, 1).blocking}
+        expect(said(stage)).to_contain_text(f"tom {end}s")
+    now = {block.start.asset_id: getattr(block, end).location for block in graph_of(studio).shot(1, 1).blocking}
     assert now["tom"][0] > where["tom"][0] + 0.1 and now["tom"][1] < where["tom"][1] - 0.05
     assert now["ada"] == pytest.approx(where["ada"], abs=0.01)
     undo(stage)

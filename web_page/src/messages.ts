@@ -30,6 +30,7 @@ export interface Board {
   revision: string;
   made: boolean;
   aspect: number;
+  lens_kit: number[];
   summary: string;
   scenes: SceneCard[];
   cast: Record<string, string>;
@@ -80,6 +81,14 @@ export interface Note {
   resolved: boolean;
 }
 
+export interface LineTime {
+  line: number;
+  person: string;
+  at: number;
+  seconds: number;
+  decided: boolean;
+}
+
 export interface ShotDetails {
   shot: string;
   heading: string;
@@ -102,6 +111,9 @@ export interface ShotDetails {
   approved: boolean;
   notes: Note[];
   problems: string[];
+  speech: LineTime[];
+  focus: string[];
+  names: Record<string, string>;
 }
 
 export interface RoleReason {
@@ -204,56 +216,10 @@ export interface SceneDetails {
   locked: string[];
 }
 
-/** Metres, Z up. */
-export type Point = [number, number, number];
-
-export interface CameraKey {
-  frame: number;
-  world: number[];
-  lens: number;
-  distance: number;
-}
-
-export interface StageCamera {
-  shot: string;
-  sensor_width: number;
-  keys: CameraKey[];
-  hidden: string[];
-}
-
 export interface StagingCard {
   number: number;
   picture: string;
   moved: string;
-}
-
-export interface Pose {
-  posture: string;
-  on: string;
-  holding: string[];
-  looking_at: string;
-}
-
-export interface PersonOnStage {
-  name: string;
-  start: Point;
-  end: Point;
-  rotation: number;
-  start_pose: Pose;
-  end_pose: Pose;
-}
-
-export interface Stage {
-  shot: string;
-  model: string;
-  frame: number;
-  frames: number;
-  fps: number;
-  aspect: number;
-  cameras: StageCamera[];
-  placed: Record<string, { name: string; location: Point; rotation: number }>;
-  people: Record<string, PersonOnStage>;
-  poses: Record<"sit" | "lie" | "hold" | "look", Record<string, string>>;
 }
 
 export interface News {

@@ -2,6 +2,7 @@
 
 import { LitElement, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
+import { hex, linear } from "./colors";
 import type { Board, Edit, LampValue, SceneDetails } from "./messages";
 import type { Wire } from "./wire";
 
@@ -146,15 +147,4 @@ export class SetView extends LitElement {
 
 function value(event: Event): string {
   return (event.target as HTMLInputElement).value;
-}
-
-/** A scene-linear colour as the browser writes it; what is brighter than white is shown as its hue. */
-function hex(color: number[]): string {
-  const most = Math.max(1, ...color);
-  const parts = color.map((part) => Math.round(255 * (part / most) ** (1 / 2.2)));
-  return `#${parts.map((part) => part.toString(16).padStart(2, "0")).join("")}`;
-}
-
-function linear(color: string): number[] {
-  return [1, 3, 5].map((at) => Math.round((parseInt(color.slice(at, at + 2), 16) / 255) ** 2.2 * 10000) / 10000);
 }

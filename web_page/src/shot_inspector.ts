@@ -2,15 +2,16 @@
 
 import { LitElement, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
+import { STOPS, lensesOf } from "./camera_kit";
 import type { Board, Edit, PanelCard, ShotDetails } from "./messages";
+import "./shot_light";
+import "./shot_lines";
 import "./shot_parts";
 import "./shot_why";
 import "./stagings_choose";
 import type { TakesCompare } from "./takes_compare";
 import "./takes_compare";
 import type { Wire } from "./wire";
-
-const LENSES = [18, 24, 28, 35, 40, 50, 65, 85, 100, 135];
 
 @customElement("sb-shot")
 export class ShotInspector extends LitElement {
@@ -35,8 +36,8 @@ export class ShotInspector extends LitElement {
   }
 
   private async ask(): Promise<void> {
-    const details = await this.wire.call<ShotDetails>("shot", { shot: this.shot });
-    if (details.shot === this.shot) this.details = details;
+    const details = await this.wire.call<ShotDetails>("shot", { shot: this.shot }).catch(() => null);
+    if (details?.shot === this.shot) this.details = details;
   }
 
   private edit(...edits: Edit[]): void {
@@ -72,12 +73,15 @@ export class ShotInspector extends LitElement {
         ${this.choice("Angle", "angle", shot.angle)}
         ${this.choice("Move", "movement", this.move(shot))}
         <label>Lens <select @change=${(event: Event) => this.camera({ lens: Number((event.target as HTMLSelectElement).value) })}>
-          ${[...new Set([...LENSES, Math.round(shot.lens)])].sort((a, b) => a - b).map(
+          ${[...new Set([...lensesOf(this.board), Math.round(shot.lens)])].sort((a, b) => a - b).map(
             (lens) => html`<option value=${lens} ?selected=${lens === Math.round(shot.lens)}>${lens} mm</option>`)}
         </select></label>
         <label>Seconds <input type="number" min="0.5" max="600" step="0.5" .value=${String(shot.seconds)}
           @change=${(event: Event) => this.edit({ kind: "duration", shot: this.shot, seconds: Number((event.target as HTMLInputElement).value) })} /></label>
       </fieldset>
+      <fieldset ?disabled=${locked}><legend>Who is in the picture, who is sharp</legend>${this.subjects(shot)}</fieldset>
+      <sb-light .scene=${card.scene} .revision=${this.board.revision} .wire=${this.wire}
+        @edit=${(event: CustomEvent<Edit>) => this.edit(event.detail)}></sb-light>
       ${shot.decided.length ? html`<p class="decided">You decided: ${shot.decided.join(", ")}</p>` : nothing}
       <fieldset><legend>Takes</legend>
         ${shot.takes.map((take) => html`<button class=${take.in_film ? "chosen" : ""} title=${take.camera} ?disabled=${take.in_film}
@@ -102,9 +106,7 @@ export class ShotInspector extends LitElement {
       <sb-parts .board=${this.board} .details=${shot} @edit=${(event: CustomEvent<Edit>) => this.edit(event.detail)}></sb-parts>
       ${this.notes(shot)}
       ${shot.problems.length ? html`<h3>To check</h3><ul>${shot.problems.map((each) => html`<li>${each}</li>`)}</ul>` : nothing}
-      <h3>Script</h3>
-      ${shot.lines.map((line) => html`<p class=${line.kind === "dialogue" ? "speech" : ""}>
-        ${line.speaker ? html`<b>${this.board.cast[line.speaker] ?? line.speaker}</b> ` : nothing}${line.text}</p>`)}
+      <sb-lines .details=${shot} .cast=${this.board.cast} @edit=${(event: CustomEvent<Edit>) => this.edit(event.detail)}></sb-lines>
       <sb-why .shot=${this.shot} .revision=${this.board.revision} .wire=${this.wire}></sb-why>
     `;
   }
@@ -126,6 +128,24 @@ export class ShotInspector extends LitElement {
     const text = field.value.trim();
     if (text) this.edit({ kind: "note", shot: this.shot, action: "add", text });
     field.value = "";
+  }
+
+  /** Whom the picture is of, and what is sharp in it. */
+  private subjects(shot: ShotDetails) {
+    const shown = shot.shows;
+    const change = (id: string) => {
+      const ids = shown.includes(id) ? shown.filter((each) => each !== id) : [...shown, id];
+      if (ids.length) this.camera({ focus_on_ids: ids });
+      else this.requestUpdate();
+    };
+    const people = Object.entries(shot.names);
+    const stops = [...new Set([...STOPS, ...(shot.f_number ? [shot.f_number] : [])])].sort((one, other) => one - other);
+    return html`${people.map(([id, name]) => html`<label><input type="checkbox" .checked=${shown.includes(id)} @change=${() => change(id)} /> ${name}</label>`)}
+      <label>Aperture <select @change=${(event: Event) => this.camera({ f_number: Number((event.target as HTMLSelectElement).value) })}>
+        ${stops.map((stop) => html`<option value=${stop} ?selected=${stop === shot.f_number}>f/${stop}</option>`)}</select></label>
+      <label>Sharp <select @change=${(event: Event) => this.camera({ focus: (event.target as HTMLSelectElement).value })}>
+        ${people.some(([id]) => id === shot.focus[0]) ? nothing : html`<option selected disabled>${shot.focus[0] || "everything"}</option>`}
+        ${people.map(([id, name]) => html`<option value=${id} ?selected=${id === shot.focus[0]}>${name}</option>`)}</select></label>`;
   }
 
   /** The move that was asked for: what the shot is said to do has a direction behind it. */

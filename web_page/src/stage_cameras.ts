@@ -1,10 +1,14 @@
-/** Cameras of the stage: those of the shots, exactly as Blender has them, and how they are drawn from outside. */
+/** Cameras of the stage: those of the shots, exactly as Blender has them, and cameras that stand where a hand put them. */
 
-import { BufferGeometry, Float32BufferAttribute, LineBasicMaterial, LineSegments, Matrix4, PerspectiveCamera, Vector3 } from "three";
-import type { CameraKey, StageCamera } from "./messages";
+import { MathUtils, Matrix4, type PerspectiveCamera, Vector3 } from "three";
+import type { CameraKey, Point, StageCamera } from "./stage_values";
 
-/** Most metres that a camera's picture is drawn in front of it. */
-const REACH = 2.5;
+/** A camera as an edit takes it: where it stands, what it looks at, degrees that it leans counter-clockwise. */
+export interface CameraPose {
+  location: Point;
+  target: Point;
+  roll: number;
+}
 
 /** The key of a camera at a frame; cameras are keyed so closely that between two keys a straight line will do. */
 export function keyAt(camera: StageCamera, frame: number): CameraKey {
@@ -35,18 +39,46 @@ export function look(through: PerspectiveCamera, camera: StageCamera, frame: num
   through.updateMatrixWorld(true);
 }
 
-/** Lines from a camera to the corners of its picture. */
-export function cone(camera: StageCamera, frame: number, aspect: number, color: number): LineSegments {
-  const key = keyAt(camera, frame);
-  const depth = Math.min(REACH, key.distance);
-  const half = (depth * camera.sensor_width) / (2 * key.lens);
-  const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([x, y]) => new Vector3(x * half, (y * half) / aspect, -depth));
-  const eye = new Vector3();
-  const points = corners.flatMap((corner, index) => [eye, corner, corner, corners[(index + 1) % 4]]);
-  const lines = new BufferGeometry();
-  lines.setAttribute("position", new Float32BufferAttribute(points.flatMap((point) => point.toArray()), 3));
-  const drawn = new LineSegments(lines, new LineBasicMaterial({ color, depthTest: false }));
-  drawn.applyMatrix4(worldOf(key));
-  drawn.renderOrder = 1;
-  return drawn;
+/** Where a camera stands at the start or at the end of its shot. */
+export function poseOf(camera: StageCamera, when: "start" | "end"): CameraPose {
+  const key = camera.keys.at(when === "start" ? 0 : -1)!;
+  const world = worldOf(key);
+  const [right, up, back] = [new Vector3(), new Vector3(), new Vector3()];
+  world.extractBasis(right, up, back);
+  const eye = new Vector3().setFromMatrixPosition(world);
+  const level = levelAxes(back);
+  const roll = MathUtils.radToDeg(Math.atan2(right.dot(level.up), right.dot(level.right)));
+  return {
+    location: eye.toArray(),
+    target: eye.clone().addScaledVector(back, -key.distance).toArray(),
+    roll: Math.abs(roll) < 0.05 ? 0 : roundTo(roll, 2),
+  };
+}
+
+/** The key of a camera that stands where a pose says. */
+export function keyOf(pose: CameraPose, frame: number, lens: number): CameraKey {
+  const [eye, target] = [new Vector3(...pose.location), new Vector3(...pose.target)];
+  const back = eye.clone().sub(target).normalize();
+  const { right, up } = levelAxes(back);
+  const turn = MathUtils.degToRad(pose.roll);
+  const leaning = right.clone().multiplyScalar(Math.cos(turn)).addScaledVector(up, Math.sin(turn));
+  const world = new Matrix4().makeBasis(leaning, back.clone().cross(leaning), back).setPosition(eye);
+  return { frame, world: world.transpose().toArray(), lens, distance: eye.distanceTo(target) };
+}
+
+/** Whether a camera ends its shot elsewhere than it begins it. */
+export function travels(camera: StageCamera): boolean {
+  return camera.keys.length > 1 && camera.keys[0].world.some((value, index) => Math.abs(value - camera.keys.at(-1)!.world[index]) > 1e-4);
+}
+
+/** The axes of a camera that does not lean, by the direction it looks away from. */
+function levelAxes(back: Vector3): { right: Vector3; up: Vector3 } {
+  const right = new Vector3(0, 0, 1).cross(back);
+  if (right.length() < 1e-6) right.set(1, 0, 0);
+  right.normalize();
+  return { right, up: back.clone().cross(right) };
+}
+
+export function roundTo(value: number, digits: number): number {
+  return Math.round(value * 10 ** digits) / 10 ** digits;
 }

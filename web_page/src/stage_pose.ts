@@ -2,7 +2,8 @@
 
 import { LitElement, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
-import type { Edit, Stage } from "./messages";
+import type { Edit } from "./messages";
+import type { Stage } from "./stage_values";
 import type { Wire } from "./wire";
 
 type When = "start" | "end";

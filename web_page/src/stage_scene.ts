@@ -1,13 +1,15 @@
 /** The stage: a scene in 3D in Blender's coordinates (metres, Z up), seen through a shot, freely, or from above. */
 
 import {
-  Box3, Box3Helper, Color, DirectionalLight, Group, HemisphereLight, type Material, Mesh, MeshLambertMaterial, type MeshStandardMaterial,
-  type Object3D, OrthographicCamera, PerspectiveCamera, Plane, Quaternion, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+  Box3, Color, DirectionalLight, Group, HemisphereLight, Matrix4, OrthographicCamera, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
-import type { Stage } from "./messages";
-import { cone, keyAt, look, worldOf } from "./stage_cameras";
+import { type CameraPose, keyAt, look, poseOf, worldOf } from "./stage_cameras";
+import { type Done, StageHands, type Tool, turn } from "./stage_hands";
+import { cameraOf, nameOf, noteWhere, partsOf, spotOf, turnOf } from "./stage_items";
+import { StageModel } from "./stage_model";
+import { clear, overlay, ring } from "./stage_overlay";
+import type { FloorPoint, Point, Stage } from "./stage_values";
 
 export type View = "shot" | "free" | "plan";
 
@@ -15,43 +17,40 @@ const CHOSEN = 0x6fb1ff;
 const HIT = 0xff5a4a;
 /** Metres: what is above is cut off in the plan. */
 const PLAN_HEIGHT = 2.3;
-/** Metres that boxes may share before it is a collision. */
-const TOUCHING = 0.03;
-
-export interface Moved {
-  node: string;
-  by: { x: number; y: number };
-}
+/** Pixels from a way at which it is taken hold of. */
+const NEAR_WAY = 7;
 
 export class StageScene {
   readonly scene = new Scene();
+  readonly model = new StageModel();
+  readonly hands = new StageHands(this.model);
   private renderer: WebGLRenderer;
   private shotCamera = new PerspectiveCamera(40, 16 / 9, 0.05, 1000);
   private freeCamera = new PerspectiveCamera(40, 16 / 9, 0.05, 1000);
   private planCamera = new OrthographicCamera(-5, 5, 5, -5, 0, 100);
   private free: OrbitControls;
   private plan: OrbitControls;
-  private model = new Group();
-  private overlay = new Group();
-  private nodes = new Map<string, Object3D[]>();
+  private over = new Group();
   private asked = 0;
   private drawing = 0;
-  private drag: { node: string; from: Vector3; height: number; by: Vector2 } | null = null;
+  /** The stage with all that was moved by hand since the studio told it. */
   stage: Stage | null = null;
+  private asTold: Stage | null = null;
   view: View = "shot";
+  tool: Tool = "move";
   frame = 0;
   chosen = "";
 
   constructor(
     private canvas: HTMLCanvasElement,
-    private told: { chose(node: string): void; moved(moved: Moved): void },
+    private told: { chose(item: string): void; done(done: Done): void; changed(): void },
   ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.scene.background = new Color(0x2a2d33);
     const sun = new DirectionalLight(0xffffff, 1.6);
     sun.position.set(3, -6, 9);
-    this.scene.add(new HemisphereLight(0xffffff, 0x8a7f70, 2.0), sun, this.model, this.overlay);
+    this.scene.add(new HemisphereLight(0xffffff, 0x8a7f70, 2.0), sun, this.model.root, this.over);
     this.freeCamera.up.set(0, 0, 1);
     this.planCamera.up.set(0, 1, 0);
     this.free = new OrbitControls(this.freeCamera, canvas);
@@ -61,6 +60,7 @@ export class StageScene {
     canvas.addEventListener("pointerdown", (event) => this.press(event), { capture: true });
     canvas.addEventListener("pointermove", (event) => this.pull(event));
     canvas.addEventListener("pointerup", () => this.release());
+    canvas.addEventListener("pointercancel", () => this.cancel());
     canvas.addEventListener("webglcontextrestored", () => this.draw());
     this.switchControls();
   }
@@ -72,41 +72,34 @@ export class StageScene {
     this.renderer.dispose();
   }
 
-  /** Show a stage; the model is loaded unless it is shown already. */
-  async show(stage: Stage): Promise<void> {
-    const [before, asked] = [this.stage, ++this.asked];
-    if (before?.model !== stage.model) {
-      const loaded = (await new GLTFLoader().loadAsync(stage.model)).scene;
-      if (asked !== this.asked) return;
-      this.stand(loaded);
+  /**
+   * Show a stage once nothing is held; the model is loaded unless it is shown already. What was moved by hand is replaced.
+   * @param wanted Whether it is still to be shown when it is there.
+   */
+  async show(stage: Stage, wanted = () => true): Promise<void> {
+    const [before, asked] = [this.asTold, ++this.asked];
+    const loaded = before?.model !== stage.model ? await this.model.load(stage.model) : null;
+    while (this.hands.item) await new Promise((frame) => requestAnimationFrame(frame));
+    if (asked !== this.asked || !wanted()) return;
+    if (loaded) this.model.stand(loaded);
+    const cameras = this.stage?.cameras.filter((camera) => stage.setting.includes(camera.shot)) ?? [];
+    [this.asTold, this.stage, this.frame] = [stage, structuredClone(stage), stage.frame];
+    this.stage.cameras.push(...cameras); // those that the crew is setting stay as they were until it has
+    for (const person of Object.keys(stage.people)) {
+      const { x, y } = this.model.box(person).getCenter(new Vector3());
+      noteWhere(this.stage, person, x, y);
     }
-    this.stage = stage;
-    this.frame = stage.frame;
     if (before?.shot.slice(0, 5) !== stage.shot.slice(0, 5)) this.frameAll();
     if (before?.shot !== stage.shot) this.startFree();
-    this.choose(this.nodes.has(this.chosen) ? this.chosen : "");
+    this.choose(nameOf(stage, this.chosen) ? this.chosen : "");
   }
 
-  /** Show the model as it was loaded, whatever was moved in it. */
+  /** Show everything as the studio told it, whatever was moved by hand. */
   async putBack(): Promise<void> {
-    const stage = this.stage;
-    if (!stage) return;
-    this.stage = { ...stage, model: "" };
-    await this.show(stage);
-  }
-
-  /** Take the place of the model that was shown. */
-  private stand(loaded: Object3D): void {
-    this.model.clear();
-    this.nodes.clear();
-    loaded.rotation.x = Math.PI / 2; // glTF has Y up
-    this.model.add(loaded);
-    this.model.updateMatrixWorld(true);
-    loaded.traverse((each) => {
-      if (each instanceof Mesh) each.material = plain(each.material as MeshStandardMaterial);
-      const id = each.userData.node_id as string | undefined;
-      if (id) this.nodes.set(id, [...(this.nodes.get(id) ?? []), each]);
-    });
+    const told = this.asTold;
+    if (!told) return;
+    this.asTold = { ...told, model: "" };
+    await this.show(told);
   }
 
   look(view: View): void {
@@ -117,25 +110,44 @@ export class StageScene {
 
   seek(frame: number): void {
     this.frame = frame;
+    if (this.stage) this.stage.frame = frame;
     this.draw();
   }
 
-  choose(node: string): void {
-    this.chosen = node;
+  choose(item: string): void {
+    this.chosen = item;
     this.draw();
   }
 
-  /** Turn a thing where it stands, until the studio has placed it so. */
+  /** Turn a thing or a person where they stand, until the studio has turned them. */
   turn(node: string, degrees: number): void {
-    const about = this.stage?.placed[node]?.location ?? this.stage?.people[node]?.start;
-    if (!about) return;
-    const turned = new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), (degrees * Math.PI) / 180);
-    for (const part of this.nodes.get(node) ?? []) {
-      const pivot = part.parent!.worldToLocal(new Vector3(...about));
-      part.position.sub(pivot).applyQuaternion(turned).add(pivot);
-      part.quaternion.premultiply(turned);
-    }
-    this.model.updateMatrixWorld(true);
+    if (!this.stage) return;
+    this.model.settle();
+    turn(this.stage, this.model, [node, ...(this.stage.placed[node]?.carries ?? [])], node, (turnOf(this.stage, node) ?? 0) + degrees, degrees);
+    this.draw();
+  }
+
+  /** Show a thing or a person elsewhere, until the studio has put them there. */
+  shifted(node: string, by: Point): void {
+    this.model.settle();
+    this.model.move([node, ...(this.stage?.placed[node]?.carries ?? [])], new Matrix4().makeTranslation(...by));
+    this.draw();
+  }
+
+  /** Look at what is chosen from nearby. */
+  focusChosen(): void {
+    const at = this.stage && spotOf(this.stage, this.chosen);
+    if (!at) return;
+    const box = this.model.has(this.chosen) ? this.model.box(this.chosen) : new Box3().setFromCenterAndSize(new Vector3(...at), new Vector3(1, 1, 1));
+    const [middle, size] = [box.getCenter(new Vector3()), box.getSize(new Vector3()).length()];
+    const away = this.freeCamera.position.clone().sub(this.free.target).setLength(Math.max(1.5, 1.8 * size));
+    this.free.target.copy(middle);
+    this.freeCamera.position.copy(middle).add(away);
+    this.plan.target.set(middle.x, middle.y, 0);
+    this.planCamera.position.set(middle.x, middle.y, PLAN_HEIGHT);
+    this.planCamera.zoom = Math.max(1, Math.min(8, Math.max(...this.span) / (4 * size)));
+    this.free.update();
+    this.plan.update();
     this.draw();
   }
 
@@ -145,38 +157,43 @@ export class StageScene {
   }
 
   /** Where the free camera is, as an edit of the shot's camera takes it. */
-  get freePose(): { location: number[]; target: number[]; lens: number } {
-    const sensor = this.camera?.sensor_width ?? 36;
-    const lens = sensor / (this.stage?.aspect ?? 1) / (2 * Math.tan((this.freeCamera.fov * Math.PI) / 360));
-    return { location: this.freeCamera.position.toArray(), target: this.free.target.toArray(), lens };
+  get freePose(): CameraPose {
+    return { location: this.freeCamera.position.toArray(), target: this.free.target.toArray(), roll: 0 };
   }
 
   /** Where points of the scene are in the shot's picture: 0 to 1 from the left and from the top. */
   pictured(points: number[][]): number[][] {
     if (this.stage && this.camera) look(this.shotCamera, this.camera, this.frame, this.stage.aspect);
-    return points.map((point) => {
-      const seen = new Vector3(...(point as [number, number, number])).project(this.shotCamera);
-      return [(seen.x + 1) / 2, (1 - seen.y) / 2];
-    });
+    return points.map((point) => this.seenAt(new Vector3(...(point as Point)), this.shotCamera));
   }
 
-  /** Where the middle of a thing is in the view: 0 to 1 from the left and from the top. */
-  onScreen(node: string): number[] {
-    const seen = this.box(node).getCenter(new Vector3()).project(this.active);
+  /** Where the middle of an item is in the view: 0 to 1 from the left and from the top. */
+  onScreen(item: string): number[] {
+    const grip = this.over.getObjectByProperty("name", item);
+    const at = grip ? grip.position : this.model.box(item).getCenter(new Vector3());
+    return this.seenAt(at.clone(), this.active);
+  }
+
+  private seenAt(point: Vector3, camera: PerspectiveCamera | OrthographicCamera): number[] {
+    const seen = point.project(camera);
     return [(seen.x + 1) / 2, (1 - seen.y) / 2];
   }
 
   private get camera() {
-    return this.stage?.cameras.find((each) => each.shot === this.stage?.shot);
+    return this.stage ? cameraOf(this.stage, this.stage.shot) : undefined;
   }
 
   private get active(): PerspectiveCamera | OrthographicCamera {
     return { shot: this.shotCamera, free: this.freeCamera, plan: this.planCamera }[this.view];
   }
 
+  private get span(): [number, number] {
+    return (this.planCamera.userData.span as [number, number] | undefined) ?? [10, 10];
+  }
+
   private switchControls(): void {
-    this.free.enabled = this.view === "free";
-    this.plan.enabled = this.view === "plan";
+    this.free.enabled = this.view === "free" && !this.hands.item;
+    this.plan.enabled = this.view === "plan" && !this.hands.item;
   }
 
   /** The free camera begins where the shot's is. */
@@ -191,9 +208,9 @@ export class StageScene {
   /** The plan shows everything that the layout placed, and the cameras. */
   private frameAll(): void {
     const all = new Box3();
-    for (const id of Object.keys(this.stage?.placed ?? {})) for (const part of this.nodes.get(id) ?? []) all.expandByObject(part);
-    for (const camera of this.stage?.cameras ?? []) all.expandByPoint(new Vector3().setFromMatrixPosition(worldOf(camera.keys[0])));
-    if (all.isEmpty()) all.setFromObject(this.model);
+    for (const id of Object.keys(this.stage?.placed ?? {})) all.union(this.model.box(id));
+    for (const camera of this.stage?.cameras ?? []) all.expandByPoint(new Vector3(...poseOf(camera, "start").location));
+    if (all.isEmpty()) all.setFromObject(this.model.root);
     const [middle, size] = [all.getCenter(new Vector3()), all.getSize(new Vector3())];
     this.planCamera.position.set(middle.x, middle.y, PLAN_HEIGHT);
     this.plan.target.set(middle.x, middle.y, 0);
@@ -213,51 +230,41 @@ export class StageScene {
   private render(stage: Stage): void {
     const { width, height } = this.canvas;
     const shape = width / Math.max(height, 1);
-    const hidden = new Set(this.view === "shot" ? this.camera?.hidden : []);
-    for (const [id, parts] of this.nodes) for (const part of parts) part.visible = !hidden.has(id);
+    this.model.hide(new Set(this.view === "shot" ? this.camera?.hidden : []));
     if (this.view === "shot" && this.camera) {
       look(this.shotCamera, this.camera, this.frame, stage.aspect);
     } else if (this.view === "free") {
       this.freeCamera.aspect = shape;
       this.freeCamera.updateProjectionMatrix();
     } else {
-      const [across, along] = (this.planCamera.userData.span as [number, number] | undefined) ?? [10, 10];
+      const [across, along] = this.span;
       const half = Math.max(along, across / shape) / 2;
       Object.assign(this.planCamera, { left: -half * shape, right: half * shape, top: half, bottom: -half });
       this.planCamera.updateProjectionMatrix();
     }
+    this.active.updateMatrixWorld(true);
     this.mark(stage);
     this.renderer.render(this.scene, this.active);
   }
 
-  /** Draw cameras, the box of what is chosen, and the boxes that it stands in. */
+  /** Metres that a pixel of the page is wide at a point. */
+  private pixel = (at: Vector3): number => {
+    const high = Math.max(this.canvas.clientHeight, 1);
+    if (this.active === this.planCamera) return (this.planCamera.top - this.planCamera.bottom) / this.planCamera.zoom / high;
+    const camera = this.active as PerspectiveCamera;
+    return (2 * camera.position.distanceTo(at) * Math.tan((camera.fov * Math.PI) / 360)) / high;
+  };
+
+  /** Draw cameras, lamps and ways, the box of what is chosen with its ring, and the boxes that it stands in. */
   private mark(stage: Stage): void {
-    this.overlay.clear();
-    if (this.view !== "shot") {
-      for (const camera of stage.cameras) {
-        const own = camera.shot === stage.shot;
-        this.overlay.add(cone(camera, own ? this.frame : 0, stage.aspect, own ? 0xe8b04a : 0x8d9099));
-      }
-    }
-    if (!this.chosen) return;
-    const hits = this.collisions(this.chosen);
-    this.overlay.add(new Box3Helper(this.box(this.chosen), hits.length ? HIT : CHOSEN));
-    for (const node of this.drag ? hits : []) this.overlay.add(new Box3Helper(this.box(node), HIT));
-  }
-
-  private box(node: string): Box3 {
-    const box = new Box3();
-    for (const part of this.nodes.get(node) ?? []) box.expandByObject(part);
-    return box;
-  }
-
-  /** What a thing stands in: placed things and people whose boxes meet its own. */
-  private collisions(node: string): string[] {
-    const own = this.box(node).expandByScalar(-TOUCHING);
-    return [...this.nodes.keys()].filter((other) => {
-      const kind = this.nodes.get(other)![0].userData.kind;
-      return other !== node && (kind === "prop" || kind === "character") && this.box(other).intersectsBox(own);
-    });
+    clear(this.over);
+    if (this.view !== "shot") this.over.add(...overlay(stage, this.chosen, this.pixel).children);
+    if (!this.model.has(this.chosen)) return;
+    const own = [this.chosen, ...(stage.placed[this.chosen]?.carries ?? [])];
+    const hits = this.model.collisions(own);
+    this.over.add(this.model.boxOf([this.chosen], hits.length ? HIT : CHOSEN));
+    for (const node of this.hands.item ? hits : []) this.over.add(this.model.boxOf([node], HIT));
+    if (nameOf(stage, this.chosen)) this.over.add(...ring(stage, this.chosen, this.pixel).children);
   }
 
   private ray(event: PointerEvent): Raycaster {
@@ -268,68 +275,70 @@ export class StageScene {
     return ray;
   }
 
-  /** What is under the pointer, set pieces aside. */
-  private under(event: PointerEvent): { node: string; point: Vector3 } | null {
-    for (const hit of this.ray(event).intersectObject(this.model, true)) {
-      let each: Object3D | null = hit.object;
-      while (each && !each.userData.node_id) each = each.parent;
-      if (!each || !hit.object.visible) continue;
-      if (each.userData.kind === "set" && this.view === "plan") continue;
-      return each.userData.kind === "set" ? null : { node: each.userData.node_id as string, point: hit.point };
+  /** What is under the pointer: a handle, else a thing or a person; set pieces aside. */
+  private under(ray: Raycaster): { item: string; point: Vector3 } | null {
+    const grips = ray.intersectObject(this.over, true).filter((hit) => hit.object.name);
+    if (grips.length) return { item: grips[0].object.name, point: grips[0].point };
+    const found = this.model.under(ray, this.view === "plan");
+    return found && { item: found.node, point: found.point };
+  }
+
+  /** Whose way is under the pointer, and where on the floor that is. */
+  private wayUnder(event: PointerEvent): [string, FloorPoint] | null {
+    const box = this.canvas.getBoundingClientRect();
+    const [x, y] = [event.clientX - box.left, event.clientY - box.top];
+    for (const [id, person] of this.view === "shot" ? [] : Object.entries(this.stage!.people)) {
+      const way = (person.walks[0] ?? []).map(([wx, wy]) => this.seenAt(new Vector3(wx, wy, 0), this.active));
+      for (let index = 1; index < way.length; index++) {
+        const [[ax, ay], [bx, by]] = [way[index - 1], way[index]].map(([u, v]) => [u * box.width, v * box.height]);
+        const share = Math.max(0, Math.min(1, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / Math.max(1e-9, (bx - ax) ** 2 + (by - ay) ** 2)));
+        if (Math.hypot(ax + share * (bx - ax) - x, ay + share * (by - ay) - y) > NEAR_WAY) continue;
+        const [from, to] = [person.walks[0][index - 1], person.walks[0][index]];
+        return [id, [from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])]];
+      }
     }
     return null;
   }
 
   private press(event: PointerEvent): void {
-    if (event.button !== 0) return;
-    const hit = this.under(event);
-    this.choose(hit?.node ?? "");
+    if (event.button !== 0 || !this.stage) return;
+    const ray = this.ray(event);
+    const hit = this.under(ray);
+    const way = hit && this.model.has(hit.item) === false ? null : this.wayUnder(event);
+    const pixels: [number, number] = [event.clientX, event.clientY];
+    if (way) this.hands.bend(this.stage, way[0], way[1]);
+    else if (hit) this.hands.take(this.stage, hit.item, this.tool, hit.point, pixels);
+    this.choose(this.hands.item || (hit?.item ?? ""));
     this.told.chose(this.chosen);
-    if (!hit || this.view === "shot" || !this.stage || !(hit.node in this.stage.placed || hit.node in this.stage.people)) return;
-    this.drag = { node: hit.node, from: hit.point, height: hit.point.z, by: new Vector2() };
-    this.free.enabled = this.plan.enabled = false;
+    if (!this.hands.item) return;
+    this.switchControls();
     this.canvas.setPointerCapture(event.pointerId);
   }
 
   private pull(event: PointerEvent): void {
-    if (!this.drag) return;
-    const point = this.ray(event).ray.intersectPlane(new Plane(new Vector3(0, 0, 1), -this.drag.height), new Vector3());
-    if (point) this.shift(new Vector2(point.x - this.drag.from.x, point.y - this.drag.from.y));
-  }
-
-  private shift(by: Vector2): void {
-    const drag = this.drag!;
-    for (const part of this.nodes.get(drag.node) ?? []) {
-      part.position.x += by.x - drag.by.x;
-      part.position.z -= by.y - drag.by.y; // the model has Y up below its turned root
-    }
-    drag.by = by;
-    this.model.updateMatrixWorld(true);
+    if (!this.hands.item || !this.stage) return;
+    const at = new Vector3(...spotOf(this.stage, this.hands.item)!);
+    this.hands.pull(this.stage, this.ray(event), [event.clientX, event.clientY], this.pixel(at), event.altKey, event.shiftKey);
+    this.told.changed();
     this.draw();
   }
 
   private release(): void {
-    const drag = this.drag;
-    this.drag = null;
+    const done = this.stage && this.hands.release(this.stage);
     this.switchControls();
-    if (drag && drag.by.length() > 0.005) this.told.moved({ node: drag.node, by: drag.by });
+    if (done) this.told.done(done);
     this.draw();
   }
 
   /** Put back what is being dragged; says whether anything was. */
   cancel(): boolean {
-    if (!this.drag) return false;
-    this.shift(new Vector2());
-    this.drag = null;
+    const before = this.hands.cancel();
+    if (!before) return false;
+    this.stage = before;
+    this.chosen = nameOf(before, this.chosen) ? this.chosen : partsOf(this.chosen)[1];
     this.switchControls();
+    this.told.changed();
     this.draw();
     return true;
   }
-}
-
-/** A quick material with the colours of a rich one. */
-function plain(material: MeshStandardMaterial | Material[]): Material | Material[] {
-  if (Array.isArray(material)) return material.map((each) => plain(each as MeshStandardMaterial) as Material);
-  const { color, map, opacity, transparent, side, emissive, emissiveIntensity, vertexColors } = material;
-  return new MeshLambertMaterial({ color, map, opacity, transparent, side, vertexColors, emissive, emissiveIntensity: Math.min(emissiveIntensity, 0.6) });
 }

@@ -36,6 +36,12 @@ export class Studio extends LitElement {
   @state() private events: CrewEvent[] = [];
   @state() private said: { text: string; wrong: boolean } | null = null;
   @state() private connected = true;
+  /** What the person has seen: the board's revision, or what their last edit came to. */
+  private revision = "";
+  private edited: Promise<unknown> = Promise.resolve();
+  private high = new ResizeObserver(([header]) =>
+    document.documentElement.style.setProperty("--top", `${header.borderBoxSize[0].blockSize}px`),
+  );
   private wire = new Wire(
     (news) => this.hear(news),
     () => this.joined(),
@@ -49,6 +55,10 @@ export class Studio extends LitElement {
   connectedCallback(): void {
     super.connectedCallback();
     document.addEventListener("keydown", this.keys);
+  }
+
+  protected firstUpdated(): void {
+    this.high.observe(this.querySelector("header")!);
   }
 
   private keys = (event: KeyboardEvent): void => {
@@ -77,6 +87,7 @@ export class Studio extends LitElement {
   private async look(): Promise<void> {
     try {
       this.board = await this.wire.call<Board>("board");
+      this.revision = this.board.revision;
       document.title = `${this.board.title} - StoryBlender`;
       const shots = new Set(this.board.scenes.flatMap((scene) => scene.shots.map((shot) => shot.shot)));
       this.selected = this.selected.filter((name) => shots.has(name));
@@ -114,14 +125,22 @@ export class Studio extends LitElement {
     return this.attempt(async () => `${done}: ${(await this.wire.call<{ done: string }>(way)).done}`);
   }
 
+  /** Make edits, after those that are under way: what follows a gesture at once is made on what that came to. */
   private edit(edits: Edit[]): Promise<boolean> {
     return this.call("apply", { edits });
   }
 
   /** Make an edit by a call of its own. */
   private call(name: "apply" | "panorama", detail: object): Promise<boolean> {
-    const revision = this.board?.revision;
-    return this.attempt(async () => (await this.wire.call<{ words: string }>(name, { ...detail, revision })).words);
+    const made = this.edited.then(() =>
+      this.attempt(async () => {
+        const done = await this.wire.call<{ words: string; version: string }>(name, { ...detail, revision: this.revision });
+        this.revision = done.version;
+        return done.words;
+      }),
+    );
+    this.edited = made;
+    return made;
   }
 
   private instruct(event: SubmitEvent): void {
@@ -130,9 +149,8 @@ export class Studio extends LitElement {
     const words = field.value.trim();
     if (!words || !this.board) return;
     const about = words.includes(":") ? "" : `${this.selected.join(", ")}: `;
-    const revision = this.board.revision;
     void this.attempt(async () => {
-      const done = await this.wire.call<{ words: string }>("instruct", { words: about + words, revision });
+      const done = await this.wire.call<{ words: string }>("instruct", { words: about + words, revision: this.revision });
       field.value = "";
       return done.words;
     });

@@ -1,9 +1,9 @@
-"""Edits of people in a shot: where they start and end it, how they stand or sit, what they look at and hold."""
+"""Edits of people in a shot: where they start, go and end it, how they stand or sit, what they look at and hold."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from storyblender.agents.visual_effects_artist.animator_critic import LEAST_DISTANCE, LEAST_FREE_SHARE
 from storyblender.agents.visual_effects_artist.floor import BODY, Floor
@@ -18,11 +18,13 @@ from storyblender.memory.base import Vec2, shot_name, staged_id
 from storyblender.memory.edits import BlockingEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.scene_context import SceneContext
-from storyblender.memory.scene_decision import BlockingDecision, PersonMarks, PersonPlace
-from storyblender.memory.shot_context import Mark, ShotContext
+from storyblender.memory.scene_decision import BlockingDecision, DecidedLine, PersonMarks, PersonPlace
+from storyblender.memory.shot_context import Blocking, Mark, ShotContext
 
 _JUMP = 0.3
 """Metres from the end of one shot to the start of the next that are told."""
+_STEP = 0.05
+"""Metres from start to end of a shot that are no walk."""
 _CARRIED = ("sit", "lean")
 """Postures whose place is that of what carries the person."""
 
@@ -53,11 +55,20 @@ def blocking_effects(graph: ContinuityMemoryGraph, edit: BlockingEdit) -> list[E
         None if place is None else as_posed(graph, scene, person, _on_floor(place, scene))
         for place in (edit.marks.start, edit.marks.end)
     )
-    marks = PersonMarks(start=start, end=end, motions=as_moved(graph, shot, person, edit.marks.motions))
+    moved = as_moved(graph, shot, person, edit.marks.motions)
+    _refuse_no_line(graph, shot, person, edit.marks.lines)
+    via = _way_points(edit.marks.via, scene)
+    marks = PersonMarks(start=start, end=end, via=via, motions=moved, lines=edit.marks.lines)
     decided = shot.blocking_decision or BlockingDecision()
     before = decided.people.get(person, PersonMarks())
-    motions = merged_motions(before.motions, marks.motions)
-    whole = PersonMarks(start=_over(before.start, marks.start), end=_over(before.end, marks.end), motions=motions)
+    whole = PersonMarks(
+        start=_over(before.start, marks.start),
+        end=_over(before.end, marks.end),
+        via=before.via if marks.via is None else marks.via or None,
+        motions=merged_motions(before.motions, marks.motions),
+        lines=_merged_lines(before.lines, marks.lines),
+    )
+    _refuse_no_walk(name, own, whole)
     _refuse_seated(name, own.start, whole.start, marks.start)
     _refuse_given_twice(decided, person, whole)
     decided = decided.then(BlockingDecision(people={person: whole}))
@@ -82,6 +93,45 @@ def _on_floor(place: PersonPlace, scene: SceneContext) -> PersonPlace:
         refuse_far((*location, 0.0), scene)
     rotation = None if place.rotation is None else round(place.rotation % 360.0, 1)
     return place.model_copy(update={"location": location, "rotation": rotation})
+
+
+Lines = Mapping[int, DecidedLine | None]
+
+
+def _merged_lines(before: Lines, now: Lines) -> dict[int, DecidedLine | None]:
+    """Return when lines are said, with later decisions on top; what the crew has back is no more decided."""
+    both = {
+        number: was.then(line)
+        for number, line in now.items()
+        if line is not None and (was := before.get(number)) is not None
+    }
+    return {number: line for number, line in {**before, **now, **both}.items() if line is not None}
+
+
+def _refuse_no_line(graph: ContinuityMemoryGraph, shot: ShotContext, person: str, lines: Lines) -> None:
+    """Refuse lines that the person does not say in the shot."""
+    outline = graph.outline_of(shot.scene_id)
+    said = next((each.lines for each in outline.shots if each.shot_id == shot.shot_id), ()) if outline else ()
+    own = [number for number, line in enumerate(said, 1) if line.kind == "dialogue" and line.speaker == person]
+    for number in lines:
+        if number not in own:
+            mend = f"theirs: {', '.join(map(str, own))}" if own else "they say nothing in it"
+            raise InputError(f"line {number} of {name_of(shot)} is not said by {person}", mend=mend)
+
+
+def _way_points(via: tuple[Vec2, ...] | None, scene: SceneContext) -> tuple[Vec2, ...] | None:
+    """Return way points to the millimetre. Raises InputError for one far off the set."""
+    for x, y in via or ():
+        refuse_far((x, y, 0.0), scene)
+    return via and tuple((round(x, 3), round(y, 3)) for x, y in via)
+
+
+def _refuse_no_walk(name: str, own: Blocking, whole: PersonMarks) -> None:
+    """Refuse way points for a person who goes nowhere."""
+    goes = whole.end is not None and whole.end.location is not None
+    if whole.via and not goes and math.dist(own.start.location, own.end.location) < _STEP:
+        mend = "set where they end the shot"
+        raise InputError(f"{own.start.asset_id} does not walk anywhere in {name}", mend=mend)
 
 
 def _refuse_seated(name: str, start: Mark, whole: PersonPlace | None, now: PersonPlace | None) -> None:
@@ -110,6 +160,9 @@ def _in_the_way(graph: ContinuityMemoryGraph, shot: ShotContext, person: str, ma
     if scene.layout is None or scene.environment is None:
         return
     floor = Floor(scene.layout, graph.assets_of(scene.scene_id), plan_of(scene.environment))
+    for x, y in marks.via or ():
+        if floor.room_at((x, y)) < LEAST_FREE_SHARE * BODY:
+            yield f"{person} cannot walk through {x:g}, {y:g} in {name_of(shot)}: something is there"
     for when, place in (("start", marks.start), ("end", marks.end)):
         if place is None or place.location is None:
             continue

@@ -95,6 +95,8 @@ def place_edit(
     to: tuple[str | None, float | None] = (None, None),
     height: float | None = None,
     scale: float | None = None,
+    *,
+    via: Sequence[str] | None = None,
 ) -> Edit:
     """Read where a person places a thing of a scene, or a person in a shot.
 
@@ -105,6 +107,7 @@ def place_edit(
         to: The same as it ends, of a person.
         height: Metres above the floor, of a thing.
         scale: Factor on the size of a thing.
+        via: Floor points that a person walks through; ``crew`` alone gives the way back.
 
     Raises:
         InputError: A point cannot be read, or it says nothing, or what a thing or a person has not.
@@ -115,11 +118,15 @@ def place_edit(
     if "_" in where:
         if height is not None or scale is not None:
             raise InputError("people stand on the floor, as tall as they are", mend="name a scene and a thing")
-        marks = {when: place for when, place in (("start", first), ("end", last)) if place}
+        marks: dict[str, object] = {when: place for when, place in (("start", first), ("end", last)) if place}
+        if via:
+            marks["via"] = [] if list(via) == ["crew"] else [_floor_point(point) for point in via]
         [edit] = edits_of([{"kind": "blocking", "shot": where, "person": what, "marks": marks}])
         return edit
-    if last:
-        raise InputError("things stay where they are in a scene", mend="leave --to out, or name a shot and a person")
+    if last or via:
+        raise InputError(
+            "things stay where they are in a scene", mend="leave --to and --via out, or name a shot and a person"
+        )
     place = first if height is None else {**first, "height": height}
     [edit] = edits_of([{"kind": "place", "scene": where, "thing": what, "place": place, "scale": scale}])
     return edit
@@ -142,6 +149,23 @@ def pose_edit(shot: str, person: str, pose: Mapping[str, object], *, at_end: boo
     if isinstance(holding, list | tuple):
         named["holding"] = [as_id(str(each)) for each in holding]
     marks = {"end" if at_end else "start": {**pose, **named}}
+    [edit] = edits_of([{"kind": "blocking", "shot": shot, "person": person, "marks": marks}])
+    return edit
+
+
+def line_edit(shot: str, person: str, number: int, said: Mapping[str, object]) -> Edit:
+    """Read what a person says about when a line is said in a shot.
+
+    Args:
+        shot: Such as ``SC010_SH020``.
+        person: Id or name of the speaker.
+        number: Of the line in the shot, from 1.
+        said: Fields of ``DecidedLine``; empty gives it back to the crew.
+
+    Raises:
+        InputError: A number cannot be.
+    """
+    marks = {"lines": {number: dict(said) or None}}
     [edit] = edits_of([{"kind": "blocking", "shot": shot, "person": person, "marks": marks}])
     return edit
 
@@ -218,7 +242,11 @@ def paint_edit(
 
 
 def _floor_place(point: str | None, rotation: float | None) -> dict[str, object]:
-    return {"location": _numbers(point, 2, "X,Y in metres, as in 2,-3") if point else None, "rotation": rotation}
+    return {"location": _floor_point(point) if point else None, "rotation": rotation}
+
+
+def _floor_point(text: str) -> tuple[float, ...]:
+    return _numbers(text, 2, "X,Y in metres, as in 2,-3")
 
 
 def _point(text: str) -> tuple[float, float, float]:

@@ -19,6 +19,8 @@ Bounds = tuple[float, float, float, float]
 """x min, y min, x max, y max."""
 Track = Callable[[float], Vec2]
 """Function from a time in seconds to the world x and y of a person, metres."""
+Leg = Callable[[Vec2, Vec2], list[Vec2] | None]
+"""Function from two floor points to the way from one to the other; None without one."""
 Floats = NDArray[np.float64]
 
 SQUEEZE_RADIUS = 0.19
@@ -182,6 +184,22 @@ def round_corners(points: Sequence[Vec2], radius: float = CORNER_RADIUS) -> list
         smooth += [a * (1 - w) ** 2 + corner * 2 * w * (1 - w) + b * w * w for w in np.linspace(0, 1, 7)]
     smooth.append(corners[-1])
     return [(float(point[0]), float(point[1])) for point in smooth]
+
+
+def walk_through(leg: Leg, stops: Sequence[Vec2]) -> list[Vec2] | None:
+    """Return a way from the first of several floor points to the last, through all of them; None without one.
+
+    Args:
+        leg: Finds the way between two of them.
+        stops: Floor points.
+    """
+    way = [stops[0]]
+    for start, end in itertools.pairwise(stops):
+        found = leg(start, end)
+        if found is None:
+            return None
+        way += found[1:]
+    return way
 
 
 def path_length(points: Sequence[Vec2]) -> float:

@@ -139,7 +139,9 @@ class BlockingEdit(Described):
     @model_validator(mode="after")
     def _says_something(self) -> Self:
         if not self.marks.says_something:
-            raise ValueError("a mark has a location, a rotation, a posture, a look or things held, or a motion")
+            raise ValueError(
+                "marks have a place, a rotation, a posture, a look, things held, a way, a motion or a line"
+            )
         return self
 
 

@@ -224,6 +224,21 @@ class DecidedMotion(_Decision):
         return ", ".join(words for name, words in said.items() if getattr(self, name) is not None)
 
 
+class DecidedLine(_Decision):
+    """When a person is to say a line of a shot, as a person decided; what is left out is the crew's."""
+
+    at: Annotated[float, Field(ge=0, le=3600)] | None = None
+    """Second of the shot from which it is said; what is said after it follows."""
+    seconds: Annotated[float, Field(gt=0, le=600)] | None = None
+    """Its length."""
+
+    @property
+    def words(self) -> str:
+        """The decision as a person reads it, e.g. ``at 3.5 s, for 2 s``."""
+        said = {"at": f"at {self.at} s", "seconds": f"for {self.seconds} s"}
+        return ", ".join(words for name, words in said.items() if getattr(self, name) is not None)
+
+
 class PersonMarks(Described):
     """The marks of one person in one shot that a person set."""
 
@@ -231,13 +246,20 @@ class PersonMarks(Described):
     """As the shot begins; left out, where they were."""
     end: PersonPlace | None = None
     """As it ends; a person who is elsewhere walks there. Left out, where their actions lead them."""
+    via: Annotated[tuple[Vec2, ...], Field(max_length=12)] | None = Field(default=None, exclude_if=is_none)
+    """Floor points in metres that their first walk of the shot goes through; empty: the crew finds the way."""
     motions: dict[Identifier, DecidedMotion | None] = Field(default={}, exclude_if=lambda value: not value)
     """What they do, by key of the motion; None: they do not; one that the script has not is added."""
+    lines: dict[Annotated[int, Field(ge=1, le=999)], DecidedLine | None] = Field(
+        default={}, exclude_if=lambda value: not value
+    )
+    """When they say what is theirs, by number of the line in the shot, from 1; None: as the crew has it."""
 
     @property
     def says_something(self) -> bool:
         """Whether anything is decided."""
-        return bool(self.motions) or any(place is not None and place.words for place in (self.start, self.end))
+        placed = any(place is not None and place.words for place in (self.start, self.end))
+        return placed or bool(self.motions or self.lines) or self.via is not None
 
 
 class BlockingDecision(_Decision):
@@ -255,6 +277,13 @@ class BlockingDecision(_Decision):
             for verb, place in (("starts", marks.start), ("ends", marks.end))
             if place is not None
         )
+        ways = (
+            f"{name} walks through {'; '.join(f'{x:g}, {y:g}' for x, y in marks.via)}"
+            if marks.via
+            else f"{name} walks the crew's way"
+            for name, marks in self.people.items()
+            if marks.via is not None
+        )
         does = (
             f"{name} does not {key.replace('_', ' ')}"
             if motion is None
@@ -262,7 +291,12 @@ class BlockingDecision(_Decision):
             for name, marks in self.people.items()
             for key, motion in marks.motions.items()
         )
-        return ", ".join((*ends, *does))
+        says = (
+            f"{name} says line {number} {'when the crew has it' if line is None else line.words}"
+            for name, marks in self.people.items()
+            for number, line in marks.lines.items()
+        )
+        return ", ".join((*ends, *ways, *does, *says))
 
 
 class LayoutDecision(_Decision):

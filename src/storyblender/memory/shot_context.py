@@ -14,6 +14,7 @@ from storyblender.memory.base import (
     Quaternion,
     SceneId,
     ShotId,
+    Vec2,
     Vec3,
     dropping,
     is_none,
@@ -174,6 +175,8 @@ class Cue(Frozen):
     hand: Hand | None = None
     mark: Mark | None = None
     """Where the clip ends, for travel and posture changes."""
+    via: tuple[Vec2, ...] = Field(default=(), exclude_if=lambda value: not value)
+    """Floor points that a walk goes through."""
     mood: Mood = "neutral"
     expression: Expression | None = None
     """For the clip ``face``: the facial expression from this cue on."""

@@ -36,6 +36,7 @@ def board_of(session: Session, stale: Collection[str], previews: Mapping[str, Pa
         revision=session.revision,
         made=session.made,
         aspect=graph.format.aspect,
+        lens_kit=session.lens_kit,
         summary=length_of([panel for panel in shown if not panel.omitted]),
         scenes=tuple(scenes),
         cast=_cast(graph),

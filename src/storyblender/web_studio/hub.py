@@ -42,11 +42,12 @@ from storyblender.web_studio.messages import (
     ReviseCall,
     SceneCall,
     ShotCall,
-    Stage,
     StageCall,
 )
 from storyblender.web_studio.scene import scene_details
+from storyblender.web_studio.shot import in_inspector
 from storyblender.web_studio.stage import stage_of
+from storyblender.web_studio.stage_values import Stage
 from storyblender.workplace.values import details_of
 from storyblender.workplace.workplace import Workplace
 
@@ -233,8 +234,8 @@ class Hub:
         self._tell(News(news="board", revision=self.place.session.revision))
 
     def _shot(self, name: str) -> dict[str, Any]:
-        panel = self.place.panel(name)
-        return details_of(panel, self.place.session.graph).model_dump()
+        panel, graph = self.place.panel(name), self.place.session.graph
+        return {**details_of(panel, graph).model_dump(), **in_inspector(panel, graph).model_dump()}
 
     def _shots(self) -> list[dict[str, Any]]:
         graph = self.place.session.graph

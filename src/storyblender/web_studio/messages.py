@@ -6,7 +6,6 @@ from typing import Annotated, Literal
 
 from pydantic import AfterValidator, Field, TypeAdapter
 
-from storyblender.edits.posing import PoseChoices
 from storyblender.memory.base import Described
 from storyblender.memory.edits import Edit
 from storyblender.trace import Event
@@ -237,6 +236,8 @@ class Board(Described):
     """Whether it is staged; a plan has no pictures."""
     aspect: float
     """Width of a picture divided by its height."""
+    lens_kit: tuple[float, ...]
+    """Lenses at hand in mm; empty allows any."""
     summary: str
     """Scenes, shots and length."""
     scenes: tuple[SceneCard, ...]
@@ -249,98 +250,6 @@ class Board(Described):
     """What redo makes again."""
     film: str
     """Address of the animatic; empty while there is none."""
-
-
-class CameraKey(Described):
-    """A camera at a frame of its shot."""
-
-    frame: int
-    """From the start of the shot."""
-    world: tuple[float, ...]
-    """Its matrix in the scene, 4 x 4 by rows: metres, Z up, looking along its own -Z, as Blender has it."""
-    lens: float
-    """mm."""
-    distance: float
-    """Metres to what it is turned around."""
-
-
-class StageCamera(Described):
-    """The camera of a shot."""
-
-    shot: str
-    """Its shot."""
-    sensor_width: float
-    """mm."""
-    keys: tuple[CameraKey, ...]
-    """In order of frames; one if it rests."""
-    hidden: tuple[str, ...]
-    """Node ids of set pieces taken away for it."""
-
-
-class PlacedThing(Described):
-    """Something that the layout of a scene places, and a hand may move."""
-
-    name: str
-    """As people call it."""
-    location: tuple[float, float, float]
-    """Floor point under its middle and height of its underside, metres."""
-    rotation: float
-    """Degrees about Z."""
-
-
-class PoseOnStage(Described):
-    """How a person is at one end of a shot."""
-
-    posture: str
-    """``stand``, ``sit`` ..."""
-    on: str
-    """Node id of what they sit, lie or lean on; empty on the floor."""
-    holding: tuple[str, ...]
-    """Asset ids of what is in their hands."""
-    looking_at: str
-    """What a person decided that they look at; empty where the crew chooses."""
-
-
-class PersonOnStage(Described):
-    """A person in a shot, whose marks a hand may move."""
-
-    name: str
-    """As people call them."""
-    start: tuple[float, float, float]
-    """Floor point as the shot begins, metres."""
-    end: tuple[float, float, float]
-    """The same as it ends."""
-    rotation: float
-    """Degrees about Z as it begins."""
-    start_pose: PoseOnStage
-    """How they are as it begins."""
-    end_pose: PoseOnStage
-    """How they are as it ends."""
-
-
-class Stage(Described):
-    """The scene of a shot in 3D, at one moment."""
-
-    shot: str
-    """Name of the shot."""
-    model: str
-    """Address of the scene as glTF; its nodes carry ``node_id``, ``asset_id`` and ``kind``."""
-    frame: int
-    """The moment, from the start of the shot."""
-    frames: int
-    """Length of the shot."""
-    fps: int
-    """Frames a second."""
-    aspect: float
-    """Width of a picture divided by its height."""
-    cameras: tuple[StageCamera, ...]
-    """Of all shots of the scene."""
-    placed: dict[str, PlacedThing]
-    """What the layout places, by node id."""
-    people: dict[str, PersonOnStage]
-    """Who is on stage, by id."""
-    poses: PoseChoices
-    """What people here can sit on, lie on, hold and look at."""
 
 
 class Answer(Described):
@@ -371,4 +280,4 @@ class News(Described):
     """Whose pictures are new."""
 
 
-__all__ = ["CALLS", "Answer", "Board", "Call", "News", "PanelCard", "SceneCard", "ShotDetails", "Stage"]
+__all__ = ["CALLS", "Answer", "Board", "Call", "News", "PanelCard", "SceneCard", "ShotDetails"]

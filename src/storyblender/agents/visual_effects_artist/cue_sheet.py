@@ -13,6 +13,7 @@ from storyblender.agents.visual_effects_artist.crossings import Crossing, find_b
 from storyblender.agents.visual_effects_artist.floor import BODY, PERSONAL, WALK_ON_OUTDOORS, facing
 from storyblender.agents.visual_effects_artist.person import StagedPerson
 from storyblender.agents.visual_effects_artist.stage_state import StageState
+from storyblender.agents.visual_effects_artist.way_points import find_way, passed_on
 from storyblender.agents.visual_effects_artist.ways import point_on_line, shorten_way, turn_towards_audience
 from storyblender.catalog.motions import AIMED, MOTIONS, natural_seconds, turning_seconds
 from storyblender.geometry.boxes import shortest_turn
@@ -165,8 +166,7 @@ class CueSheet:
         people = [p.place for p in self.stage.people.values() if p.present and p is not person]
         people = [spot for spot in people if math.dist(spot, goal) > 0.5 and math.dist(spot, person.place) > 0.3]
         floor = self.stage.floor
-        way = floor.path(person.place, goal, person.scale, people) or floor.path(person.place, goal, person.scale)
-        if way is None:
+        if (way := find_way(floor, person, goal, people)) is None:
             return self.place_by_cut(person, goal, yaw, now)
         length = path_length(way)
         if length < 0.12:
@@ -192,9 +192,9 @@ class CueSheet:
         person.place, person.yaw = way[-1], last if yaw is None else yaw
         whole = seconds + sum(turning_seconds(math.degrees(turn), 1.7 * person.scale) for turn in turns)
         duration = round(whole * self.fps) if hurried else None
-        end = self.add_cue(person, clip, now, whole, mark=person.mark(), duration=duration)
+        via = passed_on(person, way)
         person.acted = True
-        return end
+        return self.add_cue(person, clip, now, whole, mark=person.mark(), duration=duration, via=via)
 
     def raise_arrival(self, person: StagedPerson, height: float, now: float) -> float:
         """End a person's last walk at a height in metres, such as on steps or a stage; return its end, ``now``."""

@@ -1,4 +1,4 @@
-"""Motions that a person added, moved in time or took away: they lie over what the script has people do."""
+"""Motions and lines that a person added, moved in time or took away: they lie over what the script has people do."""
 
 from __future__ import annotations
 
@@ -6,9 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from storyblender.agents.visual_effects_artist.actions import Actions
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
+from storyblender.agents.visual_effects_artist.speeches import SPOKEN
 from storyblender.agents.visual_effects_artist.stage_state import StageState
 from storyblender.catalog.motions import MOTIONS
-from storyblender.memory.scene_decision import PersonMarks
+from storyblender.memory.scene_decision import DecidedLine, PersonMarks
 from storyblender.memory.shot_context import BodyState, CharacterAction, Flaw
 
 _LATE = 2.0
@@ -33,8 +34,23 @@ def second_of(action: CharacterAction, marks: Mapping[str, PersonMarks]) -> floa
         action: Of the script.
         marks: What was decided, by asset id.
     """
-    told = marks.get(action.asset_id, PersonMarks()).motions.get(action.motion)
+    own = marks.get(action.asset_id, PersonMarks())
+    line, told = line_of(action, own), own.motions.get(action.motion)
+    if line is not None and line.at is not None:
+        return line.at
     return told.at if told is not None else None
+
+
+def line_of(action: CharacterAction, own: PersonMarks) -> DecidedLine | None:
+    """Return what was decided about the line that an action says; None if nothing was, or it says none.
+
+    Args:
+        action: Of the script.
+        own: What was decided about who does it.
+    """
+    if action.motion not in SPOKEN or action.line_index is None:
+        return None
+    return own.lines.get(action.line_index + 1)
 
 
 def do_added(
@@ -97,4 +113,10 @@ def missed_motions(sheet: CueSheet, marks: Mapping[str, PersonMarks]) -> Iterato
                 continue
             late = f" before {min(begins):.1f} s" if begins else ""
             message = f"{asset_id} does not {MOTIONS[key].name}{late}, as a person decided"
+            yield Flaw(kind="mark", subject=asset_id, weight=1.0, message=message)
+        said = [cue.start / sheet.fps for cue in sheet.cues if cue.asset_id == asset_id and cue.clip in SPOKEN]
+        for number, line in mark.lines.items():
+            if line is None or line.at is None or any(abs(begins - line.at) <= _LATE for begins in said):
+                continue
+            message = f"{asset_id} does not say line {number} at {line.at:g} s, as a person decided"
             yield Flaw(kind="mark", subject=asset_id, weight=1.0, message=message)

@@ -46,6 +46,8 @@ class StagedPerson:
 
     goal: Vec2 | None = None
     """Floor point where the next walk is asked to end; None lets its target decide."""
+    via: tuple[Vec2, ...] = ()
+    """Floor points that a person set, through which the next walk of the shot goes."""
     z: float = 0.0
     """Height of the feet above the floor, metres."""
     spot: Spot | None = None

@@ -19,6 +19,7 @@ from storyblender.agents.visual_effects_artist.marks_by_hand import end_on_mark,
 from storyblender.agents.visual_effects_artist.motions_by_hand import (
     do_added,
     is_left_out,
+    line_of,
     missed_motions,
     second_of,
     stretch,
@@ -34,11 +35,13 @@ from storyblender.agents.visual_effects_artist.poses_by_hand import (
 from storyblender.agents.visual_effects_artist.posture_cues import PostureCues, extend_lasting_cues
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN, Speeches
 from storyblender.agents.visual_effects_artist.stage_state import StageState
+from storyblender.agents.visual_effects_artist.way_points import missed_way_points, take_way_points
 from storyblender.geometry.paths import Vec2
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen, Identifier, is_none
 from storyblender.memory.outline import ScriptLine
 from storyblender.memory.scene_context import LayoutObject, Spot
+from storyblender.memory.scene_decision import PersonMarks
 from storyblender.memory.shot_context import Blocking, CharacterAction, Cue, Flaw, PropState, ShotContext
 from storyblender.memory.thing_states import Condition
 
@@ -145,6 +148,7 @@ class Rehearsal:
         lay_left_props(stage, held, shot)
         self._take_marks(directions.marks)
         take_set_starts(stage, decided)
+        take_way_points(stage, decided)
         face_what_they_watch(stage, decided)
         stage.place_loose_props(shot)
         standing = stage.prop_states(shot)
@@ -174,7 +178,9 @@ class Rehearsal:
                 sheet.clock = at
             began, person.goal = sheet.clock, directions.goals.get(number)
             if action.motion in SPOKEN:
-                speeches.add_speech(action, person, seconds.get(number, 2.0), cast)
+                line = line_of(action, decided.get(action.asset_id, PersonMarks()))
+                length = (line.seconds if line is not None else None) or seconds.get(number, 2.0)
+                speeches.add_speech(action, person, length, cast)
             else:
                 actions.add_action(action, person, shot.character_actions[number + 1 :])
             if number in directions.together or at is not None:
@@ -197,6 +203,7 @@ class Rehearsal:
         blocking = tuple(Blocking(start=sheet.starts[person.asset_id], end=person.mark()) for person in cast)
         missed = (
             *missed_marks(decided, blocking),
+            *missed_way_points(stage),
             *missed_poses(decided, blocking),
             *missed_motions(sheet, decided),
         )

@@ -16,7 +16,16 @@ from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import Floats, Problem, StageFurniture, StagePlan
 from storyblender.blender.motion.skeleton import SIDES, facing_yaw
 from storyblender.blender.motion.staged_props import StagedProp
-from storyblender.geometry.paths import SQUEEZE_RADIUS, Footprint, Track, Vec2, clearance, find_path, find_seat_access
+from storyblender.geometry.paths import (
+    SQUEEZE_RADIUS,
+    Footprint,
+    Track,
+    Vec2,
+    clearance,
+    find_path,
+    find_seat_access,
+    walk_through,
+)
 from storyblender.geometry.seating import list_seats
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.shot_context import Mark
@@ -74,6 +83,7 @@ class StagedCue:
         prop: The prop handled.
         side: The acting hand, ``L`` or ``R``.
         mark: Where it ends.
+        via: Floor points that a walk goes through.
         mood: Mood in which it is played.
         expression: Facial expression from this cue on.
         frame: Start frame of the cue, for reports.
@@ -86,6 +96,7 @@ class StagedCue:
     prop: StagedProp | None = None
     side: str = "R"
     mark: Mark | None = None
+    via: tuple[Vec2, ...] = ()
     mood: Mood = "neutral"
     expression: str = "neutral"
     frame: int = 0
@@ -274,17 +285,26 @@ class MotionStage:
         ]
         return boxes + others
 
-    def path_to(self, who: Performer, goal: Vec2, skip: tuple[str, ...] = ()) -> list[Vec2] | None:
+    def path_to(
+        self, who: Performer, goal: Vec2, skip: tuple[str, ...] = (), via: tuple[Vec2, ...] = ()
+    ) -> list[Vec2] | None:
         """Return a path from the planned position to a goal around obstacles; None if there is none.
-
-        Narrow gaps are only used where needed.
 
         Args:
             who: The walker.
             goal: World x and y, metres.
             skip: Obstacles to ignore, by node id or asset id.
+            via: Points that it goes through, if all of them can be reached.
         """
-        start = tuple(who.position)
+        start = (who.position.x, who.position.y)
+
+        def leg(one: Vec2, other: Vec2) -> list[Vec2] | None:
+            return self._path_between(who, one, other, skip)
+
+        return walk_through(leg, (start, *via, goal)) or leg(start, goal)
+
+    def _path_between(self, who: Performer, start: Vec2, goal: Vec2, skip: tuple[str, ...]) -> list[Vec2] | None:
+        """Return a path around obstacles; narrow gaps are only used where needed."""
         ways = (
             (GIRTH, who.measures.radius + PADDING),
             (GIRTH, SQUEEZE_RADIUS * who.scale),

@@ -141,6 +141,7 @@ def _perform(stage: MotionStage, cue: Cue, index: int) -> float | None:
         prop=prop,
         side=cue.hand or _hand_for(who, cue),
         mark=cue.mark,
+        via=cue.via,
         mood=cue.mood,
         expression=cue.expression or "neutral",
         frame=cue.start,

@@ -87,7 +87,7 @@ def crawl(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     goal, yaw = find_goal(stage, who, cue)
     if math.dist(who.position, goal) < NEAR:
         return cue.start
-    points = stage.path_to(who, goal)
+    points = stage.path_to(who, goal, via=cue.via)
     if points is None:
         stage.report("no_path", who, cue, f"{who.asset_id} finds no way to ({goal[0]:.2f}, {goal[1]:.2f})")
         return cue.start

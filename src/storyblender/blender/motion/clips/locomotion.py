@@ -120,7 +120,7 @@ def travel(
     here = (who.position.x, who.position.y)
     if math.dist(here, goal) < NEAR:
         return cue.start if end_yaw is None else turn_to(who, cue.start, end_yaw)
-    points = stage.path_to(who, goal, skip)
+    points = stage.path_to(who, goal, skip, cue.via)
     if points is None:
         stage.report("no_path", who, cue, f"{who.asset_id} finds no way to ({goal[0]:.2f}, {goal[1]:.2f})")
         return cue.start
