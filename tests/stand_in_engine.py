@@ -150,6 +150,15 @@ class StandInEngine:
         """A file of the stand-in says nothing of what it was compiled as."""
         return self._answer("read_story", BlendReading(compiled=None, saved=BlendValues(version="", scenes=())))
 
+    def portrait(self, job: AssetJob, out: str) -> Future[str]:
+        with self.files.writing(out) as part:
+            picture(job.digest).save(part)
+        return self._answer("portrait", out)
+
+    def write_asset(self, job: AssetJob, out: str) -> Future[str]:
+        self.files.write(out, f"model {job.digest}")
+        return self._answer("write_asset", out)
+
     def draw_sides(self, job: AssetJob, folder: str) -> Future[Vec3]:
         """Every side of a thing has a colour of its own."""
         canonical = job.asset.canonical

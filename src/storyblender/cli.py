@@ -10,6 +10,7 @@ import typer
 
 from storyblender import (
     __version__,
+    cli_asset,
     cli_blender_extension,
     cli_cast,
     cli_crew,
@@ -210,6 +211,7 @@ cli_lamp.add_to(app)
 cli_scene.add_to(app)
 cli_cast.add_to(app)
 cli_paint.add_to(app)
+cli_asset.add_to(app)
 app.add_typer(cli_shots.app, name="shot")
 cli_crew.add_to(app)
 cli_deliver.add_to(app)

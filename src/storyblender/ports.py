@@ -214,6 +214,15 @@ class Engine(Protocol):
         """
         ...
 
+    def write_asset(self, job: AssetJob, out: str) -> Future[str]:
+        """Write one asset as glTF, for a viewer.
+
+        Args:
+            job: The asset; people and things that are built come from the store, another thing is built for it.
+            out: Name of the .glb in the project folder; it is returned.
+        """
+        ...
+
     def draw_sides(self, job: AssetJob, folder: str) -> Future[Vec3]:
         """Render an object from its six sides and as a portrait.
 

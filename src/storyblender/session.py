@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from storyblender.deliver.contact_sheet import write_contact_sheet
 from storyblender.edits.dispatcher import Applied, apply_edits
@@ -15,6 +15,7 @@ from storyblender.edits.targets import shots_named
 from storyblender.edits.undo import next_steps, redo_edit, undo_edit
 from storyblender.errors import InputError
 from storyblender.inspection import Inspection, inspect
+from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import content_hash
 from storyblender.memory.board_layout import BoardLayout
 from storyblender.memory.edits import Edit
@@ -22,6 +23,7 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import TRIAL, Commit
 from storyblender.memory.panorama import Panorama
 from storyblender.open_project import OpenProject
+from storyblender.pipeline.asset_pictures import built_asset, candidates_for, view_of
 from storyblender.pipeline.compiling import story_files
 from storyblender.pipeline.drawing import DELIVERED, draw_frames, draw_shots
 from storyblender.pipeline.filming import cuts_made_wrong, film, with_cuts_judged
@@ -249,6 +251,26 @@ class Session(OpenProject):
             bring_up_to_date(run)
             [shot] = shots_named(run.graph, [name])
             return moment_of(run, shot, frame)
+
+    def asset_view(self, asset: Asset, kind: Literal["png", "glb"]) -> Path:
+        """Return a person or a thing, or a candidate for one, as a small picture or as glTF; each is made once."""
+        with self._call() as run:
+            return view_of(run, asset, kind)
+
+    def built_asset(self, asset_id: str) -> Asset:
+        """Return a person or a thing of the story, built if an edit changed it; raises as ``render``."""
+        with self._call() as run:
+            return built_asset(run, asset_id)
+
+    def candidates(self, asset_id: str, words: str = "") -> list[Asset]:
+        """Return what a thing of the story could be made from instead, best first: from the library and all folders.
+
+        Args:
+            asset_id: The thing.
+            words: What is looked for; what the script says of it if empty.
+        """
+        with self._call() as run:
+            return candidates_for(run, asset_id, words)
 
     def stale_frames(self) -> list[str]:
         """Return the names of the shots whose frames do not show the story as it is; raises as ``render``."""

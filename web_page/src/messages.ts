@@ -216,6 +216,69 @@ export interface SceneDetails {
   locked: string[];
 }
 
+export interface AssetCard {
+  asset: string;
+  name: string;
+  sort: "person" | "thing" | "furniture";
+  told: string;
+  decided: boolean;
+  locked: boolean;
+  stand_in: boolean;
+  picture: string;
+}
+
+export interface LookChoices {
+  skins: Record<string, string>;
+  hair: Record<string, string>;
+  garments: { key: string; name: string; on: string; colors: string[] }[];
+}
+
+export interface Cast {
+  cards: AssetCard[];
+  choices: LookChoices;
+}
+
+export interface LookNow {
+  gender: string;
+  age: number;
+  stature: number;
+  build: string;
+  skin: string;
+  hair: string;
+  hair_color: string;
+  facial_hair: string;
+  glasses: boolean;
+  face: number;
+  species: string;
+  garments: { key: string; name: string; color: string }[];
+}
+
+export interface AssetDetails extends Omit<AssetCard, "picture"> {
+  description: string;
+  shown_in: { scene: string; title: string; shots: string[] }[];
+  source: string;
+  made_from: string;
+  dimensions: [number, number, number];
+  match: number | null;
+  credit: { author: string; license: string; copyright: string; url: string } | null;
+  image_prompt: string;
+  decisions: string[];
+  look: LookNow | null;
+  front: string;
+  top: string;
+}
+
+export interface Candidate {
+  digest: string;
+  model: string;
+  file: string;
+  name: string;
+  source: string;
+  score: number;
+  chosen: boolean;
+  picture: string;
+}
+
 export interface StagingCard {
   number: number;
   picture: string;

@@ -137,7 +137,7 @@ function isShown(each: Object3D | null): boolean {
 }
 
 /** A quick material with the colours of a rich one. */
-function plain(material: MeshStandardMaterial | Material[]): Material | Material[] {
+export function plain(material: MeshStandardMaterial | Material[]): Material | Material[] {
   if (Array.isArray(material)) return material.map((each) => plain(each as MeshStandardMaterial) as Material);
   const { color, map, opacity, transparent, side, emissive, emissiveIntensity, vertexColors } = material;
   return new MeshLambertMaterial({ color, map, opacity, transparent, side, vertexColors, emissive, emissiveIntensity: Math.min(emissiveIntensity, 0.6) });

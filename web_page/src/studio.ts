@@ -2,6 +2,7 @@
 
 import { LitElement, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
+import "./assets_view";
 import "./board_view";
 import "./crew_view";
 import "./cut_view";
@@ -19,6 +20,7 @@ const EVENTS_SHOWN = 400;
 const VIEWS = {
   board: "Board",
   stage: "Stage",
+  assets: "Cast and assets",
   set: "Set and light",
   cut: "Cut",
   revise: "Revised script",
@@ -184,6 +186,7 @@ export class Studio extends LitElement {
 
   private show(view: View): void {
     if (view === "stage" && !this.selected.length) this.selected = [this.board!.scenes[0].shots[0].shot];
+    if (view === "assets") this.selected = [];
     this.view = view;
   }
 
@@ -250,6 +253,9 @@ export class Studio extends LitElement {
           @edit=${(event: CustomEvent<{ edits: Edit[]; settled: (done: boolean) => void }>) =>
             this.edit(event.detail.edits).then(event.detail.settled)}
           @select=${select}></sb-stage>`;
+      case "assets":
+        return html`<sb-assets .board=${board} .wire=${this.wire} @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}
+          @goto=${(event: CustomEvent<string>) => ([this.selected, this.view] = [[event.detail], "board"])}></sb-assets>`;
       case "set":
         return html`<sb-set .board=${board} .selected=${this.selected} .wire=${this.wire} @select=${select}
           @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}

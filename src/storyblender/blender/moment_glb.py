@@ -18,16 +18,26 @@ def write_moment(scene: bpy.types.Scene, frame: int, part: Path) -> None:
         part: The .glb to write.
     """
     with held_still(scene, frame) as still:
-        bpy.context.window.scene = still
-        bpy.ops.export_scene.gltf(
-            filepath=str(part),
-            export_format="GLB",
-            use_active_scene=True,
-            export_extras=True,
-            export_animations=False,
-            export_skins=False,
-            export_morph=False,
-            export_tangents=False,
-            export_image_format="JPEG",
-            export_jpeg_quality=80,
-        )
+        export_still(still, part)
+
+
+def export_still(still: bpy.types.Scene, part: Path) -> None:
+    """Write a scene of plain meshes as glTF; it is the window's scene then.
+
+    Args:
+        still: As ``held_still`` yields it.
+        part: The .glb to write.
+    """
+    bpy.context.window.scene = still
+    bpy.ops.export_scene.gltf(
+        filepath=str(part),
+        export_format="GLB",
+        use_active_scene=True,
+        export_extras=True,
+        export_animations=False,
+        export_skins=False,
+        export_morph=False,
+        export_tangents=False,
+        export_image_format="JPEG",
+        export_jpeg_quality=80,
+    )

@@ -101,6 +101,7 @@ class BlenderSession:
             self.read_story,
             self.export_scene,
             self.portrait,
+            self.write_asset,
             self.draw_sides,
         ]
 
@@ -290,19 +291,46 @@ class BlenderSession:
         """
         from storyblender.blender.props.portrait import render_portrait
 
-        self._close_pack()
-        measure = self._store.measure(job)
-        bpy.ops.wm.read_factory_settings(use_empty=True)
         canonical = job.asset.canonical
         assert canonical is not None, "a portrait shows what an asset became"
-        asset = job.asset.model_copy(update={"canonical": canonical.model_copy(update={"digest": measure.digest})})
-        if asset.asset_type == "character":
-            parts = list(self._store.append_person(asset).meshes)
-        else:
-            parts = [bpy.data.objects.new(asset.asset_id, self._store.append_mesh(asset))]
+        parts = self._parts_of(job)
         with self._files.writing(out) as part:
             render_portrait(parts, part, head=canonical.key in HAIRSTYLES)
         return out
+
+    def write_asset(self, job: AssetJob, out: str) -> str:
+        """Write one asset as glTF to ``out``.
+
+        Args:
+            job: The asset, with its canonical.
+            out: Path of the file, relative to the project folder; it is returned.
+        """
+        from storyblender.blender.asset_glb import write_asset
+
+        parts = self._parts_of(job)
+        with self._files.writing(out) as part:
+            write_asset(parts, part)
+        return out
+
+    def _parts_of(self, job: AssetJob) -> list[bpy.types.Object]:
+        """Return the mesh objects of an asset alone in an empty file; a person stands at ease."""
+        from storyblender.blender.people.at_ease import stand_at_ease
+
+        self._close_pack()
+        made = job.asset.canonical
+        if job.asset.asset_type == "object" and made is not None and not made.geometry_hash:
+            build = self._store.draft(job)  # not kept; it opens an empty file, so nothing of bpy.data is named before
+            return [bpy.data.objects.new(job.asset.asset_id, build.mesh)]
+        measure = self._store.measure(job)
+        bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+        canonical = job.asset.canonical
+        assert canonical is not None, "what an asset became is shown"
+        asset = job.asset.model_copy(update={"canonical": canonical.model_copy(update={"digest": measure.digest})})
+        if asset.asset_type != "character":
+            return [bpy.data.objects.new(asset.asset_id, self._store.append_mesh(asset))]
+        member = self._store.append_person(asset)
+        stand_at_ease(member.armature)
+        return list(member.meshes)
 
     def draw_sides(self, job: AssetJob, folder: str) -> Vec3:
         """Render an object from its six sides and as a portrait; return its width, depth and height in metres.

@@ -130,6 +130,11 @@ def made_from(asset: Asset, decision: AssetDecision) -> Asset:
         asset: As it is.
         decision: What it is made from.
     """
+    if decision.file:
+        sides = {side: size for side in AssetDimension.model_fields if (size := decision.params.get(side)) is not None}
+        told = AssetDimension.model_validate(sides) if sides else None
+        update = {"decision": decision, "canonical": None, "dimension": told, "image_prompt": ""}
+        return asset.model_copy(update=update)
     recipe = Recipe(source="catalog", key=decision.prop, params=decision.params, score=EXACT)
     width = AssetDimension(width=recipe.dimensions[0])
     made = {"decision": decision, "kind": decision.prop, "canonical": recipe.canonical(), "dimension": width}

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from difflib import get_close_matches
-from typing import Any
 
 from storyblender.catalog.fixtures import fixtures_called, parts_of
 from storyblender.catalog.inflection import noun_key
@@ -25,6 +24,7 @@ from storyblender.edits.effect import (
     scenes_of_place,
 )
 from storyblender.edits.targets import as_id, scene_named
+from storyblender.edits.thing_edits import made_anew, thing_effects
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Asset, AssetDecision
 from storyblender.memory.base import shot_name
@@ -52,9 +52,13 @@ def asset_effects(graph: ContinuityMemoryGraph, edit: AssetEdit) -> list[Effect]
     asset = _thing(graph, edit.thing or "", scene)
     if edit.action == "rename":
         return [_renamed(graph, asset, edit)]
+    if edit.action in ("resize", "turn", "regenerate") or edit.file is not None:
+        if asset is None:
+            raise InputError(f"there is no thing {edit.thing!r} of the story's own", mend=_names(graph))
+        return thing_effects(graph, asset, edit)
     if asset is not None:
         if edit.action == "replace":
-            return _made_from(graph, asset, decision_of(edit.model or ""), edit.model or "")
+            return made_anew(graph, asset, decision_of(edit.model or ""), edit.model or "")
         assert scene is not None, "the edit is whole"
         return [_removed(graph, scene, asset)]
     if scene is None:
@@ -80,42 +84,6 @@ def decision_of(words: str) -> AssetDecision:
         mend = f"did you mean {', '.join(dict.fromkeys(near))}?" if near else "`storyblender catalog` lists what it has"
         raise InputError(f"the library has no {words!r}", mend=mend)
     return AssetDecision(prop=entry.key, params=read_variant(entry, words))
-
-
-def given_back(graph: ContinuityMemoryGraph, asset: Asset) -> list[Effect]:
-    """Return what unlocking an asset does: the Asset Retriever chooses again where a person had chosen.
-
-    Args:
-        graph: The story.
-        asset: Locked, or decided by a person, or neither.
-    """
-    update: dict[str, Any] = {"locked": False}
-    decided = asset.decision is not None
-    if decided:
-        kind = kind_named(asset.name or asset.asset_id)
-        update |= {"decision": None, "kind": kind, "canonical": None, "dimension": None}
-    scenes = _staged_again(graph, asset.asset_id, "unlocked") if decided else []
-    return [Effect(asset.model_copy(update=update), asset.asset_id, "unlocked", frozenset({"asset"})), *scenes]
-
-
-def _made_from(graph: ContinuityMemoryGraph, asset: Asset, decision: AssetDecision, said: str) -> list[Effect]:
-    if asset.asset_type == "character":
-        raise InputError(f"{asset.asset_id} is a person", mend="only things are made from something else")
-    if asset.locked:
-        raise InputError(f"{asset.asset_id} is locked", mend="unlock it first")
-    words = f"is made from {said.replace('_', ' ')}"
-    own = Effect(made_from(asset, decision), asset.asset_id, words, frozenset({"asset"}))
-    return [own, *_staged_again(graph, asset.asset_id, words)]
-
-
-def _staged_again(graph: ContinuityMemoryGraph, asset_id: str, words: str) -> list[Effect]:
-    """Return the staging of every scene that shows an asset as stale."""
-    effects: list[Effect] = []
-    for scene in graph.scenes:
-        if asset_id in {each.asset_id for each in graph.assets_of(scene.scene_id)}:
-            refuse_locked_staging(graph, scene)
-            effects.append(scene_effect(graph, scene, words, "layout", ("layout",)))
-    return effects
 
 
 def _added(graph: ContinuityMemoryGraph, scene: SceneContext, edit: AssetEdit) -> list[Effect]:

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
-from storyblender.edits.asset_edits import given_back
 from storyblender.edits.effect import Effect, name_of, refuse_locked, scene_effect, scenes_of_place, shot_names
 from storyblender.edits.look_edits import look_given_back
 from storyblender.edits.targets import Target, target_named
+from storyblender.edits.thing_edits import given_back
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import scene_name, shot_name

@@ -17,7 +17,8 @@ from storyblender.edits.effect import (
     scenes_of_place,
 )
 from storyblender.errors import InputError
-from storyblender.memory.asset_sheet import PLAUSIBLE, Asset, AssetDecision, AssetDimension, CanonicalAsset
+from storyblender.memory.asset_sheet import PLAUSIBLE, Asset, AssetDecision, AssetDimension, CanonicalAsset, ModelPose
+from storyblender.memory.base import Vec3
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.scene_context import LayoutObject, SceneContext
 from storyblender.memory.scene_decision import LayoutDecision, SetDecision
@@ -38,22 +39,53 @@ def scale_effects(graph: ContinuityMemoryGraph, scene: SceneContext, item: Layou
         InputError: It would be too small or too large, it is no part of the plan of its set, or something is locked.
     """
     asset = graph.asset(item.asset_id)
-    made, words = asset.canonical, f"{item.node_id} scaled by {factor:g}"
-    if made is None:
-        raise InputError(f"{item.node_id} is not built yet", mend="run `storyblender render` first")
-    if not all(PLAUSIBLE[0] <= side * factor <= PLAUSIBLE[1] for side in made.dimensions):
-        sizes = " x ".join(f"{side * factor:.3g}" for side in made.dimensions)
-        raise InputError(
-            f"{item.node_id} cannot be {sizes} m", mend=f"a side has {PLAUSIBLE[0]:g} to {PLAUSIBLE[1]:g} m"
-        )
+    words = f"{item.node_id} scaled by {factor:g}"
     if asset.origin != "dressing":
-        if asset.locked:
-            raise InputError(f"{asset.asset_id} is locked", mend="unlock it first")
-        larger = Effect(_resized(asset, made, factor), asset.asset_id, words, frozenset({"asset"}))
-        scaled = ((each, _scaled_layout(graph, each, _nodes_of(each, asset.asset_id), factor)) for each in graph.scenes)
-        shown = ((each, update) for each, update in scaled if update)
-        return [larger, *(scene_effect(graph, each, words, "layout", ("motion",), **update) for each, update in shown)]
-    return _furniture_scaled(graph, scene, item, made, factor, words)
+        return thing_scaled(graph, asset, factor, words)
+    return _furniture_scaled(graph, scene, item, built(asset, (factor, factor, factor)), factor, words)
+
+
+def thing_scaled(graph: ContinuityMemoryGraph, asset: Asset, factor: float, words: str) -> list[Effect]:
+    """Return what another size of a thing of the story does to it and to the scenes that show it: layouts stay.
+
+    Args:
+        graph: The story.
+        asset: The thing.
+        factor: Of its present size.
+        words: What is done.
+
+    Raises:
+        InputError: It would be too small or too large, or something is locked.
+    """
+    made = built(asset, (factor, factor, factor))
+    if asset.locked:
+        raise InputError(f"{asset.asset_id} is locked", mend="unlock it first")
+    larger = Effect(_resized(asset, made, factor), asset.asset_id, words, frozenset({"asset"}))
+    scaled = ((each, _scaled_layout(graph, each, _nodes_of(each, asset.asset_id), factor)) for each in graph.scenes)
+    shown = ((each, update) for each, update in scaled if update)
+    return [larger, *(scene_effect(graph, each, words, "layout", ("motion",), **update) for each, update in shown)]
+
+
+def built(asset: Asset, factors: Vec3) -> CanonicalAsset:
+    """Return what a thing became, once it is sure that it can be so many times as wide, as deep and as high.
+
+    Args:
+        asset: The thing.
+        factors: Of its present width, depth and height.
+
+    Raises:
+        InputError: It is not built yet, or would be too small or too large.
+    """
+    made = asset.canonical
+    if made is None:
+        raise InputError(f"{asset.asset_id} is not built yet", mend="run `storyblender render` first")
+    sides = [side * factor for side, factor in zip(made.dimensions, factors, strict=True)]
+    if not all(PLAUSIBLE[0] <= side <= PLAUSIBLE[1] for side in sides):
+        sizes = " x ".join(f"{side:.3g}" for side in sides)
+        raise InputError(
+            f"{asset.asset_id} cannot be {sizes} m", mend=f"a side has {PLAUSIBLE[0]:g} to {PLAUSIBLE[1]:g} m"
+        )
+    return made
 
 
 def _resized(asset: Asset, made: CanonicalAsset, factor: float) -> Asset:
@@ -81,7 +113,14 @@ def _resized(asset: Asset, made: CanonicalAsset, factor: float) -> Asset:
         kept = {"kind": asset.kind, "image_prompt": asset.image_prompt}
         return whole.model_copy(update={"canonical": canonical, "dimension": dimension, **kept})
     canonical = made.model_copy(update={**measures, "params": {**made.params, "told": True}})
-    return asset.model_copy(update={"canonical": canonical, "dimension": dimension})
+    decided = {"decision": _file_in_size(made, dimension)} if made.source == "file" else {}
+    return asset.model_copy(update={"canonical": canonical, "dimension": dimension, **decided})
+
+
+def _file_in_size(made: CanonicalAsset, dimension: AssetDimension) -> AssetDecision:
+    """Return what a thing is made from whose size a person decided, if that is a model of the user."""
+    told = {side: length for side, length in dimension if length is not None}
+    return AssetDecision(file=made.key, params={**ModelPose.of(made.params).params, **told, "told": True})
 
 
 def _nodes_of(scene: SceneContext, asset_id: str) -> list[str]:

@@ -159,7 +159,11 @@ class BlenderEngine:
 
     def portrait(self, job: AssetJob, out: str) -> Future[str]:
         """Render a small picture of one asset."""
-        return self._pool.submit("portrait", {"job": _plain(job), "out": out}, str)
+        return self._once(out, "portrait", {"job": _plain(job), "out": out}, str)
+
+    def write_asset(self, job: AssetJob, out: str) -> Future[str]:
+        """Write one asset as glTF."""
+        return self._once(out, "write_asset", {"job": _plain(job), "out": out}, str)
 
     def draw_sides(self, job: AssetJob, folder: str) -> Future[Vec3]:
         """Render an object from its six sides and as a portrait."""

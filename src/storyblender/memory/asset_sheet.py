@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, StringConstraints
+from pydantic import Field, StringConstraints, model_validator
 
 from storyblender.memory.base import Color, Described, Digest, Frozen, Identifier, Vec2, Vec3, dropping, is_none
 from storyblender.memory.vocabulary import AssetType, Gender, SizeWord, StatureWord
@@ -218,10 +218,23 @@ class StatedSize(Frozen):
 class AssetDecision(Described):
     """What a person had a thing made from."""
 
-    prop: Identifier
-    """Key of ``catalog.props``."""
+    prop: Identifier | Literal[""] = ""
+    """Key of ``catalog.props``; empty where it is made from a file."""
+    file: Note = Field(default="", exclude_if=lambda value: not value)
+    """Path of a model in the user's folders."""
     params: dict[str, ParamValue] = {}
-    """Parameters of its builder."""
+    """Parameters of its builder; of a file its ``front`` and ``top``, and a size in metres that is ``told``."""
+
+    @model_validator(mode="after")
+    def _has_one_origin(self) -> Self:
+        if bool(self.prop) == bool(self.file):
+            raise ValueError("a thing is made from a prop of the library or from a file")
+        return self
+
+    @property
+    def words(self) -> str:
+        """What it is made from, as a person reads it."""
+        return self.file or self.prop.replace("_", " ")
 
 
 FITTED = "fitted"

@@ -6,7 +6,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, TypeAdapter, model_validator
 
-from storyblender.memory.asset_sheet import Garment, LookDecision
+from storyblender.memory.asset_sheet import AssetDimension, Garment, LookDecision, ModelPose, Note
 from storyblender.memory.base import Described, Frames, Identifier, is_none
 from storyblender.memory.locks import LockName
 from storyblender.memory.notes import MOST_NOTES, NoteAuthor, NoteText
@@ -146,18 +146,24 @@ class BlockingEdit(Described):
 
 
 class AssetEdit(Described):
-    """Replaces, adds, takes away or renames a thing."""
+    """Replaces, adds, removes or renames a thing; gives it a size, its front and top, or lets the crew choose anew."""
 
     kind: Literal["asset"] = "asset"
     """Which edit this is."""
-    action: Literal["replace", "add", "remove", "rename"] = "replace"
-    """What is done."""
+    action: Literal["replace", "add", "remove", "rename", "resize", "turn", "regenerate"] = "replace"
+    """What is done; ``regenerate``: the crew makes a thing of the story from something else than what it is now."""
     thing: _Name | None = None
     """What is replaced or taken away: the id or name of a thing, or what a piece of furniture is, such as sofa."""
     scene: _Name | None = None
     """Such as ``SC010``; for furniture of a set, and for what is added or taken away."""
     model: _Name | None = None
-    """What is wanted, as the library calls it, with a colour or a material: ``red bench``."""
+    """What is wanted, as the library calls it, with a colour or a material: ``red bench``; or give a file."""
+    file: Note | None = Field(default=None, exclude_if=is_none)
+    """Path of a model in the user's folders, for what is replaced."""
+    dimension: AssetDimension | None = Field(default=None, exclude_if=is_none)
+    """Metres, to resize: of one side, and the others follow; or of several, of what the library makes."""
+    pose: ModelPose | None = Field(default=None, exclude_if=is_none)
+    """To turn a model of the user: which sides of it, as its file has it, are front and top."""
     relation: RelationKind | None = Field(default=None, exclude_if=is_none)
     """Where what is added stands at its ``anchor``: next_to, on, behind ...; the crew chooses if left out."""
     anchor: Identifier | None = Field(default=None, exclude_if=is_none)
@@ -174,8 +180,10 @@ class AssetEdit(Described):
         if self.place is not None and (self.action != "add" or self.anchor is not None):
             raise ValueError("a thing that is added has a place, or a relation to an anchor")
         wanted = {
-            "replace": ("thing", "model"), "add": ("scene", "model"), "remove": ("thing", "scene"),
-            "rename": ("thing", "name"),
+            "replace": ("thing", "model" if self.file is None else "file"), "add": ("scene", "model"),
+            "remove": ("thing", "scene"),
+            "rename": ("thing", "name"), "resize": ("thing", "dimension"), "turn": ("thing", "pose"),
+            "regenerate": ("thing",),
         }[self.action]  # fmt: skip
         for name in wanted:
             if getattr(self, name) is None:

@@ -47,9 +47,10 @@ def lock_violations(old: Item, new: Item, author: str) -> Iterator[str]:
             if author not in PEOPLE and new.look_decision != old.look_decision:
                 yield f"a person decided how {old.asset_id} looks"
             if author not in PEOPLE and old.decision is not None:
-                recipe = new.canonical and (new.canonical.key, new.canonical.params)
-                if new.decision != old.decision or recipe not in (None, (old.decision.prop, old.decision.params)):
-                    yield f"a person had {old.asset_id} made from {old.decision.prop}"
+                made, meant = new.canonical, (old.decision.prop, old.decision.params)
+                other = made is not None and not old.decision.file and (made.key, made.params) != meant
+                if new.decision != old.decision or other:
+                    yield f"a person had {old.asset_id} made from {old.decision.words}"
         case _:
             return
 

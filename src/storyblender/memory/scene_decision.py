@@ -330,7 +330,7 @@ def _told(value: object) -> str:
     if isinstance(value, bool):
         return "on" if value else "off"
     if isinstance(value, AssetDecision):
-        return value.prop
+        return value.words
     if isinstance(value, Panorama):
         return value.provenance.file
     if isinstance(value, ThingPlace | LampDecision):

@@ -11,9 +11,9 @@ from storyblender.catalog.meanings import WORDS_BY_AGE
 from storyblender.catalog.parts import PART_PROPS
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.prop_names import prop_of
-from storyblender.catalog.recipe import Recipe
+from storyblender.catalog.recipe import EXACT, Recipe
 from storyblender.errors import AnswerAwaited, EngineError, InputError, StoryBlenderError
-from storyblender.memory.asset_sheet import Asset, AssetDimension, CanonicalAsset, ModelPose
+from storyblender.memory.asset_sheet import Asset, AssetDecision, AssetDimension, CanonicalAsset, ModelPose, Provenance
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure, AssetViews
 from storyblender.pipeline.asset_files import assets_to_build, note_asset
@@ -181,10 +181,11 @@ class ConceptArtist:
         if asset.fitted_part:
             recipe = Recipe(source="catalog", key=PART_PROPS[asset.fitted_part], score=10.0, reason="a vehicle's part")
             return asset.model_copy(update={"canonical": recipe.canonical()})
-        role = self._run.crew.asset_retriever
-        outcome = self._run.reflect(
-            role, asset.asset_id, self._run.graph, asset, self._means, self._rejected, self._draw
-        )
+        decision = asset.decision
+        if decision is not None and decision.file and decision.file not in self._rejected:
+            return self._own_model(asset, decision)
+        role, rejected = self._run.crew.asset_retriever, self._rejected | {*asset.turned_down}
+        outcome = self._run.reflect(role, asset.asset_id, self._run.graph, asset, self._means, rejected, self._draw)
         try:
             recipe = self._fetched(outcome.draft)
         except InputError as error:
@@ -200,6 +201,23 @@ class ConceptArtist:
         recipe = recipe.in_state(outcome.view.state).filled_with(asset.liquid).with_caller(asset.description)
         recipe = recipe.written(asset.writing)
         return asset.model_copy(update={"canonical": recipe.canonical()})
+
+    def _own_model(self, asset: Asset, decision: AssetDecision) -> Asset:
+        """Return an asset that a person had made from a model of theirs; where that is gone, from something else."""
+        for source in self._run.sources:
+            content = source.inventory().get(decision.file)
+            if content is not None:
+                recipe = Recipe(
+                    source="file",
+                    key=decision.file,
+                    params={"content": content, **decision.params},
+                    score=EXACT,
+                    reason="a person chose it",
+                    provenance=Provenance(source=source.name, file=decision.file),
+                )
+                return asset.model_copy(update={"canonical": self._fetched(recipe).canonical()})
+        error = InputError(f"no folder of models has {decision.file!r}", mend="name the folder with --models")
+        return self.give_up(asset, decision.file, error)
 
     def _fetched(self, recipe: Recipe) -> Recipe:
         """Return a recipe whose files the engine can read."""

@@ -17,6 +17,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from storyblender.deliver.page import FILES
 from storyblender.errors import StoryBlenderError
+from storyblender.pipeline.asset_pictures import SHOWN
 from storyblender.web_studio.access import PROGRAMS
 from storyblender.web_studio.deliver import may_be_downloaded
 from storyblender.web_studio.hub import Hub
@@ -26,6 +27,7 @@ LARGEST_CALL = 4_500_000
 """Bytes: a long script that is dropped into the page."""
 _SHOT = re.compile(r"SC\d{3,6}_SH\d{3,6}")
 _MOMENT = re.compile(r"SC\d{3,6}-[0-9a-f]{8,64}-\d{1,9}")
+_SHOWN = re.compile(r"[0-9a-f]{8,64}\.(?:png|glb)")
 _DELIVERED = frozenset(name for name, _ in FILES)
 _NOT_THERE = PlainTextResponse("there is no such file", 404)
 PAGE = Path(str(files("storyblender.web_studio") / "static"))
@@ -57,6 +59,10 @@ def build_app(hub: Hub) -> Starlette:
         name = request.path_params["name"]
         return _file(hub, f"build/moments/{name}.glb") if _MOMENT.fullmatch(name) else _NOT_THERE
 
+    async def cast(request: Request) -> Response:
+        name = request.path_params["name"]
+        return _file(hub, f"{SHOWN}/{name}") if _SHOWN.fullmatch(name) else _NOT_THERE
+
     async def delivered(request: Request) -> Response:
         name = request.path_params["name"]
         return _file(hub, name) if name in _DELIVERED or may_be_downloaded(name) else _NOT_THERE
@@ -80,6 +86,7 @@ def build_app(hub: Hub) -> Starlette:
             Route("/previews/{name}.png", preview),
             Route("/takes/{name}.png", take),
             Route("/moments/{name}.glb", moment),
+            Route("/cast/{name}", cast),
             Route(PROGRAMS, calls, methods=["POST"]),
             Route("/files/{name:path}", delivered),
             WebSocketRoute("/wire", wire),

@@ -23,6 +23,7 @@ from storyblender.memory.scene_decision import LightDecision
 from storyblender.proposing import propose_stagings
 from storyblender.session import Session
 from storyblender.trace import Event
+from storyblender.web_studio.assets import answer_about_assets
 from storyblender.web_studio.board import board_of, staging_cards
 from storyblender.web_studio.cut import Cut, cut_of
 from storyblender.web_studio.deliver import DeliverCall, WriteCall, deliveries_of, write_now
@@ -30,6 +31,7 @@ from storyblender.web_studio.drawer import Drawer
 from storyblender.web_studio.messages import (
     Answer,
     ApplyCall,
+    AssetCall,
     Board,
     Call,
     InstructCall,
@@ -143,25 +145,14 @@ class Hub:
             case InstructCall():
                 return lambda: self._edited(lambda session: session.instruct(call.words, call.revision), ())
             case ShotCall():
-                asked = {
-                    "shot": self._shot,
-                    "why": self._why,
-                    "takes": self._takes,
-                    "draw": self._draw_now,
-                }[call.call]
+                asked = {"shot": self._shot, "why": self._why, "takes": self._takes, "draw": self._draw_now}[call.call]
                 return lambda: asked(call.shot)
             case ReviseCall():
                 return lambda: self._compare(call) if call.call == "compare" else self._revise(call)
             case ProposeCall():
                 return lambda: self._propose(call)
-            case SceneCall():
-                return lambda: scene_details(self.place.session.graph, call.scene, self.place.panoramas())
             case PanoramaCall():
                 return lambda: self._lit_by(call)
-            case StageCall():
-                return lambda: self._stage(call.shot, call.frame)
-            case DeliverCall():
-                return lambda: deliveries_of(self.place.session, call.layout).model_dump()
             case WriteCall():
                 return lambda: self._write(call)
             case PlainCall():
@@ -177,6 +168,23 @@ class Hub:
                     "check": self._check,
                     "pull": self._pull,
                 }[call.call]
+            case _:
+                return lambda: self._looked_at(call)
+
+    def _looked_at(self, call: SceneCall | StageCall | AssetCall | DeliverCall) -> Any:
+        """Return what a view of the page shows."""
+        match call:
+            case SceneCall():
+                return scene_details(self.place.session.graph, call.scene, self.place.panoramas())
+            case StageCall():
+                return self._stage(call.shot, call.frame)
+            case DeliverCall():
+                return deliveries_of(self.place.session, call.layout).model_dump()
+            case AssetCall():
+                self._refuse_busy()
+                if call.call != "assets":
+                    self._pause_drawing()
+                return answer_about_assets(self.place.session, call)
 
     def board(self) -> Board:
         """Return the open project as the page shows it. Raises InputError if there is none."""

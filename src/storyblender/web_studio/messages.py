@@ -114,6 +114,22 @@ class StageCall(_Call):
     """From its start; the moment that the board shows if not given."""
 
 
+class AssetCall(_Call):
+    """Asks for people and things: all of them, one of them, a picture, a model, what else it could be made from."""
+
+    call: Literal["assets", "asset", "asset_picture", "asset_model", "candidates"]
+    """``assets``: the list; of one: ``asset``: everything about it, ``asset_picture`` and ``asset_model``: addresses of
+    its picture and of it as glTF, ``candidates``: what it could be made from instead."""
+    asset: Annotated[str, Field(max_length=128)] = ""
+    """Its id."""
+    words: Annotated[str, Field(max_length=200)] = ""
+    """Of candidates: what is looked for; what the script says of the thing if empty."""
+    digest: Annotated[str, Field(max_length=64)] = ""
+    """Of a picture: the candidate that is meant, among those for the words."""
+    as_in_file: bool = False
+    """Of a model of the user: in the pose that its file has."""
+
+
 class ReviseCall(_Call):
     """Asks what a revised script would change, or takes it over."""
 
@@ -156,6 +172,7 @@ Call = Annotated[
     | SceneCall
     | PanoramaCall
     | StageCall
+    | AssetCall
     | ReviseCall
     | ProposeCall
     | DeliverCall

@@ -48,10 +48,10 @@ class RulesAssetGenerator:
         """Return the nearest prop of the catalog, or a plain shape of the class that the thing's description names."""
         words, kind = noun_words(view.phrase), view.kind
         found = near_kind(words)
-        if found is not None:
+        if found is not None and found[0] not in view.rejected:
             return prop_recipe(view, found[0], CLOSE, f"of a kind with {found[1]!r}")
         head = prop_named(" ".join(words))
-        if head is not None:
+        if head is not None and head.key not in view.rejected:
             return prop_recipe(view, head.key, CLOSE, f"a kind of {head.name}")
         if view.asset.writing.strip():
             return prop_recipe(view, "letter" if kind == "prop" else "poster", PLAIN, "it bears writing")
@@ -72,7 +72,9 @@ class RulesAssetGenerator:
         """Return the prop of the thing's kind whose name is closest in meaning, or None if none is close enough."""
         entries, vectors = self._props
         query = self._model.embed([" ".join(noun_words(view.phrase)) or view.phrase])[0]
-        likeness = vectors @ query - [2.0 * (not _suitable(PROPS[key], kind)) for key, _ in entries]
+        likeness = vectors @ query - [
+            2.0 * (key in view.rejected or not _suitable(PROPS[key], kind)) for key, _ in entries
+        ]
         best = int(np.argmax(likeness))
         (key, name), cosine = entries[best], float(likeness[best])
         if cosine < ALIKE and kind not in ("animal", "vehicle"):
@@ -123,7 +125,7 @@ def prop_recipe(view: AssetRetrieverView, key: str, score: float, reason: str) -
 
 def _plain(view: AssetRetrieverView, entry: StandIn, reason: str) -> Recipe:
     """Return the recipe for a class of things: its prop, or its plain shape."""
-    if entry.prop is not None:
+    if entry.prop is not None and entry.prop not in view.rejected:
         return prop_recipe(view, entry.prop, PLAIN, reason)
     return _shape(entry, reason)
 

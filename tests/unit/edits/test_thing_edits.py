@@ -1,0 +1,123 @@
+"""A thing of the story gets a size, its front and top, another model, or is chosen anew; and it goes back."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tests.every import every
+from tests.home import SETTINGS
+from tests.model_files import write_cabinet
+
+from storyblender.edits.words import edits_of
+from storyblender.errors import InputError
+from storyblender.memory.asset_sheet import Asset
+from storyblender.session import Session
+from storyblender.studio import Studio
+
+
+def apply(session: Session, *edits: dict[str, Any]) -> tuple[str, ...]:
+    applied = session.apply(edits_of(list(edits)))
+    session.draw(applied)
+    return applied.stale
+
+
+def thing(action: str, name: str = "letter", **said: Any) -> dict[str, Any]:
+    return {"kind": "asset", "action": action, "thing": name, **said}
+
+
+def letter(session: Session) -> Asset:
+    return session.graph.asset("letter")
+
+
+@pytest.fixture
+def with_models(folder: Path, tmp_path: Path) -> Iterator[Session]:
+    """The project with a folder of the user's models."""
+    models = tmp_path / "models"
+    models.mkdir()
+    write_cabinet(models)
+    with Studio(SETTINGS.model_copy(update={"models": (models,)})).open(folder) as session:
+        yield session
+
+
+def test_one_side_keeps_the_proportions_and_the_layout(session: Session) -> None:
+    before = letter(session).canonical
+    assert before is not None
+    stale = apply(session, thing("resize", dimension={"width": before.dimensions[0] * 2}))
+    after = letter(session).canonical
+    assert after is not None and {name[:5] for name in stale} == {"SC010", "SC030"}, "not the park"
+    assert after.dimensions == pytest.approx([side * 2 for side in before.dimensions])
+
+
+def test_several_sides_are_as_they_are_said(session: Session) -> None:
+    apply(session, thing("resize", dimension={"width": 0.4, "depth": 0.2, "height": 0.1}))
+    made = letter(session).canonical
+    assert made is not None and made.dimensions == (0.4, 0.2, 0.1)
+
+
+def test_what_is_chosen_anew_is_not_what_it_was_and_unlock_gives_it_back(session: Session) -> None:
+    before = letter(session)
+    assert before.canonical is not None
+    apply(session, thing("regenerate"))
+    once = letter(session)
+    assert once.canonical is not None and once.canonical.key != before.canonical.key
+    apply(session, thing("regenerate"))
+    twice = letter(session)
+    assert twice.canonical is not None
+    assert twice.canonical.key not in (before.canonical.key, once.canonical.key)
+    assert twice.turned_down == (before.canonical.key, once.canonical.key)
+    apply(session, {"kind": "unlock", "target": "letter"})
+    assert letter(session) == before
+
+
+def test_a_thing_is_made_from_a_file_of_the_user_and_turned(with_models: Session) -> None:
+    session = with_models
+    before = session.graph
+    apply(session, thing("replace", file="radio.obj"))
+    made = letter(session).canonical
+    assert made is not None and (made.source, made.key) == ("file", "radio.obj")
+    assert made.provenance is not None and made.provenance.digest
+    apply(session, thing("turn", pose={"front": "left", "top": "top"}))
+    turned = letter(session).canonical
+    assert turned is not None and (turned.params["front"], turned.params["top"]) == ("left", "top")
+    apply(session, thing("resize", dimension={"height": 1.2}))
+    large = letter(session)
+    assert large.canonical is not None and large.canonical.params["front"] == "left" and large.decision is not None
+    for _ in range(3):
+        session.undo()
+    assert session.graph.model_dump_json() == before.model_dump_json()
+
+
+def test_where_a_file_is_gone_something_else_stands_in(with_models: Session) -> None:
+    apply(with_models, thing("replace", file="gone.glb"))
+    made = letter(with_models).canonical
+    assert made is not None and made.source != "file"
+
+
+def test_what_was_decided_of_a_thing_stays_when_the_script_tells_more_of_it(with_models: Session, folder: Path) -> None:
+    script = folder.parent / "home.fountain"
+    apply(with_models, thing("replace", file="radio.obj"))
+    script.write_text(script.read_text().replace("A letter lies", "A crumpled letter lies"))
+    with_models.make(script)
+    made = letter(with_models).canonical
+    assert made is not None and made.key == "radio.obj"
+
+
+@every(
+    "wrong",
+    [
+        (thing("resize", dimension={}), "is not known"),
+        (thing("resize", dimension={"height": 5000.0}), "cannot be"),
+        (thing("turn", pose={"front": "front", "top": "top"}), "no model of yours"),
+        (thing("resize", "nothing", dimension={"height": 1.0}), "no thing"),
+        (thing("regenerate", "tom"), "is a person"),
+        (thing("regenerate", "armchair"), "no thing"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_is_refused_in_a_sentence(wrong: tuple[dict[str, Any], str], session: Session) -> None:
+    before = session.graph
+    with pytest.raises(InputError, match=wrong[1]):
+        apply(session, wrong[0])
+    assert session.graph == before

@@ -1,0 +1,99 @@
+/** What a thing is made from, how large it is, and what it could be made from instead. */
+
+import { LitElement, html, nothing, type PropertyValues } from "lit";
+import { customElement, property, state } from "lit/decorators.js";
+import type { AssetDetails, Candidate, Edit } from "./messages";
+import type { Wire } from "./wire";
+
+const SIDES = ["width", "depth", "height"] as const;
+
+@customElement("sb-thing")
+export class AssetThing extends LitElement {
+  @property({ attribute: false }) details!: AssetDetails;
+  @property({ attribute: false }) wire!: Wire;
+  @state() private candidates: Candidate[] | null = null;
+  @state() private words = "";
+  @state() private proportions = true;
+  @state() private said = "";
+  private asked = 0;
+
+  protected createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  protected willUpdate(changed: PropertyValues<this>): void {
+    const before = changed.get("details") as AssetDetails | undefined;
+    if (before && before.asset !== this.details.asset) [this.candidates, this.words, this.said] = [null, "", ""];
+    else if (before && this.candidates) this.candidates = this.candidates.map((each) => ({ ...each, chosen: (each.file || each.model) === this.details.made_from }));
+  }
+
+  private edit(said: Record<string, unknown>): void {
+    const edit: Edit = { kind: "asset", thing: this.details.asset, ...said };
+    this.dispatchEvent(new CustomEvent("edit", { detail: [edit] }));
+  }
+
+  /** Ask for what it could be made from, then for the pictures of it, one by one. */
+  private async offer(): Promise<void> {
+    const asked = ++this.asked;
+    const about = { asset: this.details.asset, words: this.words };
+    [this.candidates, this.said] = [null, "Looking; the first time takes a moment ..."];
+    try {
+      const found = await this.wire.call<Candidate[]>("candidates", about);
+      if (asked !== this.asked) return;
+      [this.candidates, this.said] = [found, found.length ? "" : "Nothing like it was found."];
+      for (const each of found.filter((candidate) => !candidate.picture)) {
+        const picture = await this.wire.call<string>("asset_picture", { ...about, digest: each.digest }).catch(() => "");
+        if (asked !== this.asked || !this.isConnected) return;
+        this.candidates = this.candidates!.map((one) => (one.digest === each.digest ? { ...one, picture } : one));
+      }
+    } catch (error) {
+      if (asked === this.asked) this.said = (error as Error).message;
+    }
+  }
+
+  private resize(side: (typeof SIDES)[number], event: Event): void {
+    const input = event.target as HTMLInputElement;
+    const length = Number(input.value);
+    if (!input.checkValidity() || !(length > 0)) return;
+    const [width, depth, height] = this.details.dimensions;
+    const dimension = this.proportions ? { [side]: length } : { width, depth, height, [side]: length };
+    this.edit({ action: "resize", dimension });
+  }
+
+  render() {
+    const { details } = this;
+    const own = details.sort === "thing";
+    return html`
+      <p class="told">Made from ${details.source}${details.match !== null && own ? html` <span class="score">fits ${details.match.toFixed(1)} of 10</span>` : nothing}</p>
+      ${details.credit ? html`<p class="told">${[details.credit.author, details.credit.license, details.credit.copyright].filter(Boolean).join(", ") || "Nothing is said of whose work it is."}</p>` : nothing}
+      ${own ? html`${this.size()}${this.others()}` : html`<p class="told">It furnishes a set: change it under <i>Set and light</i>, or move and scale it on the stage.</p>`}
+      ${details.image_prompt ? html`<details><summary>Words for a service that makes a picture of it</summary><p class="told">${details.image_prompt}</p></details>` : nothing}`;
+  }
+
+  private size() {
+    const fixed = !this.details.source.startsWith("the library");
+    return html`<fieldset ?disabled=${this.details.locked}><legend>Size</legend>
+      ${SIDES.map((side, at) => html`<label>${side[0].toUpperCase() + side.slice(1)} <input type="number" data-field=${side} min="0.003" max="60" step="any"
+        .value=${String(Number(this.details.dimensions[at].toFixed(3)))} @change=${(event: Event) => this.resize(side, event)} /> m</label>`)}
+      <label><input type="checkbox" .checked=${this.proportions} ?disabled=${fixed} @change=${() => (this.proportions = !this.proportions)} /> Keep proportions</label>
+      ${this.details.source.startsWith("your model")
+        ? html`<button @click=${() => this.dispatchEvent(new Event("turning"))}>Correct front and up</button>`
+        : nothing}
+    </fieldset>`;
+  }
+
+  private others() {
+    return html`<fieldset class="others" ?disabled=${this.details.locked}><legend>Made from something else</legend>
+      <form @submit=${(event: SubmitEvent) => (event.preventDefault(), void this.offer())}>
+        <input aria-label="What to look for" placeholder="as the script says it, or say what" autocomplete="off" maxlength="64" .value=${this.words}
+          @input=${(event: Event) => (this.words = (event.target as HTMLInputElement).value)} />
+        <button>Show others</button>
+        <button type="button" title="The crew makes it from something else than this" @click=${() => this.edit({ action: "regenerate" })}>Let the crew choose another</button></form>
+      ${this.said ? html`<p role="status">${this.said}</p>` : nothing}
+      <div class="faces">${(this.candidates ?? []).map((each) => html`<button class="face ${each.chosen ? "chosen" : ""}" ?disabled=${each.chosen}
+        data-candidate=${each.file || each.model} @click=${() => this.edit({ action: "replace", ...(each.file ? { file: each.file } : { model: each.model }) })}>
+        <span class="portrait">${each.picture ? html`<img src=${each.picture} alt="" />` : nothing}</span>
+        <b>${each.name}</b><small>${each.source}, ${each.score.toFixed(1)} of 10</small></button>`)}</div>
+    </fieldset>`;
+  }
+}
