@@ -126,6 +126,35 @@ def restore(folder: Folder, names: Targets, draw: Draw = True, quiet: Quiet = Fa
 
 @app.command(
     epilog=examples(
+        "shot take my_film.storyboard SC010_SH020",
+        "shot take my_film.storyboard SC010_SH020 --of blocking --choose 1",
+        "shot take my_film.storyboard SC010 --of layout",
+    )
+)
+def take(
+    folder: Folder,
+    shot: Annotated[
+        str,
+        typer.Argument(
+            metavar="SHOT", help="A shot; for a layout the scene, such as SC010, or a shot of it.", show_default=False
+        ),
+    ],
+    of: Annotated[str, typer.Option(help="camera, blocking (where people are, what they do) or layout.")] = "camera",
+    choose: Annotated[int | None, typer.Option(help="Number of the take that the film is to show.")] = None,
+    drop: Annotated[int | None, typer.Option(help="Number of a take to drop.")] = None,
+    draw: Draw = True,
+    quiet: Quiet = False,
+    json_lines: Json = False,
+) -> None:
+    """Keep camera, blocking or layout as a take and go on with the next one; or choose a take, or drop one."""
+    done = {"choose": choose, "drop": drop}
+    edits = [{"action": action, "number": number} for action, number in done.items() if number is not None]
+    takes = [{"kind": "take", "shot": shot, "of": of, **each} for each in edits or [{"action": "keep"}]]
+    _apply(folder, takes, draw, quiet, json_lines)
+
+
+@app.command(
+    epilog=examples(
         "shot move my_film.storyboard SC010_SH040 --before SC010_SH020",
         "shot move my_film.storyboard SC020 --after SC030",
     )

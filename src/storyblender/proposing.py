@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from itertools import islice
 from pathlib import Path
+from typing import Literal
 
 from storyblender.agents.layout_artist.layout_things import layout_violations
 from storyblender.agents.layout_artist.placed_by_hand import without_placed
@@ -15,7 +16,7 @@ from storyblender.edits.effect import name_of, shot_names
 from storyblender.edits.targets import scene_named, shots_named
 from storyblender.errors import InputError
 from storyblender.memory.base import Frozen, scene_name
-from storyblender.memory.edits import LayoutEdit
+from storyblender.memory.edits import LayoutEdit, TakeEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.scene_context import SceneContext
 from storyblender.session import Session
@@ -76,6 +77,27 @@ def propose_stagings(session: Session, name: str, wanted: int) -> list[ProposedS
         if len(found) == wanted:
             break
     return found
+
+
+def pictures_of_other_takes(session: Session, shot: str, of: Literal["blocking", "layout"]) -> dict[int, Path]:
+    """Return pictures of a shot in the other takes of its blocking, or of its scene's layout, by number.
+
+    Args:
+        session: Of a finished project; the story stays as it is.
+        shot: Its name.
+        of: What the takes are of.
+
+    Raises:
+        InputError: There is no such shot, or a take of it cannot be at the moment.
+        Cancelled: ``cancel`` was called.
+    """
+    [found] = shots_named(session.graph, [shot])
+    kept = found.blocking_takes if of == "blocking" else session.graph.scene(found.scene_id).layout_takes
+    pictures: dict[int, Path] = {}
+    for take in kept.others if kept is not None else ():
+        with session.trying([TakeEdit(shot=shot, of=of, action="choose", number=take.number)]):
+            pictures[take.number] = session.preview([shot])[name_of(found)]
+    return pictures
 
 
 def _tried(

@@ -18,7 +18,7 @@ export class BoardPagePreview extends LitElement {
     const shots = this.board.scenes.flatMap((scene) => scene.shots.filter((shot) => !shot.omitted).map((shot) => ({ ...shot, title: scene.title })));
     const { width, height, cells } = this.page;
     const pages = Math.ceil(shots.length / cells.length);
-    return html`<figure class="sheet"><div class="paper" style="aspect-ratio: ${width} / ${height}; max-width: min(52rem, ${(80 * width) / height}vh)" role="img" aria-label="First page of the board: ${cells.length} panels">
+    return html`<figure class="printed"><div class="paper" style="aspect-ratio: ${width} / ${height}; max-width: min(52rem, ${(80 * width) / height}vh)" role="img" aria-label="First page of the board: ${cells.length} panels">
         ${cells.slice(0, shots.length).map((cell, index) => {
           const shot = shots[index];
           const font = `font-size: ${this.across(cell.size * 0.9)}`;

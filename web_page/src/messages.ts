@@ -106,6 +106,8 @@ export interface ShotDetails {
   lines: { kind: string; text: string; speaker: string }[];
   decided: string[];
   takes: Take[];
+  blocking_takes: Take[];
+  layout_takes: Take[];
   scene_decided: string[];
   locked: string[];
   approved: boolean;

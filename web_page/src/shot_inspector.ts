@@ -9,8 +9,7 @@ import "./shot_lines";
 import "./shot_parts";
 import "./shot_why";
 import "./stagings_choose";
-import type { TakesCompare } from "./takes_compare";
-import "./takes_compare";
+import "./takes";
 import type { Wire } from "./wire";
 
 @customElement("sb-shot")
@@ -84,14 +83,8 @@ export class ShotInspector extends LitElement {
         @edit=${(event: CustomEvent<Edit>) => this.edit(event.detail)}></sb-light>
       ${shot.decided.length ? html`<p class="decided">You decided: ${shot.decided.join(", ")}</p>` : nothing}
       <fieldset><legend>Takes</legend>
-        ${shot.takes.map((take) => html`<button class=${take.in_film ? "chosen" : ""} title=${take.camera} ?disabled=${take.in_film}
-          @click=${() => this.edit({ kind: "take", shot: this.shot, action: "choose", number: take.number })}>Take ${take.number}</button>`)}
-        <button ?disabled=${locked} @click=${() => this.edit({ kind: "take", shot: this.shot, action: "keep" })}>Keep, and try another</button>
-        ${shot.takes.length > 1
-          ? html`<button @click=${() => this.querySelector<TakesCompare>("sb-compare")!.open()}>Compare</button>
-              <sb-compare .details=${shot} .picture=${card.picture} .aspect=${this.board.aspect} .wire=${this.wire}
-                @edit=${(event: CustomEvent<Edit>) => this.edit(event.detail)}></sb-compare>`
-          : nothing}
+        <sb-takes .details=${shot} .card=${card} .aspect=${this.board.aspect} .wire=${this.wire}
+          @edit=${(event: CustomEvent<Edit>) => this.edit(event.detail)}></sb-takes>
         <sb-stagings .shot=${this.shot} .aspect=${this.board.aspect} .wire=${this.wire}
           @edit=${(event: CustomEvent<Edit>) => this.edit(event.detail)}></sb-stagings>
       </fieldset>

@@ -2,17 +2,21 @@
 
 import { LitElement, html } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import type { Edit, ShotDetails } from "./messages";
+import type { Edit, ShotDetails, Take } from "./messages";
+import { takesOf, type TakesOf } from "./takes";
 import type { Wire } from "./wire";
 
 @customElement("sb-compare")
 export class TakesCompare extends LitElement {
   @property({ attribute: false }) details!: ShotDetails;
+  @property({ attribute: false }) of: TakesOf = "camera";
   /** Address of the picture of the take that the film shows. */
   @property({ attribute: false }) picture = "";
   @property({ attribute: false }) aspect = 16 / 9;
   @property({ attribute: false }) wire!: Wire;
   @state() private pictures: Record<number, string> = {};
+  @state() private waiting = false;
+  @state() private failed = "";
   @state() private pair: [number, number] = [0, 0];
   @state() private wipe = false;
   @state() private edge = 50;
@@ -22,24 +26,34 @@ export class TakesCompare extends LitElement {
     return this;
   }
 
+  private get takes(): Take[] {
+    return takesOf(this.details, this.of);
+  }
+
   /** Show the take of the film beside the first other one. */
   async open(): Promise<void> {
-    const shown = this.details.takes.find((take) => take.in_film)!.number;
-    this.pictures = { ...(await this.wire.call<Record<number, string>>("takes", { shot: this.details.shot })), [shown]: this.picture };
-    this.pair = [this.details.takes.find((take) => !take.in_film)!.number, shown];
-    await this.updateComplete;
+    const shown = this.takes.find((take) => take.in_film)!.number;
+    this.pair = [this.takes.find((take) => !take.in_film)!.number, shown];
+    [this.pictures, this.waiting, this.failed] = [{ [shown]: this.picture }, true, ""];
     this.dialog.showModal();
+    try {
+      const others = await this.wire.call<Record<number, string>>("takes", { shot: this.details.shot, of: this.of });
+      this.pictures = { ...others, [shown]: this.picture };
+    } catch (error) {
+      this.failed = (error as Error).message;
+    }
+    this.waiting = false;
   }
 
   private choose(number: number): void {
-    const edit: Edit = { kind: "take", shot: this.details.shot, action: "choose", number };
-    this.dispatchEvent(new CustomEvent("edit", { detail: edit }));
+    const edit: Edit = { kind: "take", shot: this.details.shot, of: this.of, action: "choose", number };
+    this.dispatchEvent(new CustomEvent("edit", { detail: edit, bubbles: true }));
     this.dialog.close();
   }
 
   render() {
     return html`<dialog class="compare" aria-label="Takes of ${this.details.shot}" @keydown=${(event: KeyboardEvent) => event.stopPropagation()}>
-      <div class="head"><h2>${this.details.shot}: takes</h2>
+      <div class="head"><h2>${this.details.shot}: takes of the ${this.of}</h2>
         <label><input type="checkbox" .checked=${this.wipe} @change=${() => (this.wipe = !this.wipe)} /> One over the other</label>
         <button aria-label="Close" @click=${() => this.dialog.close()}>×</button></div>
       ${this.wipe ? this.wiped() : html`<div class="pair">${[0, 1].map((side) => this.side(side))}</div>`}
@@ -47,9 +61,9 @@ export class TakesCompare extends LitElement {
   }
 
   private side(side: number) {
-    const take = this.details.takes.find((each) => each.number === this.pair[side]);
+    const take = this.takes.find((each) => each.number === this.pair[side]);
     return html`<section>${this.shown(this.pair[side])}${this.picker(side)}
-      <p>${take?.camera}</p>
+      <p>${[take?.camera, ...(take?.decided ?? [])].filter(Boolean).join(", ") || "as the crew made it"}</p>
       <button ?disabled=${take?.in_film} @click=${() => this.choose(this.pair[side])}>${take?.in_film ? "In the film" : "Choose this take"}</button></section>`;
   }
 
@@ -64,12 +78,12 @@ export class TakesCompare extends LitElement {
   private shown(number: number) {
     const address = this.pictures[number];
     return html`<div class="picture" style="aspect-ratio: ${this.aspect}">
-      ${address ? html`<img src=${address} alt="Take ${number}" />` : html`<span class="state">not drawn</span>`}</div>`;
+      ${address ? html`<img src=${address} alt="Take ${number}" />` : html`<span class="state">${this.waiting ? "being drawn ..." : this.failed || "not drawn"}</span>`}</div>`;
   }
 
   private picker(side: number) {
     return html`<select aria-label=${side ? "Right take" : "Left take"} @change=${(event: Event) => this.pick(side, Number((event.target as HTMLSelectElement).value))}>
-      ${this.details.takes.map((take) => html`<option value=${take.number} ?selected=${take.number === this.pair[side]}>Take ${take.number}${take.in_film ? ", in the film" : ""}</option>`)}
+      ${this.takes.map((take) => html`<option value=${take.number} ?selected=${take.number === this.pair[side]}>Take ${take.number}${take.in_film ? ", in the film" : ""}</option>`)}
     </select>`;
   }
 

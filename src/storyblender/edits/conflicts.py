@@ -24,10 +24,11 @@ _FIELDS: Final[dict[str, dict[str, str]]] = {
         "moment": "camera", "duration": "duration",
         "decided_duration": "duration", "notes": "notes", "approved": "approval", "omitted": "cut",
         "covers": "cut", "joined": "cut",
-        "blocking_decision": "blocking",
+        "blocking_decision": "blocking", "blocking_takes": "blocking",
     },
     "scenes": {
-        "layout": "layout", "layout_decision": "layout", "lighting": "light", "light_decision": "light",
+        "layout": "layout", "layout_decision": "layout", "layout_takes": "layout",
+        "lighting": "light", "light_decision": "light",
         "environment": "set", "set_decision": "set", "omitted": "cut", "shot_order": "cut",
     },
     "head": {"scene_order": "cut"},

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from storyblender.agents.visual_effects_artist.lighting_arranger_view import MOST_LIGHTS
 from storyblender.catalog.light_recipes import HOURS
 from storyblender.catalog.materials import MATERIALS
@@ -89,14 +91,29 @@ def set_effects(graph: ContinuityMemoryGraph, edit: SetEdit) -> list[Effect]:
 def layout_effects(graph: ContinuityMemoryGraph, edit: LayoutEdit) -> list[Effect]:
     """Return what another staging does to a scene. Raises InputError."""
     scene = scene_named(graph, edit.scene)
-    refuse_locked_staging(graph, scene)
     before = scene.layout_decision or LayoutDecision()
     now = before.staging or 0
     staging = now + 1 if edit.staging is None else edit.staging
     if staging == now:
         raise InputError(f"{name_of(scene)} has staging {staging} already", mend="leave the number out for another")
     decided = before.then(LayoutDecision(staging=staging))
-    own = scene_effect(graph, scene, f"staging {staging}", "layout", ("layout",), layout_decision=decided)
+    return staged_anew(graph, scene, f"staging {staging}", layout_decision=decided)
+
+
+def staged_anew(graph: ContinuityMemoryGraph, scene: SceneContext, words: str, **update: Any) -> list[Effect]:
+    """Return what staging a scene anew does to it, and to later scenes of its place in which its things are.
+
+    Args:
+        graph: The story.
+        scene: As it is.
+        words: What is done.
+        **update: Fields of the scene.
+
+    Raises:
+        InputError: Something of it is locked.
+    """
+    refuse_locked_staging(graph, scene)
+    own = scene_effect(graph, scene, words, "layout", ("layout",), **update)
     things = {asset.asset_id for asset in graph.own_objects_of(scene.scene_id)}
     followers = [
         each

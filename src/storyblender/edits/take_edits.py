@@ -1,7 +1,8 @@
-"""Takes: versions of a shot's camera that a person keeps beside each other, one of which the film shows."""
+"""Takes: versions that a person keeps beside each other, one of which the film shows; here those of a camera."""
 
 from __future__ import annotations
 
+from storyblender.edits.decision_takes import blocking_take_effects, layout_take_effects
 from storyblender.edits.effect import Effect, name_of, refuse_locked
 from storyblender.edits.targets import shots_named
 from storyblender.errors import InputError
@@ -11,7 +12,9 @@ from storyblender.memory.shot_context import TAKE_FIELDS, ShotContext
 
 
 def take_effects(graph: ContinuityMemoryGraph, edit: TakeEdit) -> list[Effect]:
-    """Return what keeping, choosing or dropping a take does to its shot. Raises InputError."""
+    """Return what keeping, choosing or dropping a take does to its shot or scene. Raises InputError."""
+    if edit.of != "camera":
+        return (blocking_take_effects if edit.of == "blocking" else layout_take_effects)(graph, edit)
     [shot] = shots_named(graph, [edit.shot])
     name = name_of(shot)
     if edit.action == "keep":

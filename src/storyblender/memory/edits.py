@@ -230,12 +230,14 @@ class PaintEdit(Described):
 
 
 class TakeEdit(Described):
-    """Keeps the camera of a shot as a take and goes on with the next, chooses a take, or drops one."""
+    """Keeps camera, blocking or layout as a take and goes on with the next, chooses a take, or drops one."""
 
     kind: Literal["take"] = "take"
     """Which edit this is."""
     shot: _Name
-    """Such as ``SC010_SH020``."""
+    """Such as ``SC010_SH020``; for a layout the scene, such as ``SC010``, or one of its shots."""
+    of: Literal["camera", "blocking", "layout"] = "camera"
+    """Of what: the camera of the shot, where people are and what they do in it, or where all is in its scene."""
     action: Literal["keep", "choose", "drop"] = "keep"
     """What is done."""
     number: int | None = Field(default=None, ge=1, le=999)

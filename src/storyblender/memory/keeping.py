@@ -85,7 +85,7 @@ def _overruled(name: str, old: ShotContext, new: ShotContext) -> Iterator[str]:
     decision = old.camera_decision
     if decision is not None and (new.camera_decision != decision or not decision.holds(new.camera_instruction)):
         yield f"a person decided about the camera of {name}: {decision.words}"
-    if new.blocking_decision != old.blocking_decision:
+    if (new.blocking_decision, new.blocking_takes) != (old.blocking_decision, old.blocking_takes):
         yield f"people decide about the marks of {name}"
     length = old.decided_duration
     if length is not None and (new.decided_duration, new.duration) != (length, length):

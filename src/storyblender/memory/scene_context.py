@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 
 from storyblender.memory.asset_sheet import AssetDecision, ParamValue
 from storyblender.memory.base import Color, Coordinate, Frozen, Identifier, SceneId, ShotId, Vec3, dropping, is_none
+from storyblender.memory.kept_takes import LayoutTakes
 from storyblender.memory.locks import SceneLock, StaleWork
 from storyblender.memory.panorama import PanoramaLight
 from storyblender.memory.scene_decision import LayoutDecision, LightDecision, SetDecision
@@ -214,6 +215,8 @@ class SceneContext(Frozen):
     """The same of the set, in every scene of the place."""
     layout_decision: LayoutDecision | None = Field(default=None, exclude_if=is_none)
     """The same of the staging."""
+    layout_takes: LayoutTakes | None = Field(default=None, exclude_if=is_none)
+    """Other layouts that a person kept; they stay with the words of the scene when the script changes."""
     stale: tuple[StaleWork, ...] = Field(default=(), exclude_if=lambda value: not value)
     """What an edit made stale and the crew has not made anew yet; a set takes layout and light with it."""
 

@@ -21,6 +21,7 @@ from storyblender.memory.base import (
 )
 from storyblender.memory.camera_decision import CameraDecision, CameraInstruction, CameraRetake
 from storyblender.memory.covers import Covers
+from storyblender.memory.kept_takes import BlockingTakes
 from storyblender.memory.locks import ShotLock
 from storyblender.memory.notes import Note
 from storyblender.memory.scene_context import Light, Lighting, Spot
@@ -338,6 +339,8 @@ class ShotContext(Frozen):
     """Number of the take that the film shows: that of the camera above."""
     takes: tuple[Take, ...] = Field(default=(), exclude_if=lambda value: not value)
     """The other takes, by number."""
+    blocking_takes: BlockingTakes | None = Field(default=None, exclude_if=is_none)
+    """Other blockings that a person kept; they stay with the words of the shot when the script changes."""
     stale: tuple[Literal["motion"], ...] = Field(default=(), exclude_if=lambda value: not value)
     """What an edit made stale and the crew has not made anew yet."""
     notes: tuple[Note, ...] = Field(default=(), exclude_if=lambda value: not value)

@@ -9,9 +9,13 @@ from storyblender.catalog.recipe import made_from
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
+from storyblender.memory.kept_takes import BlockingTake
 from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.scene_decision import BlockingDecision
 from storyblender.memory.shot_context import ShotContext, Take
+
+_DECIDED = ("light_decision", "set_decision", "layout_decision", "layout_takes")
+"""Fields of a scene that are a person's."""
 
 
 def with_decided_models(old: ContinuityMemoryGraph, plan: ContinuityMemoryGraph) -> ContinuityMemoryGraph:
@@ -90,16 +94,29 @@ def marks_of(
         past: The old shot.
     """
     moved = old.scene(past.scene_id).setup.kit != plan.scene(planned.scene_id).setup.kit
-    if past.blocking_decision is None or moved:
+    if moved:
         return {}
-    people = {name: marks for name, marks in past.blocking_decision.people.items() if name in planned.on_stage}
-    return {"blocking_decision": BlockingDecision(people=people)} if people else {}
+    decided = _of_people(past.blocking_decision, planned)
+    update: dict[str, object] = {"blocking_decision": decided} if decided is not None else {}
+    if (takes := past.blocking_takes) is not None:
+        others = (
+            BlockingTake(number=each.number, decision=_of_people(each.decision, planned)) for each in takes.others
+        )
+        update["blocking_takes"] = takes.model_copy(update={"others": tuple(others)})
+    return update
+
+
+def _of_people(decision: BlockingDecision | None, planned: ShotContext) -> BlockingDecision | None:
+    """Return what was decided of people who are in a shot; None for nothing."""
+    people = decision.people if decision is not None else {}
+    there = {name: marks for name, marks in people.items() if name in planned.on_stage}
+    return BlockingDecision(people=there) if there else None
 
 
 def _decided_as(
     past: SceneContext, old: ContinuityMemoryGraph, plan: ContinuityMemoryGraph, scene: SceneContext
 ) -> ContinuityMemoryGraph:
-    decided = {name: getattr(past, name) for name in ("light_decision", "set_decision", "layout_decision")}
+    decided = {name: getattr(past, name) for name in _DECIDED}
     if not any(decided.values()):
         return plan
     layout, setup, there = past.layout_decision, scene.setup, {asset.asset_id for asset in plan.assets}

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import hashlib
+import hmac
 import secrets
 from http.cookies import CookieError, SimpleCookie
 from typing import Any
@@ -43,13 +45,12 @@ class Door:
         app: Behind the door.
         token: In the first address.
         origin: Of the page, such as ``http://127.0.0.1:8765``.
-        key: Of programs.
+        key: Of programs; it also signs the passes of browsers.
     """
 
     def __init__(self, app: ASGIApp, token: str, origin: str, key: str) -> None:
         self._app, self._origin, self._host, self._key = app, origin, origin.partition("//")[2], key
         self._token: str | None = token
-        self._passes: set[str] = set()
 
     def admit(self) -> str:
         """Return a new token for one more browser."""
@@ -73,7 +74,7 @@ class Door:
             await _refuse(scope, receive, send, "this address is not the studio's")
         elif (token := QueryParams(scope["query_string"]).get("token")) is not None and scope["type"] == "http":
             await self._enter(token)(scope, receive, _with_headers(send))
-        elif not self._passes & {_cookie(headers)}:
+        elif not self._is_pass(_cookie(headers)):
             await _refuse(scope, receive, send, _NO_ENTRY)
         else:
             await self._app(scope, receive, _with_headers(send))
@@ -95,11 +96,19 @@ class Door:
         if self._token is None or not secrets.compare_digest(token.encode(), self._token.encode()):
             return PlainTextResponse(_NO_ENTRY, 403)
         self._token = None
-        key = secrets.token_urlsafe(24)
-        self._passes.add(key)
         answer = RedirectResponse("/", 303)
-        answer.set_cookie(COOKIE, key, httponly=True, samesite="strict", path="/")
+        answer.set_cookie(COOKIE, self._signed(secrets.token_urlsafe(24)), httponly=True, samesite="strict", path="/")
         return answer
+
+    def _signed(self, number: str) -> str:
+        """Return a pass: a random number, and its signature with the key."""
+        signature = hmac.new(self._key.encode(), number.encode(), hashlib.sha256).hexdigest()
+        return f"{number}.{signature}"
+
+    def _is_pass(self, told: str) -> bool:
+        """Return whether a cookie is a pass; that of a studio which was killed holds for the next one with its key."""
+        number, _, _ = told.rpartition(".")
+        return bool(number) and secrets.compare_digest(told.encode(), self._signed(number).encode())
 
 
 def _cookie(headers: Headers) -> str:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import stat
 from contextlib import suppress
 from pathlib import Path
 
@@ -11,6 +13,25 @@ from storyblender.folder import Folder
 
 ADDRESS_FILE = ".studio.json"
 """Its name in the project. Only the user who runs the studio can read it; it is gone when the project is closed."""
+
+
+def left_behind(project: Path) -> tuple[int, str] | None:
+    """Return port and key of a studio that was killed while it held a project open; None if there is none.
+
+    A file that others can read, such as one that came with a project from elsewhere, is not believed.
+
+    Args:
+        project: Its folder.
+    """
+    path = project / ADDRESS_FILE
+    try:
+        seen = path.lstat()
+        if not stat.S_ISREG(seen.st_mode) or seen.st_mode & 0o077 or seen.st_uid != os.getuid():
+            return None
+        told = json.loads(path.read_bytes())
+        return int(told["address"].rpartition(":")[2]), str(told["key"])
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return None
 
 
 class AddressFile:

@@ -10,7 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from storyblender.agents.vocabulary import vocabulary
 from storyblender.edits.dispatcher import Applied
@@ -20,7 +20,7 @@ from storyblender.memory.coverage import as_filmed
 from storyblender.memory.edits import LightEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.scene_decision import LightDecision
-from storyblender.proposing import propose_stagings
+from storyblender.proposing import pictures_of_other_takes, propose_stagings
 from storyblender.session import Session
 from storyblender.trace import Event
 from storyblender.web_studio.assets import answer_about_assets
@@ -145,7 +145,12 @@ class Hub:
             case InstructCall():
                 return lambda: self._edited(lambda session: session.instruct(call.words, call.revision), ())
             case ShotCall():
-                asked = {"shot": self._shot, "why": self._why, "takes": self._takes, "draw": self._draw_now}[call.call]
+                asked = {
+                    "shot": self._shot,
+                    "why": self._why,
+                    "takes": partial(self._takes, of=call.of),
+                    "draw": self._draw_now,
+                }[call.call]
                 return lambda: asked(call.shot)
             case ReviseCall():
                 return lambda: self._compare(call) if call.call == "compare" else self._revise(call)
@@ -263,14 +268,14 @@ class Hub:
         self._pause_drawing()
         return self.place.session.why(name).model_dump()
 
-    def _takes(self, name: str) -> dict[int, str]:
+    def _takes(self, name: str, of: Literal["camera", "blocking", "layout"]) -> dict[int, str]:
         """Return the addresses of the pictures of a shot's takes, by number; that of the film is on the board."""
         self._refuse_busy()
         self._pause_drawing()
-        panel = self.place.panel(name)
-        pictures = self.place.session.takes(panel.name)
-        self.takes |= {f"{panel.name}-{number}": path for number, path in pictures.items()}
-        return {number: f"/takes/{panel.name}-{number}.png?v={path.stem}" for number, path in pictures.items()}
+        panel, session = self.place.panel(name), self.place.session
+        found = session.takes(panel.name) if of == "camera" else pictures_of_other_takes(session, panel.name, of)
+        self.takes |= {f"{panel.name}-{of}-{number}": path for number, path in found.items()}
+        return {number: f"/takes/{panel.name}-{of}-{number}.png?v={path.stem}" for number, path in found.items()}
 
     def _propose(self, call: ProposeCall) -> list[dict[str, Any]]:
         """Return other stagings of a shot's scene; nothing is drawn while they are tried."""

@@ -79,6 +79,8 @@ class ShotCall(_Call):
     ``draw``: its frame is drawn now."""
     shot: _Name
     """Such as ``SC010_SH020``."""
+    of: Literal["camera", "blocking", "layout"] = "camera"
+    """What the ``takes`` are of."""
 
 
 class SceneCall(_Call):

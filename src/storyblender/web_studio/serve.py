@@ -12,7 +12,7 @@ from pathlib import Path
 import uvicorn
 
 from storyblender.web_studio.access import Door
-from storyblender.web_studio.address_file import AddressFile
+from storyblender.web_studio.address_file import AddressFile, left_behind
 from storyblender.web_studio.app import LARGEST_CALL, build_app
 from storyblender.web_studio.hub import Hub
 
@@ -33,12 +33,13 @@ def serve(folder: Path, begin: str, port: int, say: Callable[[str], None], *, br
         InputError: No such project or script.
         ProjectLocked: Another program has it open.
     """
+    former = left_behind(folder / begin) if begin else None
     with socket.socket() as listening:
         listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        listening.bind((LOOPBACK, port))
+        _bind(listening, port, former[0] if former is not None else 0)
         listening.listen()
         origin = f"http://{LOOPBACK}:{listening.getsockname()[1]}"
-        token, key = secrets.token_urlsafe(24), secrets.token_urlsafe(24)
+        token, key = secrets.token_urlsafe(24), former[1] if former is not None else secrets.token_urlsafe(24)
         hub = Hub(folder, AddressFile(origin, key).follow)
         signal.signal(signal.SIGTERM, signal.default_int_handler)  # the project is closed as after Ctrl-C
         try:
@@ -52,3 +53,14 @@ def serve(folder: Path, begin: str, port: int, say: Callable[[str], None], *, br
             uvicorn.Server(config).run([listening])
         finally:
             hub.close()
+
+
+def _bind(listening: socket.socket, port: int, former: int) -> None:
+    """Listen on the port that was asked for, else on that of a killed studio, whose pages wait there, else on any."""
+    if port or not former:
+        listening.bind((LOOPBACK, port))
+        return
+    try:
+        listening.bind((LOOPBACK, former))
+    except OSError:
+        listening.bind((LOOPBACK, 0))

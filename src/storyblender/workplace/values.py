@@ -11,6 +11,8 @@ from storyblender.geometry.orbit import Orbit
 from storyblender.memory.base import Described
 from storyblender.memory.camera_decision import CameraInstruction
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.kept_takes import BlockingTakes, LayoutTakes
+from storyblender.memory.scene_decision import BlockingDecision, LayoutDecision
 from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.reviewing import FrameReview
 from storyblender.trace import Event
@@ -78,6 +80,10 @@ class ShotDetails(ShotSummary):
     """What a person decided about the camera, and where people stand."""
     takes: tuple[TakeSummary, ...]
     """Versions of its camera that are kept, with the one that the film shows."""
+    blocking_takes: tuple[TakeSummary, ...]
+    """The same of its blocking: where people are and what they do."""
+    layout_takes: tuple[TakeSummary, ...]
+    """The same of the layout of its scene."""
     scene_decided: tuple[str, ...]
     """What a person decided about light, set and staging of its scene."""
     locked: tuple[str, ...]
@@ -106,14 +112,14 @@ class NoteOn(Described):
 
 
 class TakeSummary(Described):
-    """A take of a shot: a version of its camera that is kept."""
+    """A take: a version of a shot's camera, of its blocking or of its scene's layout that is kept."""
 
     number: int
     """As on the slate; the edit of kind `take` chooses it or drops it."""
     in_film: bool
     """Whether it is the one that the film shows, and that edits change."""
     camera: str
-    """Size, kind, angle and move."""
+    """Size, kind, angle and move; empty for a take of something else."""
     decided: tuple[str, ...]
     """What a person decided about it."""
 
@@ -253,6 +259,23 @@ def takes_of(shot: ShotContext) -> tuple[TakeSummary, ...]:
     )
 
 
+def _takes_of_decisions(
+    takes: BlockingTakes | LayoutTakes | None, present: BlockingDecision | LayoutDecision | None
+) -> tuple[TakeSummary, ...]:
+    """Return all takes of a blocking or a layout, in order of their numbers."""
+    number = takes.number if takes is not None else 1
+    decided = {number: present} | {each.number: each.decision for each in (takes.others if takes is not None else ())}
+    return tuple(
+        TakeSummary(
+            number=each,
+            in_film=each == number,
+            camera="",
+            decided=(decision.words,) if decision is not None and decision.words else (),
+        )
+        for each, decision in sorted(decided.items())
+    )
+
+
 def described(camera: CameraInstruction) -> str:
     """Return a camera as it is wanted in a line: ``MCU single, low angle, push in``."""
     said = (f"{camera.size} {camera.kind.replace('_', ' ')}", camera.angle, camera.movement, camera.direction or "")
@@ -289,6 +312,8 @@ def details_of(panel: Panel, graph: ContinuityMemoryGraph) -> ShotDetails:
             *([f"marks: {shot.blocking_decision.words}"] if shot.blocking_decision is not None else ()),
         ),
         takes=takes_of(shot),
+        blocking_takes=_takes_of_decisions(shot.blocking_takes, shot.blocking_decision),
+        layout_takes=_takes_of_decisions(scene.layout_takes, scene.layout_decision),
         scene_decided=tuple(f"{part}: {each.words}" for part, each in decisions.items() if each is not None),
         locked=(*shot.locked, *(f"{part} of the scene" for part in scene.locked)),
         approved=shot.approved is not None,

@@ -62,6 +62,10 @@ def gesture(chance: random.Random, stage: Stage, shots: list[str]) -> list[dict[
             [{"kind": "reorder", "target": shot, chance.choice(["before", "after"]): other}],
             [{"kind": "take", "shot": shot, "action": "keep"}],
             [{"kind": "take", "shot": shot, "action": "choose", "number": chance.randrange(1, 3)}],
+            [{"kind": "take", "shot": shot, "of": "blocking", "action": "keep"}],
+            [{"kind": "take", "shot": shot, "of": "blocking", "action": "choose", "number": chance.randrange(1, 3)}],
+            [{"kind": "take", "shot": scene, "of": "layout", "action": "keep"}],
+            [{"kind": "take", "shot": scene, "of": "layout", "action": "choose", "number": chance.randrange(1, 3)}],
             [{"kind": "split", "shot": shot, "frames": chance.randrange(2, 20)}],
             [{"kind": "join", "shot": shot, "other": other}],
         ]
