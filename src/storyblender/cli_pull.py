@@ -1,18 +1,19 @@
-"""The command that takes over what was changed in Blender."""
+"""The commands for what was changed in Blender: take it over, and give motion by hand back to the crew."""
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
-from storyblender.cli_options import Folder, Json, Quiet, examples, open_studio
+from storyblender.cli_options import Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
 from storyblender.shell import shown
 
 
 def add_to(app: typer.Typer) -> None:
     """Add the command to the command line."""
     app.command(epilog=examples("pull my_film.storyboard", "pull my_film.storyboard --dry-run"))(pull)
+    app.command("by-hand", epilog=examples("by-hand my_film.storyboard SC010_SH020 rick"))(by_hand)
 
 
 def pull(
@@ -22,7 +23,7 @@ def pull(
     quiet: Quiet = False,
     json_lines: Json = False,
 ) -> None:
-    """Take over what you changed and saved in story.blend: places, sizes, cameras, lenses, cuts (docs/blender.md).
+    """Take over what you changed and saved in story.blend: places, cameras, motion, cuts (docs/blender.md).
 
     All of it is one undo. What was changed in the project as well is a conflict: it is shown, and the project's stands.
     What no edit can express is kept in a dated copy of the file. `make` and `render` pull by themselves.
@@ -34,3 +35,33 @@ def pull(
             terminal.pulled(pulled)
             if render and pulled.applied is not None and (delivery := session.draw(pulled.applied)) is not None:
                 terminal.files(delivery.folder, delivery.files)
+
+
+def by_hand(
+    context: typer.Context,
+    folder: Folder,
+    shot: Annotated[str, typer.Argument(metavar="SHOT", help="Such as SC010_SH020.", show_default=False)],
+    who: Annotated[str, typer.Argument(metavar="WHO", help="The person or the thing.", show_default=False)],
+    motion: Annotated[
+        str | None, typer.Option(help="Name of a file in the folder by_hand: that motion, as once pulled.")
+    ] = None,
+    revision: Annotated[
+        str | None, typer.Option(help="What you looked at, as --json told it; refused if that changed since.")
+    ] = None,
+    draw: Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")] = True,
+    look: LookOption = None,
+    jobs: Jobs = None,
+    quiet: Quiet = False,
+    json_lines: Json = False,
+) -> None:
+    """Let the crew act a person or a thing of a shot again that you animated in Blender; `undo` brings it back."""
+    with shown(quiet, json_lines) as terminal:
+        from storyblender.edits.words import edits_of
+
+        edits = edits_of([{"kind": "by_hand", "shot": shot, "who": who, "motion": motion}])
+        settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
+        studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
+        applied, delivery = studio.edit(folder, edits, revision, draw=draw)
+        terminal.applied(applied)
+        if delivery is not None:
+            terminal.files(delivery.folder, delivery.files)

@@ -29,7 +29,6 @@ lamp = next(obj for obj in objects if obj.type == "LIGHT" and not obj["node_id"]
 person = next(obj for obj in objects if obj.type == "ARMATURE")
 strip = person.animation_data.nla_tracks[0].strips[0]
 bag = strip.action.layers[0].strips[0].channelbag(strip.action_slot)
-curve = next(curve for curve in bag.fcurves if len(curve.keyframe_points) > 2)
 """
 
 
@@ -149,9 +148,6 @@ def test_another_name_is_printed_and_nothing_is_drawn_for_it(project: Path) -> N
     [
         "bpy.ops.mesh.primitive_cube_add(); scene.collection.objects.link(bpy.context.object)"
         " if bpy.context.object.name not in scene.objects else None",
-        "curve.keyframe_points[1].co.y += 0.1",
-        "curve.keyframe_points[1].co.x += 0.4",
-        "strip.frame_start += 2",
     ],
 )
 def test_what_no_edit_can_say_is_kept_in_a_copy_and_told(project: Path, code: str) -> None:
@@ -161,6 +157,69 @@ def test_what_no_edit_can_say_is_kept_in_a_copy_and_told(project: Path, code: st
     assert found.kept and not found.understood
     assert read_project_graph(project).scenes == before.scenes
     assert len(set(project.glob("story *.blend")) - copies) == 1
+
+
+POSED = """
+bone = person.pose.bones["head"]
+bone.rotation_quaternion = (0.9, 0.3, 0.3, 0.0)
+bone.keyframe_insert("rotation_quaternion", frame=strip.frame_start + 10)
+"""
+REACHED = """
+person["ik_hand_R"] = 1.0
+bone = person.pose.bones["hand_ik.R"]
+bone.location.x += 0.15
+bone.keyframe_insert("location", frame=strip.frame_start + 10)
+"""
+SEEN = """
+bpy.context.window.scene = scene
+scene.frame_set(int(strip.frame_start) + 12)
+rig = person.evaluated_get(bpy.context.evaluated_depsgraph_get())
+print([round(part, 3) for bone in ("head", "hand.R", "foot.L") for row in rig.matrix_world @ rig.pose.bones[bone].matrix
+       for part in row], file=sys.stderr)
+"""
+
+
+def seen(story: Path) -> list[float]:
+    ran = subprocess.run(
+        [sys.executable, "-c", f"{IN_BLENDER}\n{SEEN}", str(story)], check=True, capture_output=True, text=True
+    )
+    return json.loads(ran.stderr.splitlines()[-1])
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        pytest.param(POSED, id="a key above the strips"),
+        pytest.param(REACHED, id="a control"),
+        pytest.param("person.pose.bones['torso'].rotation_quaternion = (0.98, 0.2, 0, 0)", id="a pose at rest"),
+        pytest.param(
+            "for curve in bag.fcurves:\n    if 'head' in curve.data_path:\n"
+            "        for point in curve.keyframe_points: point.co.y += 0.1",
+            id="keys in a strip",
+        ),
+        pytest.param(
+            "for curve in bag.fcurves:\n    for point in curve.keyframe_points: point.co.x *= 0.6", id="keys retimed"
+        ),
+        pytest.param("strip.action_frame_start += 8", id="a strip that plays later"),
+    ],
+)
+def test_what_is_animated_is_pulled_as_motion_by_hand_and_undone(project: Path, code: str) -> None:
+    before, graph = seen(project / "story.blend"), (project / "graph.json").read_bytes()
+    in_blender(project / "story.blend", code)
+    wanted = seen(project / "story.blend")
+    assert max(abs(a - b) for a, b in zip(before, wanted, strict=True)) > 0.02
+    found = pulled(project)
+    assert found.understood and not found.kept and not found.conflicts, found
+    assert all("animated by hand" in words for words in found.understood)
+    shots = [shot for shot in read_project_graph(project).shots if shot.motion_by_hand]
+    assert len(shots) == len(found.understood)
+    now = seen(project / "story.blend")
+    assert max(abs(a - b) for a, b in zip(wanted, now, strict=True)) < 0.02
+    with Studio(Settings.load(project=project)).open(project) as session:
+        session.undo()
+        session.render()
+    assert (project / "graph.json").read_bytes() == graph
+    assert seen(project / "story.blend") == before
 
 
 def test_what_was_changed_on_both_sides_is_a_conflict_and_the_project_stands(project: Path) -> None:

@@ -18,6 +18,7 @@ from storyblender.blender.doors import Door, swing_doors
 from storyblender.blender.hiding import key_hidden
 from storyblender.blender.merge import merge_duplicates
 from storyblender.blender.motion.bake import bake
+from storyblender.blender.motion.by_hand import with_motion_by_hand
 from storyblender.blender.motion.solve import solve_shot
 from storyblender.blender.painting import paint_objects
 from storyblender.blender.progress import Report, ignore
@@ -162,7 +163,8 @@ class ScenePacker:
     def _perform(self, planner: StagePlanner, shot: ShotContext, doors: list[Door]) -> list[Flaw]:
         """Solve and bake one shot; return its staging flaws."""
         plan = planner.plan(shot)
-        performance = solve_shot(plan, self._job.fps, MOTION_STEP)
+        motions = {each.asset_id: each.motion for each in self._job.by_hand if each.shot_id == shot.shot_id}
+        performance = with_motion_by_hand(solve_shot(plan, self._job.fps, MOTION_STEP), motions)
         fps = performance.fps
         for (who, clip, start), (began, over) in performance.played.items():
             spans = {"began": round(began * fps), "over": round(over * fps)}

@@ -265,10 +265,12 @@ class BlenderSession:
 
     def read_story(self, name: str) -> BlendReading:
         """Return what a .blend of the story was compiled as, and what it holds now."""
+        from storyblender.blender.motion.by_hand_reading import read_by_hand
         from storyblender.blender.story_values import read_file
 
         self._close_pack()
-        return read_file(str(self._files.path(name)))
+        reading = read_file(str(self._files.path(name)))
+        return reading.model_copy(update={"by_hand": read_by_hand(reading, self._files)})
 
     def export_scene(self, job: ExportJob) -> str:
         """Write one scene as glTF or USD."""

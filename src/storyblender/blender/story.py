@@ -15,6 +15,7 @@ from storyblender.blender.cut import EDIT, add_edit, in_film
 from storyblender.blender.hiding import is_hidden, key_hidden
 from storyblender.blender.library_scene import LIBRARY, add_assets, new_file
 from storyblender.blender.merge import merge_duplicates
+from storyblender.blender.motion.by_hand_reading import PACK
 from storyblender.blender.pack import save_pack
 from storyblender.blender.progress import Report, ignore
 from storyblender.blender.sections import SECTION
@@ -82,7 +83,7 @@ def _add_scene(
     scene.render.resolution_x, scene.render.resolution_y = job.format.width, job.format.height
     scene.render.resolution_percentage = 100
     scene.render.fps = job.format.fps
-    scene["scene_id"] = pack.scene_id
+    scene["scene_id"], scene[PACK] = pack.scene_id, pack.path
     scene["heading"] = next((o.heading for o in job.outline if o.scene_id == pack.scene_id), "")
     cameras, lights = _child(scene, "cameras"), _child(scene, "lights")
     lasting = [shot for shot in shots if (shot.scene_id, shot.shot_id) not in job.beside]

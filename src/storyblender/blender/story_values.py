@@ -12,6 +12,7 @@ from mathutils import Euler, Quaternion
 from pydantic import ValidationError
 
 from storyblender.blender.cut import cut_values
+from storyblender.blender.motion.posing import posing_of
 from storyblender.blender.surface_values import is_solid, materials_of, shape_of, surface_values
 from storyblender.memory.blend_values import (
     BlendReading,
@@ -116,6 +117,7 @@ def _node_values(obj: bpy.types.Object) -> NodeValues:
         scale=_rounded(scale),
         strips=tuple(_strips(obj)),
         action=_own_action(obj),
+        posing=posing_of(obj) if obj.type == "ARMATURE" or obj.constraints else "",
         camera=_camera_values(obj) if obj.type == "CAMERA" else None,
         lamp=_lamp_values(obj.data) if obj.type == "LIGHT" else None,
         materials=materials_of(obj),

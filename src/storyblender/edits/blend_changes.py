@@ -138,6 +138,8 @@ def _motion_changes(before: NodeValues, after: NodeValues, change: _Said) -> Ite
             yield change("strip", f"plays {name} from frame {now[name].start:g} to {now[name].end:g}")
         yield from _curve_changes(was[name].curves, now[name].curves, f"in {name}", change)
     yield from _curve_changes(before.action, after.action, "above its strips", change)
+    if before.posing and before.posing != after.posing:
+        yield change("posed", "has other constraints, switches or poses at rest")
 
 
 def _curve_changes(

@@ -25,6 +25,7 @@ _FIELDS: Final[dict[str, dict[str, str]]] = {
         "decided_duration": "duration", "notes": "notes", "approved": "approval", "omitted": "cut",
         "covers": "cut", "joined": "cut",
         "blocking_decision": "blocking", "blocking_takes": "blocking",
+        "motion_by_hand": "blocking",
     },
     "scenes": {
         "layout": "layout", "layout_decision": "layout", "layout_takes": "layout",

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from itertools import groupby
 from typing import Final
 
+from storyblender.edits.by_hand_edits import refuse_unknown_motions
 from storyblender.edits.conflicts import refuse_stale
 from storyblender.edits.effect import Effect, name_of, with_effects
 from storyblender.edits.families import effects_of
@@ -51,6 +52,7 @@ def apply_edits(project: Project, edits: Sequence[Edit], version: str | None = N
         StaleEdit: What they touch has changed since that version.
         Rejected: The Gatekeeper refused.
     """
+    refuse_unknown_motions(project, edits)
     graph, effects = project.graph, list[Effect]()
     for edit in edits:
         done = effects_of(graph, edit)

@@ -7,6 +7,7 @@ from typing import Any, Final
 
 from storyblender.edits.asset_edits import asset_effects
 from storyblender.edits.blocking_edits import blocking_effects
+from storyblender.edits.by_hand_edits import by_hand_effects
 from storyblender.edits.camera_edits import camera_effects, duration_effects
 from storyblender.edits.coverage_edits import add_effects, join_effects, split_effects
 from storyblender.edits.cut_edits import omit_effects, reorder_effects, restore_effects
@@ -23,6 +24,7 @@ from storyblender.memory.edits import (
     ApproveEdit,
     AssetEdit,
     BlockingEdit,
+    ByHandEdit,
     CameraEdit,
     DurationEdit,
     Edit,
@@ -66,6 +68,7 @@ _FAMILIES: Final[dict[type[Edit], Callable[[ContinuityMemoryGraph, Any], list[Ef
     LayoutEdit: layout_effects,
     PlaceEdit: place_effects,
     BlockingEdit: blocking_effects,
+    ByHandEdit: by_hand_effects,
     AssetEdit: asset_effects,
     LookEdit: look_effects,
     PaintEdit: paint_effects,

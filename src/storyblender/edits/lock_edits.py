@@ -64,8 +64,8 @@ def unlock_effects(graph: ContinuityMemoryGraph, edit: UnlockEdit) -> list[Effec
     update: dict[str, object] = {"locked": tuple(part for part in item.locked if part not in parts)}
     update |= {"camera_decision": None} if "camera" in parts else {}
     update |= {"decided_duration": None} if "duration" in parts else {}
-    freed = "blocking" in parts and item.blocking_decision is not None
-    update |= {"blocking_decision": None, "stale": ("motion",)} if freed else {}
+    freed = "blocking" in parts and (item.blocking_decision is not None or bool(item.motion_by_hand))
+    update |= {"blocking_decision": None, "motion_by_hand": {}, "stale": ("motion",)} if freed else {}
     stale = shot_names(graph, item.scene_id) if freed else ()
     return [Effect(item.model_copy(update=update), name, words, frozenset(parts), stale)]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from storyblender.edits.blend_changes import changes_of
 from storyblender.edits.dispatcher import Applied, apply_edits
 from storyblender.edits.pulled_edits import edits_of
+from storyblender.edits.pulled_motion import keep_motions, with_hand_changes
 from storyblender.memory.base import Frozen
 from storyblender.pipeline.reading_back import changed_files, read_back, take_over
 from storyblender.pipeline.run import Run
@@ -53,12 +54,13 @@ def _with_file(run: Run, name: str, pulled: Pulled, *, apply: bool) -> Pulled:
             run.copy_aside(name)
             take_over(run, name)
         return pulled.model_copy(update={"files": files, "kept": (*pulled.kept, f"{name} {why}")})
-    changes = changes_of(reading)
+    changes, motions = with_hand_changes(run.project, changes_of(reading), reading)
     found = edits_of(run.project, changes, reading.compiled.version)
     applied = pulled.applied
     if apply:
         run.copy_aside(name)  # what the values do not tell, such as a mesh that was sculpted, is in the copy alone
         if found.edits:
+            keep_motions(run.project.files, motions, found.edits)
             applied = apply_edits(run.project, found.edits)
             run.tell(Event(kind="commit", role="user", subject=name, message=f"pulled: {applied.words}"))
         for sentence in (

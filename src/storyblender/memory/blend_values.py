@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from storyblender.memory.base import Frozen, dropping
+from storyblender.memory.motion_by_hand import HandMotionRead
 
 Vector = tuple[float, float, float]
 
@@ -132,6 +133,8 @@ class NodeValues(Frozen):
     """Of its motion."""
     action: CurveValues | None = None
     """Its own action above the strips."""
+    posing: str = ""
+    """Digest of what poses it besides keys: constraints, switches of its controls. Empty where there is none."""
     camera: CameraValues | None = None
     """Of a camera."""
     lamp: LampValues | None = None
@@ -180,3 +183,5 @@ class BlendReading(Frozen):
     """None for a file of an early version, and one whose text block is gone."""
     saved: BlendValues
     """As it is in the file."""
+    by_hand: tuple[HandMotionRead, ...] = ()
+    """How people and things move in it otherwise than they were compiled."""

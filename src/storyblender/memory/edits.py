@@ -7,7 +7,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, TypeAdapter, model_validator
 
 from storyblender.memory.asset_sheet import AssetDimension, Garment, LookDecision, ModelPose, Note
-from storyblender.memory.base import Described, Frames, Identifier, is_none
+from storyblender.memory.base import Described, Digest, Frames, Identifier, is_none
 from storyblender.memory.locks import LockName
 from storyblender.memory.notes import MOST_NOTES, NoteAuthor, NoteText
 from storyblender.memory.paint import MaterialName, PaintDecision
@@ -143,6 +143,19 @@ class BlockingEdit(Described):
                 "marks have a place, a rotation, a posture, a look, things held, a way, a motion or a line"
             )
         return self
+
+
+class ByHandEdit(Described):
+    """Lets somebody or something move in a shot as a person animated it in Blender, or gives that back to the crew."""
+
+    kind: Literal["by_hand"] = "by_hand"
+    """Which edit this is."""
+    shot: _Name
+    """Such as ``SC010_SH020``."""
+    who: _Name
+    """Id or name of a person on stage, or of a thing that is handled."""
+    motion: Digest | None = None
+    """Name of a file in the project's folder ``by_hand``, which a pull writes; left out, the crew acts it again."""
 
 
 class AssetEdit(Described):
@@ -378,6 +391,7 @@ Edit = Annotated[
     | LayoutEdit
     | PlaceEdit
     | BlockingEdit
+    | ByHandEdit
     | AssetEdit
     | LookEdit
     | PaintEdit

@@ -14,6 +14,7 @@ from pydantic import Field
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen, Vec3, content_hash, scene_name
 from storyblender.memory.graph import ProjectFormat
+from storyblender.memory.motion_by_hand import HandMotion
 from storyblender.memory.outline import SceneOutline
 from storyblender.memory.paint import Paint
 from storyblender.memory.scene_context import Light, Lighting, SceneContext
@@ -101,6 +102,8 @@ class SceneJob(Frozen):
     """Built things of the scene as they look in the states that its shots bring them to."""
     paints: tuple[Paint, ...] = ()
     """What a person decided about materials that it may show."""
+    by_hand: tuple[HandMotion, ...] = ()
+    """What a person animated by hand in it."""
 
     @property
     def digest(self) -> str:
@@ -123,6 +126,8 @@ class SceneJob(Frozen):
         further: list[dict[str, object] | list[object]] = [found] if found else []
         if self.paints:
             further.append([paint.model_dump(mode="json") for paint in self.paints])
+        if self.by_hand:
+            further.append([[each.shot_id, each.asset_id, each.motion.digest] for each in self.by_hand])
         return content_hash(GEOMETRY_VERSION, scene, list(shots), list(geometry), self.fps, *further)
 
     @property

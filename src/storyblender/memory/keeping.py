@@ -71,7 +71,7 @@ def _changed(
 
 def _differs(old: object, new: object) -> bool:
     """Return whether a value that was there is another now."""
-    return old not in (None, ()) and old != new
+    return old not in (None, (), {}) and old != new
 
 
 def _overruled(name: str, old: ShotContext, new: ShotContext) -> Iterator[str]:
@@ -87,6 +87,8 @@ def _overruled(name: str, old: ShotContext, new: ShotContext) -> Iterator[str]:
         yield f"a person decided about the camera of {name}: {decision.words}"
     if (new.blocking_decision, new.blocking_takes) != (old.blocking_decision, old.blocking_takes):
         yield f"people decide about the marks of {name}"
+    if new.motion_by_hand != old.motion_by_hand:
+        yield f"people decide who is animated by hand in {name}"
     length = old.decided_duration
     if length is not None and (new.decided_duration, new.duration) != (length, length):
         yield f"a person decided that {name} has {length} frames"

@@ -12,7 +12,7 @@ LockName = Literal["camera", "blocking", "duration", "layout", "light", "set", "
 
 SHOT_LOCKS: Final[dict[ShotLock, tuple[str, ...]]] = {
     "camera": ("camera", "camera_instruction", "camera_decision"),
-    "blocking": ("blocking", "cues", "prop_states", "blocking_decision"),
+    "blocking": ("blocking", "cues", "prop_states", "blocking_decision", "motion_by_hand"),
     "duration": ("duration", "decided_duration"),
 }
 SCENE_LOCKS: Final[dict[SceneLock, tuple[str, ...]]] = {

@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 
 from storyblender.memory.base import (
     Coordinate,
+    Digest,
     Frames,
     Frozen,
     Identifier,
@@ -335,6 +336,8 @@ class ShotContext(Frozen):
     """Length in frames that a person gave the shot; it stays with the words of the shot when the script changes."""
     blocking_decision: BlockingDecision | None = Field(default=None, exclude_if=is_none)
     """Marks that a person set; they stay with the words of the shot when the script changes."""
+    motion_by_hand: dict[Identifier, Digest] = Field(default={}, exclude_if=lambda value: not value)
+    """What a person animated in Blender, by asset id: the content of a ``MotionByHand``, over what is acted."""
     take: int = Field(default=1, ge=1, le=999, exclude_if=lambda value: value == 1)
     """Number of the take that the film shows: that of the camera above."""
     takes: tuple[Take, ...] = Field(default=(), exclude_if=lambda value: not value)

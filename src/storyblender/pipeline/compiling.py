@@ -22,14 +22,15 @@ from storyblender.pipeline.run import Run
 STORY = "story.blend"
 SEQUENCES = "story"
 """Folder of the sequences' files."""
-STORY_VERSION = 4
+STORY_VERSION = 5
 """Raised when the same packs are compiled otherwise: the files of old projects are then compiled anew."""
 MOST_SCENES = 40
 """In one file; a story of more has a file a sequence. A scene takes 15 to 45 MB of a worker (measured)."""
 SEQUENCE = 20
 """Scenes in the file of a sequence."""
 
-_NOT_SHOWN = ("locked", "decided_duration", "blocking_decision", "stale", "notes", "approved", "omitted", "shot_order")
+_NOT_SHOWN = ("locked", "decided_duration", "blocking_decision", "motion_by_hand", "stale", "notes", "approved",
+              "omitted", "shot_order")  # fmt: skip
 """Fields of the graph that make no difference to a .blend."""
 
 

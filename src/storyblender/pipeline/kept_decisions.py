@@ -83,7 +83,7 @@ def takes_of(planned: ShotContext, past: ShotContext) -> dict[str, object]:
 def marks_of(
     old: ContinuityMemoryGraph, plan: ContinuityMemoryGraph, planned: ShotContext, past: ShotContext
 ) -> dict[str, object]:
-    """Return the marks that a person set in an old shot as an update of the new shot with its words.
+    """Return the marks that a person set in an old shot, and what they animated, for the new shot with its words.
 
     Those of people who are not in it any more go, and all of them where it plays in another kind of place.
 
@@ -103,7 +103,9 @@ def marks_of(
             BlockingTake(number=each.number, decision=_of_people(each.decision, planned)) for each in takes.others
         )
         update["blocking_takes"] = takes.model_copy(update={"others": tuple(others)})
-    return update
+    there = (*planned.on_stage, *plan.scene(planned.scene_id).setup.asset_ids)
+    by_hand = {name: digest for name, digest in past.motion_by_hand.items() if name in there}
+    return {**update, "motion_by_hand": by_hand} if by_hand else update
 
 
 def _of_people(decision: BlockingDecision | None, planned: ShotContext) -> BlockingDecision | None:

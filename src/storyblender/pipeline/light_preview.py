@@ -30,6 +30,7 @@ from storyblender.memory.shot_context import CameraState, ShotContext
 from storyblender.memory.shot_sizes import SHOT_SIZES
 from storyblender.memory.thing_states import Condition
 from storyblender.pipeline.filming import PackViewfinder
+from storyblender.pipeline.hand_motions import with_hand_motions
 from storyblender.pipeline.packing import pack_scene, scene_job
 from storyblender.pipeline.run import Run
 
@@ -105,7 +106,8 @@ class LightPreview:
         usual = RulesLightingArranger().propose(self._view)  # what lamps do to the set is the script's, not the plan's
         _, lit, found = self._lit(usual, lambda current, shot: current)
         scene = self._scene.model_copy(update={"setup": self._scene.setup.model_copy(update={"found": found})})
-        pack = pack_scene(self._run, scene_job(replace(self._run.graph, scene, *lit), scene.scene_id))
+        job = scene_job(replace(self._run.graph, scene, *lit), scene.scene_id)
+        pack = pack_scene(self._run, with_hand_motions(self._run, job))
         framed = (
             shot.model_copy(update={"frame": board_frame(shot, pack.played(shot.shot_id)), "joined": False})
             for shot in lit

@@ -9,6 +9,7 @@ from storyblender.memory.coverage import is_cut_anew, spans_of, staged_spans
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import PackRef, SceneJob
 from storyblender.memory.paint import paints_in
+from storyblender.pipeline.hand_motions import with_hand_motions
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.state_assets import assets_in_states, build_states
 
@@ -16,7 +17,7 @@ from storyblender.pipeline.state_assets import assets_in_states, build_states
 def pack_scenes(run: Run) -> None:
     """Build the packs, all at once over the pool; a pack that is there already is only looked up."""
     staged = [scene.scene_id for scene in run.graph.scenes if scene.layout is not None]
-    jobs = {scene_id: scene_job(run.graph, scene_id) for scene_id in staged}
+    jobs = {scene_id: with_hand_motions(run, scene_job(run.graph, scene_id)) for scene_id in staged}
     build_states(run, jobs.values())
     waiting: dict[int, Future[PackRef]] = {}
     for scene_id, job in jobs.items():

@@ -22,7 +22,7 @@ from storyblender.pipeline.sighting import ShotSight, Sighting, nodes_of
 from storyblender.reflection import Critique, Fault
 
 _NOT_JUDGED = {"lights", "blocking", "cues", "camera", "camera_retake", "locked", "decided_duration",
-               "blocking_decision", "stale", "notes", "approved", "omitted"}  # fmt: skip
+               "blocking_decision", "motion_by_hand", "stale", "notes", "approved", "omitted"}  # fmt: skip
 """Fields of a shot that the Frame Critic does not see, or sees in the picture."""
 CRITIC_VERSION = 7
 """Raised with every change of the critic's rules: kept reviews are then redone."""

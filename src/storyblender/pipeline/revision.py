@@ -37,7 +37,7 @@ _DECIDED = tuple(name for name in CameraDecision.model_fields if name in CameraI
 _STAGED = (
     "blocking", "cues", "prop_states", "asset_modifications", "duration", "lighting", "frame", "camera", "lights",
     "flaws", "locked", "decided_duration", "stale", "take", "takes", "notes", "approved", "omitted",
-    "blocking_decision",
+    "blocking_decision", "motion_by_hand",
 )  # fmt: skip
 """What the crew, and later a person, adds to the Director's shot."""
 
@@ -248,6 +248,8 @@ def _lost_locks(
             gone.append(f"its length of {shot.decided_duration} frames")
         if shot.blocking_decision is not None and (after is None or after.blocking_decision is None):
             gone.append(f"its marks: {shot.blocking_decision.words}")
+        lost = [name for name in shot.motion_by_hand if after is None or name not in after.motion_by_hand]
+        gone += [f"the motion by hand of {', '.join(lost)}"] if lost else []
         if shot.approved is not None and (after is None or after.approved is None):
             gone.append("its approval")
         if after is None:

@@ -89,7 +89,10 @@ def shot_reasons(run: Run, shot: ShotContext) -> ShotReasons:
     }  # fmt: skip
     return ShotReasons(
         shot=name,
-        decided=tuple(f"{part}: {each.words}" for part, each in decisions.items() if each is not None),
+        decided=(
+            *(f"{part}: {each.words}" for part, each in decisions.items() if each is not None),
+            *([f"animated by hand: {', '.join(shot.motion_by_hand)}"] if shot.motion_by_hand else ()),
+        ),
         roles=tuple(role_reasons(_events(run.project.path(TRACE)), (scene_name(shot.scene_id), name))),
         lines=tuple(line.text for line in outline.lines),
         words=tuple(_words_of(outline, _rules_read(run))),

@@ -310,6 +310,7 @@ def details_of(panel: Panel, graph: ContinuityMemoryGraph) -> ShotDetails:
         decided=(
             *(shot.camera_decision.words.split(", ") if shot.camera_decision is not None else ()),
             *([f"marks: {shot.blocking_decision.words}"] if shot.blocking_decision is not None else ()),
+            *([f"animated by hand: {', '.join(shot.motion_by_hand)}"] if shot.motion_by_hand else ()),
         ),
         takes=takes_of(shot),
         blocking_takes=_takes_of_decisions(shot.blocking_takes, shot.blocking_decision),

@@ -184,8 +184,8 @@ def _add_bones(rig: bpy.types.Armature) -> None:
     for limb in limbs_of(rig):
         upper, lower, end = (bones[name] for name in (limb.upper, limb.lower, limb.end))
         add(limb.control, end.head, end.tail).roll = end.roll
-        points = [np.array([value]) for value in (upper.matrix, lower.head, end.head)]
-        at = Vector(pole_keys(limb, *points, scale)[0][0])
+        places, _ = pole_keys(limb, *(np.array([each]) for each in (upper.matrix, lower.head, end.head)), scale=scale)
+        at = Vector(places[0])
         add(limb.pole, at, at + up)
 
 
