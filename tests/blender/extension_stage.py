@@ -67,15 +67,18 @@ def drawn() -> str:
 
 
 class Layout:
-    """Takes what a panel draws, and refuses what Blender would: icons, operators and properties that do not exist."""
+    """Takes what a panel draws, a paragraph as one line; refuses icons, operators and properties that do not exist."""
 
     ICONS = frozenset(bpy.types.UILayout.bl_rna.functions["label"].parameters["icon"].enum_items.keys())
 
     def __init__(self) -> None:
         self.said: list[str] = []
-        self.active, self.alert = True, False
+        self.active, self.alert, self.alignment = True, False, "EXPAND"
 
     def row(self, align: bool = False) -> Layout:
+        return self
+
+    def split(self, factor: float) -> Layout:
         return self
 
     def column(self, align: bool = False) -> Layout:
@@ -86,7 +89,10 @@ class Layout:
 
     def label(self, text: str = "", icon: str = "NONE") -> None:
         assert icon in self.ICONS, icon
-        self.said.append(f"{icon} {text}")
+        if icon == "BLANK1":  # a line of the paragraph above
+            self.said[-1] += f" {text}"
+        else:
+            self.said.append(f"{icon} {text}")
 
     def prop(self, data: Any, name: str, text: str = "", placeholder: str = "") -> None:
         assert name in data.bl_rna.properties, name

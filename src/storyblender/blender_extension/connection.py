@@ -38,9 +38,10 @@ class Studio:
     def __init__(self, host: str, key: str) -> None:
         self._host, self._key = host, key
 
-    def story(self) -> dict[str, Any]:
-        """Return the board, and all that is known of every shot."""
-        return {"board": self._call("board"), "shots": self._call("shots")}
+    def story(self, seen: str) -> dict[str, Any]:
+        """Return the board, and all that is known of every shot: nothing if that is of the revision that was seen."""
+        board = self._call("board")
+        return {"board": board, "shots": [] if board["revision"] == seen else self._call("shots")}
 
     def edit(self, edits: Sequence[dict[str, Any]], revision: str) -> None:
         """Make edits as one undo; refused if what they touch has changed since the revision."""
@@ -95,8 +96,8 @@ class Program:
     def __init__(self, path: str, project: Path) -> None:
         self._path, self._project = path, project
 
-    def story(self) -> dict[str, Any]:
-        """Return the board, and all that is known of every shot."""
+    def story(self, seen: str) -> dict[str, Any]:
+        """Return the board, and all that is known of every shot, whatever was seen."""
         return self._told("board", "shot", "list", str(self._project))
 
     def edit(self, edits: Sequence[dict[str, Any]], revision: str) -> None:

@@ -1,7 +1,6 @@
 """The panel in the sidebar of the 3D viewport: shots, the shot that is looked at, its notes and takes, the story."""
 
-import textwrap
-
+import blf
 import bpy
 
 from . import pictures
@@ -9,8 +8,10 @@ from .shots_in_file import warnings
 from .story import STORY
 from .work import WORK
 
-_LETTER = 6.5
-"""Width of a letter in points, about: Blender wraps no text."""
+_FONT = 0
+"""Blender's own."""
+_USUAL, _EDGES = 220, 94
+"""Points: the width of the sidebar as it opens, and what is around a text in it."""
 _PARTS = ("camera", "blocking", "duration")
 
 
@@ -22,12 +23,14 @@ class ShotList(bpy.types.UIList):
     def draw_item(self, context, layout, data, item, icon, active_data, active_property, index) -> None:
         """Show a row."""
         card = STORY.card(item.name)
-        row = layout.row(align=True)
-        row.active = not card.get("omitted", False)
-        row.label(text=item.name, icon="CAMERA_DATA")
-        for shown, text, symbol in _marks(card):
+        split = layout.split(factor=0.64)
+        split.active = not card.get("omitted", False)
+        split.label(text=item.name)
+        marks = split.row(align=True)
+        marks.alignment = "RIGHT"
+        for shown, symbol in _marks(card):
             if shown:
-                row.label(text=text, icon=symbol)
+                marks.label(icon=symbol)
 
 
 class StoryPanel(bpy.types.Panel):
@@ -74,18 +77,18 @@ class Shots(StoryPanel):
             _paragraph(layout, context, "Open the story.blend of a StoryBlender project.", icon="INFO")
             return
         row = layout.row()
-        known = {"studio": ("Connected to the studio", "LINKED"), "alone": ("On its own", "CONSOLE")}
+        known = {"studio": ("With the studio", "LINKED"), "alone": ("Without a studio", "CONSOLE")}
         text, symbol = known.get(STORY.link, ("Not connected", "UNLINKED"))
         row.label(text=text, icon=symbol)
         row.operator("storyblender.refresh", text="", icon="FILE_REFRESH")
         layout.template_list("STORYBLENDER_UL_shots", "", state, "shots", state, "active", rows=6)
         row = layout.row(align=True)
-        row.operator("storyblender.go_to", text="Previous", icon="TRIA_LEFT").step = -1
+        row.operator("storyblender.go_to", text="", icon="TRIA_LEFT").step = -1
         row.operator("storyblender.go_to", text="Go to", icon="VIEW_CAMERA").step = 0
-        row.operator("storyblender.go_to", text="Next", icon="TRIA_RIGHT").step = 1
+        row.operator("storyblender.go_to", text="", icon="TRIA_RIGHT").step = 1
         picture = STORY.picture(state.chosen)
         if picture is not None:
-            layout.template_icon(icon_value=pictures.icon_of(picture), scale=9.0)
+            layout.template_icon(icon_value=pictures.icon_of(picture), scale=8.0)
         row = layout.row(align=True)
         row.operator("storyblender.draw_frame", icon="RENDER_STILL")
         row.operator("storyblender.show_frame", text="", icon="WINDOW")
@@ -100,7 +103,7 @@ class Shots(StoryPanel):
         if STORY.problem:
             box = layout.box()
             box.alert = True
-            _paragraph(box, context, STORY.problem, icon="CANCEL")
+            _paragraph(box, context, STORY.problem, icon="CANCEL", less=12)
         for sentence in STORY.told:
             _paragraph(layout, context, sentence, icon="CHECKMARK")
         undo = STORY.board.get("undo", "")
@@ -123,11 +126,11 @@ class Shot(ShotPanel):
             _paragraph(layout, context, f"{said}{line['text']}", icon="SPEAKER" if said else "TEXT")
         for sentence in details["problems"]:
             _paragraph(layout, context, f"To check: {sentence}", icon="ERROR")
-        row = layout.row(align=True)
+        column = layout.column(align=True)
         for part in _PARTS:
             locked = part in details["locked"]
             symbol = "LOCKED" if locked else "UNLOCKED"
-            row.operator("storyblender.lock", text=part.title(), icon=symbol, depress=locked).part = part
+            column.operator("storyblender.lock", text=part.title(), icon=symbol, depress=locked).part = part
 
 
 class Notes(ShotPanel):
@@ -144,7 +147,7 @@ class Notes(ShotPanel):
             column = row.column()
             column.active = not note["resolved"]
             author = f"{note['author']}: " if note["author"] else ""
-            _paragraph(column, context, f"{author}{note['text']}", icon="NONE", less=3)
+            _paragraph(column, context, f"{author}{note['text']}", icon="TEXT", less=24)
             done = row.operator(
                 "storyblender.resolve_note", text="", icon="CHECKBOX_HLT" if note["resolved"] else "CHECKBOX_DEHLT"
             )
@@ -178,36 +181,43 @@ def _details(context: bpy.types.Context) -> dict:
     return STORY.details(context.window_manager.storyblender.chosen)
 
 
-def _marks(card: dict) -> list[tuple[bool, str, str]]:
-    """Return whether each mark of a shot is shown, with its text and its icon."""
-    state, notes, takes, problems = (card.get(key, 0) for key in ("state", "notes", "takes", "problems"))
+def _marks(card: dict) -> list[tuple[bool, str]]:
+    """Return the icon of each mark, and whether the shot has it."""
+    approved = card.get("approved", False)
     return [
-        (bool(card.get("omitted")), "", "HIDE_ON"),
-        (state in ("stale", "preview"), "", "FILE_REFRESH"),
-        (state == "none", "", "IMAGE_PLANE"),
-        (bool(card.get("approved")), "", "CHECKMARK"),
-        (bool(card.get("locked")), "", "LOCKED"),
-        (notes > 0, str(notes), "TEXT"),
-        (takes > 1, str(takes), "RENDERLAYERS"),
-        (problems > 0, str(problems), "ERROR"),
+        (card.get("omitted", False), "HIDE_ON"),
+        (card.get("state") in ("stale", "preview", "none"), "FILE_REFRESH"),
+        (approved, "CHECKMARK"),
+        (card.get("locked", False) and not approved, "LOCKED"),
+        (card.get("notes", 0) > 0, "TEXT"),
+        (card.get("takes", 0) > 1, "RENDERLAYERS"),
+        (card.get("problems", 0) > 0, "ERROR"),
     ]
 
 
 def _paragraph(layout: bpy.types.UILayout, context: bpy.types.Context, text: str, *, icon: str, less: int = 0) -> None:
-    """Show a text over as many lines as the sidebar needs for it.
+    """Show a text over as many lines as the sidebar needs for it, because Blender wraps none.
 
     Args:
         layout: Where.
         context: Of the sidebar.
         text: One paragraph.
         icon: Before its first line.
-        less: Letters that something beside it takes.
+        less: Points that something around it or beside it takes.
     """
     region, scale = context.region, context.preferences.system.ui_scale
-    width = region.width / scale if region is not None else 300.0
+    width = (region.width if region is not None else _USUAL * scale) - (_EDGES + less) * scale
+    blf.size(_FONT, context.preferences.ui_styles[0].widget.points * scale)
+    lines = [""]
+    for word in text.split():
+        longer = f"{lines[-1]} {word}".strip()
+        if lines[-1] and blf.dimensions(_FONT, longer)[0] > width:
+            lines.append(word)
+        else:
+            lines[-1] = longer
     column = layout.column(align=True)
-    for number, line in enumerate(textwrap.wrap(text, max(16, int(width / _LETTER) - 7 - less))):
-        column.label(text=line, icon=icon if number == 0 else ("NONE" if icon == "NONE" else "BLANK1"))
+    for number, line in enumerate(lines):
+        column.label(text=line, icon=icon if number == 0 else "BLANK1")
 
 
 _CLASSES = (ShotList, Shots, Shot, Notes, Takes)

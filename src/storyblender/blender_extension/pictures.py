@@ -22,6 +22,7 @@ def icon_of(path: Path) -> int:
         for old in [key for key in shown if key.startswith(f"{path}?")]:
             del shown[old]
         shown.load(name, str(path), "IMAGE")
+        _ = shown[name].image_size[0]  # loads it now, so that the panel that asks for it shows it
     return shown[name].icon_id
 
 

@@ -78,7 +78,7 @@ class Story:
             call: Made with the program, beside Blender.
             then: Hears what it returned, and may use Blender.
         """
-        project, path = self.project, program()
+        project, path, seen = self.project, program(), self.revision
         if project is None:
             self.problem = "this file is in no StoryBlender project: open its story.blend"
             return
@@ -87,7 +87,7 @@ class Story:
 
         def made() -> tuple[Any, str, dict[str, Any]]:
             link = reach(project, path)
-            return call(link), link.words, link.story()
+            return call(link), link.words, link.story(seen)
 
         def hear(answer: tuple[Any, str, dict[str, Any]]) -> None:
             if self.project == project:  # the person may have opened another file meanwhile
@@ -110,7 +110,7 @@ class Story:
     def _take(self, told: dict[str, Any]) -> None:
         self.board = told["board"]
         self._cards = {card["shot"]: card for scene in self.board["scenes"] for card in scene["shots"]}
-        self._details = {shot["shot"]: shot for shot in told["shots"]}
+        self._details |= {shot["shot"]: shot for shot in told["shots"]}
         self._list()
 
     def choose(self, name: str) -> None:

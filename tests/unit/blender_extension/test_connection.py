@@ -117,6 +117,13 @@ def test_a_wrong_key_and_a_refusal_are_told_in_a_sentence(studio: HTTPServer) ->
         Studio(f"127.0.0.1:{studio.server_port}", "right").undo()
 
 
+def test_what_was_seen_of_the_shots_is_not_asked_for_again(studio: HTTPServer) -> None:
+    Answering.answer = {"id": 1, "ok": True, "value": {"revision": "7.abc"}}
+    link = Studio(f"127.0.0.1:{studio.server_port}", "right")
+    assert link.story("7.abc")["shots"] == [] and link.story("6.abc")["shots"]
+    assert [call["call"] for call in Answering.asked] == ["board", "board", "shots"]
+
+
 def test_the_program_gets_edits_on_its_standard_input(tmp_path: Path) -> None:
     code = "import sys, json\njson.dump([sys.argv[1:], json.load(sys.stdin)], open(sys.argv[0] + '.said', 'w'))"
     path = program(tmp_path, code)
@@ -140,4 +147,4 @@ def test_why_the_program_failed_is_told(tmp_path: Path, code: str, said: str) ->
 
 def test_a_program_that_is_not_there_is_told(tmp_path: Path) -> None:
     with pytest.raises(NotDone, match="set Program"):
-        Program(str(tmp_path / "nowhere"), tmp_path).story()
+        Program(str(tmp_path / "nowhere"), tmp_path).story("")
