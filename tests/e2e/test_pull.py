@@ -11,6 +11,8 @@ from typing import Any
 
 import pytest
 
+from storyblender.deliver.panel import panels
+from storyblender.edits.words import edits_of
 from storyblender.project import read_project_graph
 from storyblender.settings import Settings
 from storyblender.studio import Studio
@@ -235,3 +237,17 @@ def test_what_was_changed_on_both_sides_is_a_conflict_and_the_project_stands(pro
         assert len(found.conflicts) == 1 and not found.understood
         session.undo()
         assert session.pull(apply=False).understood, "undone, there is no conflict any more"
+
+
+def test_an_older_file_that_is_saved_over_a_newer_one_is_written_anew(project: Path) -> None:
+    story = project / "story.blend"
+    with Studio(Settings.load(project=project)).open(project) as session:
+        session.render()
+        older, lens = story.read_bytes(), saved(project)["camera"][3]
+        shots = [panel.name for panel in panels(session.graph)]
+        edits = [{"kind": "camera", "shot": shot, "decision": {"lens": lens + 20}} for shot in shots]
+        session.draw(session.apply(edits_of(edits)))
+        assert abs(saved(project)["camera"][3] - lens) > 10
+        story.write_bytes(older)
+        session.render()
+    assert abs(saved(project)["camera"][3] - lens) > 10, "what was edited since is in the file"

@@ -18,14 +18,16 @@ def save_changes() -> None:
         bpy.ops.wm.save_mainfile()
 
 
-def tell(pulled: dict[str, Any]) -> None:
-    """Tell what became of what a person changed here.
+def taken_over(pulled: dict[str, Any]) -> None:
+    """Tell what became of what a person changed here, and open the file that has it.
 
     Args:
         pulled: As the program says it.
     """
     ways = {"understood": "Taken over", "conflicts": "Conflict", "kept": "Not taken over, kept in a copy"}
-    STORY.told = [f"{way}: {words}" for key, way in ways.items() for words in pulled[key]]
+    told = [f"{way}: {words}" for key, way in ways.items() for words in pulled[key]]
+    STORY.told = told or ["Nothing was changed here."]
+    open_anew()
 
 
 def open_anew() -> None:

@@ -4,7 +4,7 @@ import bpy
 
 from . import pictures
 from .connection import Program, Studio
-from .open_file import open_anew, reload, save_changes, tell
+from .open_file import open_anew, reload, save_changes, taken_over
 from .shots_in_file import go_to, shots
 from .story import STORY
 
@@ -85,12 +85,11 @@ class DrawFrame(ShotOperator):
         save_changes()
 
         def drawn(pulled: dict) -> None:
-            tell(pulled)
             pictures.show(STORY.picture(name))
             if pulled["understood"]:
-                told = STORY.told
-                STORY.ask("Writing story.blend", lambda link: link.push(), lambda _: open_anew())
-                STORY.told = told
+                STORY.ask("Writing story.blend", lambda link: link.push(), lambda _: taken_over(pulled))
+            else:
+                taken_over(pulled)
 
         STORY.ask(f"Drawing {name}", lambda link: (link.pull(), link.draw(name))[0], drawn)
         return {"FINISHED"}
@@ -131,12 +130,7 @@ class Pull(ShotOperator):
                 link.push()
             return pulled
 
-        def heard(pulled: dict) -> None:
-            tell(pulled)
-            STORY.told = STORY.told or ["Nothing was changed here."]
-            open_anew()
-
-        STORY.ask("Taking over what you changed", taken, heard)
+        STORY.ask("Taking over what you changed", taken, taken_over)
         return {"FINISHED"}
 
 

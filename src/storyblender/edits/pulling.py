@@ -68,7 +68,8 @@ def _with_file(run: Run, name: str, pulled: Pulled, *, apply: bool) -> Pulled:
             *(f"not taken over: {each}" for each in found.kept),
         ):
             run.tell(Event(kind="warning", role=name, message=sentence))
-        take_over(run, name, whole=bool(changes))
+        older = reading.compiled.version != run.project.version  # it may have been saved over a newer one
+        take_over(run, name, whole=bool(changes) or older)
     return Pulled(
         files=files,
         understood=(*pulled.understood, *found.understood),
