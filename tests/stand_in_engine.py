@@ -35,6 +35,7 @@ from storyblender.memory.jobs import (
     asset_suffixes,
 )
 from storyblender.memory.measure import AssetMeasure, CameraView, Collision, SubjectView, ViewRequest
+from storyblender.memory.paint import Paint
 from storyblender.memory.request import Picture
 from storyblender.memory.scene_context import Light
 from storyblender.trace import Event, Listener, silent
@@ -150,12 +151,12 @@ class StandInEngine:
         """A file of the stand-in says nothing of what it was compiled as."""
         return self._answer("read_story", BlendReading(compiled=None, saved=BlendValues(version="", scenes=())))
 
-    def portrait(self, job: AssetJob, out: str) -> Future[str]:
+    def portrait(self, job: AssetJob, out: str, paints: Sequence[Paint] = ()) -> Future[str]:
         with self.files.writing(out) as part:
             picture(job.digest).save(part)
         return self._answer("portrait", out)
 
-    def write_asset(self, job: AssetJob, out: str) -> Future[str]:
+    def write_asset(self, job: AssetJob, out: str, paints: Sequence[Paint] = ()) -> Future[str]:
         self.files.write(out, f"model {job.digest}")
         return self._answer("write_asset", out)
 

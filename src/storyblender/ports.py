@@ -27,6 +27,7 @@ from storyblender.memory.jobs import (
     StoryJob,
 )
 from storyblender.memory.measure import AssetMeasure, CameraView, Collision, ViewRequest
+from storyblender.memory.paint import Paint
 from storyblender.memory.request import Picture, Request
 
 __all__ = ["Answerer", "AssetSource", "Embedder", "Engine", "ViewRequest", "Viewfinder"]
@@ -205,21 +206,23 @@ class Engine(Protocol):
         """Write one scene as glTF or USD."""
         ...
 
-    def portrait(self, job: AssetJob, out: str) -> Future[str]:
+    def portrait(self, job: AssetJob, out: str, paints: Sequence[Paint] = ()) -> Future[str]:
         """Render a small picture of one asset.
 
         Args:
             job: The asset, which is built if it is not yet.
             out: Name of the PNG in the project folder; it is returned.
+            paints: What a person decided about its materials.
         """
         ...
 
-    def write_asset(self, job: AssetJob, out: str) -> Future[str]:
+    def write_asset(self, job: AssetJob, out: str, paints: Sequence[Paint] = ()) -> Future[str]:
         """Write one asset as glTF, for a viewer.
 
         Args:
             job: The asset; people and things that are built come from the store, another thing is built for it.
             out: Name of the .glb in the project folder; it is returned.
+            paints: What a person decided about its materials.
         """
         ...
 

@@ -2,6 +2,7 @@
 
 import { LitElement, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
+import { linear } from "./colors";
 import type { AssetDetails, Candidate, Edit } from "./messages";
 import type { Wire } from "./wire";
 
@@ -10,6 +11,8 @@ const SIDES = ["width", "depth", "height"] as const;
 @customElement("sb-thing")
 export class AssetThing extends LitElement {
   @property({ attribute: false }) details!: AssetDetails;
+  /** Materials that it can be painted with, and their colours. */
+  @property({ attribute: false }) finishes: Record<string, string> = {};
   @property({ attribute: false }) wire!: Wire;
   @state() private candidates: Candidate[] | null = null;
   @state() private words = "";
@@ -66,7 +69,7 @@ export class AssetThing extends LitElement {
     return html`
       <p class="told">Made from ${details.source}${details.match !== null && own ? html` <span class="score">fits ${details.match.toFixed(1)} of 10</span>` : nothing}</p>
       ${details.credit ? html`<p class="told">${[details.credit.author, details.credit.license, details.credit.copyright].filter(Boolean).join(", ") || "Nothing is said of whose work it is."}</p>` : nothing}
-      ${own ? html`${this.size()}${this.others()}` : html`<p class="told">It furnishes a set: change it under <i>Set and light</i>, or move and scale it on the stage.</p>`}
+      ${own ? html`${this.size()}${this.paint()}${this.others()}` : html`<p class="told">It furnishes a set: change it under <i>Set and light</i>, or move and scale it on the stage.</p>`}
       ${details.image_prompt ? html`<details><summary>Words for a service that makes a picture of it</summary><p class="told">${details.image_prompt}</p></details>` : nothing}`;
   }
 
@@ -79,6 +82,23 @@ export class AssetThing extends LitElement {
       ${this.details.source.startsWith("your model")
         ? html`<button @click=${() => this.dispatchEvent(new Event("turning"))}>Correct front and up</button>`
         : nothing}
+    </fieldset>`;
+  }
+
+  private painted(look: Record<string, unknown> | null): void {
+    const edit: Edit = { kind: "paint", thing: this.details.asset, look };
+    this.dispatchEvent(new CustomEvent("edit", { detail: [edit] }));
+  }
+
+  private paint() {
+    const { color, painted, locked } = this.details;
+    return html`<fieldset ?disabled=${locked}><legend>Colour and material</legend>
+      <label>Colour <input type="color" data-field="color" .value=${color || "#808080"}
+        @change=${(event: Event) => this.painted({ color: linear((event.target as HTMLInputElement).value) })} /></label>
+      <label>Material <select data-field="finish" @change=${(event: Event) => this.painted({ finish: (event.target as HTMLSelectElement).value })}>
+        <option value="" selected disabled>choose ...</option>
+        ${Object.entries(this.finishes).map(([key, tone]) => html`<option value=${key} style="background: ${tone}">${key.replaceAll("_", " ")}</option>`)}</select></label>
+      ${painted ? html`<button class="quiet" @click=${() => this.painted(null)}>As it was made</button>` : nothing}
     </fieldset>`;
   }
 

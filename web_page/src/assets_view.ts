@@ -16,7 +16,8 @@ export class AssetsView extends LitElement {
   @property({ attribute: false }) wire!: Wire;
   @state() private cast: Cast | null = null;
   @state() private details: AssetDetails | null = null;
-  @state() private chosen = "";
+  /** Who or what is large. */
+  @property({ attribute: false }) chosen = "";
   @state() private pictures: Record<string, string> = {};
   @state() private furniture = false;
   @state() private turning = false;
@@ -71,6 +72,7 @@ export class AssetsView extends LitElement {
     const same = asset === this.chosen && this.details !== null;
     const asked = ++this.asked;
     [this.chosen, this.why, this.loading] = [asset, "", true];
+    this.dispatchEvent(new CustomEvent("chose", { detail: asset }));
     if (!same) [this.details, this.turning] = [null, false];
     if (!asset) return;
     try {
@@ -210,7 +212,7 @@ export class AssetsView extends LitElement {
         ${details.locked ? nothing : html`<button class="quiet" data-give-back @click=${() => this.edit([{ kind: "unlock", target: details.asset }])}>Give back to the crew</button>`}</p>` : nothing}
       ${details.look
         ? html`<sb-look .details=${details} .look=${details.look} .choices=${this.cast!.choices} @edit=${this.passed}></sb-look>`
-        : html`<sb-thing .details=${details} .wire=${this.wire} @edit=${this.passed} @turning=${() => this.beginTurning()}></sb-thing>`}
+        : html`<sb-thing .details=${details} .finishes=${this.cast!.choices.finishes} .wire=${this.wire} @edit=${this.passed} @turning=${() => this.beginTurning()}></sb-thing>`}
       <h3>Seen in</h3>
       ${details.shown_in.map((each) => html`<p class="seen">${each.title || each.scene}<br />
         ${each.shots.map((shot) => html`<button class="quiet" @click=${() => this.dispatchEvent(new CustomEvent("goto", { detail: shot }))}>${shot}</button>`)}</p>`)}

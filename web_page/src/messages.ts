@@ -233,6 +233,7 @@ export interface LookChoices {
   skins: Record<string, string>;
   hair: Record<string, string>;
   garments: { key: string; name: string; on: string; colors: string[] }[];
+  finishes: Record<string, string>;
 }
 
 export interface Cast {
@@ -265,6 +266,8 @@ export interface AssetDetails extends Omit<AssetCard, "picture"> {
   credit: { author: string; license: string; copyright: string; url: string } | null;
   image_prompt: string;
   decisions: string[];
+  color: string;
+  painted: boolean;
   look: LookNow | null;
   front: string;
   top: string;

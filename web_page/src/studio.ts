@@ -34,6 +34,8 @@ export class Studio extends LitElement {
   @state() private places: Places | null = null;
   @state() private status: Status | null = null;
   @state() private selected: string[] = [];
+  /** The person or thing that was looked at last. */
+  private asset = "";
   @state() private view: View = "board";
   @state() private events: CrewEvent[] = [];
   @state() private said: { text: string; wrong: boolean } | null = null;
@@ -254,7 +256,7 @@ export class Studio extends LitElement {
             this.edit(event.detail.edits).then(event.detail.settled)}
           @select=${select}></sb-stage>`;
       case "assets":
-        return html`<sb-assets .board=${board} .wire=${this.wire} @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}
+        return html`<sb-assets .board=${board} .wire=${this.wire} .chosen=${this.asset} @chose=${(event: CustomEvent<string>) => (this.asset = event.detail)} @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}
           @goto=${(event: CustomEvent<string>) => ([this.selected, this.view] = [[event.detail], "board"])}></sb-assets>`;
       case "set":
         return html`<sb-set .board=${board} .selected=${this.selected} .wire=${this.wire} @select=${select}

@@ -48,6 +48,7 @@ from storyblender.memory.jobs import (
     StoryJob,
 )
 from storyblender.memory.measure import AssetMeasure, CameraView, Collision, ViewRequest
+from storyblender.memory.paint import Paint
 from storyblender.memory.request import Picture
 
 if TYPE_CHECKING:
@@ -284,38 +285,50 @@ class BlenderSession:
                 self._files.write(beside.as_posix(), picture.read_bytes())
         return job.out
 
-    def portrait(self, job: AssetJob, out: str) -> str:
+    def portrait(self, job: AssetJob, out: str, paints: tuple[Paint, ...] = ()) -> str:
         """Render a small picture of one asset to ``out``.
 
         Args:
             job: The asset, with its canonical.
             out: Path of the picture, relative to the project folder; it is returned.
+            paints: What a person decided about its materials.
         """
         from storyblender.blender.props.portrait import render_portrait
 
         canonical = job.asset.canonical
         assert canonical is not None, "a portrait shows what an asset became"
-        parts = self._parts_of(job)
+        parts = self._parts_of(job, paints)
         with self._files.writing(out) as part:
             render_portrait(parts, part, head=canonical.key in HAIRSTYLES)
         return out
 
-    def write_asset(self, job: AssetJob, out: str) -> str:
+    def write_asset(self, job: AssetJob, out: str, paints: tuple[Paint, ...] = ()) -> str:
         """Write one asset as glTF to ``out``.
 
         Args:
             job: The asset, with its canonical.
             out: Path of the file, relative to the project folder; it is returned.
+            paints: What a person decided about its materials.
         """
         from storyblender.blender.asset_glb import write_asset
 
-        parts = self._parts_of(job)
+        parts = self._parts_of(job, paints)
         with self._files.writing(out) as part:
             write_asset(parts, part)
         return out
 
-    def _parts_of(self, job: AssetJob) -> list[bpy.types.Object]:
-        """Return the mesh objects of an asset alone in an empty file; a person stands at ease."""
+    def _parts_of(self, job: AssetJob, paints: tuple[Paint, ...]) -> list[bpy.types.Object]:
+        """Return the mesh objects of an asset alone in an empty file, painted; a person stands at ease."""
+        from storyblender.blender.painting import paint_objects
+
+        parts = self._unpainted(job)
+        for obj in parts:
+            obj["asset_id"] = job.asset.asset_id
+        paint_objects(parts, paints)
+        return parts
+
+    def _unpainted(self, job: AssetJob) -> list[bpy.types.Object]:
+        """Return the mesh objects of an asset, as they were made."""
         from storyblender.blender.people.at_ease import stand_at_ease
 
         self._close_pack()

@@ -9,7 +9,7 @@ from typing import Any, Final
 from storyblender.errors import InputError, StaleEdit
 from storyblender.history_files import commit_name, read_commit
 from storyblender.memory.base import scene_name, shot_name
-from storyblender.memory.history import Change, Commit
+from storyblender.memory.history import PEOPLE, Change, Commit
 from storyblender.project import Project
 
 Aspect = tuple[str, str]
@@ -37,6 +37,8 @@ _FIELDS: Final[dict[str, dict[str, str]]] = {
                "look_decision": "asset", "turned_down": "asset", "name": "name"},
 }  # fmt: skip
 """Which field of an item is which aspect. What the crew derives from them, such as lamps or marks, is none."""
+_BUILT: Final = frozenset(("dimension", "canonical"))
+"""Fields of an asset that follow from the others when the crew builds it."""
 
 
 def refuse_stale(project: Project, version: str, touched: Collection[Aspect]) -> None:
@@ -80,16 +82,17 @@ def _concerned(commit: Commit, touched: Collection[Aspect]) -> Iterator[Aspect]:
         yield from touched
         return
     for change in commit.changes:
-        yield from {each for each in _aspects(change) if each in touched}
+        yield from {each for each in _aspects(change, commit.author) if each in touched}
 
 
-def _aspects(change: Change) -> Iterator[Aspect]:
+def _aspects(change: Change, author: str) -> Iterator[Aspect]:
     before, after = change.before or {}, change.after or {}
     name = _name(change)
     if change.layer == "head":
         yield from _painted_otherwise(before.get("paints", ()), after.get("paints", ()))
     for field, aspect in _FIELDS.get(change.layer, {}).items():
-        if before.get(field) != after.get(field):
+        derived = field in _BUILT and author not in PEOPLE
+        if before.get(field) != after.get(field) and not derived:
             yield name, aspect
     if change.layer in ("shots", "scenes"):
         for lock in {*before.get("locked", ())} ^ {*after.get("locked", ())}:

@@ -31,6 +31,7 @@ from storyblender.memory.jobs import (
     StoryJob,
 )
 from storyblender.memory.measure import AssetMeasure, CameraView, Collision, ViewRequest
+from storyblender.memory.paint import Paint
 from storyblender.memory.request import Picture
 from storyblender.trace import Event, Listener, silent
 
@@ -157,13 +158,15 @@ class BlenderEngine:
         """Write one scene as glTF or USD."""
         return self._pool.submit("export_scene", {"job": _plain(job)}, str)
 
-    def portrait(self, job: AssetJob, out: str) -> Future[str]:
+    def portrait(self, job: AssetJob, out: str, paints: Sequence[Paint] = ()) -> Future[str]:
         """Render a small picture of one asset."""
-        return self._once(out, "portrait", {"job": _plain(job), "out": out}, str)
+        arguments = {"job": _plain(job), "out": out, "paints": [_plain(each) for each in paints]}
+        return self._once(out, "portrait", arguments, str)
 
-    def write_asset(self, job: AssetJob, out: str) -> Future[str]:
+    def write_asset(self, job: AssetJob, out: str, paints: Sequence[Paint] = ()) -> Future[str]:
         """Write one asset as glTF."""
-        return self._once(out, "write_asset", {"job": _plain(job), "out": out}, str)
+        arguments = {"job": _plain(job), "out": out, "paints": [_plain(each) for each in paints]}
+        return self._once(out, "write_asset", arguments, str)
 
     def draw_sides(self, job: AssetJob, folder: str) -> Future[Vec3]:
         """Render an object from its six sides and as a portrait."""

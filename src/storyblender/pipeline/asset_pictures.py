@@ -9,7 +9,10 @@ from storyblender.agents.concept_artist.asset_retriever_view import AssetRetriev
 from storyblender.agents.concept_artist.retriever import RulesAssetRetriever
 from storyblender.catalog.meanings import WORDS_BY_AGE
 from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.base import content_hash
+from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import AssetJob
+from storyblender.memory.paint import Paint
 from storyblender.pipeline.asset_files import assets_to_build
 from storyblender.pipeline.run import Run
 
@@ -30,13 +33,30 @@ def view_of(run: Run, asset: Asset, kind: Literal["png", "glb"]) -> Path:
     Raises:
         EngineError: It cannot be built.
     """
-    job = AssetJob(asset=asset)
-    name = f"{SHOWN}/{job.digest}.{kind}"
+    name = view_name(run.graph, asset, kind)
     if not run.outputs.whole(name):
         make = run.engine.portrait if kind == "png" else run.engine.write_asset
-        make(job, name).result()
+        make(AssetJob(asset=asset), name, _paints_on(run.graph, asset)).result()
         run.outputs.note(name)
     return run.project.path(name)
+
+
+def view_name(graph: ContinuityMemoryGraph, asset: Asset, kind: Literal["png", "glb"]) -> str:
+    """Return the name of a picture or of the glTF of an asset in the project: it tells all that is seen.
+
+    Args:
+        graph: The story, with what is painted.
+        asset: With its canonical.
+        kind: A picture, or glTF.
+    """
+    digest, paints = AssetJob(asset=asset).digest, _paints_on(graph, asset)
+    return f"{SHOWN}/{content_hash(digest, *paints) if paints else digest}.{kind}"
+
+
+def _paints_on(graph: ContinuityMemoryGraph, asset: Asset) -> tuple[Paint, ...]:
+    """Return what a person painted on an asset wherever it is, or on a material of the whole story."""
+    everywhere = (each for each in graph.paints if each.target.scene_id is None and each.target.node_id is None)
+    return tuple(each for each in everywhere if each.target.asset_id in (None, asset.asset_id))
 
 
 def built_asset(run: Run, asset_id: str) -> Asset:

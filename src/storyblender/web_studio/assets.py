@@ -12,7 +12,7 @@ from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Described
 from storyblender.memory.jobs import AssetJob
-from storyblender.pipeline.asset_pictures import SHOWN
+from storyblender.pipeline.asset_pictures import view_name
 from storyblender.session import Session
 from storyblender.web_studio.messages import AssetCall
 from storyblender.workplace.cast import AssetCard, AssetDetails, LookChoices, asset_details, cards_of, look_choices
@@ -88,12 +88,12 @@ def answer_about_assets(session: Session, call: AssetCall) -> Any:
             return _address(session.asset_view(_as_in_file(built) if call.as_in_file else built, "glb"))
         case _:
             offered = session.candidates(asset.asset_id, call.words)
-            return [_candidate(session.folder, asset, each).model_dump() for each in offered]
+            return [_candidate(session, asset, each).model_dump() for each in offered]
 
 
 def _cast(session: Session) -> Cast:
     graph = session.graph
-    pictures = {asset.asset_id: _drawn(session.folder, asset) for asset in graph.assets}
+    pictures = {asset.asset_id: _drawn(session, asset) for asset in graph.assets}
     cards = (PicturedCard(**card.model_dump(), picture=pictures[card.asset]) for card in cards_of(graph))
     return Cast(cards=tuple(cards), choices=look_choices())
 
@@ -113,7 +113,7 @@ def _offered(session: Session, asset: Asset, call: AssetCall) -> Asset:
     raise InputError("it is not offered any more", mend="look at the candidates again")
 
 
-def _candidate(folder: Path, asset: Asset, offered: Asset) -> Candidate:
+def _candidate(session: Session, asset: Asset, offered: Asset) -> Candidate:
     made = offered.canonical
     assert made is not None, "what is offered is known"
     own = made.source == "file"
@@ -125,7 +125,7 @@ def _candidate(folder: Path, asset: Asset, offered: Asset) -> Candidate:
         source="your models" if own else "library",
         score=made.match_score or 0.0,
         chosen=asset.canonical is not None and asset.canonical.key == made.key,
-        picture=_drawn(folder, offered),
+        picture=_drawn(session, offered),
     )
 
 
@@ -138,10 +138,10 @@ def _as_in_file(asset: Asset) -> Asset:
     return asset.model_copy(update={"canonical": made.model_copy(update={"params": params, "geometry_hash": ""})})
 
 
-def _drawn(folder: Path, asset: Asset) -> str:
+def _drawn(session: Session, asset: Asset) -> str:
     """Return the address of the picture of an asset; empty if it is not drawn yet."""
-    name = f"{AssetJob(asset=asset).digest}.png"
-    return f"/cast/{name}" if (folder / SHOWN / name).is_file() else ""
+    path = session.folder / view_name(session.graph, asset, "png")
+    return _address(path) if path.is_file() else ""
 
 
 def _address(path: Path) -> str:

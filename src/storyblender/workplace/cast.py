@@ -9,12 +9,14 @@ from storyblender.catalog.bodies import SKIN_TONES, complexion, resolved_gender,
 from storyblender.catalog.garments import GARMENTS
 from storyblender.catalog.hair import HAIRSTYLES
 from storyblender.catalog.material_entry import hex_code
+from storyblender.catalog.materials import MATERIALS
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.wardrobe import look_words, person_seed, worn_by
 from storyblender.edits.targets import person_or_thing
 from storyblender.memory.asset_sheet import Asset, CharacterLook, Credit
 from storyblender.memory.base import Described, scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.paint import Paint, PaintTarget
 
 AssetSort = Literal["person", "thing", "furniture"]
 
@@ -110,6 +112,10 @@ class AssetDetails(AssetCard):
     """For services that make a picture and a model of it."""
     decisions: tuple[str, ...]
     """What a person decided, in words."""
+    color: str
+    """Of a thing: of what covers most of it, hex; empty where that is not known."""
+    painted: bool
+    """Whether a person painted it."""
     look: LookNow | None
     """Of people."""
 
@@ -143,7 +149,9 @@ def asset_details(graph: ContinuityMemoryGraph, name: str) -> AssetDetails:
         match=made.match_score if made is not None else None,
         credit=made.provenance if made is not None else None,
         image_prompt=asset.image_prompt,
-        decisions=_decisions(asset),
+        decisions=(*_decisions(asset), *(f"painted {paint.look.words}" for paint in _paints_on(graph, asset))),
+        color=_color(graph, asset),
+        painted=bool(_paints_on(graph, asset)),
         look=_look_now(asset) if asset.asset_type == "character" else None,
     )
 
@@ -190,8 +198,26 @@ def _source(asset: Asset) -> str:
 def _decisions(asset: Asset) -> tuple[str, ...]:
     said = [look_words(asset.look_decision)] if asset.look_decision is not None else []
     if asset.decision is not None:
-        said.append(f"made from {asset.decision.prop.replace('_', ' ')}")
+        said.append(f"made from {asset.decision.words}")
     return tuple(said)
+
+
+def _paints_on(graph: ContinuityMemoryGraph, asset: Asset) -> list[Paint]:
+    """Return what a person painted on one asset wherever it is."""
+    return [each for each in graph.paints if each.target == PaintTarget(asset_id=asset.asset_id)]
+
+
+def _color(graph: ContinuityMemoryGraph, asset: Asset) -> str:
+    """Return the colour of what covers most of a thing, hex; empty where that is not known."""
+    for paint in _paints_on(graph, asset):
+        finish = MATERIALS[paint.look.finish].color if paint.look.finish else None
+        if (color := paint.look.color or finish) is not None:
+            return hex_code(color)
+    made = asset.canonical
+    if made is None or made.source != "catalog" or made.key not in PROPS or not PROPS[made.key].materials:
+        return ""
+    told = made.params.get("material", next(iter(PROPS[made.key].materials.values())))
+    return str(made.params.get("color") or hex_code(MATERIALS[str(told)].color if told in MATERIALS else (0, 0, 0)))
 
 
 def _look_now(asset: Asset) -> LookNow:
@@ -256,6 +282,8 @@ class LookChoices(Described):
     """Key and name of every hair style."""
     garments: tuple[GarmentChoice, ...]
     """All of the catalogue, from the inside out."""
+    finishes: dict[str, str]
+    """Materials that things can be painted with: key and colour, hex."""
 
 
 def look_choices() -> LookChoices:
@@ -263,6 +291,7 @@ def look_choices() -> LookChoices:
     return LookChoices(
         skins={tone: hex_code(color) for tone, color in SKIN_TONES.items()},
         hair={key: style.name for key, style in HAIRSTYLES.items()},
+        finishes={key: hex_code(each.color) for key, each in MATERIALS.items()},
         garments=tuple(
             GarmentChoice(key=spec.key, name=spec.name, on=next(iter(spec.covers), ""), colors=spec.colors)
             for spec in sorted(GARMENTS.values(), key=lambda spec: spec.layer)

@@ -11,7 +11,7 @@ from storyblender.catalog.garments import GARMENTS
 from storyblender.catalog.wardrobe import garment_named, put_on, worn_by
 from storyblender.edits.look_words import look_edit
 from storyblender.edits.words import edits_of
-from storyblender.errors import InputError, Rejected
+from storyblender.errors import InputError, Rejected, StaleEdit
 from storyblender.memory.asset_sheet import Asset, Garment
 from storyblender.memory.base import shot_name
 from storyblender.memory.edits import EDITS
@@ -64,6 +64,15 @@ def test_what_is_decided_later_lies_over_what_was_decided(session: Session) -> N
     apply(session, look(hair="bob"))
     decided = tom(session).decided_look
     assert decided is not None and (decided.hair, decided.age) == ("bob", 60.0)
+
+
+def test_an_edit_made_while_the_person_is_still_being_built_is_no_conflict(session: Session) -> None:
+    seen = session.apply(edits_of([look(wear=[{"key": "coat"}])])).version
+    session.render()
+    session.apply(edits_of([look(wear=[{"key": "coat", "color": [0.6, 0, 0]}])]), seen)
+    assert Garment(key="coat", color=(0.6, 0.0, 0.0)) in worn_by(tom(session))
+    with pytest.raises(StaleEdit):
+        session.apply(edits_of([look(hair="bob")]), seen)
 
 
 def test_it_goes_back_byte_for_byte_and_is_made_again(session: Session) -> None:

@@ -82,6 +82,16 @@ def test_what_a_thing_could_be_is_offered_with_pictures_and_taken(browser: Brows
     assert details["made_from"] == "vase" and details["decisions"] == ["made from vase"]
 
 
+def test_what_is_painted_is_told_and_drawn_anew(browser: Browser) -> None:
+    before = browser.value("asset_picture", asset="letter")
+    browser.value("apply", edits=[{"kind": "paint", "thing": "letter", "look": {"color": [1.0, 0.0, 0.0]}}])
+    details = browser.value("asset", asset="letter")
+    assert details["painted"] and details["color"] == "#ff0000" and "painted" in details["decisions"][0]
+    assert card(browser, "letter")["picture"] == "" and browser.value("asset_picture", asset="letter") != before
+    browser.value("undo")
+    assert card(browser, "letter")["picture"] == before and not browser.value("asset", asset="letter")["painted"]
+
+
 def test_nothing_but_pictures_and_models_of_assets_is_served(browser: Browser) -> None:
     for name in ("..%2F..%2Fgraph.json", "graph.json", "0123456789abcdef.json", "ffffffffffffffff.png"):
         assert browser.client.get(f"/cast/{name}").status_code == 404  # type: ignore[attr-defined]
