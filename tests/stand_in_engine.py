@@ -74,6 +74,11 @@ class StandInEngine:
     ) -> None:
         """Nothing runs."""
 
+    @property
+    def front(self) -> StandInEngine:
+        """It is never busy."""
+        return self
+
     def warm(self) -> None:
         """Nothing to start."""
 
@@ -96,13 +101,19 @@ class StandInEngine:
         return self._answer("build_asset", measure)
 
     def pack_scene(self, job: SceneJob) -> Future[PackRef]:
+        self.files.write(job.out, f"pack {job.digest}")
+        return self._answer("pack_scene", self._packed(job))
+
+    def rehearse(self, job: SceneJob, shot_ids: Sequence[int]) -> Future[PackRef]:
+        return self._answer("rehearse", self._packed(job))
+
+    def _packed(self, job: SceneJob) -> PackRef:
         self._scenes[job.out] = job
         starts, start = [], 1
         for shot in job.shots:
             starts.append((shot.shot_id, start))
             start += shot.duration
-        self.files.write(job.out, f"pack {job.digest}")
-        return self._answer("pack_scene", PackRef(scene_id=job.scene.scene_id, path=job.out, starts=tuple(starts)))
+        return PackRef(scene_id=job.scene.scene_id, path=job.out, starts=tuple(starts))
 
     def read_figures(self, pack: PackRef, frames: Sequence[int]) -> Future[list[list[Figure]]]:
         return self._answer("read_figures", [self._figures(pack, frame) for frame in frames])

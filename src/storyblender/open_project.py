@@ -21,6 +21,7 @@ from storyblender.errors import Cancelled, InputError, StoryBlenderError
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.pipeline.adopting import adopt_earlier_outputs
 from storyblender.pipeline.filming import film
+from storyblender.pipeline.rehearsing import CamerasToMatch
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.updating import bring_up_to_date
 from storyblender.ports import AssetSource, Engine
@@ -63,6 +64,7 @@ class OpenProject:
         self._busy, self._telling = RLock(), Lock()
         self._cancelled = cancelled or Signal()
         self._closed = False
+        self._matching: CamerasToMatch | None = None
         for sentence in project.notices:
             self._tell(Event(kind="warning", role="project", subject=project.folder.name, message=sentence))
 
@@ -114,8 +116,9 @@ class OpenProject:
         return lambda: self._listeners.remove(listener)
 
     def warm(self) -> None:
-        """Start Blender now, for a call that is sure to come."""
-        self._engine.warm()
+        """Start Blender now, for a preview that is sure to come."""
+        with self._alone():
+            self._engine.front.warm()
 
     def cancel(self) -> None:
         """End the call under way, from any thread: it raises Cancelled before its next step or job."""
@@ -160,6 +163,7 @@ class OpenProject:
             self._refuse_unmade()
             bring_up_to_date(run)
             film(run)
+            self._matching = CamerasToMatch(run)
             yield run
 
     def _tell(self, event: Event) -> None:

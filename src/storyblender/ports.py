@@ -117,7 +117,12 @@ class Engine(Protocol):
         ...
 
     def cancel_waiting(self) -> None:
-        """Cancel the jobs that no process has begun; those under way end as usual."""
+        """Cancel the jobs that no process has begun; those under way end as usual, though nobody may wait for them."""
+        ...
+
+    @property
+    def front(self) -> Engine:
+        """An engine of the same project for what a person waits for, beside what this one is busy with."""
         ...
 
     def build_asset(self, job: AssetJob) -> Future[AssetMeasure]:
@@ -126,6 +131,15 @@ class Engine(Protocol):
 
     def pack_scene(self, job: SceneJob) -> Future[PackRef]:
         """Build one scene with the motion of all its shots."""
+        ...
+
+    def rehearse(self, job: SceneJob, shot_ids: Sequence[int]) -> Future[PackRef]:
+        """Have a scene be as its pack will be in some of its shots, without building and saving all of it.
+
+        Args:
+            job: The scene.
+            shot_ids: Staged shots of it; calls on the pack that is returned see them, until another one is rehearsed.
+        """
         ...
 
     def read_figures(self, pack: PackRef, frames: Sequence[int]) -> Future[list[list[Figure]]]:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Literal
 
 from storyblender.deliver.contact_sheet import write_contact_sheet
 from storyblender.edits.dispatcher import Applied, apply_edits
+from storyblender.edits.effect import name_of
 from storyblender.edits.pulling import Pulled, pull
 from storyblender.edits.targets import shots_named
 from storyblender.edits.undo import next_steps, redo_edit, undo_edit
@@ -29,7 +30,8 @@ from storyblender.pipeline.drawing import DELIVERED, draw_frames, draw_shots
 from storyblender.pipeline.filming import cuts_made_wrong, film, with_cuts_judged
 from storyblender.pipeline.packing import pack_scenes
 from storyblender.pipeline.panorama import keep_panoramas, take_in_panorama
-from storyblender.pipeline.previewing import moment_of, preview_shots
+from storyblender.pipeline.previewing import moment_of, preview_shot
+from storyblender.pipeline.rehearsing import CamerasToMatch, rehearse
 from storyblender.pipeline.reviewing import FrameReview, review_frames
 from storyblender.pipeline.shooting import (
     drawn_shots,
@@ -38,7 +40,7 @@ from storyblender.pipeline.shooting import (
     undrawn_shots,
 )
 from storyblender.pipeline.shown import note_shown, shows
-from storyblender.pipeline.updating import bring_up_to_date
+from storyblender.pipeline.updating import bring_scene_up_to_date, bring_up_to_date
 from storyblender.results import Delivery
 from storyblender.settings import REMEMBERED, Settings
 from storyblender.trace import Event
@@ -233,9 +235,23 @@ class Session(OpenProject):
                 self._settings = usual
 
     def preview(self, names: Sequence[str]) -> dict[str, Path]:
-        """Draw shots small and quickly, to see what an edit did, and return the pictures; raises as ``render``."""
-        with self._filming() as run:
-            return preview_shots(run, shots_named(run.graph, names))
+        """Draw shots small and quickly, to see what an edit did, and return the pictures; raises as ``render``.
+
+        Only their scenes are made anew, and of these only what these shots show.
+        """
+        with self._call() as run:
+            self._refuse_unmade()
+            shots = shots_named(run.graph, names)
+            matching = self._matching or CamerasToMatch(run)
+            return {name_of(shot): preview_shot(run, shot, matching) for shot in shots}
+
+    def rehearse(self, name: str) -> None:
+        """Have Blender stand ready to preview edits of a shot that a person looks at; raises as ``render``."""
+        with self._call() as run:
+            self._refuse_unmade()
+            [shot] = shots_named(run.graph, [name])
+            bring_scene_up_to_date(run, shot.scene_id)
+            rehearse(run.in_front(), shot)
 
     def moment(self, name: str, frame: int | None = None) -> tuple[Path, int]:
         """Return what a shot's scene looks like at one moment as glTF, and that moment; raises as ``render``.

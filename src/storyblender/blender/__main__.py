@@ -18,6 +18,9 @@ from pathlib import Path
 _SIGNAL_AT_PARENTS_END = 1
 """``PR_SET_PDEATHSIG``: an option of the system call ``prctl``."""
 
+_YIELDING = 10
+"""Added to how nice the process is to others: it gets a tenth of a processor that somebody waits for."""
+
 
 def main() -> None:
     """Serve until the client closes the pipe, then exit at once: an interpreter that used Blender may hang at exit."""
@@ -43,7 +46,10 @@ def _serve(words: Sequence[str]) -> None:
     parser.add_argument("--root", type=Path, required=True, help="the project folder; no job may leave it")
     parser.add_argument("--models", type=Path, action="append", default=[], help="a folder of models it may read")
     parser.add_argument("--build", type=Path, default=None, help="folder for names below build/")
+    parser.add_argument("--give-way", action="store_true", help="take only the processor time that others leave")
     arguments = parser.parse_args(words)
+    if arguments.give_way and hasattr(os, "nice"):
+        os.nice(_YIELDING)
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the client, which ends us
     _end_with(os.getppid())
     from storyblender.blender.progress import Progress

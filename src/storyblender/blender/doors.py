@@ -41,11 +41,12 @@ class Door:
         self.amounts: list[float] = []
         """Opening of the leaf by frame, 0..1."""
 
-    def play(self, performance: Performance, cues: Sequence[Cue], frames: int) -> None:
+    def play(self, performance: Performance | None, cues: Sequence[Cue], frames: int) -> None:
         """Add one shot to the door's movement.
 
         Args:
-            performance: What the people of the shot do, as solved; its frame 0 is the shot's first.
+            performance: What the people of the shot do, as solved; its frame 0 is the shot's first. None where that is
+                not known: nobody passes.
             cues: Of the shot; those that open or close this door count.
             frames: Length of the shot.
         """
@@ -62,13 +63,16 @@ class Door:
             step = 1 / (SWING * self.fps)
             self.amounts.append(min(wanted, amount + step) if wanted > amount else max(wanted, amount - step))
 
-    def _grasp_frame(self, performance: Performance, cue: Cue) -> int:
+    def _grasp_frame(self, performance: Performance | None, cue: Cue) -> int:
         """Return the frame at which the hand of an ``open`` or ``close`` cue begins to move the leaf."""
-        return round(performance.grasps.get((cue.asset_id, cue.start), cue.start / self.fps + GRASP) * self.fps)
+        grasps = performance.grasps if performance is not None else {}
+        return round(grasps.get((cue.asset_id, cue.start), cue.start / self.fps + GRASP) * self.fps)
 
-    def _frames_passed(self, performance: Performance, frames: int) -> NDArray[np.bool_]:
+    def _frames_passed(self, performance: Performance | None, frames: int) -> NDArray[np.bool_]:
         """Return for each frame whether a person passes the doorway."""
         passed = np.zeros(frames, bool)
+        if performance is None:
+            return passed
         for track in performance.people.values():
             places = track.root[:, :2]
             if np.hypot(*(places - places[0]).T).max() < WALKING:
@@ -87,14 +91,18 @@ class Door:
 
 
 def swing_doors(doors: Sequence[Door], leaves: Sequence[bpy.types.Object]) -> None:
-    """Key the leaves that ``build_set`` made; doors that never move get no keys.
+    """Key the leaves that ``build_set`` made, in place of earlier keys; doors that never move get no keys.
 
     Args:
         doors: Played from the scene's first frame on.
         leaves: Objects with the custom property ``opening``.
     """
     by_name = {door.name: door for door in doors if {*door.amounts} - {float(door.built_open)}}
+    built_open = {door.name: door.built_open for door in doors}
     for leaf in leaves:
+        if leaf.animation_data is not None:
+            leaf.animation_data_clear()
+            leaf.rotation_euler[2] = leaf["shut"] + leaf["swing"] * built_open[leaf["opening"]]
         door = by_name.get(leaf.get("opening", ""))
         if door is None:
             continue

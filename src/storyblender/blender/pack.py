@@ -7,7 +7,7 @@ the interface: scene ``SC010``, objects ``SC010.<node_id>`` with ``node_id``, ``
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import bpy
@@ -17,8 +17,9 @@ from storyblender.blender.asset_store import AssetStore, CastMember
 from storyblender.blender.doors import Door, swing_doors
 from storyblender.blender.hiding import key_hidden
 from storyblender.blender.merge import merge_duplicates
-from storyblender.blender.motion.bake import bake
+from storyblender.blender.motion.bake import bake, remove
 from storyblender.blender.motion.by_hand import with_motion_by_hand
+from storyblender.blender.motion.plan import Performance
 from storyblender.blender.motion.solve import solve_shot
 from storyblender.blender.painting import paint_objects
 from storyblender.blender.progress import Report, ignore
@@ -33,7 +34,7 @@ from storyblender.catalog.parts import DRAWN
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import plan_of
 from storyblender.memory.base import scene_name, shot_name
-from storyblender.memory.jobs import PlayedCue, SceneJob
+from storyblender.memory.jobs import PackRef, PlayedCue, SceneJob
 from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import Flaw, ShotContext
 from storyblender.memory.thing_states import Condition
@@ -55,18 +56,26 @@ class ScenePacker:
         self._name = scene_name(job.scene.scene_id)
         self._assets = {asset.asset_id: asset for asset in job.assets}
         self._starts = shot_starts(job.shots)
+        self._placed: dict[str, bpy.types.Object] = {}
         self._props: dict[str, bpy.types.Object] = {}
         self._nodes: dict[str, list[bpy.types.Object]] = {}
         self._cast: dict[str, CastMember] = {}
-        self.timing: list[PlayedCue] = []
-        """Actual timing of all cues, from which the moment of a board frame is chosen."""
+        self._performances: dict[int, Performance] = {}
 
-    def build(self, report: Report = ignore) -> tuple[Flaw, ...]:
-        """Build everything and return what could not be staged.
+    def build(self, report: Report = ignore) -> PackRef:
+        """Build everything and return what the pack will be.
 
         Args:
             report: Receives the number of shots animated.
         """
+        self.set_up()
+        for step, shot in enumerate(self._job.shots):
+            report(step, len(self._job.shots))
+            self.perform(shot)
+        return self.finish()
+
+    def set_up(self) -> None:
+        """Begin the file: the set, its things where the layout has them, its people without motion."""
         bpy.ops.wm.read_factory_settings(use_empty=True)
         scene = bpy.context.scene
         scene.name = self._name
@@ -75,27 +84,57 @@ class ScenePacker:
         scene.frame_end = max(1, sum(shot.duration for shot in self._job.shots))
         environment = self._job.scene.environment
         assert environment is not None, "the Environment Designer comes before the pack"
-        plan = plan_of(environment)
-        built = build_set(plan, scene, self._collection("set"))
+        self._plan = plan_of(environment)
+        self._set = build_set(self._plan, scene, self._collection("set"))
         self._place_objects()
         self._states = StateParts(self._job, self._store, self._nodes)
         self._place_people()
-        planner = StagePlanner(self._job, plan, {asset_id: member.body for asset_id, member in self._cast.items()})
-        doors = [
-            Door(place, self._job.fps, _left_open(plan, place.opening.name, self._job.scene.setup.found))
-            for wall in plan.walls
-            for place in openings_of(wall)
-            if place.opening.kind == "door"
-        ]
-        problems: list[Flaw] = []
-        for step, shot in enumerate(self._job.shots):
-            report(step, len(self._job.shots))
-            problems += self._perform(planner, shot, doors)
-        swing_doors(doors, built)
-        self._key_visibility()
         paint_objects(scene.objects, self._job.paints, self._job.scene.scene_id)
+        self._planner = self._new_planner()
+
+    def move_to(self, job: SceneJob) -> None:
+        """Have the things stand, and the people do, as a later version of the scene says; no shot is performed then.
+
+        Args:
+            job: The scene with other places and other motion, and else as it is.
+        """
+        for shot_id in self._performances:
+            remove(shot_name(job.scene.scene_id, shot_id))
+        self._performances.clear()
+        self._job = job
+        self._states.follow(job)
+        assert job.scene.layout is not None, "as before"
+        for item in job.scene.layout.objects:
+            if item.node_id in self._placed:
+                _put(self._placed[item.node_id], item)
+        self._planner = self._new_planner()
+
+    def perform(self, shot: ShotContext) -> None:
+        """Solve one shot and bake it."""
+        motions = {each.asset_id: each.motion for each in self._job.by_hand if each.shot_id == shot.shot_id}
+        performance = with_motion_by_hand(solve_shot(self._planner.plan(shot), self._job.fps, MOTION_STEP), motions)
+        armatures = {asset_id: member.armature for asset_id, member in self._cast.items()}
+        name = shot_name(shot.scene_id, shot.shot_id)
+        bake(performance, armatures, self._props, name, self._starts[shot.shot_id])
+        self._performances[shot.shot_id] = performance
+
+    def finish(self) -> PackRef:
+        """Let doors swing and things appear after what is performed; return what the pack is so far."""
+        timing = tuple(self._timing())
+        self._swing_doors()
+        self._key_visibility(timing)
         merge_duplicates()
-        return tuple(problems)
+        problems = (flaw for shot in self._job.shots for flaw in self._problems(shot))
+        return PackRef(
+            scene_id=self._job.scene.scene_id,
+            path=self._job.out,
+            starts=tuple(self._starts.items()),
+            problems=tuple(problems),
+            timing=timing,
+        )
+
+    def _new_planner(self) -> StagePlanner:
+        return StagePlanner(self._job, self._plan, {asset_id: member.body for asset_id, member in self._cast.items()})
 
     def _collection(self, part: str) -> bpy.types.Collection:
         """Create and link the collection of a part of the scene."""
@@ -120,8 +159,8 @@ class ScenePacker:
         """Place one object, and the story's parts of it: its own where its model has them, else drawn there."""
         asset = self._assets[item.asset_id]
         obj = bpy.data.objects.new(f"{self._name}.{item.node_id}", self._store.append_mesh(asset))
-        obj.location = item.location
-        obj.rotation_euler = [math.radians(angle) for angle in item.rotation]
+        _put(obj, item)
+        self._placed[item.node_id] = obj
         tag(obj, kind="prop", node_id=item.node_id, asset_id=item.asset_id, surface=surface_of(obj))
         collection.objects.link(obj)
         self._props.setdefault(item.asset_id, obj)
@@ -160,26 +199,35 @@ class ScenePacker:
                 mesh.name = f"{self._name}.{mesh.name.split('.')[0]}"
             self._cast[asset.asset_id] = member
 
-    def _perform(self, planner: StagePlanner, shot: ShotContext, doors: list[Door]) -> list[Flaw]:
-        """Solve and bake one shot; return its staging flaws."""
-        plan = planner.plan(shot)
-        motions = {each.asset_id: each.motion for each in self._job.by_hand if each.shot_id == shot.shot_id}
-        performance = with_motion_by_hand(solve_shot(plan, self._job.fps, MOTION_STEP), motions)
-        fps = performance.fps
-        for (who, clip, start), (began, over) in performance.played.items():
-            spans = {"began": round(began * fps), "over": round(over * fps)}
-            self.timing.append(PlayedCue(shot_id=shot.shot_id, asset_id=who, clip=clip, start=start, **spans))
-        name = shot_name(shot.scene_id, shot.shot_id)
-        armatures = {asset_id: member.armature for asset_id, member in self._cast.items()}
-        for door in doors:
-            door.play(performance, shot.cues, shot.duration)
-        bake(performance, armatures, self._props, name, self._starts[shot.shot_id])
-        return [
-            Flaw(kind=found.kind, subject=found.asset_id, weight=found.amount, message=found.message, shot=name)
-            for found in performance.problems
-        ]
+    def _timing(self) -> Iterator[PlayedCue]:
+        """Yield the actual timing of the cues that are performed, from which the moment of a board frame is chosen."""
+        for shot_id, performance in self._performances.items():
+            fps = performance.fps
+            for (who, clip, start), (began, over) in performance.played.items():
+                spans = {"began": round(began * fps), "over": round(over * fps)}
+                yield PlayedCue(shot_id=shot_id, asset_id=who, clip=clip, start=start, **spans)
 
-    def _key_visibility(self) -> None:
+    def _problems(self, shot: ShotContext) -> Iterator[Flaw]:
+        """Yield what could not be staged of a shot."""
+        name, performance = shot_name(shot.scene_id, shot.shot_id), self._performances.get(shot.shot_id)
+        for found in performance.problems if performance is not None else ():
+            yield Flaw(kind=found.kind, subject=found.asset_id, weight=found.amount, message=found.message, shot=name)
+
+    def _swing_doors(self) -> None:
+        """Play the doors through the scene; nobody passes them in shots that are not performed."""
+        found = self._job.scene.setup.found
+        doors = [
+            Door(place, self._job.fps, _left_open(self._plan, place.opening.name, found))
+            for wall in self._plan.walls
+            for place in openings_of(wall)
+            if place.opening.kind == "door"
+        ]
+        for door in doors:
+            for shot in self._job.shots:
+                door.play(self._performances.get(shot.shot_id), shot.cues, shot.duration)
+        swing_doors(doors, self._set)
+
+    def _key_visibility(self, timing: Sequence[PlayedCue]) -> None:
         """Key which people and props are hidden in each shot."""
         for asset_id, member in self._cast.items():
             shown = [
@@ -193,9 +241,16 @@ class ScenePacker:
                 self._starts[shot.shot_id]: all(each.visible for each in shot.prop_states if each.asset_id == asset_id)
                 for shot in self._job.shots
             }
-            for obj, shown in self._states.visibility(asset_id, seen, self.timing):
+            for obj, shown in self._states.visibility(asset_id, seen, timing):
                 for each in with_sections(obj):
                     key_hidden(each, shown)
+
+
+def _put(obj: bpy.types.Object, item: LayoutObject) -> None:
+    """Put an object where the layout has it."""
+    obj.rotation_mode = "XYZ"
+    obj.location = item.location
+    obj.rotation_euler = [math.radians(angle) for angle in item.rotation]
 
 
 def _left_open(plan: SetPlan, name: str, found: Mapping[str, Condition]) -> bool | None:

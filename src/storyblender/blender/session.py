@@ -53,6 +53,7 @@ from storyblender.memory.request import Picture
 
 if TYPE_CHECKING:
     from storyblender.blender.asset_store import AssetStore
+    from storyblender.blender.rehearsal import Rehearsal
 
 
 class BlenderSession:
@@ -71,6 +72,8 @@ class BlenderSession:
         self._files = Folder(root, build)
         self._models, self._report = models, report
         self._open = ""
+        self._rehearsal: Rehearsal | None = None
+        """The scene in the open file, if it was built here and not opened."""
         self._viewfinder_scene = ExitStack()
         self._background = ThreadPoolExecutor(1)
         self._viewfinder: tuple[tuple[str, int | None, int], OpenViewfinder] | None = None
@@ -89,6 +92,7 @@ class BlenderSession:
         return [
             self.build_asset,
             self.pack_scene,
+            self.rehearse,
             self.read_figures,
             self.look,
             self.preview,
@@ -113,17 +117,33 @@ class BlenderSession:
 
     def pack_scene(self, job: SceneJob) -> PackRef:
         """Build one scene and save it as a pack."""
-        from storyblender.blender.pack import ScenePacker, save_pack, shot_starts
+        from storyblender.blender.pack import ScenePacker, save_pack
 
         self._close_pack()
-        packer = ScenePacker(job, self._store)
-        problems = packer.build(self._report)
+        pack = ScenePacker(job, self._store).build(self._report)
         with self._files.writing(job.out) as part:
             save_pack(part)
-        starts = tuple(shot_starts(job.shots).items())
-        return PackRef(
-            scene_id=job.scene.scene_id, path=job.out, starts=starts, problems=problems, timing=tuple(packer.timing)
-        )
+        return pack
+
+    def rehearse(self, job: SceneJob, shot_ids: Sequence[int]) -> PackRef:
+        """Have a scene in the open file be as its pack will be, in some of its shots; return what the pack is so far.
+
+        The next calls on that pack then see it, though it is not saved.
+
+        Args:
+            job: The scene; where only places and motion differ from the last rehearsal, it is changed in place.
+            shot_ids: Staged shots of it that will be looked at.
+        """
+        from storyblender.blender.rehearsal import Rehearsal
+
+        self._release_viewfinder()
+        if self._rehearsal is None or not self._rehearsal.can_show(job):
+            self._close_pack()
+            self._rehearsal = Rehearsal(job, self._store)
+        self._open = ""  # should it fail
+        pack = self._rehearsal.perform(job, shot_ids)
+        self._open = pack.path
+        return pack
 
     def read_figures(self, pack: PackRef, frames: Sequence[int]) -> list[list[Figure]]:
         """Return the faces of all people at frames of the scene's timeline, frame by frame.
@@ -197,6 +217,7 @@ class BlenderSession:
             seed=job.format.seed,
             hidden_node_ids=job.shot.camera.hidden_node_ids,
             panorama=job.lighting.panorama and self._files.path(job.lighting.panorama.file),
+            draft=job.draft,
         )
         heads = [_head(figure, job.shot.in_frame) for figure in figures(scene, start + job.frame)]
         with held_still(scene, start + job.frame) as still:
@@ -381,12 +402,13 @@ class BlenderSession:
     def _close_pack(self) -> None:
         """Forget the open pack before a job that opens files of its own."""
         self._release_viewfinder()
-        self._open = ""
+        self._open, self._rehearsal = "", None
 
     def _open_pack(self, pack: PackRef) -> bpy.types.Scene:
         """Open a pack, unless it is open, and return its scene."""
         self._release_viewfinder()
         if self._open != pack.path:
+            self._close_pack()
             bpy.ops.wm.open_mainfile(filepath=str(self._files.path(pack.path)), load_ui=False, use_scripts=False)
             self._open = pack.path
         scene = bpy.data.scenes[scene_name(pack.scene_id)]

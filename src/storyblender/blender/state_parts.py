@@ -44,6 +44,10 @@ class StateParts:
         """Asset ids of things that change, or that begin the scene in a state."""
         return self._changing
 
+    def follow(self, job: SceneJob) -> None:
+        """Take over a later version of the scene, in which the same things come into the same states."""
+        self._job = job
+
     def visibility(
         self, asset_id: str, seen: Mapping[int, bool], timing: Sequence[PlayedCue]
     ) -> Iterator[tuple[bpy.types.Object, Shown]]:

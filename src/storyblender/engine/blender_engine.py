@@ -6,6 +6,7 @@ import threading
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from types import TracebackType
 from typing import Any, TypeVar
@@ -68,28 +69,51 @@ class BlenderEngine:
         ahead: Worker | None = None,
         listener: Listener = silent,
     ) -> None:
-        Folder(root, build).empty(LOG)  # not deleted: a worker that is ahead has it open
-        self._pool = WorkerPool(lambda: blender_worker(root, models, build), jobs, ahead)
-        self._listener = listener
+        self._folders, self._listener = (root, models, build), listener
+        self._front: BlenderEngine | None = None
+        self._pool = WorkerPool(lambda: blender_worker(*self._folders, gives_way=self._front is not None), jobs, ahead)
         self._running: dict[str, Future[Any]] = {}
         """The last job for each output: a second request for the same output waits for it."""
-        self._starting = threading.Lock()
+        self._waits: dict[Future[Any], str] = {}
+        """What callers wait for, and its output."""
+        self._left: set[str] = set()
+        """Outputs whose callers were cancelled while the job ran on; who asks next gets them."""
+        self._starting = threading.RLock()
 
     def __enter__(self) -> BlenderEngine:
+        root, _, build = self._folders
+        Folder(root, build).empty(LOG)  # not deleted: a worker that is ahead has it open
         return self
+
+    @property
+    def front(self) -> BlenderEngine:
+        """One more process, for what a person waits for; workers that start after it give way to it."""
+        with self._starting:
+            if self._front is None:
+                root, models, build = self._folders
+                self._front = BlenderEngine(root, models, 1, build=build, listener=self._listener)
+            return self._front
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, where: TracebackType | None
     ) -> None:
         self._pool.close()
+        if self._front is not None:
+            self._front._pool.close()
 
     def warm(self) -> None:
         """Start Blender now, for a call that is sure to come."""
         self._pool.warm()
 
     def cancel_waiting(self) -> None:
-        """Cancel the jobs that no process has begun."""
+        """Cancel the jobs that no process has begun; nobody waits any longer for pictures and packs under way."""
         self._pool.cancel_waiting()
+        with self._starting:
+            for wait, output in list(self._waits.items()):
+                if wait.cancel():
+                    self._left.add(output)
+        if self._front is not None:
+            self._front.cancel_waiting()
 
     @property
     def processes(self) -> int:
@@ -105,6 +129,12 @@ class BlenderEngine:
         scene_id, arguments = job.scene.scene_id, {"job": _plain(job)}
         subject = scene_name(scene_id)
         return self._once(job.out, "pack_scene", arguments, PackRef.model_validate, f"scene{scene_id}", subject)
+
+    def rehearse(self, job: SceneJob, shot_ids: Sequence[int]) -> Future[PackRef]:
+        """Have a scene be as its pack will be, in some of its shots, for the next calls on that pack."""
+        scene_id, arguments = job.scene.scene_id, {"job": _plain(job), "shot_ids": list(shot_ids)}
+        output = f"{job.out} {arguments['shot_ids']}"
+        return self._once(output, "rehearse", arguments, PackRef.model_validate, f"scene{scene_id}")
 
     def read_figures(self, pack: PackRef, frames: Sequence[int]) -> Future[list[list[Figure]]]:
         """Say where everybody's face is at frames of the scene's timeline."""
@@ -181,12 +211,29 @@ class BlenderEngine:
         affinity: str = "",
         subject: str = "",
     ) -> Future[Result]:
-        """Call a tool, or wait for the call that makes the same output already: two would write one file at once."""
+        """Call a tool, or wait for the call that makes the same output already: two would write one file at once.
+
+        What is returned can be cancelled while the call runs on; outputs are named by what they show, so that who asks
+        for the same one later gets it.
+        """
         with self._starting:
             running = self._running.get(output)
-            if running is None or running.done():
+            if running is None or (running.done() and not self._is_left(output, running)):
                 running = self._running[output] = self._submit(tool, arguments, read, affinity, subject)
-            return running
+            self._left.discard(output)
+            wait: Future[Result] = Future()
+            self._waits[wait] = output
+            wait.add_done_callback(self._forget)
+        running.add_done_callback(partial(_hand_over, wait))
+        return wait
+
+    def _is_left(self, output: str, done: Future[Any]) -> bool:
+        """Return whether a call was done, and its caller did not wait for it."""
+        return output in self._left and not done.cancelled() and done.exception() is None
+
+    def _forget(self, wait: Future[Any]) -> None:
+        with self._starting:
+            self._waits.pop(wait, None)
 
     def _submit(
         self,
@@ -209,6 +256,17 @@ class BlenderEngine:
     ) -> Future[Result]:
         """Call a tool where the scene is open already, if that worker is free."""
         return self._pool.submit(tool, arguments, read, affinity=f"scene{scene_id}")
+
+
+def _hand_over(wait: Future[Any], done: Future[Any]) -> None:
+    """Give what came of a call to who waits for it, if they still do."""
+    if done.cancelled():
+        wait.cancel()
+    elif wait.set_running_or_notify_cancel():
+        if (error := done.exception()) is not None:
+            wait.set_exception(error)
+        else:
+            wait.set_result(done.result())
 
 
 def _looks(pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> dict[str, object]:

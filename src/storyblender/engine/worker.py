@@ -151,19 +151,23 @@ class Worker:
             raise Lost("it closed its output") from error
 
 
-def blender_worker(root: Path, models: Sequence[Path] = (), build: Path | None = None) -> Worker:
+def blender_worker(
+    root: Path, models: Sequence[Path] = (), build: Path | None = None, *, gives_way: bool = False
+) -> Worker:
     """Return a Blender worker, not started yet.
 
     Args:
         root: The project folder it may write to.
         models: The user's folders of models, which it may read.
         build: Where names below ``build/`` lie instead.
+        gives_way: Whether it takes only the processor time that others leave.
     """
     files = Folder(root, build)
     command = [sys.executable, "-m", "storyblender.blender", "--root", str(files.root)]
     for folder in models:
         command += ["--models", str(folder)]
     command += ["--build", str(build)] if build is not None else []
+    command += ["--give-way"] if gives_way else []
     return Worker(command, files)
 
 

@@ -200,6 +200,8 @@ class FrameJob(Frozen):
     frame: int
     """From the start of the shot."""
     out: str
+    draft: bool = False
+    """Whether it is drawn in half the time, for a preview: coarse lines, and only the strongest lamps cast shadows."""
 
     @property
     def digest(self) -> str:
@@ -209,7 +211,7 @@ class FrameJob(Frozen):
         start = self.pack.start_of(self.shot.shot_id)
         through = self.shot.camera_instruction.through
         parts = (DRAWING_VERSION, self.pack.path, start, shot, lighting, self.format, self.look, self.frame)
-        return content_hash(*parts, *([through] if through else []))
+        return content_hash(*parts, *([through] if through else []), *(["draft"] if self.draft else []))
 
 
 class FrameReport(Frozen):

@@ -2,41 +2,48 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
 from pathlib import Path
 
 from storyblender.agents.layout_artist.story_moment import board_frame
-from storyblender.memory.base import shot_name
 from storyblender.memory.jobs import MomentJob
 from storyblender.memory.shot_context import ShotContext
+from storyblender.pipeline.rehearsing import CamerasToMatch, rehearse, with_camera_in_rehearsal
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import frame_job
+from storyblender.pipeline.updating import bring_scene_up_to_date
 
 PREVIEW_WIDTH = 480
 """Pixels, at most."""
 
 
-def preview_shots(run: Run, shots: Collection[ShotContext]) -> dict[str, Path]:
-    """Draw previews of the board frames; one that is drawn already is taken from the cache.
+def preview_shot(run: Run, shot: ShotContext, matching: CamerasToMatch) -> Path:
+    """Draw a preview of a shot's board frame; one that is drawn already is taken from the cache.
+
+    The scene of the shot is rehearsed, and its camera is set if it is not yet: only this shot of it, and nothing of
+    that is kept. Packing the scene and setting all cameras of it may follow.
 
     Args:
-        run: With packs and cameras.
-        shots: Those to draw.
+        run: Of a made project; the scene of the shot is brought up to date.
+        shot: The shot.
+        matching: What its camera has to match where others of the scene are not set yet.
 
     Returns:
-        Shot name to picture.
+        The picture.
 
     Raises:
-        EngineError: A preview failed for good.
+        EngineError: It failed for good.
         Cancelled: The run is cancelled.
     """
+    bring_scene_up_to_date(run, shot.scene_id)
+    front = run.in_front()
+    rehearse(front, shot)
+    shot = with_camera_in_rehearsal(front, run.graph.shot(shot.scene_id, shot.shot_id), matching)
     small = run.graph.format.model_copy(update={"width": min(PREVIEW_WIDTH, run.graph.format.width)})
-    jobs = {shot_name(shot.scene_id, shot.shot_id): frame_job(run, shot, "fast", small) for shot in shots}
-    drawing = {name: run.engine.render_frame(job) for name, job in jobs.items() if not run.outputs.whole(job.out)}
-    for name, report in drawing.items():
-        report.result()
-        run.outputs.note(jobs[name].out)
-    return {name: run.project.path(job.out) for name, job in jobs.items()}
+    job = frame_job(front, shot, "fast", small, draft=True)
+    if not run.outputs.whole(job.out):
+        front.engine.render_frame(job).result()
+        run.outputs.note(job.out)
+    return run.project.path(job.out)
 
 
 def moment_of(run: Run, shot: ShotContext, frame: int | None) -> tuple[Path, int]:

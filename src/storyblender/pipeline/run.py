@@ -59,6 +59,11 @@ class Run:
         self._engine, self._cancelled = engine, cancelled or Signal()
         self.packs: dict[int, PackRef] = {}
 
+    def in_front(self) -> Run:
+        """Return a run of the same call whose engine is for what a person waits for."""
+        parts = self.project, self.engine.front, self.crew, self.settings, self.listener, self.sources, self._cancelled
+        return Run(*parts)
+
     @property
     def engine(self) -> Engine:
         """The engine, for the next job. Raises Cancelled once the run is cancelled."""

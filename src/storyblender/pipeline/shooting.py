@@ -212,7 +212,9 @@ def frame_picture(run: Run, shot: ShotContext) -> str:
     return frame_job(run, shot, run.settings.look).out
 
 
-def frame_job(run: Run, shot: ShotContext, look: Look, form: ProjectFormat | None = None) -> FrameJob:
+def frame_job(
+    run: Run, shot: ShotContext, look: Look, form: ProjectFormat | None = None, *, draft: bool = False
+) -> FrameJob:
     """Return what the engine is asked for a shot's frame; its picture is named by all that it depends on.
 
     Args:
@@ -220,6 +222,7 @@ def frame_job(run: Run, shot: ShotContext, look: Look, form: ProjectFormat | Non
         shot: With its camera.
         look: How it is drawn.
         form: Size and shape of the picture; the story's if not given.
+        draft: Whether it is drawn in half the time.
     """
     shot = filmed(run.graph, shot)
     job = FrameJob(
@@ -230,6 +233,7 @@ def frame_job(run: Run, shot: ShotContext, look: Look, form: ProjectFormat | Non
         look=look,
         frame=board_frame(shot, run.packs[shot.scene_id].played(shot.shot_id)),
         out="",
+        draft=draft,
     )
     return job.model_copy(update={"out": f"build/frames/{job.digest}.png"})
 

@@ -162,12 +162,16 @@ def _with_new_camera(shot: ShotContext) -> ShotContext:
     return shot.model_copy(update=update)
 
 
-def animate_again(run: Run) -> None:
+def animate_again(run: Run, scenes: Collection[int]) -> None:
     """Animate the scenes of shots whose motion an edit made stale; shots that come out as they were stay untouched.
 
     A shot whose people stand or go elsewhere now gets a new camera, unless a person locked or placed it.
+
+    Args:
+        run: With the scenes staged.
+        scenes: Ids of the scenes to look at.
     """
-    for scene_id in sorted({shot.scene_id for shot in run.graph.shots if shot.stale}):
+    for scene_id in sorted({shot.scene_id for shot in run.graph.shots if shot.stale} & {*scenes}):
         before = {shot.shot_id: shot for shot in run.graph.shots_of(scene_id)}
         scene = run.graph.scene(scene_id)
         shots = [_with_flaws(run.graph, scene, shot, before[shot.shot_id], None) for shot in _animate(run, scene_id)]

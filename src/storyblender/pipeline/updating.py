@@ -1,4 +1,4 @@
-"""A project is brought up to date before a call on it: its assets, what an edit made stale, its packs."""
+"""A project is brought up to date before a call on it: its assets, what an edit made stale, its packs; or one scene."""
 
 from __future__ import annotations
 
@@ -31,3 +31,20 @@ def bring_up_to_date(run: Run) -> None:
 
         make_stale_anew(run)
     pack_scenes(run)
+
+
+def bring_scene_up_to_date(run: Run, scene_id: int) -> None:
+    """Restore missing assets of one scene, and make anew what an edit made stale of it; it is not packed.
+
+    Args:
+        run: Of a made project.
+        scene_id: The scene; the others are not looked at, however many they are.
+    """
+    if missing := assets_to_build(run, run.graph.assets_of(scene_id)):
+        from storyblender.pipeline.materializing import materialize
+
+        materialize(run, missing)
+    if any(item.stale for item in (run.graph.scene(scene_id), *run.graph.shots_of(scene_id))):
+        from storyblender.pipeline.restaging import make_stale_anew
+
+        make_stale_anew(run, {scene_id})

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Collection, Mapping
+from contextlib import suppress
 from pathlib import Path
 
 from storyblender.errors import Cancelled, StoryBlenderError
 from storyblender.memory.base import shot_name
 from storyblender.session import Session
 
-FIRST = 2
-"""Previews that are drawn at once; the rest of them follow."""
+PAIR = 2
+"""Frames that are drawn side by side."""
 REST = 2.0
 """Seconds without an edit before the frames themselves are drawn."""
 IDLE = 15.0
@@ -39,6 +40,7 @@ class Drawer:
     ) -> None:
         self._session, self._previewed, self._drawn, self._failed = session, previewed, drawn, failed
         self._waiting: dict[str, bool] = {}
+        self._looked_at = self._ready_for = ""
         self._changed = threading.Condition()
         self._working = self._ended = self._unknown = self._delivering = False
         self._thread = threading.Thread(target=self._run, name="drawer", daemon=True)
@@ -56,14 +58,23 @@ class Drawer:
             self._unknown = True
             self._changed.notify_all()
 
+    def look_at(self, name: str) -> None:
+        """Hear which shot a person looks at: its preview comes first, and Blender gets ready for edits of it."""
+        with self._changed:
+            self._looked_at = name
+            if self._working and self._is_unready() and self._waiting:  # frames can wait, what is delivered is finished
+                self._session.cancel()
+            self._changed.notify_all()
+
     def draw(self, names: Collection[str], first: str = "") -> None:
-        """Draw shots as soon as there is nothing to be edited.
+        """Draw shots as soon as there is nothing to be edited; the one that a person looks at alone, before all others.
 
         Args:
             names: Shots that show something else now.
-            first: The one that a person looks at.
+            first: The one that was edited; it comes first where another one is looked at.
         """
         with self._changed:
+            first = self._looked_at if self._looked_at in names else first
             rest = {name: False for name in self._waiting | dict.fromkeys(names) if name not in names}
             self._waiting = dict.fromkeys(sorted(names, key=lambda name: name != first), True) | rest
             self._delivering = True
@@ -84,30 +95,40 @@ class Drawer:
         self._thread.join(60)
 
     def _run(self) -> None:
+        with suppress(StoryBlenderError):  # closed meanwhile
+            self._session.warm()
         while True:
             with self._changed:
                 self._working = False
-                self._changed.wait_for(lambda: self._waiting or self._unknown or self._ended or self._delivering)
-                if not self._unknown and not any(self._waiting.values()):
+                self._changed.wait_for(lambda: self._waiting or self._unknown or self._delivering or self._is_asked())
+                if not self._unknown and not self._is_asked():
                     rest = REST if self._waiting else IDLE
-                    self._changed.wait_for(lambda: self._ended or any(self._waiting.values()), rest)
+                    self._changed.wait_for(self._is_asked, rest)
                 if self._ended:
                     return
                 there = self._shots()
                 self._waiting = {name: preview for name, preview in self._waiting.items() if name in there}
-                if not self._waiting and not self._unknown and not self._delivering:
+                previews = [name for name, preview in self._waiting.items() if preview]
+                wanted = sorted(previews, key=lambda name: name != self._looked_at)[:1]
+                look = self._looked_at if self._is_unready() and self._looked_at in there else ""
+                if not look:
+                    self._ready_for = self._looked_at
+                if not self._waiting and not self._unknown and not self._delivering and not look:
                     continue
-                wanted = [name for name, preview in self._waiting.items() if preview][:FIRST]
                 self._working, all_of_them, unknown = True, tuple(self._waiting), self._unknown
             try:
                 if unknown:
                     self.draw(self._session.stale_frames())
                     self._unknown, self._delivering = False, not self._session.delivered
+                elif look and look not in wanted:
+                    self._ready_for = look
+                    self._session.rehearse(look)
                 elif wanted:
+                    self._ready_for = look or self._ready_for
                     self._previewed(self._session.preview(wanted))
                     self._settle(wanted, drawn=False)
                 elif all_of_them:
-                    next_ones = all_of_them[:FIRST]
+                    next_ones = all_of_them[:PAIR]
                     self._session.shoot(next_ones)
                     self._settle(next_ones, drawn=True)
                     self._drawn(next_ones)
@@ -124,6 +145,14 @@ class Drawer:
                 self._delivering = self._delivering and bool(wanted or all_of_them)
                 self._settle(wanted or all_of_them, drawn=not wanted)
                 self._failed(str(error))
+
+    def _is_unready(self) -> bool:
+        """Whether a person looks at a shot that Blender is not ready for."""
+        return self._looked_at != self._ready_for
+
+    def _is_asked(self) -> bool:
+        """Whether there is something to do at once: the end, a preview, a look at another shot."""
+        return self._ended or any(self._waiting.values()) or self._is_unready()
 
     def _shots(self) -> set[str]:
         """Return the names of the shots that there are now."""

@@ -248,6 +248,7 @@ class Hub:
 
     def _shot(self, name: str) -> dict[str, Any]:
         panel, graph = self.place.panel(name), self.place.session.graph
+        self._look_at(panel.name)
         return {**details_of(panel, graph).model_dump(), **in_inspector(panel, graph).model_dump()}
 
     def _shots(self) -> list[dict[str, Any]]:
@@ -293,6 +294,7 @@ class Hub:
         """Return the scene of a shot in 3D; what is being drawn waits."""
         self._refuse_busy()
         panel, session = self.place.panel(name), self.place.session
+        self._look_at(panel.name)
         self._pause_drawing()
         model, moment = session.moment(panel.name, frame)
         shot = session.graph.shot(panel.shot.scene_id, panel.shot.shot_id)
@@ -369,6 +371,11 @@ class Hub:
             for name in stale:
                 self.previews.pop(name, None)
             self._drawer.draw(stale, first)
+
+    def _look_at(self, name: str) -> None:
+        """Hear which shot a browser shows large: its preview is drawn before those of others."""
+        if self._drawer is not None:
+            self._drawer.look_at(name)
 
     def _begin_drawing(self, session: Session) -> None:
         self.previews, self.takes = {}, {}

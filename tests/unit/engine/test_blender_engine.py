@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 import threading
+from concurrent.futures import CancelledError
 from pathlib import Path
 from typing import Any
 
@@ -59,7 +60,7 @@ def revolver(asset_id: str) -> AssetJob:
 
 def test_two_assets_of_one_recipe_are_built_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     gate, built = threading.Event(), list[str]()
-    monkeypatch.setattr("storyblender.engine.blender_engine.blender_worker", lambda *_: Builder(gate, built))
+    monkeypatch.setattr("storyblender.engine.blender_engine.blender_worker", lambda *_, **__: Builder(gate, built))
     with BlenderEngine(tmp_path, jobs=2) as engine:
         waiting = [engine.build_asset(revolver(name)) for name in ("gun", "pistol", "gun")]
         gate.set()
@@ -67,3 +68,42 @@ def test_two_assets_of_one_recipe_are_built_once(tmp_path: Path, monkeypatch: py
         assert built == ["gun"]
         engine.build_asset(revolver("pistol")).result(30)
         assert built == ["gun", "pistol"], "what is done may be asked for again: its file may be gone"
+
+
+def test_who_is_cancelled_waits_no_longer_and_the_next_one_gets_what_was_under_way(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    gate, built = threading.Event(), list[str]()
+    monkeypatch.setattr("storyblender.engine.blender_engine.blender_worker", lambda *_, **__: Builder(gate, built))
+    with BlenderEngine(tmp_path, jobs=1) as engine:
+        first = engine.build_asset(revolver("gun"))
+        while not built:
+            pass
+        engine.cancel_waiting()
+        with pytest.raises(CancelledError):
+            first.result(30)
+        gate.set()
+        assert engine.build_asset(revolver("gun")).result(30).digest == "d"
+        assert built == ["gun"], "nothing is built twice for that"
+        engine.build_asset(revolver("gun")).result(30)
+        assert built == ["gun", "gun"], "what somebody got may be asked for again"
+
+
+def test_what_is_in_front_waits_for_nothing_behind_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    gate, built, ways = threading.Event(), list[str](), list[bool]()
+
+    def worker(*_: Any, gives_way: bool) -> Builder:
+        ways.append(gives_way)
+        return Builder(gate if gives_way else opened, built)
+
+    opened = threading.Event()
+    opened.set()
+    monkeypatch.setattr("storyblender.engine.blender_engine.blender_worker", worker)
+    with BlenderEngine(tmp_path, jobs=1) as engine:
+        front = engine.front
+        behind = engine.build_asset(revolver("gun"))
+        assert front.build_asset(revolver("pistol")).result(30).digest == "d"
+        assert not behind.done() and engine.front is front
+        gate.set()
+        behind.result(30)
+        assert sorted(ways) == [False, True]

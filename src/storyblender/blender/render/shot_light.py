@@ -40,6 +40,8 @@ SHADOWS: Mapping[str, int] = MappingProxyType({"sun": 1, "key": 2, "set": 2})
 """Lamps that get a shadow map, by role; practicals count with the set."""
 FACE_SHADOWS: Mapping[str, int] = MappingProxyType({"sun": 1, "key": 2})
 """Enough to solve the faces, where a path tracer draws the shadows that are seen."""
+DRAFT_SHADOWS: Mapping[str, int] = MappingProxyType({"sun": 1, "key": 1, "set": 1})
+"""Enough for a preview: each map costs as much as a pass."""
 _LEAST_STRENGTH = 0.08
 """Share of the frame's light below which a lamp's shadow would not be seen."""
 

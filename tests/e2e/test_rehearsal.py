@@ -1,0 +1,95 @@
+"""A scene that is rehearsed after an edit looks as its pack will: every shot, to the pixel."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from storyblender.engine.blender_engine import BlenderEngine
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.history import replace
+from storyblender.memory.jobs import FrameJob, PackRef, SceneJob
+from storyblender.memory.shot_context import Blocking, ShotContext
+from storyblender.pipeline.packing import scene_job
+from storyblender.project import read_project_graph
+
+pytestmark = [pytest.mark.blender, pytest.mark.timeout(900)]
+
+
+@pytest.fixture
+def engine(project: Path) -> Iterator[BlenderEngine]:
+    with BlenderEngine(project, jobs=1) as engine:
+        yield engine
+
+
+def edited(graph: ContinuityMemoryGraph) -> Iterator[SceneJob]:
+    """Yield the scene with its things turned, with a person elsewhere, and with both; each follows from the last."""
+    scene, shots = graph.scenes[0], list(graph.staged_shots_of(1))
+    assert scene.layout is not None
+    turned = tuple(
+        item.model_copy(update={"rotation": (0.0, 0.0, (item.rotation[2] + 40.0) % 360), "fixed": True})
+        for item in scene.layout.objects
+        if item.anchor_asset_id is None
+    )
+    others = tuple(item for item in scene.layout.objects if item.anchor_asset_id is not None)
+    moved = scene.model_copy(update={"layout": scene.layout.model_copy(update={"objects": (*turned, *others)})})
+    yield scene_job(replace(graph, moved), 1)
+    stepped = [shot.model_copy(update={"blocking": tuple(map(stepping_aside, shot.blocking))}) for shot in shots]
+    assert stepped != shots
+    yield scene_job(replace(graph, *stepped), 1)
+    yield scene_job(replace(graph, moved, *stepped), 1)
+
+
+def stepping_aside(blocking: Blocking) -> Blocking:
+    """Return the blocking of a person who begins a step aside, if they stand."""
+    start = blocking.start
+    if start.posture != "stand":
+        return blocking
+    x, y, z = start.location
+    return blocking.model_copy(update={"start": start.model_copy(update={"location": (x + 0.25, y, z)})})
+
+
+def frame_of(graph: ContinuityMemoryGraph, pack: PackRef, shot: ShotContext, out: str) -> FrameJob:
+    lighting = shot.lighting or graph.scenes[0].lighting
+    assert lighting is not None
+    return FrameJob(
+        pack=pack, shot=shot, lighting=lighting, format=graph.format, look="fast", frame=shot.duration // 2, out=out
+    )
+
+
+def test_each_shot_looks_as_in_the_pack(project: Path, engine: BlenderEngine) -> None:
+    graph = read_project_graph(project)
+    shots = graph.staged_shots_of(1)[::-1]
+    front = engine.front
+    for number, job in enumerate(edited(graph)):
+        pack = engine.pack_scene(job).result()
+        for shot in shots:
+            rehearsed = front.rehearse(job, [shot.shot_id]).result()
+            assert (rehearsed.path, rehearsed.starts) == (pack.path, pack.starts)
+            assert rehearsed.played(shot.shot_id) == pack.played(shot.shot_id)
+            names = [f"build/{kind}-{number}-{shot.shot_id}.png" for kind in ("packed", "rehearsed")]
+            reports = [
+                room.render_frame(frame_of(graph, known, shot, name)).result()
+                for room, known, name in zip((engine, front), (pack, rehearsed), names, strict=True)
+            ]
+            packed, live = (np.asarray(Image.open(project / name)) for name in names)
+            assert np.array_equal(packed, live), shot.shot_id
+            assert reports[0].lights == reports[1].lights
+
+
+def test_a_draft_is_a_picture_of_the_same_with_a_name_of_its_own(project: Path, engine: BlenderEngine) -> None:
+    graph = read_project_graph(project)
+    job, shot = scene_job(graph, 1), graph.staged_shots_of(1)[0]
+    pack = engine.front.rehearse(job, [shot.shot_id]).result()
+    whole = frame_of(graph, pack, shot, "build/whole.png")
+    draft = whole.model_copy(update={"draft": True, "out": "build/draft.png"})
+    assert draft.digest != whole.digest
+    for each in (whole, draft):
+        engine.front.render_frame(each).result()
+    pictures = [np.asarray(Image.open(project / name), float) for name in ("build/whole.png", "build/draft.png")]
+    assert pictures[0].shape == pictures[1].shape
+    assert np.abs(pictures[0] - pictures[1]).mean() < 12, "of 255: the same scene, more coarsely"

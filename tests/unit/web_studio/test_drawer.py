@@ -1,0 +1,127 @@
+"""What the drawer does first: the shot that is looked at, alone; frames only when nothing is to be seen."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Collection, Sequence
+from pathlib import Path
+from typing import Any, cast
+
+import pytest
+
+from storyblender.errors import Cancelled
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.session import Session
+from storyblender.web_studio import drawer
+from storyblender.web_studio.drawer import Drawer
+
+SHOTS = [f"SC010_SH0{number}0" for number in range(1, 6)]
+
+
+class Call:
+    """A shot of the graph."""
+
+    scene_id, joined = 1, False
+
+    def __init__(self, shot_id: int) -> None:
+        self.shot_id = shot_id
+
+
+class Rehearsals:
+    """Stands in for a session: notes its calls; each waits until it is let on, or cancelled."""
+
+    def __init__(self) -> None:
+        self.calls: list[str] = []
+        self.slow = ""
+        self.delivered = True
+        self.graph = cast(ContinuityMemoryGraph, type("Graph", (), {"shots": [Call(n) for n in range(1, 6)]}))
+        self._changed, self._cancelled = threading.Condition(), False
+
+    def warm(self) -> None:
+        self._note("warm")
+
+    def stale_frames(self) -> list[str]:
+        return []
+
+    def preview(self, names: Sequence[str]) -> dict[str, Path]:
+        self._note(f"preview {' '.join(names)}")
+        return {name: Path(name) for name in names}
+
+    def rehearse(self, name: str) -> None:
+        self._note(f"rehearse {name}")
+
+    def shoot(self, names: Sequence[str]) -> None:
+        self._note(f"shoot {' '.join(names)}")
+
+    def cancel(self) -> None:
+        with self._changed:
+            self._cancelled = True
+            self._changed.notify_all()
+
+    def heard(self, call: str) -> None:
+        with self._changed:
+            assert self._changed.wait_for(lambda: call in self.calls, 30), (call, self.calls)
+
+    def heard_again(self, call: str) -> None:
+        with self._changed:
+            assert self._changed.wait_for(lambda: self.calls.count(call) > 1, 30), (call, self.calls)
+
+    def _note(self, call: str) -> None:
+        with self._changed:
+            self.calls.append(call)
+            self._cancelled = False
+            self._changed.notify_all()
+            if self.slow and call.startswith(self.slow):
+                self._changed.wait_for(lambda: self._cancelled, 30)
+                raise Cancelled
+
+
+@pytest.fixture
+def session() -> Rehearsals:
+    return Rehearsals()
+
+
+@pytest.fixture
+def drawing(session: Rehearsals, monkeypatch: pytest.MonkeyPatch) -> Any:
+    monkeypatch.setattr(drawer, "REST", 0.05)
+    silent: Callable[[Collection[str]], None] = lambda _: None  # noqa: E731
+    made = Drawer(cast(Session, session), lambda _: None, silent, lambda _: None)
+    session.heard("warm")
+    yield made
+    made.close()
+
+
+def previews(session: Rehearsals) -> list[str]:
+    return [call.removeprefix("preview ") for call in session.calls if call.startswith("preview")]
+
+
+def test_the_shot_looked_at_is_previewed_first_and_alone(session: Rehearsals, drawing: Drawer) -> None:
+    drawing.look_at(SHOTS[3])
+    session.heard(f"rehearse {SHOTS[3]}")
+    drawing.draw(SHOTS, first=SHOTS[1])
+    session.heard(f"shoot {SHOTS[3]} {SHOTS[0]}")
+    assert previews(session)[0] == SHOTS[3]
+    assert sorted(previews(session)) == SHOTS, "the others follow, each once"
+
+
+def test_without_a_look_the_edited_shot_is_the_first(session: Rehearsals, drawing: Drawer) -> None:
+    drawing.draw(SHOTS, first=SHOTS[1])
+    session.heard(f"shoot {SHOTS[1]} {SHOTS[0]}")
+    assert previews(session)[0] == SHOTS[1]
+
+
+def test_frames_under_way_give_way_to_a_look_and_go_on(session: Rehearsals, drawing: Drawer) -> None:
+    session.slow = "shoot"
+    drawing.draw(SHOTS[:1])
+    session.heard(f"shoot {SHOTS[0]}")
+    drawing.look_at(SHOTS[4])
+    session.slow = ""
+    session.heard(f"rehearse {SHOTS[4]}")
+    session.heard_again(f"shoot {SHOTS[0]}")
+
+
+def test_a_look_at_what_is_gone_is_no_work(session: Rehearsals, drawing: Drawer) -> None:
+    drawing.look_at("SC990_SH010")
+    drawing.draw(SHOTS[:1])
+    session.heard(f"shoot {SHOTS[0]}")
+    assert not [call for call in session.calls if "SC990" in call]
