@@ -70,4 +70,4 @@ def _built_of(job: SceneJob) -> str:
     shots = tuple(shot.model_copy(update={"blocking": (), "cues": (), "prop_states": ()}) for shot in job.shots)
     people = sorted({blocking.start.asset_id for shot in job.shots for blocking in shot.blocking})
     still = job.model_copy(update={"scene": scene, "shots": shots})
-    return content_hash(still.digest, people, moved_assets(job))
+    return content_hash(still.digest, " ".join(people), " ".join(moved_assets(job)))
