@@ -69,5 +69,5 @@ def _built_of(job: SceneJob) -> str:
     scene = job.scene.model_copy(update={"layout": layout.model_copy(update={"objects": unplaced})})
     shots = tuple(shot.model_copy(update={"blocking": (), "cues": (), "prop_states": ()}) for shot in job.shots)
     people = sorted({blocking.start.asset_id for shot in job.shots for blocking in shot.blocking})
-    still = job.model_copy(update={"scene": scene, "shots": shots})
+    still = job.model_copy(update={"scene": scene, "shots": shots, "by_hand": ()})
     return content_hash(still.digest, " ".join(people), " ".join(moved_assets(job)))

@@ -13,6 +13,7 @@ from storyblender.memory.coverage import as_filmed, parts_of
 from storyblender.memory.jobs import PackRef
 from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.filming import PackViewfinder, figures_of
+from storyblender.pipeline.hand_motions import with_hand_motions
 from storyblender.pipeline.packing import scene_job, with_coverage
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.state_assets import build_states
@@ -56,7 +57,7 @@ def rehearse(run: Run, shot: ShotContext) -> PackRef:
     """
     graph, scene_id = run.graph, shot.scene_id
     shots = graph.shots_of(scene_id)
-    job = scene_job(graph, scene_id)
+    job = with_hand_motions(run, scene_job(graph, scene_id))
     build_states(run, (job,))
     parts = [part.shot_id for part in parts_of(shots, graph.shot(scene_id, shot.shot_id))]
     pack = run.packs[scene_id] = with_coverage(graph, run.engine.rehearse(job, parts).result())
