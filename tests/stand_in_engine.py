@@ -14,13 +14,14 @@ from typing import Any, TypeVar, get_args
 import numpy as np
 from PIL import Image
 
+from storyblender.errors import EngineError
 from storyblender.folder import Folder
 from storyblender.geometry.camera_path import orbit_of
 from storyblender.geometry.framing import Figure, Film, project
 from storyblender.look.viewfinder_picture import as_png
 from storyblender.memory.asset_sheet import ModelSide
 from storyblender.memory.base import Vec3, content_hash, shot_name
-from storyblender.memory.blend_values import BlendReading, BlendValues
+from storyblender.memory.blend_values import AdoptedObject, BlendReading, BlendValues
 from storyblender.memory.jobs import (
     ASSETS,
     AssetJob,
@@ -170,6 +171,12 @@ class StandInEngine:
     def write_asset(self, job: AssetJob, out: str, paints: Sequence[Paint] = ()) -> Future[str]:
         self.files.write(out, f"model {job.digest}")
         return self._answer("write_asset", out)
+
+    def adopt_object(self, name: str, scene: str, node: str, *, keep: bool) -> Future[AdoptedObject]:
+        """A file of the stand-in has no objects."""
+        refused: Future[AdoptedObject] = Future()
+        refused.set_exception(EngineError(f"{name} has no object {node}"))
+        return refused
 
     def draw_sides(self, job: AssetJob, folder: str) -> Future[Vec3]:
         """Every side of a thing has a colour of its own."""

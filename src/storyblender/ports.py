@@ -13,7 +13,7 @@ from storyblender.catalog.recipe import AssetQuery, Recipe
 from storyblender.folder import Folder
 from storyblender.geometry.framing import Figure
 from storyblender.memory.base import Vec3
-from storyblender.memory.blend_values import BlendReading
+from storyblender.memory.blend_values import AdoptedObject, BlendReading
 from storyblender.memory.jobs import (
     AssetJob,
     CutJob,
@@ -213,6 +213,17 @@ class Engine(Protocol):
 
         Args:
             name: Of the file in the project folder.
+        """
+        ...
+
+    def adopt_object(self, name: str, scene: str, node: str, *, keep: bool) -> Future[AdoptedObject]:
+        """Write an object of a .blend of the story as a model of its own; raises EngineError if it cannot be one.
+
+        Args:
+            name: Of the file in the project folder.
+            scene: Of the file.
+            node: Name of the object.
+            keep: False only says what would be written.
         """
         ...
 

@@ -26,7 +26,7 @@ from storyblender.errors import InputError
 from storyblender.folder import Folder
 from storyblender.memory.asset_sheet import Asset, CharacterLook, ModelPose
 from storyblender.memory.base import Frozen, content_hash, seed_of
-from storyblender.memory.jobs import ASSETS, FETCHED, AssetJob, asset_suffixes
+from storyblender.memory.jobs import ADOPTED, ASSETS, FETCHED, AssetJob, asset_suffixes
 from storyblender.memory.measure import AssetMeasure
 from storyblender.model_content import content_of
 from storyblender.outputs import digest_of
@@ -207,7 +207,7 @@ class AssetStore:
         """
         mend = "restore it, or run `storyblender make` with --models FOLDER"
         found: Path | None = None
-        for folder in (*self._models, self._files.path(FETCHED)):
+        for folder in (*self._models, self._files.path(FETCHED), self._files.path(ADOPTED)):
             path = folder / name
             if not path.resolve().is_relative_to(folder.resolve()):
                 raise InputError(f"the model {name!r} is outside the folder of models")

@@ -32,7 +32,7 @@ from storyblender.geometry.framing import Figure
 from storyblender.look.aperture import look_through
 from storyblender.look.grade import AGX_CONTRAST, display_of
 from storyblender.memory.base import Vec3, content_hash, scene_name, shot_name
-from storyblender.memory.blend_values import BlendReading
+from storyblender.memory.blend_values import AdoptedObject, BlendReading
 from storyblender.memory.graph import ProjectFormat
 from storyblender.memory.jobs import (
     DRAWING_VERSION,
@@ -104,6 +104,7 @@ class BlenderSession:
             self.compile_story,
             self.compile_cut,
             self.read_story,
+            self.adopt_object,
             self.export_scene,
             self.portrait,
             self.write_asset,
@@ -293,6 +294,13 @@ class BlenderSession:
         self._close_pack()
         reading = read_file(str(self._files.path(name)))
         return reading.model_copy(update={"by_hand": read_by_hand(reading, self._files)})
+
+    def adopt_object(self, name: str, scene: str, node: str, keep: bool) -> AdoptedObject:
+        """Write an object of a .blend of the story as a model of its own."""
+        from storyblender.blender.adopt import adopt_object
+
+        self._close_pack()
+        return adopt_object(name, scene, node, self._files, keep=keep)
 
     def export_scene(self, job: ExportJob) -> str:
         """Write one scene as glTF or USD."""

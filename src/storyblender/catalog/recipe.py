@@ -12,7 +12,15 @@ from storyblender.catalog.registry import ParamValue
 from storyblender.catalog.stand_ins import DEFAULT, STAND_INS
 from storyblender.catalog.states import state_look
 from storyblender.catalog.writing import CALL_WORDS, MAX_LETTERS, SCREENS, WRITING
-from storyblender.memory.asset_sheet import Asset, AssetDecision, AssetDimension, CanonicalAsset, Provenance
+from storyblender.memory.asset_sheet import (
+    AdoptedModel,
+    Asset,
+    AssetDecision,
+    AssetDimension,
+    CanonicalAsset,
+    ModelPose,
+    Provenance,
+)
 from storyblender.memory.base import Frozen, Vec3, content_hash
 from storyblender.memory.vocabulary import ThingState
 
@@ -135,8 +143,25 @@ def made_from(asset: Asset, decision: AssetDecision) -> Asset:
         told = AssetDimension.model_validate(sides) if sides else None
         update = {"decision": decision, "canonical": None, "dimension": told, "image_prompt": ""}
         return asset.model_copy(update=update)
+    if decision.adopted is not None:
+        return _adopted(asset, decision, decision.adopted)
     recipe = Recipe(source="catalog", key=decision.prop, params=decision.params, score=EXACT)
     width = AssetDimension(width=recipe.dimensions[0])
     made = {"decision": decision, "kind": decision.prop, "canonical": recipe.canonical(), "dimension": width}
     made["image_prompt"] = ""
     return asset.model_copy(update=made)
+
+
+def _adopted(asset: Asset, decision: AssetDecision, model: AdoptedModel) -> Asset:
+    """Return an asset that is to be built from a model from Blender, as large as it is there and as it stands there."""
+    recipe = Recipe(
+        source="file",
+        key=model.file,
+        params={"content": model.content, "told": True, **ModelPose(front="front", top="top").params},
+        score=EXACT,
+        provenance=Provenance(source="blender", file=model.file),
+    )
+    canonical = recipe.canonical().model_copy(update={"dimensions": model.size})
+    height = AssetDimension(height=model.size[2]) if model.size[2] > 0.01 else AssetDimension(width=max(model.size[:2]))
+    made = {"decision": decision, "kind": decision.prop, "canonical": canonical, "dimension": height}
+    return asset.model_copy(update={**made, "image_prompt": ""})

@@ -58,7 +58,7 @@ def asset_effects(graph: ContinuityMemoryGraph, edit: AssetEdit) -> list[Effect]
         return thing_effects(graph, asset, edit)
     if asset is not None:
         if edit.action == "replace":
-            return made_anew(graph, asset, decision_of(edit.model or ""), edit.model or "")
+            return made_anew(graph, asset, _decision(edit, prop_of(asset)), edit.model or "")
         assert scene is not None, "the edit is whole"
         return [_removed(graph, scene, asset)]
     if scene is None:
@@ -86,12 +86,20 @@ def decision_of(words: str) -> AssetDecision:
     return AssetDecision(prop=entry.key, params=read_variant(entry, words))
 
 
+def _decision(edit: AssetEdit, prop: str | None) -> AssetDecision:
+    """Return what an edit has a thing made from: a model from Blender, used as what it was, or the library's."""
+    if edit.adopted is None:
+        return decision_of(edit.model or "")
+    return AssetDecision(prop=prop or "", adopted=edit.adopted)
+
+
 def _added(graph: ContinuityMemoryGraph, scene: SceneContext, edit: AssetEdit) -> list[Effect]:
     refuse_locked_staging(graph, scene)
     model = edit.model or ""
-    decision = decision_of(model)
+    decision = _decision(edit, "")
     known = {asset.asset_id for asset in graph.assets}
-    base = as_id(model) if as_id(model).replace("_", "").isalnum() and as_id(model).isascii() else decision.prop
+    speaking = as_id(model).replace("_", "").isalnum() and as_id(model).isascii()
+    base = as_id(model) if speaking else decision.prop or "thing"
     asset_id = next(
         name for count in range(1, 1000) if (name := base[:60] + (f"_{count}" if count > 1 else "")) not in known
     )

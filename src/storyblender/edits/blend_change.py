@@ -10,7 +10,7 @@ from storyblender.memory.edits import Edit
 
 ChangeKind = Literal[
     "moved", "turned", "scaled", "deleted", "duplicated", "added", "renamed", "camera", "lens", "aperture",
-    "lamp", "material", "marker", "strip", "keys added", "keys retimed", "posed", "unknown",
+    "lamp", "material", "reshaped", "cut", "marker", "strip", "keys added", "keys retimed", "posed", "unknown",
 ]  # fmt: skip
 
 

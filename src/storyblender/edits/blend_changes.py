@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import Final
 
 from storyblender.edits.blend_change import BlendChange, ChangeKind
+from storyblender.edits.cut_changes import cut_changes
 from storyblender.edits.material_changes import material_changes
 from storyblender.memory.blend_values import (
     BlendReading,
@@ -47,6 +48,8 @@ def changes_of(reading: BlendReading) -> list[BlendChange]:
     for name in sorted(set(saved) - known):
         changes.append(BlendChange(kind="unknown", scene=name, subject=name, words="a scene that is new"))
     changes += material_changes(reading.compiled, reading.saved)
+    if reading.compiled.cut is not None and reading.saved.cut is not None:
+        changes += cut_changes(reading.compiled.cut, reading.saved.cut)
     return changes
 
 
@@ -102,6 +105,8 @@ def _node_changes(scene: str, before: NodeValues, after: NodeValues) -> Iterator
             yield change("turned", f"is turned to {after.rotation[2]:.0f} degrees")
         if _differ(before.scale, after.scale, _SHARE):
             yield change("scaled", "is scaled")
+    if before.shape and after.shape != before.shape:
+        yield change("reshaped", "has another shape")
     if before.lamp is not None and after.lamp is not None:
         brighter = after.lamp.power / before.lamp.power if before.lamp.power else 1.0
         if abs(brighter - 1) > _SHARE or _differ(before.lamp.color, after.lamp.color, _SHARE):

@@ -7,13 +7,14 @@ from collections.abc import Sequence
 
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.prop_names import prop_of
+from storyblender.edits.added_lamps import lamp_edit, looking
 from storyblender.edits.blend_change import BlendChange
 from storyblender.edits.conflicts import refuse_stale
 from storyblender.edits.effect import with_effects
 from storyblender.edits.families import effects_of
 from storyblender.errors import InputError, StaleEdit
 from storyblender.memory.base import Frozen, scene_name
-from storyblender.memory.blend_values import NodeValues, PoseValues, Vector
+from storyblender.memory.blend_values import BlendValues, NodeValues, PoseValues
 from storyblender.memory.camera_decision import CameraDecision, CameraPosition, FreeCamera
 from storyblender.memory.edits import AssetEdit, CameraEdit, DurationEdit, Edit, LightEdit, PlaceEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -35,26 +36,28 @@ class PulledEdits(Frozen):
     """Changes that no edit can express, or that cannot be; they stay in a copy of the file."""
 
 
-def edits_of(project: Project, changes: Sequence[BlendChange], version: str) -> PulledEdits:
+def edits_of(project: Project, changes: Sequence[BlendChange], compiled: BlendValues) -> PulledEdits:
     """Return the edits that make the changes of a file, each tried on the story as those before it leave it.
 
     Args:
         project: Open.
         changes: Of the file.
-        version: Of the project that the file was compiled from.
+        compiled: The file as it was written.
     """
     graph, edits = project.graph, list[Edit]()
     told: dict[str, list[str]] = {"understood": [], "conflicts": [], "kept": []}
     for change in _merged(changes):
         try:
-            wanted = _edits(project.graph, change)
+            wanted = _edits(project.graph, change, compiled)
             if not wanted:
                 told["kept"].append(change.words)
                 continue
             after = graph
             for edit in wanted:
                 done = effects_of(after, edit)
-                refuse_stale(project, version, {(each.name, aspect) for each in done for aspect in each.aspects})
+                refuse_stale(
+                    project, compiled.version, {(each.name, aspect) for each in done for aspect in each.aspects}
+                )
                 after = with_effects(after, done)
         except StaleEdit as error:
             told["conflicts"].append(f"{change.words}; in the project: {'; '.join(error.changes)}")
@@ -79,7 +82,7 @@ def _merged(changes: Sequence[BlendChange]) -> list[BlendChange]:
     return list(found.values())
 
 
-def _edits(graph: ContinuityMemoryGraph, change: BlendChange) -> list[Edit]:
+def _edits(graph: ContinuityMemoryGraph, change: BlendChange, compiled: BlendValues) -> list[Edit]:
     """Return the edits that make a change; none where nothing can."""
     before, after = change.before, change.after
     if change.edits:
@@ -89,6 +92,9 @@ def _edits(graph: ContinuityMemoryGraph, change: BlendChange) -> list[Edit]:
             return _placed(graph, change.scene, before, after)
         case "moved" | "turned" | "lamp" if before is not None and after is not None and before.kind == "light":
             return _lit(graph, change.scene, before, after)
+        case "added" if after is not None and after.lamp is not None:
+            scene = next(each for each in compiled.scenes if each.name == change.scene)
+            return [lamp_edit(graph, change, after, scene)]
         case "deleted" if before is not None and before.kind == "prop":
             return [AssetEdit(action="remove", thing=before.node_id, scene=change.scene)]
         case "deleted" if before is not None and _lamp(graph, change.scene, before.node_id) is not None:
@@ -158,20 +164,10 @@ def _lit(graph: ContinuityMemoryGraph, scene: str, before: NodeValues, after: No
         decided = decided.model_copy(update={"color": after.lamp.color})
     if (before.location, before.rotation) != (after.location, after.rotation):
         away = math.dist(lamp.location, lamp.target) or 1.0
-        aimed = zip(after.location, _looking(after.rotation), strict=True)
+        aimed = zip(after.location, looking(after.rotation), strict=True)
         target = tuple(round(at + away * toward, 4) for at, toward in aimed)
         decided = decided.model_copy(update={"location": after.location, "target": target})
     return [LightEdit(scene=scene, decision=LightDecision(lamps={before.node_id: decided}))]
-
-
-def _looking(rotation: Vector) -> Vector:
-    """Return where a lamp shines that is turned by some degrees about X, Y and Z: along its own -Z."""
-    x, y, z = map(math.radians, rotation)
-    return (
-        -(math.cos(z) * math.sin(y) * math.cos(x) + math.sin(z) * math.sin(x)),
-        -(math.sin(z) * math.sin(y) * math.cos(x) - math.cos(z) * math.sin(x)),
-        -math.cos(y) * math.cos(x),
-    )
 
 
 def _lamp(graph: ContinuityMemoryGraph, scene: str, name: str) -> Light | None:

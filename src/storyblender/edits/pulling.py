@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from storyblender.edits.adopting_objects import with_adopted
 from storyblender.edits.blend_changes import changes_of
 from storyblender.edits.dispatcher import Applied, apply_edits
 from storyblender.edits.pulled_edits import edits_of
@@ -55,7 +56,8 @@ def _with_file(run: Run, name: str, pulled: Pulled, *, apply: bool) -> Pulled:
             take_over(run, name)
         return pulled.model_copy(update={"files": files, "kept": (*pulled.kept, f"{name} {why}")})
     changes, motions = with_hand_changes(run.project, changes_of(reading), reading)
-    found = edits_of(run.project, changes, reading.compiled.version)
+    changes = with_adopted(run, name, changes, keep=apply)
+    found = edits_of(run.project, changes, reading.compiled)
     applied = pulled.applied
     if apply:
         run.copy_aside(name)  # what the values do not tell, such as a mesh that was sculpted, is in the copy alone

@@ -18,7 +18,7 @@ from storyblender.engine.worker import LOG, Worker, blender_worker
 from storyblender.folder import Folder
 from storyblender.geometry.framing import Figure
 from storyblender.memory.base import Frozen, Vec3, scene_name, shot_name
-from storyblender.memory.blend_values import BlendReading
+from storyblender.memory.blend_values import AdoptedObject, BlendReading
 from storyblender.memory.jobs import (
     AssetJob,
     CutJob,
@@ -183,6 +183,11 @@ class BlenderEngine:
     def read_story(self, name: str) -> Future[BlendReading]:
         """Read back a .blend of the story, which a person may have changed."""
         return self._submit("read_story", {"name": name}, BlendReading.model_validate, subject=name)
+
+    def adopt_object(self, name: str, scene: str, node: str, *, keep: bool) -> Future[AdoptedObject]:
+        """Write an object of a .blend of the story as a model of its own."""
+        arguments = {"name": name, "scene": scene, "node": node, "keep": keep}
+        return self._submit("adopt_object", arguments, AdoptedObject.model_validate, subject=node)
 
     def export_scene(self, job: ExportJob) -> Future[str]:
         """Write one scene as glTF or USD."""

@@ -215,6 +215,17 @@ class StatedSize(Frozen):
     """Whether it is a small likeness: a toy car, a plush bear."""
 
 
+class AdoptedModel(Described):
+    """A model that a person made or reshaped in Blender, kept in the project."""
+
+    file: Annotated[str, StringConstraints(pattern=r"^model_[0-9a-f]{16}\.blend$")]
+    """Its name in the project's folder of adopted models."""
+    content: Digest = ""
+    """Digest of the file; empty where it is not written yet."""
+    size: tuple[_Length, _Length, _Length]
+    """Width, depth and height in metres."""
+
+
 class AssetDecision(Described):
     """What a person had a thing made from."""
 
@@ -224,17 +235,29 @@ class AssetDecision(Described):
     """Path of a model in the user's folders."""
     params: dict[str, ParamValue] = {}
     """Parameters of its builder; of a file its ``front`` and ``top``, and a size in metres that is ``told``."""
+    adopted: AdoptedModel | None = Field(default=None, exclude_if=is_none)
+    """The model from Blender that it is; ``prop`` then only says what it is used as."""
 
     @model_validator(mode="after")
     def _has_one_origin(self) -> Self:
-        if bool(self.prop) == bool(self.file):
-            raise ValueError("a thing is made from a prop of the library or from a file")
+        if self.adopted is None and bool(self.prop) == bool(self.file):
+            raise ValueError("a thing is made from a prop of the library, from a file or from a model of Blender")
         return self
 
     @property
     def words(self) -> str:
         """What it is made from, as a person reads it."""
+        if self.adopted is not None:
+            return "a model from Blender"
         return self.file or self.prop.replace("_", " ")
+
+    def is_kept_by(self, made: CanonicalAsset | None) -> bool:
+        """Return whether a thing is made from it, or is not made yet."""
+        if made is None or self.file:
+            return True
+        if self.adopted is not None:
+            return made.key == self.adopted.file
+        return (made.key, made.params) == (self.prop, self.params)
 
 
 FITTED = "fitted"

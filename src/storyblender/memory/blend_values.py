@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
+from storyblender.memory.asset_sheet import AdoptedModel
 from storyblender.memory.base import Frozen, dropping
 from storyblender.memory.motion_by_hand import HandMotionRead
 
@@ -174,6 +175,17 @@ class BlendValues(Frozen):
     cut: tuple[StripInEdit, ...] | None = None
     """The strips of the scene EDIT, in order; None where it has none."""
     _former = dropping("materials")
+
+
+class AdoptedObject(Frozen):
+    """An object of a file as a model of its own, and where that stands."""
+
+    model: AdoptedModel
+    """In the project."""
+    location: Vector
+    """Metres, of its bottom centre."""
+    rotation: float
+    """Degrees about Z."""
 
 
 class BlendReading(Frozen):

@@ -6,7 +6,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, TypeAdapter, model_validator
 
-from storyblender.memory.asset_sheet import AssetDimension, Garment, LookDecision, ModelPose, Note
+from storyblender.memory.asset_sheet import AdoptedModel, AssetDimension, Garment, LookDecision, ModelPose, Note
 from storyblender.memory.base import Described, Digest, Frames, Identifier, is_none
 from storyblender.memory.locks import LockName
 from storyblender.memory.notes import MOST_NOTES, NoteAuthor, NoteText
@@ -183,6 +183,8 @@ class AssetEdit(Described):
     """With ``relation``: the id of a thing, or a part of the set: ``window``, ``door``, ``back_wall``."""
     place: ThingPlace | None = Field(default=None, exclude_if=is_none)
     """Where what is added stands to the millimetre, in place of a relation."""
+    adopted: AdoptedModel | None = Field(default=None, exclude_if=is_none)
+    """The model from Blender that is added, or that is put in place of a thing; ``model`` is then what it is called."""
     name: _Name | None = Field(default=None, exclude_if=is_none)
     """What a thing of the story is called from now on, on board and lists; its id stays."""
 

@@ -33,6 +33,8 @@ DRAWING_VERSION = 5
 
 ASSETS = "assets"
 """Folder of the built assets, each named by its digest."""
+ADOPTED = "adopted"
+"""Folder of the models that a person made in Blender."""
 FETCHED = "build/models"
 """Folder of the model files that an asset source fetched from elsewhere."""
 

@@ -46,11 +46,9 @@ def lock_violations(old: Item, new: Item, author: str) -> Iterator[str]:
                 yield f"{old.asset_id} is locked"
             if author not in PEOPLE and new.look_decision != old.look_decision:
                 yield f"a person decided how {old.asset_id} looks"
-            if author not in PEOPLE and old.decision is not None:
-                made, meant = new.canonical, (old.decision.prop, old.decision.params)
-                other = made is not None and not old.decision.file and (made.key, made.params) != meant
-                if new.decision != old.decision or other:
-                    yield f"a person had {old.asset_id} made from {old.decision.words}"
+            was = old.decision
+            if author not in PEOPLE and was is not None and (new.decision != was or not was.is_kept_by(new.canonical)):
+                yield f"a person had {old.asset_id} made from {was.words}"
         case _:
             return
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from storyblender.memory.graph import ContinuityMemoryGraph, in_order
 from storyblender.memory.history import replace
+from storyblender.memory.paint import Paint
 
 ShotKey = tuple[int, int]
 """Scene id and shot id."""
@@ -34,7 +35,17 @@ def with_cut(
             plan = replace(plan, scene.model_copy(update={"omitted": past.omitted, "shot_order": order}))
     present = {then: new for new, then in former.items()}
     kept = [present[scene_id] for scene_id in old.scene_order if scene_id in present]
-    return plan.model_copy(update={"scene_order": _ordered([scene.scene_id for scene in plan.scenes], kept)})
+    order = _ordered([scene.scene_id for scene in plan.scenes], kept)
+    return plan.model_copy(update={"scene_order": order, "paints": tuple(_kept_paints(old, present))})
+
+
+def _kept_paints(old: ContinuityMemoryGraph, present: Mapping[int, int]) -> Iterator[Paint]:
+    """Yield what a person painted, in the scenes as they are numbered now; of a scene that is gone nothing is left."""
+    for paint in old.paints:
+        scene_id = paint.target.scene_id
+        if scene_id is None or scene_id in present:
+            target = paint.target.model_copy(update={"scene_id": scene_id and present[scene_id]})
+            yield paint.model_copy(update={"target": target})
 
 
 def _former_scenes(plan: ContinuityMemoryGraph, matched: Mapping[ShotKey, ShotKey]) -> dict[int, int]:
