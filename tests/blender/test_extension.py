@@ -212,6 +212,7 @@ def test_a_file_that_was_written_anew_is_told_and_opened_where_one_was(program: 
     settle()
     assert not part("story").STORY.is_rewritten
     assert (panel_state().chosen, bpy.context.scene.frame_current) == ("SC010_SH020", 25)
+    assert bpy.context.scene.name == "SC010" and bpy.context.scene.camera.name == "SC010_SH020"
 
 
 def test_a_file_of_no_project_and_one_without_values_are_told(program: Program, tmp_path: Path) -> None:

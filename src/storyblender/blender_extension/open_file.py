@@ -6,7 +6,6 @@ from typing import Any
 
 import bpy
 
-from .shots_in_file import go_to
 from .story import STORY
 
 _NEWER = "story.blend was written anew: press Reload; what you changed here since you pulled is lost then"
@@ -40,14 +39,14 @@ def open_anew() -> None:
 
 
 def reload() -> None:
-    """Open the file as it is on disk, and go back to the shot that was looked at."""
-    window = bpy.context.window_manager.windows[0]
-    scene, frame, told = window.scene.name, window.scene.frame_current, STORY.told
+    """Open the file as it is on disk, and go back to where the person was."""
+    window, told = bpy.context.window_manager.windows[0], STORY.told
+    shown, frame = window.scene.name, window.scene.frame_current
     chosen = bpy.context.window_manager.storyblender.chosen
     bpy.ops.wm.open_mainfile(filepath=bpy.data.filepath, load_ui=False, use_scripts=False)
     STORY.told = told
-    window = bpy.context.window_manager.windows[0]
-    go_to(window, chosen)
-    if window.scene.name == scene:
-        window.scene.frame_set(frame)
     STORY.choose(chosen)
+    scene = bpy.data.scenes.get(shown)
+    if scene is not None:
+        bpy.context.window_manager.windows[0].scene = scene
+        scene.frame_set(frame)
