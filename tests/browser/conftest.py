@@ -51,14 +51,19 @@ class RunningStudio:
     Attributes:
         folder: Of scripts and projects.
         address: With the key.
+
+    Args:
+        folder: Of scripts and projects.
+        opens: What it is started with; the project in the folder if not given.
     """
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, opens: Path | None = None) -> None:
         self.folder, self.address = folder, ""
+        self._opens = opens or folder / "two_cups.storyboard"
         self._start()
 
     def _start(self, port: int = 0) -> None:
-        command = [sys.executable, "-m", "storyblender", "studio", str(self.folder / "two_cups.storyboard")]
+        command = [sys.executable, "-m", "storyblender", "studio", str(self._opens)]
         command += ["--no-browser", "--port", str(port)]
         self.process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
         assert self.process.stderr is not None

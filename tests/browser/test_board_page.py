@@ -120,6 +120,18 @@ def test_the_board_has_no_faults_of_access(inspected: Page) -> None:
     assert not found.violations_count, found.generate_report()
 
 
+def test_on_a_telephone_every_button_of_the_board_and_of_a_shot_is_reached(inspected: Page) -> None:
+    page = inspected
+    page.set_viewport_size({"width": 390, "height": 800})
+    assert page.evaluate("document.documentElement.scrollWidth") <= 390
+    for name in ("Approve", "Lock the shot", "Undo", "Deliver", "Close"):
+        button = page.get_by_role("button", name=name, exact=True).first
+        button.scroll_into_view_if_needed()
+        box = button.bounding_box()
+        assert box is not None and box["x"] >= 0 and box["x"] + box["width"] <= 390, name
+    page.set_viewport_size({"width": 1280, "height": 800})
+
+
 @pytest.mark.parametrize("width", [1280, 390])
 def test_nothing_is_cut_off_at_the_side(page: Page, width: int) -> None:
     page.keyboard.press("Escape")

@@ -175,7 +175,7 @@ export class Studio extends LitElement {
     return html`
       <header>
         <button class="home" @click=${() => this.leave()} title="Scripts and projects">StoryBlender</button>
-        ${this.board ? html`<h1>${this.board.title}</h1><span class="summary">${this.board.summary}</span>` : nothing}
+        <h1>${this.board?.title || "Storyboards"}</h1>${this.board ? html`<span class="summary">${this.board.summary}</span>` : nothing}
         <span class="space"></span>
         ${this.board?.made && !this.making ? this.tools(this.board) : nothing}
       </header>

@@ -211,9 +211,11 @@ class Hub:
 
     def _make(self, call: MakeCall) -> dict[str, Any]:
         self._stop_drawing()
-        if call.text is not None:
-            self.place.write_script(call.script, call.text)
-        self.place.make(call.script, {"look": call.look, "animatic": call.animatic, "crew": call.crew})
+        settings: dict[str, object] = {"look": call.look, "animatic": call.animatic, "crew": call.crew}
+        if call.text is None:
+            self.place.make(call.script, settings)
+        else:
+            self.place.make_of(call.script, call.text, settings)
         self._begun = partial(self._make, call)
         return self._followed()
 

@@ -163,6 +163,26 @@ class Workplace:
         session = self._hold(studio.start(path, folder))
         self.begin(f"make {script}", lambda: session.make(path))
 
+    def make_of(self, script: str, text: str, settings: dict[str, object]) -> None:
+        """Write a script into the folder and begin to make it; one that cannot be read is not left there.
+
+        Args:
+            script: File name.
+            text: Its words.
+            settings: As on the command line.
+
+        Raises:
+            InputError: As ``write_script`` and ``make``.
+        """
+        new = script not in self.names()[0]
+        self.write_script(script, text)
+        try:
+            self.make(script, settings)
+        except InputError:
+            if new:
+                self._files.delete(script)
+            raise
+
     def begin(self, work: str, call: Callable[[], Delivery]) -> None:
         """Run a long call beside the conversation. Raises InputError if one is under way.
 
