@@ -64,11 +64,18 @@ def said(page: Page) -> Locator:
 
 
 def point_on(page: Page, node: str) -> tuple[float, float]:
-    """Return where a thing is on the screen in the view that is shown."""
-    x, y = in_page(page, "return view.scene.onScreen(values[0]);", node)
-    box = page.locator(".frame canvas").bounding_box()
-    assert box is not None
-    return box["x"] + x * box["width"], box["y"] + y * box["height"]
+    """Return where a thing is on the screen in the view that is shown, once nothing shifts any more."""
+    before = (0.0, 0.0)
+    for _ in range(60):
+        x, y = in_page(page, "return view.scene.onScreen(values[0]);", node)
+        box = page.locator(".frame canvas").bounding_box()
+        assert box is not None
+        here = (box["x"] + x * box["width"], box["y"] + y * box["height"])
+        if here == before and not in_page(page, "return view.scene.drawing;"):
+            return here
+        before = here
+        page.wait_for_timeout(250)
+    raise AssertionError(f"{node} does not come to rest")
 
 
 def drag(page: Page, node: str, by: tuple[int, int], *, cancel: bool = False) -> None:

@@ -3,6 +3,7 @@
 import { LitElement, html, nothing } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { Edit, LineTime, ShotDetails } from "./messages";
+import { numberField } from "./number_field";
 
 @customElement("sb-lines")
 export class ShotLines extends LitElement {
@@ -19,15 +20,6 @@ export class ShotLines extends LitElement {
     this.dispatchEvent(new CustomEvent("edit", { detail: edit }));
   }
 
-  private field(label: string, now: number, least: number, changed: (value: number) => void) {
-    return html`<label>${label} <input type="number" step="0.1" min=${least} max="600" .value=${String(now)}
-      @change=${(event: Event) => {
-        const field = event.target as HTMLInputElement;
-        if (field.value && field.checkValidity()) changed(Number(field.value));
-        else field.value = String(now);
-      }} /> s</label>`;
-  }
-
   render() {
     return html`<h3>Script</h3>
       ${this.details.lines.map((line, index) => {
@@ -40,8 +32,8 @@ export class ShotLines extends LitElement {
 
   private timing(time: LineTime) {
     return html`<div class="timing" role="group" aria-label="When line ${time.line} is said">
-      ${this.field("from", time.at, 0, (at) => this.decide(time, { at }))}
-      ${this.field("for", time.seconds, 0.3, (seconds) => this.decide(time, { seconds }))}
+      ${numberField("from", time.at, (at) => this.decide(time, { at }), 0.1, 0, 600, " s")}
+      ${numberField("for", time.seconds, (seconds) => this.decide(time, { seconds }), 0.1, 0.3, 600, " s")}
       ${time.decided ? html`<button class="quiet" @click=${() => this.decide(time, null)}>As the crew has it</button>` : nothing}</div>`;
   }
 }

@@ -7,6 +7,7 @@ import { hex, linear } from "./colors";
 import type { Edit } from "./messages";
 import { poseOf, roundTo } from "./stage_cameras";
 import { cameraEdit, cameraOf, editOf, lampEdit, marksEdit, nameOf, partsOf, put, putCamera, spotOf } from "./stage_items";
+import { numberField } from "./number_field";
 import type { LampOnStage, PersonOnStage, PlacedThing, Point, Stage, StageCamera } from "./stage_values";
 
 const AXES = ["X", "Y", "Z"];
@@ -46,12 +47,7 @@ export class StageNumbers extends LitElement {
   }
 
   private number(label: string, value: number, changed: (value: number) => void, step = 0.1, least = -1000, most = 1000) {
-    return html`<label>${label} <input type="number" step=${step} min=${least} max=${most} .value=${String(roundTo(value, 3))}
-      @change=${(event: Event) => {
-        const field = event.target as HTMLInputElement;
-        if (field.checkValidity() && field.value) changed(Number(field.value));
-        else field.value = String(roundTo(value, 3));
-      }} /></label>`;
+    return numberField(label, roundTo(value, 3), changed, step, least, most);
   }
 
   /** Fields of a place in the scene, and the edit that puts the item there. */
