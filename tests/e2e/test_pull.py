@@ -28,8 +28,8 @@ objects = sorted(scene.objects, key=lambda obj: obj.name)
 thing = next(obj for obj in objects if str(obj.get("node_id")).startswith("set_") and obj.get("kind") == "prop")
 camera = next(obj for obj in objects if obj.type == "CAMERA" and not obj.animation_data)
 lamp = next(obj for obj in objects if obj.type == "LIGHT" and not obj["node_id"].startswith("ambient"))
-person = next(obj for obj in objects if obj.type == "ARMATURE")
-strip = person.animation_data.nla_tracks[0].strips[0]
+person = next(obj for obj in objects if obj.type == "ARMATURE" and obj["node_id"] == "tom")
+strip = max((track.strips[0] for track in person.animation_data.nla_tracks), key=lambda strip: strip.frame_start)
 bag = strip.action.layers[0].strips[0].channelbag(strip.action_slot)
 """
 

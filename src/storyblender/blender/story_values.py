@@ -179,6 +179,7 @@ def _camera_values(camera: bpy.types.Object) -> CameraValues:
     return CameraValues(
         poses=tuple(_pose(camera, moves, frame) for frame in frames),
         between=tuple(keyed[1:-1]),
+        path=_curve_values(moves).values if keyed else "",
         f_number=round(dof.aperture_fstop, 3),
         blurs=dof.use_dof,
     )

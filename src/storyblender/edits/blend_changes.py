@@ -123,6 +123,8 @@ def _camera_changes(before: NodeValues, after: NodeValues, change: _Said) -> Ite
         yield change("camera", "is taken from elsewhere")
     elif any(abs(a.lens - b.lens) > 0.005 for a, b in zip(was.poses, now.poses, strict=True)):
         yield change("lens", f"has {now.poses[0].lens:.0f} mm")
+    elif was.path and was.path != now.path:
+        yield change("unknown", "moves otherwise between its first and last key")
     if abs(was.f_number - now.f_number) > 0.005 or was.blurs != now.blurs:
         yield change("aperture", f"has f/{now.f_number:g}" if now.blurs else "has no depth of field")
 

@@ -55,6 +55,8 @@ class CameraValues(Frozen):
     """At its first and last key; one pose if it rests."""
     between: tuple[int, ...]
     """Frames of the keys between."""
+    path: str = ""
+    """Digest of all keys of its move; empty for one that rests."""
     f_number: float
     """Of its depth of field."""
     blurs: bool

@@ -37,10 +37,10 @@ CHAIR, TABLE = node("chair", materials=("Wood",)), node("table")
 LAMP = node("lamp", "light", lamp=LampValues(power=40, color=(1, 0.9, 0.8)))
 CAMERA = node(
     "sh010", "camera", name="SC010_SH010", origin="SC010_SH010",
-    camera=CameraValues(poses=(POSE,), between=(), f_number=4, blurs=False),
+    camera=CameraValues(poses=(POSE,), between=(), path="m", f_number=4, blurs=False),
 )  # fmt: skip
 STRIP = StripValues(name="SC010_SH010", start=1, end=49, curves=CURVES)
-ADA = node("ada", "character", animated=True, strips=(STRIP,))
+ADA = node("ada", "character", animated=True, strips=(STRIP,), posing="p")
 NODES = (CHAIR, TABLE, LAMP, CAMERA, ADA)
 MARKERS = {"SC010_SH010": 1, "SC010_SH020": 49, "SC010_SH030": 97}
 
@@ -97,6 +97,7 @@ KEYED = CURVES.model_copy(update={"keys": 13})
         ),
         (with_(CAMERA, camera=CAMERA_VALUES.model_copy(update={"poses": (NEARER,)})), "camera", "SC010_SH010"),
         (with_(CAMERA, camera=CAMERA_VALUES.model_copy(update={"f_number": 1.4})), "aperture", "SC010_SH010"),
+        (with_(CAMERA, camera=CAMERA_VALUES.model_copy(update={"path": "n"})), "unknown", "SC010_SH010"),
         (with_(LAMP, lamp=LampValues(power=80, color=(1, 0.9, 0.8))), "lamp", "lamp"),
         (with_(ADA, strips=(STRIP.model_copy(update={"start": 9}),)), "strip", "ada"),
         (with_(ADA, strips=(STRIP.model_copy(update={"curves": KEYED}),)), "keys added", "ada"),
@@ -108,6 +109,7 @@ KEYED = CURVES.model_copy(update={"keys": 13})
             with_(ADA, strips=(STRIP.model_copy(update={"curves": CURVES.model_copy(update={"values": "w"})}),)),
             "posed", "ada",
         ),
+        (with_(ADA, posing="q"), "posed", "ada"),
         (with_(ADA, location=(9, 9, 9)), "", ""),
     ],
 )  # fmt: skip
