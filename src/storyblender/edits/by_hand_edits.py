@@ -11,7 +11,7 @@ from storyblender.memory.base import shot_name, staged_id
 from storyblender.memory.edits import ByHandEdit, Edit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.motion_by_hand import by_hand_file
-from storyblender.pipeline.hand_motions import read_motion
+from storyblender.pipeline.hand_motions import can_be_animated, read_motion
 from storyblender.project import Project
 
 
@@ -34,7 +34,7 @@ def by_hand_effects(graph: ContinuityMemoryGraph, edit: ByHandEdit) -> list[Effe
     if edit.motion is None and who not in shot.motion_by_hand:
         there = ", ".join(shot.motion_by_hand) or "nobody"
         raise InputError(f"{who} is not animated by hand in {name}", mend=f"there is: {there}")
-    if who not in (*shot.on_stage, *graph.scene(shot.scene_id).setup.asset_ids):
+    if not can_be_animated(graph, shot, who):
         raise InputError(f"{who} is not in {name}", mend=f"there are: {', '.join(shot.on_stage)}")
     motions = {**shot.motion_by_hand, who: edit.motion} if edit.motion is not None else {**shot.motion_by_hand}
     if edit.motion is None:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from storyblender.errors import InputError
 from storyblender.folder import Folder
 from storyblender.memory.base import Digest, shot_name
+from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import SceneJob
 from storyblender.memory.motion_by_hand import HandMotion, MotionByHand, by_hand_file
+from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.run import Run
 from storyblender.trace import Event
 
@@ -23,6 +25,20 @@ def read_motion(files: Folder, digest: Digest) -> MotionByHand | None:
     except (OSError, ValueError, InputError):
         return None
     return motion if motion.digest == digest else None
+
+
+def can_be_animated(graph: ContinuityMemoryGraph, shot: ShotContext, asset_id: str) -> bool:
+    """Return whether a person is on stage in a shot, or a thing is one of its scene.
+
+    Args:
+        graph: With the shot.
+        shot: The shot.
+        asset_id: The person or the thing, which need not be in the story.
+    """
+    if asset_id in shot.on_stage:
+        return True
+    things = {asset.asset_id for asset in graph.assets if asset.asset_type == "object"}
+    return asset_id in things and asset_id in graph.scene(shot.scene_id).setup.asset_ids
 
 
 def with_hand_motions(run: Run, job: SceneJob) -> SceneJob:

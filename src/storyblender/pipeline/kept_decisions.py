@@ -13,6 +13,7 @@ from storyblender.memory.kept_takes import BlockingTake
 from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.scene_decision import BlockingDecision
 from storyblender.memory.shot_context import ShotContext, Take
+from storyblender.pipeline.hand_motions import can_be_animated
 
 _DECIDED = ("light_decision", "set_decision", "layout_decision", "layout_takes")
 """Fields of a scene that are a person's."""
@@ -103,8 +104,8 @@ def marks_of(
             BlockingTake(number=each.number, decision=_of_people(each.decision, planned)) for each in takes.others
         )
         update["blocking_takes"] = takes.model_copy(update={"others": tuple(others)})
-    there = (*planned.on_stage, *plan.scene(planned.scene_id).setup.asset_ids)
-    by_hand = {name: digest for name, digest in past.motion_by_hand.items() if name in there}
+    moves = past.motion_by_hand
+    by_hand = {name: digest for name, digest in moves.items() if can_be_animated(plan, planned, name)}
     return {**update, "motion_by_hand": by_hand} if by_hand else update
 
 

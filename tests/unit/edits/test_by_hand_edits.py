@@ -10,13 +10,16 @@ import pytest
 from storyblender.edits.blend_change import BlendChange
 from storyblender.edits.pulled_motion import keep_motions, with_hand_changes
 from storyblender.edits.words import edits_of
-from storyblender.errors import InputError
+from storyblender.errors import InputError, Rejected
 from storyblender.folder import Folder
 from storyblender.memory.blend_values import BlendReading, BlendValues
+from storyblender.memory.history import replace
 from storyblender.memory.jobs import SceneJob
 from storyblender.memory.motion_by_hand import HandChannel, HandMotionRead, MotionByHand, by_hand_file
 from storyblender.pipeline.hand_motions import with_hand_motions
+from storyblender.pipeline.kept_decisions import marks_of
 from storyblender.pipeline.packing import scene_job
+from storyblender.project import Project
 from storyblender.session import Session
 
 SHOT = "SC010_SH020"
@@ -110,3 +113,21 @@ def test_a_second_pull_lies_over_the_first_and_tells_one_change_a_shot(kept: Ses
     kept.apply(changes[1].edits)
     [motion] = job(kept).by_hand
     assert motion.motion == WAVE.then(NOD)
+
+
+def test_the_crew_does_not_take_it_away(kept: Session) -> None:
+    kept.apply(edits_of([edit()]))
+    shot, folder = kept.graph.shot(1, 2), kept.folder
+    kept.close()
+    with Project(folder) as project, pytest.raises(Rejected, match="by hand"):
+        project.commit(replace(project.graph, shot.model_copy(update={"motion_by_hand": {}})), "animator", "acted")
+
+
+def test_it_stays_with_the_words_of_its_shot(kept: Session) -> None:
+    kept.apply(edits_of([edit()]))
+    graph = kept.graph
+    shot = graph.shot(1, 2)
+    planned = shot.model_copy(update={"motion_by_hand": {}})
+    assert marks_of(graph, graph, planned, shot) == {"motion_by_hand": {"tom": WAVE.digest}}
+    without = planned.model_copy(update={"on_stage": ()})
+    assert marks_of(graph, graph, without, shot) == {}, "who is not in it any more is not animated"

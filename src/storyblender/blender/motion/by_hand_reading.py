@@ -98,7 +98,7 @@ def _watch(
     bpy.context.window.scene = scene
     for obj in scene.objects:
         for modifier in obj.modifiers:
-            modifier.show_viewport = False  # only poses count, and they are read a hundred times as fast
+            modifier.show_viewport = False  # only poses count
     for _, _, obj in changed:
         key_hidden(obj, [(scene.frame_start, True)])  # who is hidden is not evaluated
     seen = {(node.name, strip.name): _Seen() for node, _, _ in changed for strip in node.strips}
