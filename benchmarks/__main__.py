@@ -23,9 +23,10 @@ TABLES = {
     "framing": ["-m", "benchmarks.framing_requests"],
     "recordings": ["-m", "benchmarks.recordings"],
     "feature": ["-m", "benchmarks.feature"],
+    "studio_preview": ["-m", "benchmarks.studio_preview"],
 }
-LONG = ("camera_servo", "framing", "feature", "layout_reflection", "recordings")
-"""Run for minutes or an hour: only when asked for by name."""
+LONG = ("camera_servo", "framing", "feature", "layout_reflection", "recordings", "studio_preview")
+"""Run for minutes or an hour, or want a project: only when asked for by name."""
 
 
 def main(arguments: list[str]) -> int:

@@ -264,9 +264,10 @@ class Session(OpenProject):
         """
         with self._call() as run:
             self._refuse_unmade()
-            bring_up_to_date(run)
             [shot] = shots_named(run.graph, [name])
-            return moment_of(run, shot, frame)
+            bring_scene_up_to_date(run, shot.scene_id)
+            rehearse(front := run.in_front(), shot)
+            return moment_of(front, run.graph.shot(shot.scene_id, shot.shot_id), frame)
 
     def asset_view(self, asset: Asset, kind: Literal["png", "glb"]) -> Path:
         """Return a person or a thing, or a candidate for one, as a small picture or as glTF; each is made once."""

@@ -50,7 +50,7 @@ def moment_of(run: Run, shot: ShotContext, frame: int | None) -> tuple[Path, int
     """Return the scene at one moment of a shot as glTF, and the moment's frame from the start of the shot.
 
     Args:
-        run: With packs; a file that is written already is taken from the cache.
+        run: With the shot rehearsed; a file that is written already is taken from the cache.
         shot: The shot.
         frame: From its start, at most its last; None for the one that the board shows.
 

@@ -116,11 +116,12 @@ class Drawer:
                 if not self._waiting and not self._unknown and not self._delivering and not look:
                     continue
                 self._working, all_of_them, unknown = True, tuple(self._waiting), self._unknown
+                rehearsing = bool(look) and look not in wanted and not unknown
             try:
                 if unknown:
                     self.draw(self._session.stale_frames())
                     self._unknown, self._delivering = False, not self._session.delivered
-                elif look and look not in wanted:
+                elif rehearsing:
                     self._ready_for = look
                     self._session.rehearse(look)
                 elif wanted:
@@ -139,8 +140,8 @@ class Drawer:
             except Cancelled:
                 continue
             except StoryBlenderError as error:
-                if not self._shots().issuperset(wanted or all_of_them):
-                    continue  # an edit or an undo took one of them away meanwhile
+                if rehearsing or not self._shots().issuperset(wanted or all_of_them):
+                    continue  # a preview will say why; or an edit or an undo took one of them away meanwhile
                 self._unknown = False
                 self._delivering = self._delivering and bool(wanted or all_of_them)
                 self._settle(wanted or all_of_them, drawn=not wanted)
