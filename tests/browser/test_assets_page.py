@@ -57,6 +57,16 @@ def test_another_one_looks_otherwise_and_keys_turn_it(cast: Page) -> None:
     assert np.abs(seen(cast) - second).mean() < np.abs(turned - second).mean() / 4, "the whole view again"
 
 
+def test_who_is_clicked_twice_in_haste_is_seen(cast: Page) -> None:
+    choose(cast, 0)
+    first = seen(cast)
+    cast.locator(PEOPLE).nth(1).click()
+    cast.locator(PEOPLE).nth(1).click()
+    expect(cast.locator(".assets .wait")).to_have_count(0, timeout=DRAWN)
+    second = seen(cast)
+    assert second.std() > 10 and np.abs(first - second).mean() > 1
+
+
 def test_a_red_coat_is_seen_and_undone(cast: Page) -> None:
     choose(cast, 0)
     before = seen(cast)

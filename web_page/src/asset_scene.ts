@@ -30,6 +30,8 @@ export class AssetScene {
   private around = new Group();
   private asked = 0;
   private drawing = 0;
+  /** Who or what is shown. */
+  private of = "";
   /** Address of what is shown. */
   shown = "";
   /** Metres of a square of the ground. */
@@ -54,8 +56,8 @@ export class AssetScene {
     this.renderer.dispose();
   }
 
-  /** Show a model; the view stays where the same one is shown in other clothes. */
-  async show(address: string, same: boolean): Promise<void> {
+  /** Show a model of somebody or something; the view stays where they are shown already, in other clothes. */
+  async show(address: string, of: string): Promise<void> {
     const asked = ++this.asked;
     const loaded = (await new GLTFLoader().loadAsync(address)).scene;
     if (asked !== this.asked) return;
@@ -67,9 +69,9 @@ export class AssetScene {
     this.model.add(loaded);
     this.model.quaternion.identity();
     this.model.position.set(0, 0, 0);
-    this.shown = address;
     this.measure();
-    if (!same) this.fit();
+    if (of !== this.of) this.fit();
+    [this.shown, this.of] = [address, of];
     this.draw();
   }
 

@@ -80,7 +80,7 @@ export class AssetsView extends LitElement {
       if (asked !== this.asked) return;
       this.details = details;
       const model = await this.wire.call<string>("asset_model", { asset });
-      if (asked === this.asked && (model !== this.scene?.shown || this.turning)) await this.scene?.show(model, same);
+      if (asked === this.asked && (model !== this.scene?.shown || this.turning)) await this.scene?.show(model, asset);
       this.turning = false;
     } catch (error) {
       if (asked === this.asked) this.why = (error as Error).message;
@@ -122,7 +122,7 @@ export class AssetsView extends LitElement {
     const { asset, front, top } = this.details!;
     try {
       const model = await this.wire.call<string>("asset_model", { asset, as_in_file: true });
-      await this.scene?.show(model, false);
+      await this.scene?.show(model, `${asset} as in its file`);
       this.scene?.pose(front || "front", top || "top");
       this.turning = true;
     } catch (error) {

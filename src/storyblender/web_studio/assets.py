@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from storyblender.agents.concept_artist.asset_formatter import AS_IN_FILE
 from storyblender.catalog.props import PROPS
@@ -64,12 +65,13 @@ class ShownAsset(AssetDetails):
     """The same of its top."""
 
 
-def answer_about_assets(session: Session, call: AssetCall) -> Any:
-    """Return what the page asks about people and things.
+def answer_about_assets(session: Session, call: AssetCall, pause: Callable[[], None]) -> Any:
+    """Return what the page asks about people and things; what is there already needs no engine, and no waiting for it.
 
     Args:
         session: Open.
         call: What it asks.
+        pause: Ends what is being drawn, so that the engine is free.
 
     Raises:
         InputError: There is no such person or thing.
@@ -79,16 +81,34 @@ def answer_about_assets(session: Session, call: AssetCall) -> Any:
     asset = session.graph.asset(person_or_thing(session.graph, call.asset))
     match call.call:
         case "asset":
-            return _shown(session, session.built_asset(asset.asset_id)).model_dump()
+            return _shown(session, _built(session, asset, pause)).model_dump()
         case "asset_picture":
-            shown = _offered(session, asset, call) if call.digest else session.built_asset(asset.asset_id)
-            return _address(session.asset_view(shown, "png"))
+            shown = _offered(session, asset, call) if call.digest else _built(session, asset, pause)
+            return _view(session, shown, "png", pause)
         case "asset_model":
-            built = session.built_asset(asset.asset_id)
-            return _address(session.asset_view(_as_in_file(built) if call.as_in_file else built, "glb"))
+            built = _built(session, asset, pause)
+            return _view(session, _as_in_file(built) if call.as_in_file else built, "glb", pause)
         case _:
+            pause()
             offered = session.candidates(asset.asset_id, call.words)
             return [_candidate(session, asset, each).model_dump() for each in offered]
+
+
+def _built(session: Session, asset: Asset, pause: Callable[[], None]) -> Asset:
+    """Return an asset of the story, built."""
+    if asset.canonical is not None and asset.canonical.geometry_hash:
+        return asset
+    pause()
+    return session.built_asset(asset.asset_id)
+
+
+def _view(session: Session, asset: Asset, kind: Literal["png", "glb"], pause: Callable[[], None]) -> str:
+    """Return the address of an asset as a picture or as glTF."""
+    path = session.folder / view_name(session.graph, asset, kind)
+    if not path.is_file():
+        pause()
+        path = session.asset_view(asset, kind)
+    return _address(path)
 
 
 def _cast(session: Session) -> Cast:

@@ -187,9 +187,7 @@ class Hub:
                 return deliveries_of(self.place.session, call.layout).model_dump()
             case AssetCall():
                 self._refuse_busy()
-                if call.call != "assets":
-                    self._pause_drawing()
-                return answer_about_assets(self.place.session, call)
+                return answer_about_assets(self.place.session, call, self._pause_drawing)
 
     def board(self) -> Board:
         """Return the open project as the page shows it. Raises InputError if there is none."""
