@@ -6,6 +6,7 @@ import json
 import os
 import stat
 import subprocess
+import time
 from collections.abc import Sequence
 from http.client import HTTPConnection, HTTPException
 from pathlib import Path
@@ -17,6 +18,8 @@ ADDRESS_FILE = ".studio.json"
 LOOPBACK = "127.0.0.1"
 _LONGEST = 3600.0
 """Seconds that a call may take: drawing a feature takes long, and the panel stays free."""
+_OFTEN = 0.3
+"""Seconds between two questions how far work is."""
 _NO_WINDOW = getattr(subprocess, "CREATE_NO_WINDOW", 0)
 
 
@@ -60,8 +63,12 @@ class Studio:
         self._call("draw", shot=shot)
 
     def push(self) -> None:
-        """Draw what is stale, and write story.blend from the story."""
-        self._call("deliver")
+        """Draw what is stale, and write story.blend from the story; the studio's pages show how far it is."""
+        self._call("write", what="all")
+        while (status := self._call("places")["status"])["busy"]:
+            time.sleep(_OFTEN)
+        if status["error"]:
+            raise NotDone(status["error"])
 
     def _call(self, call: str, **values: Any) -> Any:
         body = json.dumps({"id": 1, "call": call, **values})

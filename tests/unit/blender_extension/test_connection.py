@@ -24,6 +24,8 @@ class Answering(BaseHTTPRequestHandler):
 
     asked: list[dict[str, Any]]
     answer: dict[str, Any]
+    later: list[dict[str, Any]]
+    """Answers after it."""
 
     def do_POST(self) -> None:
         body = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
@@ -31,6 +33,8 @@ class Answering(BaseHTTPRequestHandler):
         if allowed:
             self.asked.append(body)
         text = json.dumps(self.answer if allowed else {}).encode()
+        if allowed and self.later:
+            type(self).answer = self.later.pop(0)
         self.send_response(200 if allowed else 403)
         self.send_header("Content-Length", str(len(text)))
         self.end_headers()
@@ -42,7 +46,8 @@ class Answering(BaseHTTPRequestHandler):
 
 @pytest.fixture
 def studio() -> Iterator[HTTPServer]:
-    Answering.asked, Answering.answer = [], {"id": 1, "ok": True, "value": {"understood": []}}
+    Answering.asked, Answering.later = [], []
+    Answering.answer = {"id": 1, "ok": True, "value": {"understood": []}}
     server = HTTPServer(("127.0.0.1", 0), Answering)
     threading.Thread(target=server.serve_forever, daemon=True).start()
     yield server
@@ -115,6 +120,16 @@ def test_a_wrong_key_and_a_refusal_are_told_in_a_sentence(studio: HTTPServer) ->
     Answering.answer = {"id": 1, "ok": False, "error": "SC010_SH010 is locked; unlock it first"}
     with pytest.raises(NotDone, match="is locked; unlock it first"):
         Studio(f"127.0.0.1:{studio.server_port}", "right").undo()
+
+
+def test_the_studio_is_waited_for_while_it_writes_and_its_failure_is_told(studio: HTTPServer) -> None:
+    busy, failed = {"busy": True, "error": ""}, {"busy": False, "error": "the disk is full"}
+    answers = [{"status": busy}, {"status": busy}, {"status": failed}]
+    Answering.later = [{"id": 1, "ok": True, "value": value} for value in answers]
+    with pytest.raises(NotDone, match="the disk is full"):
+        Studio(f"127.0.0.1:{studio.server_port}", "right").push()
+    assert [call["call"] for call in Answering.asked] == ["write", "places", "places", "places"]
+    assert Answering.asked[0]["what"] == "all"
 
 
 def test_what_was_seen_of_the_shots_is_not_asked_for_again(studio: HTTPServer) -> None:

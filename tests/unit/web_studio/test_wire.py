@@ -300,6 +300,10 @@ def test_a_program_makes_the_same_calls_one_at_a_time(page: TestClient) -> None:
     assert drawn["value"] == f"frames/{SHOT}.png"
     pulled = page.post("/calls", json={"id": 4, "call": "pull"}).json()
     assert pulled["value"] == {"files": [], "understood": [], "conflicts": [], "kept": []}
+    assert page.post("/calls", json={"id": 5, "call": "write", "what": "all"}).json()["ok"]
+    while (status := page.post("/calls", json={"id": 6, "call": "places"}).json()["value"]["status"])["busy"]:
+        pass
+    assert not status["error"]
     refused = page.post("/calls", content=b"\xff{").json()
     assert not refused["ok"] and refused["error"]
     assert page.post("/calls", content=b" " * (LARGEST_CALL + 1)).status_code == 413
