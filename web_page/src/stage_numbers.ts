@@ -104,8 +104,8 @@ export class StageNumbers extends LitElement {
     const lens = roundTo(camera.keys[0].lens, 1);
     const when = partsOf(this.item)[2] === "end" ? "end" : "start";
     const pose = poseOf(camera, when);
-    const sensor = `${roundTo(camera.sensor_width, 1)} mm wide sensor, ${roundTo(this.stage.aspect, 2)}:1, as the project has them`;
-    return html`<b title=${sensor}>Camera ${camera.shot.slice(-5)}</b>
+    const film = `${roundTo(camera.sensor_width, 1)} mm sensor, ${roundTo(this.stage.aspect, 2)}:1`;
+    return html`<b>Camera ${camera.shot.slice(-5)}</b><span title="Sensor and aspect, as the project has them">${film}</span>
       ${this.choice("Lens", lens, this.lenses, (value) => `${value} mm`, (value) => decide({ lens: value }))}
       ${this.choice("Aperture", camera.f_number, STOPS, (value) => `f/${value}`, (value) => decide({ f_number: value }))}
       ${this.sharp("Focus", camera.focus[0], (focus) => decide({ focus }))}

@@ -229,7 +229,8 @@ export class StageScene {
 
   private render(stage: Stage): void {
     const { width, height } = this.canvas;
-    const shape = width / Math.max(height, 1);
+    if (!width || !height) return; // the page is not laid out yet
+    const shape = width / height;
     this.model.hide(new Set(this.view === "shot" ? this.camera?.hidden : []));
     if (this.view === "shot" && this.camera) {
       look(this.shotCamera, this.camera, this.frame, stage.aspect);
