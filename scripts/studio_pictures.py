@@ -51,7 +51,7 @@ def views(page: Page) -> Iterator[str]:
     page.get_by_text("Why is it like this?").click()
     page.locator(".why table").scroll_into_view_if_needed()
     yield "studio_why"
-    page.locator(".inspector .head").scroll_into_view_if_needed()
+    page.locator(".inspector > .head").scroll_into_view_if_needed()
     go_to(page, "Stage")
     page.wait_for_selector(".frame canvas", timeout=DRAWN)
     page.wait_for_selector(".stage .wait", state="detached", timeout=DRAWN)

@@ -58,6 +58,7 @@ def test_a_killed_blender_is_started_again_and_the_frame_is_drawn(chromium: Brow
     page.locator(f"{SHOT}.fresh").wait_for(timeout=240_000)
     page.locator(SHOT).click()
     page.select_option("select[data-field=size]", "ECU")
+    page.locator(f"{SHOT}:is(.preview, .stale)").wait_for(timeout=240_000)
     for process in blenders_of(studio):
         os.kill(process, signal.SIGKILL)
     page.locator(f"{SHOT}.fresh").wait_for(timeout=240_000)

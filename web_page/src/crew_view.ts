@@ -75,7 +75,6 @@ export class CrewView extends LitElement {
       <span class="role">${role}</span> <b>${work.subject}</b>
       ${work.scores.length ? html`<span class="score" title="What its critic gives, of 10">${work.scores.map((score) => score.toFixed(1)).join(" → ")}</span>` : nothing}
       ${work.handed ? html`<span class="warn">handed over</span>` : nothing}
-      ${work.by === "model" ? html`<span class="soft">by a model</span>` : nothing}
       <ul>${list("minded", work.remarks)}${list("mended", work.fixes)}${list("warn", work.warnings)}</ul>
       ${work.proposal ? html`<details><summary>What it proposes</summary><code>${work.proposal}</code></details>` : nothing}
     </div>`;

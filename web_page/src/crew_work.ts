@@ -16,7 +16,6 @@ export interface Work {
   warnings: string[];
   /** Who answered after somebody who could not. */
   handed: boolean;
-  by: string;
   done: boolean;
 }
 
@@ -27,7 +26,7 @@ export function worksOf(events: CrewEvent[]): Work[] {
     if (event.kind === "stage") continue;
     let work = [...works].reverse().find((each) => each.role === event.role && each.subject === (event.subject ?? "") && !each.done);
     if (!work) {
-      work = { role: event.role, subject: event.subject ?? "", proposal: "", scores: [], remarks: [], fixes: [], warnings: [], handed: false, by: "", done: false };
+      work = { role: event.role, subject: event.subject ?? "", proposal: "", scores: [], remarks: [], fixes: [], warnings: [], handed: false, done: false };
       works.push(work);
     }
     tell(work, event);
@@ -48,8 +47,5 @@ function tell(work: Work, event: CrewEvent): void {
   else if (event.kind === "warning") {
     work.warnings.push(...said);
     work.done = true;
-  } else if (event.kind === "accept") {
-    work.done = true;
-    work.by = event.by ?? "";
-  }
+  } else if (event.kind === "accept") work.done = true;
 }

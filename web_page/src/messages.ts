@@ -64,7 +64,6 @@ export interface CrewEvent {
   details?: string[];
   step?: number | null;
   total?: number | null;
-  by?: string | null;
 }
 
 export interface Take {
