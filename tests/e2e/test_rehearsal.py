@@ -1,7 +1,8 @@
-"""A scene that is rehearsed after an edit looks as its pack will: every shot, to the pixel."""
+"""A scene rehearsed after an edit looks as its pack will, to the pixel; its frames are those of a cold render."""
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -9,13 +10,19 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from storyblender.edits.effect import name_of
 from storyblender.engine.blender_engine import BlenderEngine
+from storyblender.memory.camera_decision import CameraDecision
+from storyblender.memory.edits import CameraEdit, PlaceEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
 from storyblender.memory.jobs import FrameJob, PackRef, SceneJob
+from storyblender.memory.scene_decision import ThingPlace
 from storyblender.memory.shot_context import Blocking, ShotContext
 from storyblender.pipeline.packing import scene_job
 from storyblender.project import read_project_graph
+from storyblender.settings import Settings
+from storyblender.studio import Studio
 
 pytestmark = [pytest.mark.blender, pytest.mark.timeout(900)]
 
@@ -93,3 +100,31 @@ def test_a_draft_is_a_picture_of_the_same_with_a_name_of_its_own(project: Path, 
     pictures = [np.asarray(Image.open(project / name), float) for name in ("build/whole.png", "build/draft.png")]
     assert pictures[0].shape == pictures[1].shape
     assert np.abs(pictures[0] - pictures[1]).mean() < 12, "of 255: the same scene, more coarsely"
+
+
+def test_frames_that_follow_previews_are_those_of_a_cold_render(untouched: Path, tmp_path: Path) -> None:
+    graph = read_project_graph(untouched)
+    scene, shot = graph.scenes[0], graph.shots[-1]
+    assert scene.layout is not None
+    chair = next(item.node_id for item in scene.layout.objects if "chair" in item.node_id)
+    edits = [
+        PlaceEdit(scene="SC010", thing=chair, place=ThingPlace(rotation=200.0)),
+        CameraEdit(shot=name_of(shot), decision=CameraDecision(lens=50.0)),
+    ]
+    folders = [tmp_path / name / untouched.name for name in ("watched", "cold")]
+    for folder in folders:
+        shutil.copytree(untouched, folder)
+    settings = Settings.load(project=folders[0])
+    with Studio(settings).open(folders[0]) as session:
+        for edit in edits:
+            pictures = session.preview(session.apply([edit]).stale)
+            assert all(picture.is_file() for picture in pictures.values())
+        session.shoot(session.stale_frames())
+    with Studio(settings).open(folders[1]) as session:
+        for edit in edits:
+            session.apply([edit])
+        session.shoot(session.stale_frames())
+    frames = [sorted((folder / "frames").glob("SC*.png")) for folder in folders]
+    assert [path.name for path in frames[0]] == [path.name for path in frames[1]]
+    for watched, cold in zip(*frames, strict=True):
+        assert watched.read_bytes() == cold.read_bytes(), watched.name

@@ -110,7 +110,7 @@ class BlenderEngine:
         self._pool.cancel_waiting()
         with self._starting:
             for wait, output in list(self._waits.items()):
-                if wait.cancel():
+                if wait.cancel() and output:
                     self._left.add(output)
         if self._front is not None:
             self._front.cancel_waiting()
@@ -132,9 +132,9 @@ class BlenderEngine:
 
     def rehearse(self, job: SceneJob, shot_ids: Sequence[int]) -> Future[PackRef]:
         """Have a scene be as its pack will be, in some of its shots, for the next calls on that pack."""
-        scene_id, arguments = job.scene.scene_id, {"job": _plain(job), "shot_ids": list(shot_ids)}
-        output = f"{job.out} {arguments['shot_ids']}"
-        return self._once(output, "rehearse", arguments, PackRef.model_validate, f"scene{scene_id}")
+        affinity, arguments = f"scene{job.scene.scene_id}", {"job": _plain(job), "shot_ids": list(shot_ids)}
+        # Never an earlier answer: another scene may have been rehearsed since.
+        return self._awaited(self._submit("rehearse", arguments, PackRef.model_validate, affinity))
 
     def read_figures(self, pack: PackRef, frames: Sequence[int]) -> Future[list[list[Figure]]]:
         """Say where everybody's face is at frames of the scene's timeline."""
@@ -226,9 +226,19 @@ class BlenderEngine:
             if running is None or (running.done() and not self._is_left(output, running)):
                 running = self._running[output] = self._submit(tool, arguments, read, affinity, subject)
             self._left.discard(output)
-            wait: Future[Result] = Future()
+            return self._awaited(running, output)
+
+    def _awaited(self, running: Future[Result], output: str = "") -> Future[Result]:
+        """Return a future of what comes of a call, which can be cancelled while the call runs on.
+
+        Args:
+            running: The call.
+            output: Name of what it makes; who asks for it after a cancel gets it. Empty if it is for nobody else.
+        """
+        wait: Future[Result] = Future()
+        with self._starting:
             self._waits[wait] = output
-            wait.add_done_callback(self._forget)
+        wait.add_done_callback(self._forget)
         running.add_done_callback(partial(_hand_over, wait))
         return wait
 

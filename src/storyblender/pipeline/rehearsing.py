@@ -65,7 +65,7 @@ def rehearse(run: Run, shot: ShotContext) -> PackRef:
 
 
 def with_camera_in_rehearsal(run: Run, shot: ShotContext, matching: CamerasToMatch) -> ShotContext:
-    """Return a shot with its camera; one that is not set is set alone, after those of the shots before it.
+    """Return a shot with its camera; one that is not set is set alone, after those that are known of the shots before.
 
     Args:
         run: With the shot rehearsed.
@@ -81,7 +81,7 @@ def with_camera_in_rehearsal(run: Run, shot: ShotContext, matching: CamerasToMat
     for each in graph.shots_in_order(shot.scene_id):
         if each.shot_id == shot.shot_id:
             break
-        if (set_before := matching.shot(each)) is not None:
+        if (set_before := matching.shot(each)) is not None and matching.moments(each):
             shots.append(set_before)
     environment = graph.scene(shot.scene_id).environment
     assert environment is not None, "the set comes before the camera"

@@ -15,7 +15,8 @@ from storyblender.engine.worker import ProgressListener, Worker, ignore_progress
 from storyblender.errors import EngineError
 from storyblender.folder import Folder
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
-from storyblender.memory.jobs import AssetJob, PackRef
+from storyblender.memory.jobs import AssetJob, PackRef, SceneJob
+from storyblender.memory.scene_context import SceneContext, SceneSetup
 
 
 def test_the_log_holds_one_run_only(tmp_path: Path) -> None:
@@ -107,3 +108,28 @@ def test_what_is_in_front_waits_for_nothing_behind_it(tmp_path: Path, monkeypatc
         gate.set()
         behind.result(30)
         assert sorted(ways) == [False, True]
+
+
+def test_a_rehearsal_is_never_an_earlier_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Another scene may have been rehearsed in that process since."""
+    gate, called = threading.Event(), list[str]()
+
+    class Stager(Builder):
+        def call(self, tool: str, arguments: dict[str, Any], progress: ProgressListener = ignore_progress) -> Any:
+            called.append(tool)
+            assert gate.wait(30)
+            return {"scene_id": 1, "path": "a.blend", "starts": []}
+
+    monkeypatch.setattr("storyblender.engine.blender_engine.blender_worker", lambda *_, **__: Stager(gate, called))
+    setup = SceneSetup(time_of_day="day", scene_type="indoor", asset_ids=())
+    job = SceneJob(scene=SceneContext(scene_id=1, setup=setup), shots=(), assets=())
+    with BlenderEngine(tmp_path, jobs=1) as engine:
+        first = engine.rehearse(job, [1])
+        while not called:
+            pass
+        engine.cancel_waiting()
+        with pytest.raises(CancelledError):
+            first.result(30)
+        gate.set()
+        assert engine.rehearse(job, [1]).result(30).path == "a.blend"
+        assert called == ["rehearse", "rehearse"]
