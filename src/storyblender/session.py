@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Literal
 from storyblender.deliver.contact_sheet import write_contact_sheet
 from storyblender.edits.dispatcher import Applied, apply_edits
 from storyblender.edits.effect import name_of
-from storyblender.edits.pulling import Pulled, pull
+from storyblender.edits.pull_conflicts import waiting
+from storyblender.edits.pulling import UNDECIDED, Choice, Pulled, pull
 from storyblender.edits.targets import shots_named
 from storyblender.edits.undo import next_steps, redo_edit, undo_edit
 from storyblender.errors import InputError
@@ -144,15 +145,30 @@ class Session(OpenProject):
                 raise InputError(f"not understood: {'; '.join(said)}", mend=mend)
             return self.apply(meant.draft.edits, revision)
 
-    def pull(self, *, apply: bool = True) -> Pulled:
+    @property
+    def saved_in_blender(self) -> tuple[str, ...]:
+        """Names of the story's .blend files that are not as they were written: somebody saved them."""
+        outputs = self._project.outputs
+        return tuple(name for name in story_files(self.graph) if outputs.known(name) and outputs.changed(name))
+
+    @property
+    def waiting_conflicts(self) -> int:
+        """How many changes in Blender wait for somebody to choose between them and the project."""
+        return len(waiting(self._project))
+
+    def pull(self, *, apply: bool = True, choice: Choice = UNDECIDED) -> Pulled:
         """Take over what a person changed and saved in ``story.blend``, as one undo; ``draw`` then draws it.
 
         Args:
             apply: False only tells what was changed.
+            choice: Which side is taken where the project was changed as well; the project stands until then.
+
+        Raises:
+            InputError: It names a conflict that there is not.
         """
         with self._call() as run:
             self._refuse_unmade()
-            return pull(run, apply=apply)
+            return pull(run, apply=apply, choice=choice)
 
     def draw(self, applied: Applied) -> Delivery | None:
         """Draw and write what edits made stale; None where that is nothing, or where the project is only planned."""

@@ -166,14 +166,14 @@ class Terminal:
         self._progress.stop()
         if self._json:
             self._write(pulled.model_dump(mode="json"))
-        if not pulled.files:
+        if not pulled.files and not pulled.conflicts:
             self._results.print("story.blend is as it was compiled.")
         elif not (pulled.understood or pulled.conflicts or pulled.kept):
             self._results.print("story.blend was saved, and nothing in it was changed.")
         done = "done" if pulled.applied is not None else "changed"
         rows = (
             (done, "bold", pulled.understood),
-            ("conflict", "red", pulled.conflicts),
+            ("conflict", "red", [f"{each.sentence} ({each.id})" for each in pulled.conflicts]),
             ("kept", "yellow", pulled.kept),
         )
         for label, style, sentences in rows:

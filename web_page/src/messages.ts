@@ -289,8 +289,23 @@ export interface StagingCard {
   moved: string;
 }
 
+export interface PullConflict {
+  id: string;
+  words: string;
+  project: string[];
+  compiled: string;
+  saved: string;
+}
+
+export interface Pulled {
+  files: string[];
+  understood: string[];
+  conflicts: PullConflict[];
+  kept: string[];
+}
+
 export interface News {
-  news: "board" | "status" | "event" | "frames";
+  news: "board" | "status" | "event" | "frames" | "blender";
   revision?: string;
   status?: Status;
   event?: CrewEvent;

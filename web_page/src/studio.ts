@@ -7,12 +7,13 @@ import "./board_view";
 import "./crew_view";
 import "./cut_view";
 import "./deliver_view";
+import "./pull_view";
 import "./revise_view";
 import "./set_view";
 import "./shot_inspector";
 import "./stage_view";
 import "./start_view";
-import type { Board, CrewEvent, Edit, News, Places, Status } from "./messages";
+import type { Board, CrewEvent, Edit, News, Places, Pulled, Status } from "./messages";
 import { Wire } from "./wire";
 
 const EVENTS_SHOWN = 400;
@@ -26,7 +27,8 @@ const VIEWS = {
   revise: "Revised script",
   deliver: "Deliver",
 };
-type View = keyof typeof VIEWS;
+/** The view of what was saved in Blender has its button in the line that says so. */
+type View = keyof typeof VIEWS | "pull";
 
 @customElement("sb-studio")
 export class Studio extends LitElement {
@@ -40,6 +42,8 @@ export class Studio extends LitElement {
   @state() private events: CrewEvent[] = [];
   @state() private said: { text: string; wrong: boolean } | null = null;
   @state() private connected = true;
+  /** What was saved in Blender and is not taken over, in a sentence. */
+  @state() private blender = "";
   /** What the person has seen: the board's revision, or what their last edit came to. */
   private revision = "";
   private edited: Promise<unknown> = Promise.resolve();
@@ -59,6 +63,7 @@ export class Studio extends LitElement {
   connectedCallback(): void {
     super.connectedCallback();
     document.addEventListener("keydown", this.keys);
+    window.addEventListener("focus", () => void this.lookAtBlender());
   }
 
   protected firstUpdated(): void {
@@ -85,6 +90,7 @@ export class Studio extends LitElement {
     this.places = await this.wire.call<Places>("places");
     this.status = this.places.status;
     await this.look();
+    await this.lookAtBlender();
   }
 
   /** Ask for the board; where no project is open there is none. */
@@ -101,12 +107,35 @@ export class Studio extends LitElement {
   }
 
   private hear(news: News): void {
+    if (news.news === "blender") void this.lookAtBlender();
     if (news.news === "status" && news.status) this.status = news.status;
     if (news.news === "event" && news.event) this.events = [...this.events, news.event].slice(-EVENTS_SHOWN);
     if (news.news === "event" && news.event?.role === "frames" && news.event.kind === "warning")
       this.say(news.event.message ?? "", true);
     if (news.news === "board" || news.news === "frames" || (news.event?.role === "frames" && this.status?.busy))
       void this.look();
+  }
+
+  /** Ask whether story.blend was saved in Blender, or whether changes there wait for a choice. */
+  private async lookAtBlender(): Promise<void> {
+    if (!this.board?.made || this.making) return;
+    const found = await this.wire.call<{ saved: string[]; conflicts: number }>("blender").catch(() => null);
+    if (!found) return;
+    this.blender = found.saved.length
+      ? `${found.saved.join(", ")} was saved in Blender. It is not written anew before you take that over.`
+      : found.conflicts
+        ? `${found.conflicts === 1 ? "One change" : `${found.conflicts} changes`} in Blender and here: choose which stands.`
+        : "";
+  }
+
+  private takeOver(choice: object): Promise<boolean> {
+    return this.attempt(async () => {
+      const done = await this.wire.call<Pulled>("take_over", choice);
+      this.view = "board";
+      await this.lookAtBlender();
+      const changes = done.understood.length;
+      return changes ? `${changes === 1 ? "One change is" : `${changes} changes are`} taken over from Blender` : "Nothing was to be taken over";
+    });
   }
 
   private say(text: string, wrong = false): void {
@@ -182,6 +211,10 @@ export class Studio extends LitElement {
       ${this.connected ? nothing : html`<p class="bar wrong" role="alert">The studio does not answer. Start it again; nothing is lost.</p>`}
       ${this.said ? html`<p class="bar ${this.said.wrong ? "wrong" : ""}" role="status">${this.said.text}</p>` : nothing}
       ${this.board ? this.unfinished(this.board) : nothing}
+      ${this.blender && this.view !== "pull" && this.board?.made && !this.making
+        ? html`<p class="bar" role="status">${this.blender} <button @click=${() => (this.view = "pull")}>Look at it</button>
+            <button @click=${() => this.takeOver({})}>Take over</button></p>`
+        : nothing}
       <main>${this.main()}</main>
     `;
   }
@@ -194,7 +227,7 @@ export class Studio extends LitElement {
 
   private tools(board: Board) {
     return html`
-      <nav aria-label="Views">${(Object.keys(VIEWS) as View[]).map((view) => html`<button class=${this.view === view ? "chosen" : ""}
+      <nav aria-label="Views">${(Object.keys(VIEWS) as (keyof typeof VIEWS)[]).map((view) => html`<button class=${this.view === view ? "chosen" : ""}
         aria-current=${this.view === view ? "page" : nothing} @click=${() => this.show(view)}>${VIEWS[view]}</button>`)}</nav>
       <form class="say" @submit=${(event: SubmitEvent) => this.instruct(event)}>
         <input id="say" aria-label="Say it" autocomplete="off" ?disabled=${!this.selected.length}
@@ -270,6 +303,8 @@ export class Studio extends LitElement {
         return html`<sb-deliver .board=${board} .status=${this.status} .wire=${this.wire} @stop=${() => this.stop()}
           @write=${(event: CustomEvent<object>) =>
             this.attempt(async () => ((this.status = await this.wire.call<Status>("write", event.detail)), ""))}></sb-deliver>`;
+      case "pull":
+        return html`<sb-pull .wire=${this.wire} @take-over=${(event: CustomEvent<object>) => this.takeOver(event.detail)}></sb-pull>`;
       case "revise":
         return html`<sb-revise .wire=${this.wire} @revise=${(event: CustomEvent<object>) => this.begin("revise", event.detail)}></sb-revise>`;
     }

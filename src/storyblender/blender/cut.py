@@ -13,12 +13,14 @@ from storyblender.blender.library_scene import add_assets, new_file
 from storyblender.blender.tidying import show_on_opening, write_version_note
 from storyblender.folder import Folder
 from storyblender.memory.base import scene_name, shot_name
-from storyblender.memory.blend_values import StripInEdit
+from storyblender.memory.blend_values import BlendValues, StripInEdit
 from storyblender.memory.graph import ProjectFormat
 from storyblender.memory.jobs import CutJob, PackRef, SequenceFile, StoryJob
 from storyblender.memory.shot_context import ShotContext
 
 EDIT = "EDIT"
+TEXT = "storyblender.json"
+"""The text block with the values that a file was compiled as."""
 
 
 def compile_cut(job: CutJob, files: Folder) -> None:
@@ -45,6 +47,7 @@ def compile_cut(job: CutJob, files: Folder) -> None:
                 target.scenes = names
         add_edit(job.format, job.packs, in_film(job))
         show_on_opening(bpy.data.scenes[scene_name(job.packs[0].scene_id)])
+        keep_values(BlendValues(version=job.version, scenes=(), cut=cut_values()))
         with files.writing(job.out) as part:
             bpy.ops.wm.save_as_mainfile(filepath=str(part), compress=True, copy=True, relative_remap=False)
             files.refuse_change(job.out, job.former)
@@ -79,6 +82,13 @@ def add_edit(film: ProjectFormat, packs: Sequence[PackRef], shots: Sequence[Shot
         strip.frame_final_duration = shot.duration
         frame += shot.duration
     edit.frame_start, edit.frame_end = 1, max(1, frame - 1)
+
+
+def keep_values(values: BlendValues) -> None:
+    """Write what the open file is compiled as into a text block of it."""
+    text = bpy.data.texts.get(TEXT) or bpy.data.texts.new(TEXT)
+    text.from_string(values.model_dump_json())
+    text.use_fake_user = True
 
 
 def cut_values() -> tuple[StripInEdit, ...] | None:

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import hashlib
 import math
+import shutil
 from collections.abc import Iterator, Sequence
+from tempfile import TemporaryDirectory
 
 import bpy
 import numpy as np
 from mathutils import Euler, Quaternion
 from pydantic import ValidationError
 
-from storyblender.blender.cut import cut_values
+from storyblender.blender.cut import TEXT, cut_values, keep_values
 from storyblender.blender.motion.posing import posing_of
 from storyblender.blender.surface_values import is_solid, materials_of, shape_of, surface_values
 from storyblender.memory.blend_values import (
@@ -29,8 +31,6 @@ from storyblender.memory.blend_values import (
 
 ORIGIN = "compiled_as"
 """Custom property of an object: the name that it was compiled with."""
-TEXT = "storyblender.json"
-"""The text block with the values that a file was compiled as."""
 _KINDS = ("character", "prop", "set", "light", "camera")
 _PLACES = ("location", "rotation_euler", "rotation_quaternion", "rotation_axis_angle", "scale")
 _DIGITS = 5
@@ -45,9 +45,7 @@ def write_values(version: str) -> None:
     for scene in _story_scenes():
         for obj in scene.objects:
             obj[ORIGIN] = obj.name
-    text = bpy.data.texts.get(TEXT) or bpy.data.texts.new(TEXT)
-    text.from_string(read_values(version).model_dump_json())
-    text.use_fake_user = True
+    keep_values(read_values(version))
 
 
 def read_file(path: str) -> BlendReading:
@@ -56,7 +54,9 @@ def read_file(path: str) -> BlendReading:
     Args:
         path: Of the .blend.
     """
-    bpy.ops.wm.open_mainfile(filepath=path, load_ui=False, use_scripts=False)
+    with TemporaryDirectory(prefix="storyblender_") as folder:  # a file that links others is read without them
+        apart = shutil.copy(path, folder)
+        bpy.ops.wm.open_mainfile(filepath=apart, load_ui=False, use_scripts=False)
     text, compiled = bpy.data.texts.get(TEXT), None
     if text is not None:
         try:

@@ -24,7 +24,8 @@ def taken_over(pulled: dict[str, Any]) -> None:
         pulled: As the program says it.
     """
     ways = {"understood": "Taken over", "conflicts": "Conflict", "kept": "Not taken over, kept in a copy"}
-    told = [f"{way}: {words}" for key, way in ways.items() for words in pulled[key]]
+    said = {**pulled, "conflicts": [each["words"] for each in pulled["conflicts"]]}
+    told = [f"{way}: {words}" for key, way in ways.items() for words in said[key]]
     STORY.told = told or ["Nothing was changed here."]
     open_anew()
 

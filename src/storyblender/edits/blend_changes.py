@@ -65,12 +65,12 @@ def _scene_changes(before: SceneValues, after: SceneValues) -> Iterator[BlendCha
         own, *copies = same
         yield from _node_changes(before.name, node, own)
         for copy in copies:
-            words = f"{copy.name} is a copy of {node.name}"
+            words = f"{plain(copy.name)} is a copy of {node.name}"
             yield BlendChange(
                 kind="duplicated", scene=before.name, subject=_subject(node), before=node, after=copy, words=words
             )
     for node in (node for nodes in there.values() for node in nodes):
-        words = f"{node.name} is new"
+        words = f"{plain(node.name)} is new"
         yield BlendChange(kind="added", scene=before.name, subject=node.name, after=node, words=words)
     yield from _marker_changes(before, after)
 
@@ -94,7 +94,7 @@ def _node_changes(scene: str, before: NodeValues, after: NodeValues) -> Iterator
         )
 
     if after.name != before.name:
-        yield change("renamed", f"is called {after.name}")
+        yield change("renamed", f"is called {plain(after.name)}")
     if before.camera is not None and after.camera is not None:
         yield from _camera_changes(before, after, change)
     elif not (before.animated or after.animated):
@@ -186,6 +186,11 @@ def _lengths(scene: SceneValues) -> dict[str, int]:
     starts = _in_order(scene)
     ends = [*list(starts.values())[1:], scene.end + 1]
     return {name: end - start for (name, start), end in zip(starts.items(), ends, strict=True)}
+
+
+def plain(name: str) -> str:
+    """Return a name from a file as it can stand in a sentence."""
+    return "".join(each if each.isprintable() else " " for each in name)
 
 
 def _differ(before: Vector, after: Vector, least: float) -> bool:

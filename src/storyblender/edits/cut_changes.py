@@ -49,7 +49,7 @@ def _moves(was: list[str], now: list[str]) -> Iterator[BlendChange]:
     for index, name in enumerate(now):
         if name in stays:
             continue
-        before, after = (None, now[index - 1]) if index else (now[1], None)
+        before, after = (None, now[index - 1]) if index else (was[0], None)
         side = f"before {before}" if before is not None else f"after {after}"
         edit = ReorderEdit(target=name, before=before, after=after)
         yield BlendChange(

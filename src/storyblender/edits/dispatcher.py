@@ -37,6 +37,16 @@ class Applied(Frozen):
     printed: bool = False
     warnings: tuple[str, ...] = ()
 
+    def followed_by(self, later: Applied) -> Applied:
+        """Return what two batches did, one after the other."""
+        return Applied(
+            version=later.version,
+            words=f"{self.words}; {later.words}",
+            stale=tuple(dict.fromkeys((*self.stale, *later.stale))),
+            printed=self.printed or later.printed,
+            warnings=tuple(dict.fromkeys((*self.warnings, *later.warnings))),
+        )
+
 
 def apply_edits(project: Project, edits: Sequence[Edit], version: str | None = None, author: str = "user") -> Applied:
     """Commit a batch of edits: all of them or none.

@@ -12,6 +12,7 @@ from storyblender.edits.blend_change import BlendChange
 from storyblender.edits.conflicts import refuse_stale
 from storyblender.edits.effect import with_effects
 from storyblender.edits.families import effects_of
+from storyblender.edits.pull_conflicts import PullConflict, conflict_of
 from storyblender.errors import InputError, StaleEdit
 from storyblender.memory.base import Frozen, scene_name
 from storyblender.memory.blend_values import BlendValues, NodeValues, PoseValues
@@ -30,7 +31,7 @@ class PulledEdits(Frozen):
     """In order; all of them together are one undo."""
     understood: tuple[str, ...]
     """The changes that they make, in words."""
-    conflicts: tuple[str, ...]
+    conflicts: tuple[PullConflict, ...]
     """Changes of what was also changed in the project since the file was compiled; none of them is made."""
     kept: tuple[str, ...]
     """Changes that no edit can express, or that cannot be; they stay in a copy of the file."""
@@ -45,8 +46,10 @@ def edits_of(project: Project, changes: Sequence[BlendChange], compiled: BlendVa
         compiled: The file as it was written.
     """
     graph, edits = project.graph, list[Edit]()
-    told: dict[str, list[str]] = {"understood": [], "conflicts": [], "kept": []}
+    told: dict[str, list[str]] = {"understood": [], "kept": []}
+    conflicts = list[PullConflict]()
     for change in _merged(changes):
+        wanted = list[Edit]()
         try:
             wanted = _edits(project.graph, change, compiled)
             if not wanted:
@@ -60,14 +63,16 @@ def edits_of(project: Project, changes: Sequence[BlendChange], compiled: BlendVa
                 )
                 after = with_effects(after, done)
         except StaleEdit as error:
-            told["conflicts"].append(f"{change.words}; in the project: {'; '.join(error.changes)}")
+            conflicts.append(conflict_of(change, wanted, error.changes))
         except InputError as error:
             told["kept"].append(f"{change.words}: {error.problem}")
         else:
             graph = after
             edits += wanted
             told["understood"].append(change.words)
-    return PulledEdits(edits=tuple(edits), **{name: tuple(words) for name, words in told.items()})
+    return PulledEdits(
+        edits=tuple(edits), conflicts=tuple(conflicts), **{name: tuple(words) for name, words in told.items()}
+    )
 
 
 def _merged(changes: Sequence[BlendChange]) -> list[BlendChange]:

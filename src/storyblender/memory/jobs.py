@@ -312,6 +312,8 @@ class CutJob(Frozen):
     sequences: tuple[SequenceFile, ...]
     """In order; they need not be there yet."""
     out: str
+    version: str = ""
+    """As of a story."""
     former: tuple[int, int] | None = None
     """The file that this one replaces: time of its last change in ns, and bytes. Saved since, it is not replaced."""
 

@@ -218,7 +218,8 @@ def _cut(run: Run, packs: Sequence[PackRef], sequences: tuple[SequenceFile, ...]
     record = StoryRecord(common=content_hash(__version__, STORY_VERSION, plain, list(lengths)), scenes={})
 
     def compiled(_: tuple[int, ...] | None) -> Future[str]:
-        return run.engine.compile_cut(job.model_copy(update={"former": run.project.files.state(STORY)}))
+        update = {"former": run.project.files.state(STORY), "version": run.project.version}
+        return run.engine.compile_cut(job.model_copy(update=update))
 
     return _File(run, STORY, record, compiled)
 

@@ -29,6 +29,7 @@ class Drawer:
         previewed: Hears of new previews, by shot name.
         drawn: Hears that frames are new, with their previews' places taken.
         failed: Hears why something could not be drawn, in a sentence.
+        saved: Hears that story.blend was saved in Blender, so that nothing is delivered before that is taken over.
     """
 
     def __init__(
@@ -37,8 +38,10 @@ class Drawer:
         previewed: Shown,
         drawn: Callable[[Collection[str]], None],
         failed: Callable[[str], None],
+        saved: Callable[[], None],
     ) -> None:
-        self._session, self._previewed, self._drawn, self._failed = session, previewed, drawn, failed
+        self._session, self._previewed, self._drawn = session, previewed, drawn
+        self._failed, self._saved = failed, saved
         self._waiting: dict[str, bool] = {}
         self._looked_at = self._ready_for = ""
         self._changed = threading.Condition()
@@ -133,6 +136,9 @@ class Drawer:
                     self._session.shoot(next_ones)
                     self._settle(next_ones, drawn=True)
                     self._drawn(next_ones)
+                elif self._session.saved_in_blender:
+                    self._delivering = False
+                    self._saved()
                 else:
                     self._session.render()
                     self._delivering = False

@@ -14,6 +14,7 @@ from typing import Any, Literal
 
 from storyblender.agents.vocabulary import vocabulary
 from storyblender.edits.dispatcher import Applied
+from storyblender.edits.pulling import UNDECIDED, Choice
 from storyblender.errors import InputError, StoryBlenderError
 from storyblender.memory.base import shot_name
 from storyblender.memory.coverage import as_filmed
@@ -45,6 +46,7 @@ from storyblender.web_studio.messages import (
     SceneCall,
     ShotCall,
     StageCall,
+    TakeOverCall,
 )
 from storyblender.web_studio.scene import scene_details
 from storyblender.web_studio.shot import in_inspector
@@ -160,6 +162,8 @@ class Hub:
                 return lambda: self._lit_by(call)
             case WriteCall():
                 return lambda: self._write(call)
+            case TakeOverCall():
+                return lambda: self._pull(Choice(take=call.take, leave=call.leave))
             case PlainCall():
                 return {
                     "places": self._places,
@@ -172,6 +176,8 @@ class Hub:
                     "go_on": self._go_on,
                     "check": self._check,
                     "pull": self._pull,
+                    "blender": self._blender,
+                    "changes": self._changes,
                 }[call.call]
             case _:
                 return lambda: self._looked_at(call)
@@ -311,15 +317,25 @@ class Hub:
         self._tell(News(news="board", revision=applied.version))
         return applied.model_dump()
 
-    def _pull(self) -> dict[str, Any]:
+    def _pull(self, choice: Choice = UNDECIDED) -> dict[str, Any]:
         """Take over what was changed in Blender, and draw what that makes stale."""
         self._refuse_busy()
         self._pause_drawing()
-        pulled = self.place.session.pull()
-        if pulled.applied is not None:
-            self._draw(pulled.applied.stale, "")
-            self._tell(News(news="board", revision=pulled.applied.version))
+        pulled = self.place.session.pull(choice=choice)
+        self._draw(pulled.applied.stale if pulled.applied is not None else (), "")
+        self._tell(News(news="board", revision=self.place.session.revision))
         return pulled.model_dump(exclude={"applied"})
+
+    def _blender(self) -> dict[str, Any]:
+        """Return which files were saved in Blender, and how many conflicts wait."""
+        session = self.place.session
+        return {"saved": session.saved_in_blender if session.made else (), "conflicts": session.waiting_conflicts}
+
+    def _changes(self) -> dict[str, Any]:
+        """Return what was changed in Blender; nothing is taken over."""
+        self._refuse_busy()
+        self._pause_drawing()
+        return self.place.session.pull(apply=False).model_dump(exclude={"applied"})
 
     def _lit_by(self, call: PanoramaCall) -> dict[str, Any]:
         """Take a panorama of the folder into the project, and light a scene by it."""
@@ -379,7 +395,8 @@ class Hub:
 
     def _begin_drawing(self, session: Session) -> None:
         self.previews, self.takes = {}, {}
-        self._drawer = Drawer(session, self._previewed, self._frames_drawn, self._failed) if session.made else None
+        heard = (self._previewed, self._frames_drawn, self._failed, self._saved)
+        self._drawer = Drawer(session, *heard) if session.made else None
         if self._drawer is not None:
             self._drawer.find_stale()
 
@@ -403,6 +420,9 @@ class Hub:
 
     def _frames_drawn(self, names: Collection[str]) -> None:
         self._tell(News(news="frames", shots=tuple(names), revision=self.place.session.revision))
+
+    def _saved(self) -> None:
+        self._tell(News(news="blender"))
 
     def _failed(self, why: str) -> None:
         self._tell(News(news="event", event=Event(kind="warning", role="frames", message=why)))

@@ -154,15 +154,28 @@ class ProposeCall(_Call):
     """How many."""
 
 
+class TakeOverCall(_Call):
+    """Takes over what was saved in Blender."""
+
+    call: Literal["take_over"]
+    """Which call this is."""
+    take: tuple[_Name, ...] = ()
+    """Ids of the conflicts that are as in Blender."""
+    leave: tuple[_Name, ...] = ()
+    """Ids of those that stay as in the project; the others wait."""
+
+
 class PlainCall(_Call):
     """A call that needs nothing else."""
 
     call: Literal[
-        "places", "board", "shots", "vocabulary", "undo", "redo", "cancel", "go_on", "check", "cut", "pull"
+        "places", "board", "shots", "vocabulary", "undo", "redo", "cancel", "go_on", "check", "cut",
+        "pull", "blender", "changes",
     ]  # fmt: skip
     """``places``: scripts and projects of the folder; ``cut``: the film as a timeline;
     ``shots``: all that ``shot`` tells, of every shot; ``go_on``: work that was stopped is gone on with;
-    ``pull``: what was changed and saved in Blender is taken over."""
+    ``pull``: what was changed and saved in Blender is taken over; ``blender``: whether anything was saved there;
+    ``changes``: what that is, and nothing is taken over."""
 
 
 Call = Annotated[
@@ -179,6 +192,7 @@ Call = Annotated[
     | ProposeCall
     | DeliverCall
     | WriteCall
+    | TakeOverCall
     | PlainCall,
     Field(discriminator="call"),
 ]
@@ -287,8 +301,9 @@ class Answer(Described):
 class News(Described):
     """Told to every browser."""
 
-    news: Literal["board", "status", "event", "frames"]
-    """``board``: something changed, ask again; ``frames``: these pictures are new; ``event``: the crew at work."""
+    news: Literal["board", "status", "event", "frames", "blender"]
+    """``board``: something changed, ask again; ``frames``: these pictures are new; ``event``: the crew at work;
+    ``blender``: story.blend was saved there."""
     revision: str = ""
     """Of the project now."""
     status: Status | None = None

@@ -34,6 +34,7 @@ class Rehearsals:
         self.calls: list[str] = []
         self.slow = ""
         self.delivered = True
+        self.saved_in_blender: tuple[str, ...] = ()
         self.graph = cast(ContinuityMemoryGraph, type("Graph", (), {"shots": [Call(n) for n in range(1, 6)]}))
         self._changed, self._cancelled = threading.Condition(), False
 
@@ -85,7 +86,7 @@ def session() -> Rehearsals:
 def drawing(session: Rehearsals, monkeypatch: pytest.MonkeyPatch) -> Any:
     monkeypatch.setattr(drawer, "REST", 0.05)
     silent: Callable[[Collection[str]], None] = lambda _: None  # noqa: E731
-    made = Drawer(cast(Session, session), lambda _: None, silent, lambda _: None)
+    made = Drawer(cast(Session, session), lambda _: None, silent, lambda _: None, lambda: None)
     session.heard("warm")
     yield made
     made.close()
