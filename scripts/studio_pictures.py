@@ -60,7 +60,10 @@ def views(page: Page) -> Iterator[str]:
     yield "studio_plan"
     go_to(page, "Cast and assets")
     page.wait_for_selector(".assets canvas", timeout=DRAWN)
-    page.wait_for_selector(".person:not(:has(img))", state="detached", timeout=DRAWN)
+    for _ in range(DRAWN // SOON):  # portraits are drawn one by one
+        if page.locator(".person").evaluate_all("all => all.every((each) => each.querySelector('img')?.naturalWidth)"):
+            break
+        page.wait_for_timeout(SOON)
     yield "studio_cast"
     go_to(page, "Set and light")
     page.wait_for_selector(".lamps")
