@@ -2,56 +2,42 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
-from storyblender.deliver.contact_sheet import write_contact_sheet
 from storyblender.edits.dispatcher import Applied, apply_edits
-from storyblender.edits.effect import name_of
 from storyblender.edits.pull_conflicts import waiting
 from storyblender.edits.pulling import UNDECIDED, Choice, Pulled, pull
 from storyblender.edits.targets import shots_named
 from storyblender.edits.undo import next_steps, redo_edit, undo_edit
 from storyblender.errors import InputError
-from storyblender.inspection import Inspection, inspect
-from storyblender.memory.asset_sheet import Asset
-from storyblender.memory.base import content_hash
 from storyblender.memory.board_layout import BoardLayout
 from storyblender.memory.edits import Edit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import TRIAL, Commit
 from storyblender.memory.panorama import Panorama
-from storyblender.open_project import OpenProject
-from storyblender.pipeline.asset_pictures import built_asset, candidates_for, view_of
 from storyblender.pipeline.compiling import story_files
-from storyblender.pipeline.drawing import DELIVERED, draw_frames, draw_shots
-from storyblender.pipeline.filming import cuts_made_wrong, film, with_cuts_judged
+from storyblender.pipeline.drawing import draw_frames, draw_shots
+from storyblender.pipeline.filming import cuts_made_wrong, film
 from storyblender.pipeline.packing import pack_scenes
 from storyblender.pipeline.panorama import keep_panoramas, take_in_panorama
-from storyblender.pipeline.previewing import moment_of, preview_shot
-from storyblender.pipeline.rehearsing import CamerasToMatch, rehearse
-from storyblender.pipeline.reviewing import FrameReview, review_frames
 from storyblender.pipeline.shooting import (
-    drawn_shots,
-    pictures_of_takes,
-    shoot_frames,
     undrawn_shots,
 )
-from storyblender.pipeline.shown import note_shown, shows
-from storyblender.pipeline.updating import bring_scene_up_to_date, bring_up_to_date
+from storyblender.pipeline.shown import note_shown
+from storyblender.pipeline.updating import bring_up_to_date
 from storyblender.results import Delivery
 from storyblender.settings import REMEMBERED, Settings
 from storyblender.trace import Event
+from storyblender.viewed_project import ViewedProject
 
 if TYPE_CHECKING:
     from storyblender.pipeline.script_changes import ScriptChanges
-    from storyblender.pipeline.shot_reasons import ShotReasons
 
 
-class Session(OpenProject):
+class Session(ViewedProject):
     """An open project with all that can be done with it; ``Studio.open`` returns one."""
 
     def plan(self, script: Path, reading: Path | None = None, export: Path | None = None, *, why: bool) -> Delivery:
@@ -198,26 +184,6 @@ class Session(OpenProject):
             files, reviews = draw_shots(run, [run.graph.shot(shot.scene_id, shot.shot_id) for shot in shots])
             return Delivery(self.folder, files, run.graph, wrong_cuts=tuple(wrong), reviews=reviews)
 
-    def shoot(self, names: Sequence[str]) -> None:
-        """Draw the frames of shots; ``render`` writes what is delivered later. Raises as it does."""
-        with self._filming() as run:
-            draw_frames(run, shots_named(run.graph, names))
-
-    @property
-    def delivered(self) -> bool:
-        """Whether board, lists and story.blend show the project as it is now."""
-        return self._project.outputs.read(DELIVERED, bytes.decode) == content_hash(self.graph)
-
-    def shows_story(self, name: str) -> bool:
-        """Return whether a file that was written on request, such as the film, shows the story as it is."""
-        known = shows(self._project.outputs, self.graph, name)
-        return self.delivered if known is None else known
-
-    @property
-    def board_layout(self) -> BoardLayout:
-        """How the pages of the board are laid out."""
-        return self._settings.board_layout
-
     def print_board(self, layout: BoardLayout) -> Delivery:
         """Write the board in a layout that the project keeps; shots that look otherwise are drawn first.
 
@@ -250,66 +216,6 @@ class Session(OpenProject):
             finally:
                 self._settings = usual
 
-    def preview(self, names: Sequence[str]) -> dict[str, Path]:
-        """Draw shots small and quickly, to see what an edit did, and return the pictures; raises as ``render``.
-
-        Only their scenes are made anew, and of these only what these shots show.
-        """
-        with self._call() as run:
-            self._refuse_unmade()
-            shots = shots_named(run.graph, names)
-            matching = self._matching or CamerasToMatch(run)
-            return {name_of(shot): preview_shot(run, shot, matching) for shot in shots}
-
-    def rehearse(self, name: str) -> None:
-        """Have Blender stand ready to preview edits of a shot that a person looks at; raises as ``render``."""
-        with self._call() as run:
-            self._refuse_unmade()
-            [shot] = shots_named(run.graph, [name])
-            bring_scene_up_to_date(run, shot.scene_id)
-            rehearse(run.in_front(), shot)
-
-    def moment(self, name: str, frame: int | None = None) -> tuple[Path, int]:
-        """Return what a shot's scene looks like at one moment as glTF, and that moment; raises as ``render``.
-
-        Cameras need not be set, so that people and things are seen where an edit put them before the cameras follow.
-
-        Args:
-            name: The shot, such as ``SC010_SH020``.
-            frame: From its start; the one that the board shows if not given.
-        """
-        with self._call() as run:
-            self._refuse_unmade()
-            [shot] = shots_named(run.graph, [name])
-            bring_scene_up_to_date(run, shot.scene_id)
-            rehearse(front := run.in_front(), shot)
-            return moment_of(front, run.graph.shot(shot.scene_id, shot.shot_id), frame)
-
-    def asset_view(self, asset: Asset, kind: Literal["png", "glb"]) -> Path:
-        """Return a person or a thing, or a candidate for one, as a small picture or as glTF; each is made once."""
-        with self._call() as run:
-            return view_of(run, asset, kind)
-
-    def built_asset(self, asset_id: str) -> Asset:
-        """Return a person or a thing of the story, built if an edit changed it; raises as ``render``."""
-        with self._call() as run:
-            return built_asset(run, asset_id)
-
-    def candidates(self, asset_id: str, words: str = "") -> list[Asset]:
-        """Return what a thing of the story could be made from instead, best first: from the library and all folders.
-
-        Args:
-            asset_id: The thing.
-            words: What is looked for; what the script says of it if empty.
-        """
-        with self._call() as run:
-            return candidates_for(run, asset_id, words)
-
-    def stale_frames(self) -> list[str]:
-        """Return the names of the shots whose frames do not show the story as it is; raises as ``render``."""
-        with self._filming() as run:
-            return undrawn_shots(run)
-
     @property
     def next_steps(self) -> tuple[str, str]:
         """What undo would take back and what redo would make again, in words."""
@@ -328,39 +234,6 @@ class Session(OpenProject):
         with self._alone():
             return redo_edit(self._project)
 
-    def check(self) -> Inspection:
-        """Inspect a finished project: layout, framing, continuity, collisions, people in frame.
-
-        Raises:
-            InputError: A project that is only planned, or that was stopped before its cameras were set.
-            Cancelled: ``cancel`` was called.
-        """
-        with self._call() as run:
-            self._refuse_unmade()
-            items = (*run.graph.scenes, *run.graph.shots)
-            if any(item.stale for item in items) or any(shot.camera is None for shot in run.graph.cut):
-                mend = "run `storyblender render` first: it goes on where it was stopped"
-                raise InputError("has shots that are not up to date", mend=mend, path=self.folder)
-            bring_up_to_date(run)
-            reviews = review_frames(run, drawn_shots(run))
-            report = inspect(
-                with_cuts_judged(run), run.engine, list(run.packs.values()), reviews, partial(run.progress, "check")
-            )
-            return report.with_story([name for name in story_files(run.graph) if run.outputs.changed(name)])
-
-    def takes(self, shot: str) -> dict[int, Path]:
-        """Return the pictures of a shot's takes that are drawn, by number; that of the film is in ``frames``.
-
-        Raises:
-            InputError: No such shot, or a project that is only planned.
-        """
-        with self._call() as run:
-            [found] = shots_named(run.graph, [shot])
-            self._refuse_unmade()
-            bring_up_to_date(run)
-            names = pictures_of_takes(run, run.graph.shot(found.scene_id, found.shot_id))
-            return {number: self.folder / name for number, name in names.items() if run.outputs.whole(name)}
-
     def take_in_panorama(self, file: Path) -> Panorama:
         """Keep the picture of a user's panorama in the project, and return what an edit of light names it by.
 
@@ -372,35 +245,6 @@ class Session(OpenProject):
         """
         with self._call() as run:
             return take_in_panorama(run, file)
-
-    def keep_sheet(self, name: str, pictures: Mapping[str, Path]) -> str:
-        """Write pictures side by side into the project, and return the file's name.
-
-        Args:
-            name: A JPEG.
-            pictures: By what is written under each; at least one.
-        """
-        with self._call() as run:
-            with run.delivering(name) as part:
-                write_contact_sheet(pictures, part)
-            return name
-
-    def why(self, shot: str) -> ShotReasons:
-        """Return why a shot is as it is: who decided what, how it was judged, which words it stands on.
-
-        Raises InputError if there is no such shot.
-        """
-        from storyblender.pipeline.shot_reasons import shot_reasons
-
-        with self._call() as run:
-            [found] = shots_named(run.graph, [shot])
-            return shot_reasons(run, found)
-
-    def evaluate(self) -> list[FrameReview]:
-        """Return what the Frame Critic finds in every frame of a finished project; raises as ``render``."""
-        with self._filming() as run:
-            shoot_frames(run, run.graph.cut)
-            return list(review_frames(run, run.graph.cut).values())
 
     def export(self, kinds: Sequence[str]) -> Delivery:
         """Write scenes as glTF or USD, the timeline as EDL or FCPXML.

@@ -12,6 +12,9 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstra
 Identifier = Annotated[str, StringConstraints(pattern=r"^[a-z][a-z0-9_]{0,63}$")]
 """A snake_case name, safe as a file name and as a Blender name. Never a path."""
 
+EditName = Annotated[str, Field(min_length=1, max_length=64)]
+"""How an edit names a shot, a scene, a person or a thing: as an id, or as people call it."""
+
 SceneId = Annotated[int, Field(ge=1, le=99_999)]
 ShotId = Annotated[int, Field(ge=1, le=99_999)]
 Frames = Annotated[int, Field(ge=0, le=432_000)]

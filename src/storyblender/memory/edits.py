@@ -7,15 +7,23 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, TypeAdapter, model_validator
 
 from storyblender.memory.asset_sheet import AdoptedModel, AssetDimension, Garment, LookDecision, ModelPose, Note
-from storyblender.memory.base import Described, Digest, Frames, Identifier, is_none
+from storyblender.memory.base import Described, Digest, EditName, Frames, Identifier, is_none
+from storyblender.memory.edits_of_cut import (
+    AddShotEdit,
+    ApproveEdit,
+    JoinEdit,
+    NoteEdit,
+    OmitEdit,
+    ReorderEdit,
+    RestoreEdit,
+    SplitEdit,
+    TakeEdit,
+)
 from storyblender.memory.locks import LockName
-from storyblender.memory.notes import MOST_NOTES, NoteAuthor, NoteText
 from storyblender.memory.paint import MaterialName, PaintDecision
 from storyblender.memory.scene_decision import LightDecision, PersonMarks, SetDecision, ThingPlace
 from storyblender.memory.shot_context import CameraDecision
 from storyblender.memory.vocabulary import RelationKind
-
-_Name = Annotated[str, Field(min_length=1, max_length=64)]
 
 
 class CameraEdit(Described):
@@ -23,7 +31,7 @@ class CameraEdit(Described):
 
     kind: Literal["camera"] = "camera"
     """Which edit this is."""
-    shot: _Name
+    shot: EditName
     """Such as ``SC010_SH020``."""
     decision: CameraDecision
     """Any of its fields; those left out stay as they are."""
@@ -34,7 +42,7 @@ class DurationEdit(Described):
 
     kind: Literal["duration"] = "duration"
     """Which edit this is."""
-    shot: _Name
+    shot: EditName
     """Such as ``SC010_SH020``."""
     frames: Annotated[Frames, Field(ge=1)] | None = None
     """Length in frames; or give seconds."""
@@ -53,7 +61,7 @@ class LockEdit(Described):
 
     kind: Literal["lock"] = "lock"
     """Which edit this is."""
-    target: _Name
+    target: EditName
     """A shot such as ``SC010_SH020``, a scene such as ``SC010``, or an asset's id."""
     parts: tuple[LockName, ...] = ()
     """Camera, blocking, duration of a shot; layout, light, set of a scene; the asset. All of them if empty."""
@@ -64,7 +72,7 @@ class UnlockEdit(Described):
 
     kind: Literal["unlock"] = "unlock"
     """Which edit this is."""
-    target: _Name
+    target: EditName
     """As for a lock."""
     parts: tuple[LockName, ...] = ()
     """As for a lock."""
@@ -75,7 +83,7 @@ class LightEdit(Described):
 
     kind: Literal["light"] = "light"
     """Which edit this is."""
-    scene: _Name
+    scene: EditName
     """Such as ``SC010``."""
     decision: LightDecision
     """Any of its fields; those left out stay as they are."""
@@ -86,7 +94,7 @@ class SetEdit(Described):
 
     kind: Literal["set"] = "set"
     """Which edit this is."""
-    scene: _Name
+    scene: EditName
     """Such as ``SC010``."""
     decision: SetDecision
     """Any of its fields; those left out stay as they are."""
@@ -97,7 +105,7 @@ class LayoutEdit(Described):
 
     kind: Literal["layout"] = "layout"
     """Which edit this is."""
-    scene: _Name
+    scene: EditName
     """Such as ``SC010``."""
     staging: int | None = Field(default=None, ge=0, le=999)
     """Number of the staging, 0 for the crew's first; left out, the next one."""
@@ -108,9 +116,9 @@ class PlaceEdit(Described):
 
     kind: Literal["place"] = "place"
     """Which edit this is."""
-    scene: _Name
+    scene: EditName
     """Such as ``SC010``."""
-    thing: _Name
+    thing: EditName
     """Node id of the thing; its id or name will do where the scene has it once."""
     place: ThingPlace = ThingPlace()
     """Any of its fields; those left out stay as they are."""
@@ -129,9 +137,9 @@ class BlockingEdit(Described):
 
     kind: Literal["blocking"] = "blocking"
     """Which edit this is."""
-    shot: _Name
+    shot: EditName
     """Such as ``SC010_SH020``."""
-    person: _Name
+    person: EditName
     """Id or name of a person on stage."""
     marks: PersonMarks
     """Start, end or both; what is left out stays as it is."""
@@ -150,9 +158,9 @@ class ByHandEdit(Described):
 
     kind: Literal["by_hand"] = "by_hand"
     """Which edit this is."""
-    shot: _Name
+    shot: EditName
     """Such as ``SC010_SH020``."""
-    who: _Name
+    who: EditName
     """Id or name of a person on stage, or of a thing that is handled."""
     motion: Digest | None = None
     """Name of a file in the project's folder ``by_hand``, which a pull writes; left out, the crew acts it again."""
@@ -165,11 +173,11 @@ class AssetEdit(Described):
     """Which edit this is."""
     action: Literal["replace", "add", "remove", "rename", "resize", "turn", "regenerate"] = "replace"
     """What is done; ``regenerate``: the crew makes a thing of the story from something else than what it is now."""
-    thing: _Name | None = None
+    thing: EditName | None = None
     """What is replaced or taken away: the id or name of a thing, or what a piece of furniture is, such as sofa."""
-    scene: _Name | None = None
+    scene: EditName | None = None
     """Such as ``SC010``; for furniture of a set, and for what is added or taken away."""
-    model: _Name | None = None
+    model: EditName | None = None
     """What is wanted, as the library calls it, with a colour or a material: ``red bench``; or give a file."""
     file: Note | None = Field(default=None, exclude_if=is_none)
     """Path of a model in the user's folders, for what is replaced."""
@@ -185,7 +193,7 @@ class AssetEdit(Described):
     """Where what is added stands to the millimetre, in place of a relation."""
     adopted: AdoptedModel | None = Field(default=None, exclude_if=is_none)
     """The model from Blender that is added, or that is put in place of a thing; ``model`` is then what it is called."""
-    name: _Name | None = Field(default=None, exclude_if=is_none)
+    name: EditName | None = Field(default=None, exclude_if=is_none)
     """What a thing of the story is called from now on, on board and lists; its id stays."""
 
     @model_validator(mode="after")
@@ -211,7 +219,7 @@ class LookEdit(Described):
 
     kind: Literal["look"] = "look"
     """Which edit this is."""
-    person: _Name
+    person: EditName
     """Their id or name."""
     decision: LookDecision = LookDecision()
     """Any of its fields; those left out stay as they are."""
@@ -228,9 +236,9 @@ class PaintEdit(Described):
     """Which edit this is."""
     material: MaterialName | None = None
     """The material as the story has it: ``wood_dark``; left out, the one that covers most of the thing."""
-    thing: _Name | None = None
+    thing: EditName | None = None
     """Id or name of a thing or a person, wherever it is; with ``scene``, what stands there, or a piece of its set."""
-    scene: _Name | None = None
+    scene: EditName | None = None
     """Such as ``SC010``: only there; left out, in the whole story."""
     look: PaintDecision | None = None
     """How it looks then; left out, as it was before anybody painted it."""
@@ -242,147 +250,6 @@ class PaintEdit(Described):
         if self.look is not None and not self.look.words:
             raise ValueError("a look has a color, a roughness, a metallic, a finish, or is plain")
         return self
-
-
-class TakeEdit(Described):
-    """Keeps camera, blocking or layout as a take and goes on with the next, chooses a take, or drops one."""
-
-    kind: Literal["take"] = "take"
-    """Which edit this is."""
-    shot: _Name
-    """Such as ``SC010_SH020``; for a layout the scene, such as ``SC010``, or one of its shots."""
-    of: Literal["camera", "blocking", "layout"] = "camera"
-    """Of what: the camera of the shot, where people are and what they do in it, or where all is in its scene."""
-    action: Literal["keep", "choose", "drop"] = "keep"
-    """What is done."""
-    number: int | None = Field(default=None, ge=1, le=999)
-    """Of the take to choose or drop."""
-
-    @model_validator(mode="after")
-    def _has_number(self) -> Self:
-        if (self.number is None) != (self.action == "keep"):
-            raise ValueError("a take that is kept gets its number; one that is chosen or dropped is named by it")
-        return self
-
-
-class NoteEdit(Described):
-    """Writes a note on a shot, marks one as done, or takes one away."""
-
-    kind: Literal["note"] = "note"
-    """Which edit this is."""
-    shot: _Name
-    """Such as ``SC010_SH020``."""
-    action: Literal["add", "resolve", "reopen", "remove"] = "add"
-    """What is done."""
-    text: NoteText | None = None
-    """Words of the note that is added."""
-    author: NoteAuthor = ""
-    """Who writes it."""
-    number: int | None = Field(default=None, ge=1, le=MOST_NOTES)
-    """Of the note that is resolved, reopened or removed."""
-
-    @model_validator(mode="after")
-    def _is_whole(self) -> Self:
-        if self.action == "add" and (self.text is None or not self.text.strip() or self.number is not None):
-            raise ValueError("a note that is added takes its text, and gets its number")
-        if self.action != "add" and (self.number is None or self.text is not None):
-            raise ValueError(f"to {self.action} a note takes its number")
-        return self
-
-
-class OmitEdit(Described):
-    """Leaves a shot or a scene out of the film, board and timeline; its number stays, and nothing of it is lost."""
-
-    kind: Literal["omit"] = "omit"
-    """Which edit this is."""
-    target: _Name
-    """A shot such as ``SC010_SH020``, or a scene such as ``SC010``."""
-
-
-class RestoreEdit(Described):
-    """Brings a shot or a scene back that was omitted."""
-
-    kind: Literal["restore"] = "restore"
-    """Which edit this is."""
-    target: _Name
-    """As for omitting."""
-
-
-class ReorderEdit(Described):
-    """Moves a shot to another place in its scene, or a scene in the film; names stay as they are."""
-
-    kind: Literal["reorder"] = "reorder"
-    """Which edit this is."""
-    target: _Name
-    """A shot such as ``SC010_SH020``, or a scene such as ``SC010``."""
-    before: _Name | None = None
-    """The shot or scene that follows it then; or give after."""
-    after: _Name | None = None
-    """The shot or scene that it follows then; or give before."""
-
-    @model_validator(mode="after")
-    def _has_one_place(self) -> Self:
-        if (self.before is None) == (self.after is None):
-            raise ValueError("a new place is before something or after something")
-        return self
-
-
-class SplitEdit(Described):
-    """Splits a shot in two where a line begins or at a time; the second gets a number between and the same camera."""
-
-    kind: Literal["split"] = "split"
-    """Which edit this is."""
-    shot: _Name
-    """Such as ``SC010_SH020``."""
-    line: int | None = Field(default=None, ge=2)
-    """Number of the line of the shot that the second one begins with, counted from 1; or give frames or seconds."""
-    frames: Annotated[Frames, Field(ge=1)] | None = None
-    """First frame of the second one, counted from the start of the shot."""
-    seconds: float | None = Field(default=None, gt=0, le=3600)
-    """The same in seconds."""
-
-    @model_validator(mode="after")
-    def _has_one_place(self) -> Self:
-        if sum(each is not None for each in (self.line, self.frames, self.seconds)) != 1:
-            raise ValueError("a shot is split at a line, or at a time in frames or in seconds")
-        return self
-
-
-class JoinEdit(Described):
-    """Joins two neighbours of one scene: the first goes on for the time of the second, with its own camera."""
-
-    kind: Literal["join"] = "join"
-    """Which edit this is."""
-    shot: _Name
-    """Such as ``SC010_SH020``."""
-    other: _Name
-    """The shot after it, or before it."""
-
-
-class AddShotEdit(Described):
-    """Adds a shot after another one: a further camera on the same moment, such as an insert or a reaction."""
-
-    kind: Literal["add_shot"] = "add_shot"
-    """Which edit this is."""
-    shot: _Name
-    """The shot that it follows, such as ``SC010_SH020``."""
-    decision: CameraDecision
-    """Its camera; what is left out is as in that shot, or is the crew's to choose."""
-    at: float | None = Field(default=None, ge=0, le=3600)
-    """Seconds from the start of that shot at which it begins; left out, the moment of its frame is in the middle."""
-    seconds: float | None = Field(default=None, gt=0, le=3600)
-    """Its length; left out, 2 seconds, or what is left of the scene."""
-
-
-class ApproveEdit(Described):
-    """Approves a shot, which locks all of it; or withdraws the approval, and what was locked before is locked still."""
-
-    kind: Literal["approve"] = "approve"
-    """Which edit this is."""
-    shot: _Name
-    """Such as ``SC010_SH020``."""
-    approved: bool = True
-    """False withdraws the approval."""
 
 
 Edit = Annotated[
