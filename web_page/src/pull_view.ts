@@ -50,7 +50,7 @@ export class PullView extends LitElement {
     const changed = found.understood.length + found.conflicts.length + found.kept.length;
     return html`
       ${changed ? nothing : html`<p>The file was saved, and nothing in it was changed.</p>`}
-      ${this.sentences("Taken over", found.understood)}
+      ${this.sentences("Will be taken over", found.understood)}
       ${found.conflicts.length
         ? html`<h3>Changed here as well: which stands?</h3>${found.conflicts.map((conflict) => this.conflict(conflict))}`
         : nothing}

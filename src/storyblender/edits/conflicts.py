@@ -37,8 +37,8 @@ _FIELDS: Final[dict[str, dict[str, str]]] = {
                "look_decision": "asset", "turned_down": "asset", "name": "name"},
 }  # fmt: skip
 """Which field of an item is which aspect. What the crew derives from them, such as lamps or marks, is none."""
-_BUILT: Final = frozenset(("dimension", "canonical"))
-"""Fields of an asset that follow from the others when the crew builds it."""
+_DERIVED: Final = frozenset(("dimension", "canonical", "layout", "lighting", "environment"))
+"""Fields that follow from the others when the crew works: what it makes anew is no conflict, what a person decides is."""
 
 
 def refuse_stale(project: Project, version: str, touched: Collection[Aspect]) -> None:
@@ -91,7 +91,7 @@ def _aspects(change: Change, author: str) -> Iterator[Aspect]:
     if change.layer == "head":
         yield from _painted_otherwise(before.get("paints", ()), after.get("paints", ()))
     for field, aspect in _FIELDS.get(change.layer, {}).items():
-        derived = field in _BUILT and author not in PEOPLE
+        derived = field in _DERIVED and author not in PEOPLE
         if before.get(field) != after.get(field) and not derived:
             yield name, aspect
     if change.layer in ("shots", "scenes"):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import re
+from contextlib import suppress
 from importlib.resources import files
 from pathlib import Path
 
@@ -13,7 +14,7 @@ from starlette.requests import Request
 from starlette.responses import FileResponse, PlainTextResponse, Response
 from starlette.routing import Mount, Route, WebSocketRoute
 from starlette.staticfiles import StaticFiles
-from starlette.websockets import WebSocket, WebSocketDisconnect
+from starlette.websockets import WebSocket, WebSocketDisconnect, WebSocketDisconnected
 
 from storyblender.deliver.page import FILES
 from storyblender.errors import StoryBlenderError
@@ -29,6 +30,8 @@ _SHOT = re.compile(r"SC\d{3,6}_SH\d{3,6}")
 _MOMENT = re.compile(r"SC\d{3,6}-[0-9a-f]{8,64}-\d{1,9}")
 _SHOWN = re.compile(r"[0-9a-f]{8,64}\.(?:png|glb)")
 _DELIVERED = frozenset(name for name, _ in FILES)
+_LEFT = (WebSocketDisconnect, WebSocketDisconnected)
+"""What receiving from a browser that has left raises, and sending to it."""
 _NOT_THERE = PlainTextResponse("there is no such file", 404)
 PAGE = Path(str(files("storyblender.web_studio") / "static"))
 
@@ -113,7 +116,7 @@ async def _serve(hub: Hub, socket: WebSocket) -> None:
         while True:
             answer = await _answered(hub, await socket.receive_text())
             await socket.send_text(answer.model_dump_json())
-    except (WebSocketDisconnect, KeyError):  # Starlette has no text of a message in bytes
+    except (*_LEFT, KeyError):  # Starlette has no text of a message in bytes
         pass
     finally:
         telling.cancel()
@@ -137,5 +140,6 @@ def _number_in(text: str) -> int:
 
 
 async def _tell(socket: WebSocket, news: asyncio.Queue[News]) -> None:
-    while True:
-        await socket.send_text((await news.get()).model_dump_json(exclude_defaults=True))
+    with suppress(*_LEFT):
+        while True:
+            await socket.send_text((await news.get()).model_dump_json(exclude_defaults=True))

@@ -13,9 +13,11 @@ from storyblender.edits.undo import undo_edit
 from storyblender.edits.words import camera_decision, edits_of
 from storyblender.errors import InputError, Rejected, StaleEdit
 from storyblender.memory.camera_decision import CameraPosition, FreeCamera
-from storyblender.memory.edits import EDITS, CameraEdit, DurationEdit, Edit, LockEdit, UnlockEdit
+from storyblender.memory.edits import EDITS, CameraEdit, DurationEdit, Edit, LightEdit, LockEdit, UnlockEdit
 from storyblender.memory.history import replace
 from storyblender.memory.locks import SCENE_LOCKS, SHOT_LOCKS
+from storyblender.memory.scene_context import Lighting, Sky
+from storyblender.memory.scene_decision import LightDecision
 from storyblender.memory.shot_context import CameraDecision, CameraPose, ShotContext
 from storyblender.memory.vocabulary import ShotKind
 from storyblender.project import Project
@@ -229,3 +231,14 @@ def test_a_later_decision_stands_on_an_earlier_one() -> None:
     placed = CameraDecision(placed=PLACED, lens=40)
     assert placed.then(CameraDecision(lens=50)) == CameraDecision(placed=PLACED, lens=50)
     assert placed.then(CameraDecision(size="CU")) == CameraDecision(size="CU"), "another picture is the crew's to find"
+
+
+def test_what_the_crew_makes_of_a_decision_is_no_conflict_with_the_next_one(project: Project) -> None:
+    """Warmer, and warmer again before the crew has lit the scene: the page has not seen its commit yet."""
+    warmer = LightEdit(scene=SCENE, decision=LightDecision(warmth=1))
+    version = apply_edits(project, [warmer]).version
+    lit = Lighting(sky=Sky(zenith=(0.2, 0.4, 0.8), horizon=(0.6, 0.7, 0.8), ground=(0.2, 0.2, 0.2)))
+    scene = project.graph.scenes[0].model_copy(update={"lighting": lit})
+    project.commit(replace(project.graph, scene), "lighting_arranger", "lit")
+    assert isinstance(stale(project, version, warmer), Applied)
+    assert "light: warmth" in str(stale(project, version, warmer)), "but what a person decided meanwhile is"
