@@ -7,36 +7,30 @@ Modules that build are imported by the tools that build, so that a worker that o
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
-from contextlib import ExitStack
-from functools import cached_property
-from pathlib import Path, PurePosixPath
+from pathlib import PurePosixPath
 from typing import TYPE_CHECKING, Any
 
 import bpy
 
+from storyblender.blender.asset_session import AssetSession
 from storyblender.blender.cameras import make_camera
 from storyblender.blender.measure.collisions import find_collisions
 from storyblender.blender.measure.drift import spatial_drift
 from storyblender.blender.measure.figures import figures
-from storyblender.blender.measure.view import WIDTH, OpenViewfinder, ViewfinderPose, viewfinder
-from storyblender.blender.progress import Report, ignore
+from storyblender.blender.measure.view import ViewfinderPose
 from storyblender.blender.render.frame import FrameRequest, PersonHead, render_frame
 from storyblender.blender.render.motion_frames import GROWN_HEAD, render_motion
 from storyblender.blender.render.picture import write_png
 from storyblender.blender.still import held_still
 from storyblender.blender.windows import light_windows
-from storyblender.catalog.hair import HAIRSTYLES
-from storyblender.folder import Folder
 from storyblender.geometry.framing import Figure
 from storyblender.look.aperture import look_through
 from storyblender.look.grade import AGX_CONTRAST, display_of
-from storyblender.memory.base import Vec3, content_hash, scene_name, shot_name
+from storyblender.memory.base import content_hash, scene_name, shot_name
 from storyblender.memory.blend_values import AdoptedObject, BlendReading
 from storyblender.memory.graph import ProjectFormat
 from storyblender.memory.jobs import (
     DRAWING_VERSION,
-    AssetJob,
     CutJob,
     ExportJob,
     FrameJob,
@@ -47,44 +41,15 @@ from storyblender.memory.jobs import (
     SceneJob,
     StoryJob,
 )
-from storyblender.memory.measure import AssetMeasure, CameraView, Collision, ViewRequest
-from storyblender.memory.paint import Paint
+from storyblender.memory.measure import CameraView, Collision, ViewRequest
 from storyblender.memory.request import Picture
 
 if TYPE_CHECKING:
-    from storyblender.blender.asset_store import AssetStore
-    from storyblender.blender.rehearsal import Rehearsal
+    pass
 
 
-class BlenderSession:
-    """Does the engine's jobs in this process.
-
-    Args:
-        root: The project folder; every path in a job is relative to it and must stay inside.
-        models: The user's folders of models.
-        build: Folder for names below ``build/``; None for the project folder.
-        report: Receives the progress of the running job.
-    """
-
-    def __init__(
-        self, root: Path, models: Sequence[Path] = (), build: Path | None = None, report: Report = ignore
-    ) -> None:
-        self._files = Folder(root, build)
-        self._models, self._report = models, report
-        self._open = ""
-        self._rehearsal: Rehearsal | None = None
-        """The scene in the open file, if it was built here and not opened."""
-        self._viewfinder_scene = ExitStack()
-        self._background = ThreadPoolExecutor(1)
-        self._viewfinder: tuple[tuple[str, int | None, int], OpenViewfinder] | None = None
-        """The open viewfinder, after its pack, frame and height."""
-
-    @cached_property
-    def _store(self) -> AssetStore:
-        """The canonical assets."""
-        from storyblender.blender.asset_store import AssetStore
-
-        return AssetStore(self._files, self._models)
+class BlenderSession(AssetSession):
+    """Does the engine's jobs in this process."""
 
     @property
     def tools(self) -> list[Callable[..., Any]]:
@@ -110,11 +75,6 @@ class BlenderSession:
             self.write_asset,
             self.draw_sides,
         ]
-
-    def build_asset(self, job: AssetJob) -> AssetMeasure:
-        """Build and measure one asset."""
-        self._close_pack()
-        return self._store.measure(job)
 
     def pack_scene(self, job: SceneJob) -> PackRef:
         """Build one scene and save it as a pack."""
@@ -313,115 +273,6 @@ class BlenderSession:
                 beside = PurePosixPath(job.out).parent / "textures" / picture.name
                 self._files.write(beside.as_posix(), picture.read_bytes())
         return job.out
-
-    def portrait(self, job: AssetJob, out: str, paints: tuple[Paint, ...] = ()) -> str:
-        """Render a small picture of one asset to ``out``.
-
-        Args:
-            job: The asset, with its canonical.
-            out: Path of the picture, relative to the project folder; it is returned.
-            paints: What a person decided about its materials.
-        """
-        from storyblender.blender.props.portrait import render_portrait
-
-        canonical = job.asset.canonical
-        assert canonical is not None, "a portrait shows what an asset became"
-        parts = self._parts_of(job, paints)
-        with self._files.writing(out) as part:
-            render_portrait(parts, part, head=canonical.key in HAIRSTYLES)
-        return out
-
-    def write_asset(self, job: AssetJob, out: str, paints: tuple[Paint, ...] = ()) -> str:
-        """Write one asset as glTF to ``out``.
-
-        Args:
-            job: The asset, with its canonical.
-            out: Path of the file, relative to the project folder; it is returned.
-            paints: What a person decided about its materials.
-        """
-        from storyblender.blender.asset_glb import write_asset
-
-        parts = self._parts_of(job, paints)
-        with self._files.writing(out) as part:
-            write_asset(parts, part)
-        return out
-
-    def _parts_of(self, job: AssetJob, paints: tuple[Paint, ...]) -> list[bpy.types.Object]:
-        """Return the mesh objects of an asset alone in an empty file, painted; a person stands at ease."""
-        from storyblender.blender.painting import paint_objects
-
-        parts = self._unpainted(job)
-        for obj in parts:
-            obj["asset_id"] = job.asset.asset_id
-        paint_objects(parts, paints)
-        return parts
-
-    def _unpainted(self, job: AssetJob) -> list[bpy.types.Object]:
-        """Return the mesh objects of an asset, as they were made."""
-        from storyblender.blender.people.at_ease import stand_at_ease
-
-        self._close_pack()
-        made = job.asset.canonical
-        if job.asset.asset_type == "object" and made is not None and not made.geometry_hash:
-            build = self._store.draft(job)  # not kept; it opens an empty file, so nothing of bpy.data is named before
-            return [bpy.data.objects.new(job.asset.asset_id, build.mesh)]
-        measure = self._store.measure(job)
-        bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-        canonical = job.asset.canonical
-        assert canonical is not None, "what an asset became is shown"
-        asset = job.asset.model_copy(update={"canonical": canonical.model_copy(update={"digest": measure.digest})})
-        if asset.asset_type != "character":
-            return [bpy.data.objects.new(asset.asset_id, self._store.append_mesh(asset))]
-        member = self._store.append_person(asset)
-        stand_at_ease(member.armature)
-        return list(member.meshes)
-
-    def draw_sides(self, job: AssetJob, folder: str) -> Vec3:
-        """Render an object from its six sides and as a portrait; return its width, depth and height in metres.
-
-        Args:
-            job: The object, which is built for it and not kept.
-            folder: Of the pictures, relative to the project folder: ``front.png`` and so on, ``portrait.png``.
-        """
-        from storyblender.blender.props.portrait import SIDE_SIZE, render_portrait, render_sides
-
-        self._close_pack()
-        build = self._store.draft(job)
-        thing = bpy.data.objects.new(job.asset.asset_id, build.mesh)
-        with self._files.writing_tree(folder) as part:
-            render_sides(thing, part)
-            render_portrait([thing], part / "portrait.png", (2 * SIDE_SIZE[0], 2 * SIDE_SIZE[1]))
-        return build.dimensions
-
-    def _viewfinder_at(self, pack: PackRef, frame: int | None, aspect: float) -> OpenViewfinder:
-        """Return the viewfinder at a frame; it is kept, because the Camera Operator returns to it many times."""
-        height = max(2, round(WIDTH / aspect))
-        key = (pack.path, frame, height)
-        if self._viewfinder is None or self._viewfinder[0] != key:
-            scene = self._open_pack(pack)
-            self._viewfinder = key, self._viewfinder_scene.enter_context(viewfinder(scene, frame, WIDTH, height))
-        return self._viewfinder[1]
-
-    def _release_viewfinder(self) -> None:
-        """Close the viewfinder; the file is as before."""
-        self._viewfinder = None
-        self._viewfinder_scene.close()
-
-    def _close_pack(self) -> None:
-        """Forget the open pack before a job that opens files of its own."""
-        self._release_viewfinder()
-        self._open, self._rehearsal = "", None
-
-    def _open_pack(self, pack: PackRef) -> bpy.types.Scene:
-        """Open a pack, unless it is open, and return its scene."""
-        self._release_viewfinder()
-        if self._open != pack.path:
-            self._close_pack()
-            bpy.ops.wm.open_mainfile(filepath=str(self._files.path(pack.path)), load_ui=False, use_scripts=False)
-            self._open = pack.path
-        scene = bpy.data.scenes[scene_name(pack.scene_id)]
-        bpy.context.window.scene = scene
-        return scene
 
 
 def _poses(pack: PackRef, requests: Sequence[ViewRequest]) -> Iterator[ViewfinderPose]:

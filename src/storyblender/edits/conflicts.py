@@ -38,7 +38,7 @@ _FIELDS: Final[dict[str, dict[str, str]]] = {
 }  # fmt: skip
 """Which field of an item is which aspect. What the crew derives from them, such as lamps or marks, is none."""
 _DERIVED: Final = frozenset(("dimension", "canonical", "layout", "lighting", "environment"))
-"""Fields that follow from the others when the crew works: what it makes anew is no conflict, what a person decides is."""
+"""Fields that follow from the others when the crew works: what it makes is no conflict, what people decide is."""
 
 
 def refuse_stale(project: Project, version: str, touched: Collection[Aspect]) -> None:
