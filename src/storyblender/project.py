@@ -65,7 +65,9 @@ class Project:
         try:
             self._lock.acquire()
         except Timeout as error:
-            raise ProjectLocked(f"{folder}: another run is writing here; wait for it or give another --out") from error
+            raise ProjectLocked(
+                f"{folder}: the studio or another run has it open; use it there, close that, or wait for it"
+            ) from error
         except OSError as error:
             raise InputError(f"cannot be locked ({error.strerror})", mend="give another --out", path=folder) from error
         try:

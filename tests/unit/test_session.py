@@ -58,7 +58,7 @@ def test_a_session_is_open_for_many_calls_and_takes_no_second_one(stage: Stage) 
         engine, drawn = stage.engine, stage.engine.calls["render_frame"]
         session.draw(session.apply(EDIT))
         assert stage.engine is engine and engine.calls["render_frame"] == drawn + 1
-        with pytest.raises(ProjectLocked, match="another run is writing here; wait for it"):
+        with pytest.raises(ProjectLocked, match="another run has it open"):
             Studio(STILL).open(stage.folder)
         assert next(commit.author for commit in session.undo()) == "user"
         session.redo()

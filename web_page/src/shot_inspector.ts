@@ -72,7 +72,8 @@ export class ShotInspector extends LitElement {
         ${this.choice("Angle", "angle", shot.angle)}
         ${this.choice("Move", "movement", this.move(shot))}
         <label>Lens <select @change=${(event: Event) => this.camera({ lens: Number((event.target as HTMLSelectElement).value) })}>
-          ${[...new Set([...lensesOf(this.board), Math.round(shot.lens)])].sort((a, b) => a - b).map(
+          ${shot.lens ? nothing : html`<option value="" selected disabled>being set</option>`}
+          ${[...new Set([...lensesOf(this.board), ...(shot.lens ? [Math.round(shot.lens)] : [])])].sort((a, b) => a - b).map(
             (lens) => html`<option value=${lens} ?selected=${lens === Math.round(shot.lens)}>${lens} mm</option>`)}
         </select></label>
         <label>Seconds <input type="number" min="0.5" max="600" step="0.5" .value=${String(shot.seconds)}

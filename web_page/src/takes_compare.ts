@@ -47,7 +47,7 @@ export class TakesCompare extends LitElement {
 
   private choose(number: number): void {
     const edit: Edit = { kind: "take", shot: this.details.shot, of: this.of, action: "choose", number };
-    this.dispatchEvent(new CustomEvent("edit", { detail: edit, bubbles: true }));
+    this.dispatchEvent(new CustomEvent("edit", { detail: edit }));
     this.dialog.close();
   }
 

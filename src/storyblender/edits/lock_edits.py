@@ -44,7 +44,9 @@ def _is_there(item: ShotContext | SceneContext, part: LockName) -> bool:
 
 
 def unlock_effects(graph: ContinuityMemoryGraph, edit: UnlockEdit) -> list[Effect]:
-    """Return what an unlock does: what a person decided of light, set, staging and models, the crew makes anew.
+    """Return what an unlock does: a lock comes off, and decisions stay; where there is none, they are given back.
+
+    What is given back of light, set, staging and models the crew makes anew.
 
     Args:
         graph: As it is.
@@ -62,6 +64,8 @@ def unlock_effects(graph: ContinuityMemoryGraph, edit: UnlockEdit) -> list[Effec
     if item.approved is not None:
         raise InputError(f"{name} is approved", mend="withdraw the approval first")
     update: dict[str, object] = {"locked": tuple(part for part in item.locked if part not in parts)}
+    if set(item.locked) & set(parts):
+        return [Effect(item.model_copy(update=update), name, words, frozenset(parts))]
     update |= {"camera_decision": None} if "camera" in parts else {}
     update |= {"decided_duration": None} if "duration" in parts else {}
     freed = "blocking" in parts and (item.blocking_decision is not None or bool(item.motion_by_hand))
@@ -73,7 +77,11 @@ def unlock_effects(graph: ContinuityMemoryGraph, edit: UnlockEdit) -> list[Effec
 def _scene_unlocked(
     graph: ContinuityMemoryGraph, scene: SceneContext, parts: Sequence[LockName], words: str
 ) -> Iterator[Effect]:
-    """Yield a scene without locks and decisions; a set that was decided is given back in all scenes of the place."""
+    """Yield a scene without its locks; of one without any, what was decided is given back, a set in all its scenes."""
+    if set(scene.locked) & set(parts):
+        kept = tuple(part for part in scene.locked if part not in parts)
+        yield Effect(scene.model_copy(update={"locked": kept}), name_of(scene), words, frozenset(parts))
+        return
     place = scenes_of_place(graph, scene) if "set" in parts and scene.set_decision is not None else (scene,)
     for each in place:
         own = each is scene

@@ -29,7 +29,9 @@ _HEADERS = {
     "Cross-Origin-Resource-Policy": "same-origin",
     "Cross-Origin-Opener-Policy": "same-origin",
 }
-_NO_ENTRY = "open the address that `storyblender studio` printed: it has the key"
+_NO_ENTRY = (
+    "open the address that `storyblender studio` printed: its key works once, start the studio again for another"
+)
 _NO_KEY = "programs name the key that is in .studio.json of the open project"
 
 

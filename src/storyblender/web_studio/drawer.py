@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import logging
 import threading
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 
@@ -11,6 +12,7 @@ from storyblender.errors import Cancelled, StoryBlenderError
 from storyblender.memory.base import shot_name
 from storyblender.session import Session
 
+_LOG = logging.getLogger(__name__)
 PAIR = 2
 """Frames that are drawn side by side."""
 REST = 2.0
@@ -121,37 +123,56 @@ class Drawer:
                 self._working, all_of_them, unknown = True, tuple(self._waiting), self._unknown
                 rehearsing = bool(look) and look not in wanted and not unknown
             try:
-                if unknown:
-                    self.draw(self._session.stale_frames())
-                    self._unknown, self._delivering = False, not self._session.delivered
-                elif rehearsing:
-                    self._ready_for = look
-                    self._session.rehearse(look)
-                elif wanted:
+                if wanted and not rehearsing and not unknown:
                     self._ready_for = look or self._ready_for
-                    self._previewed(self._session.preview(wanted))
-                    self._settle(wanted, drawn=False)
-                elif all_of_them:
-                    next_ones = all_of_them[:PAIR]
-                    self._session.shoot(next_ones)
-                    self._settle(next_ones, drawn=True)
-                    self._drawn(next_ones)
-                elif self._session.saved_in_blender:
-                    self._delivering = False
-                    self._saved()
-                else:
-                    self._session.render()
-                    self._delivering = False
-                    self._drawn(())
+                self._work(look if rehearsing else "", wanted, all_of_them, unknown=unknown)
             except Cancelled:
                 continue
             except StoryBlenderError as error:
                 if rehearsing or not self._shots().issuperset(wanted or all_of_them):
                     continue  # a preview will say why; or an edit or an undo took one of them away meanwhile
-                self._unknown = False
-                self._delivering = self._delivering and bool(wanted or all_of_them)
-                self._settle(wanted or all_of_them, drawn=not wanted)
-                self._failed(str(error))
+                self._give_up(wanted or all_of_them, str(error), drawn=not wanted)
+            except Exception:  # noqa: BLE001 - logged; the other pictures are drawn
+                _LOG.exception("a picture of the page failed")
+                sentence = "a picture could not be drawn, and should have been; the terminal says more"
+                if not rehearsing:
+                    self._give_up(wanted or all_of_them, sentence, drawn=not wanted)
+
+    def _work(self, rehearsed: str, wanted: Sequence[str], all_of_them: Sequence[str], *, unknown: bool) -> None:
+        """Do what comes first: find out what is stale, get ready for a shot, draw a preview, frames, what is delivered.
+
+        Raises:
+            StoryBlenderError: It cannot be drawn.
+            Cancelled: An edit came.
+        """
+        if unknown:
+            self.draw(self._session.stale_frames())
+            self._unknown, self._delivering = False, not self._session.delivered
+        elif rehearsed:
+            self._ready_for = rehearsed
+            self._session.rehearse(rehearsed)
+        elif wanted:
+            self._previewed(self._session.preview(wanted))
+            self._settle(wanted, drawn=False)
+        elif all_of_them:
+            next_ones = all_of_them[:PAIR]
+            self._session.shoot(next_ones)
+            self._settle(next_ones, drawn=True)
+            self._drawn(next_ones)
+        elif self._session.saved_in_blender:
+            self._delivering = False
+            self._saved()
+        else:
+            self._session.render()
+            self._delivering = False
+            self._drawn(())
+
+    def _give_up(self, names: Collection[str], why: str, *, drawn: bool) -> None:
+        """Leave what cannot be drawn as it is, and say why."""
+        self._unknown = False
+        self._delivering = self._delivering and bool(names)
+        self._settle(names, drawn=drawn)
+        self._failed(why)
 
     def _is_unready(self) -> bool:
         """Whether a person looks at a shot that Blender is not ready for."""

@@ -242,3 +242,15 @@ def test_what_the_crew_makes_of_a_decision_is_no_conflict_with_the_next_one(proj
     project.commit(replace(project.graph, scene), "lighting_arranger", "lit")
     assert isinstance(stale(project, version, warmer), Applied)
     assert "light: warmth" in str(stale(project, version, warmer)), "but what a person decided meanwhile is"
+
+
+def test_a_lock_comes_off_and_what_a_person_decided_stays_until_they_give_it_back(project: Project) -> None:
+    warm = LightEdit(scene=SCENE, decision=LightDecision(warmth=1))
+    apply_edits(project, [camera(size="ECU"), warm, LockEdit(target=SHOT), LockEdit(target=SCENE)])
+    apply_edits(project, [UnlockEdit(target=SHOT), UnlockEdit(target=SCENE)])
+    shot, scene = shot_of(project), project.graph.scenes[0]
+    assert not shot.locked and not scene.locked
+    assert shot.camera_decision is not None and scene.light_decision is not None
+    apply_edits(project, [UnlockEdit(target=SHOT), UnlockEdit(target=SCENE)])
+    shot, scene = shot_of(project), project.graph.scenes[0]
+    assert shot.camera_decision is None and scene.light_decision is None

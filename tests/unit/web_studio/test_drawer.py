@@ -32,7 +32,7 @@ class Rehearsals:
 
     def __init__(self) -> None:
         self.calls: list[str] = []
-        self.slow = ""
+        self.slow = self.broken = ""
         self.delivered = True
         self.saved_in_blender: tuple[str, ...] = ()
         self.graph = cast(ContinuityMemoryGraph, type("Graph", (), {"shots": [Call(n) for n in range(1, 6)]}))
@@ -72,6 +72,8 @@ class Rehearsals:
             self.calls.append(call)
             self._cancelled = False
             self._changed.notify_all()
+            if self.broken and call.startswith(self.broken):
+                raise IndexError("a fault of the program")
             if self.slow and call.startswith(self.slow):
                 self._changed.wait_for(lambda: self._cancelled, 30)
                 raise Cancelled
@@ -126,3 +128,11 @@ def test_a_look_at_what_is_gone_is_no_work(session: Rehearsals, drawing: Drawer)
     drawing.draw(SHOTS[:1])
     session.heard(f"shoot {SHOTS[0]}")
     assert not [call for call in session.calls if "SC990" in call]
+
+
+def test_a_fault_of_the_program_does_not_end_the_drawing(session: Rehearsals, drawing: Drawer) -> None:
+    session.broken = f"preview {SHOTS[0]}"
+    drawing.draw(SHOTS[:2], first=SHOTS[0])
+    session.heard(session.broken)
+    session.heard(f"preview {SHOTS[1]}")
+    session.heard(f"shoot {SHOTS[0]} {SHOTS[1]}")
