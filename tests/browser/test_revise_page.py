@@ -27,8 +27,8 @@ def test_a_shot_says_who_decided_it_and_marks_the_words(page: Page) -> None:
 
 def test_two_takes_are_compared_and_one_is_chosen(page: Page) -> None:
     inspect(page)
-    page.get_by_role("button", name="Keep, and try another").click()
-    expect(page.locator(".inspector").get_by_role("button", name="Take 2")).to_be_visible()
+    page.get_by_role("button", name="Keep, and try another").first.click()
+    expect(page.locator(".inspector").get_by_role("button", name="Take 2", exact=True)).to_be_visible()
     size = page.locator("select[data-field=size]")
     other = "ECU" if size.input_value() != "ECU" else "WS"
     size.select_option(other)
@@ -47,7 +47,7 @@ def test_two_takes_are_compared_and_one_is_chosen(page: Page) -> None:
     assert np.abs(half - pixels(page, "dialog.compare .over")).mean() > 1, "the wipe shows the other take"
     page.get_by_label("One over the other").uncheck()
     page.get_by_role("button", name="Choose this take").click()
-    expect(page.locator("dialog.compare")).to_be_hidden()
+    expect(page.locator("sb-compare dialog").first).to_be_hidden()
     expect(page.locator(".inspector").get_by_role("button", name="Take 1")).to_have_class("chosen")
 
 

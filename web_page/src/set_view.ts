@@ -2,6 +2,7 @@
 
 import { LitElement, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
+import { live } from "lit/directives/live.js";
 import { hex, linear } from "./colors";
 import type { Board, Edit, LampValue, SceneDetails } from "./messages";
 import type { Wire } from "./wire";
@@ -137,7 +138,7 @@ export class SetView extends LitElement {
   private lamp(lamp: LampValue, locked: boolean) {
     const change = (decided: object | null) => this.light({ lamps: { [lamp.name]: decided } });
     return html`<tr data-lamp=${lamp.name}><td>${lamp.name.replaceAll("_", " ")}</td><td>${lamp.kind.toLowerCase()}</td>
-      <td><input type="number" min="0" max="100000" step="any" aria-label="Power of ${lamp.name}" ?disabled=${locked} .value=${String(lamp.power)}
+      <td><input type="number" min="0" max="100000" step="any" aria-label="Power of ${lamp.name}" ?disabled=${locked} .value=${live(String(lamp.power))}
         @change=${(event: Event) => change({ power: Number(value(event)) })} /> ${lamp.kind === "SUN" ? "W/m²" : "W"}</td>
       <td><input type="color" aria-label="Colour of ${lamp.name}" ?disabled=${locked} .value=${hex(lamp.color)}
         @change=${(event: Event) => change({ color: linear(value(event)) })} /></td>

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import get_args
 
 from storyblender.catalog.materials import MATERIALS
@@ -12,7 +12,8 @@ from storyblender.catalog.sets.finishes import FINISHES
 from storyblender.edits.targets import scene_named
 from storyblender.memory.base import Described, scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.scene_decision import LightDecision
+from storyblender.memory.scene_context import Light
+from storyblender.memory.scene_decision import LampDecision, LightDecision
 from storyblender.memory.vocabulary import LightQuality, Period, TimeOfDay, Weather
 
 
@@ -130,10 +131,7 @@ def scene_details(graph: ContinuityMemoryGraph, name: str, panoramas: Sequence[s
         brightness=light.brightness or 0.0,
         contrast=light.contrast or 0.0,
         key_side=light.key_side or "",
-        lamps=tuple(
-            LampValue(name=lamp.name, kind=lamp.kind, power=round(lamp.power, 2), color=lamp.color)
-            for lamp in (plan.lights if plan is not None else ())
-        ),
+        lamps=tuple(_lamps(plan.lights if plan is not None else (), light)),
         panorama=_panorama(graph, plan.panorama.digest) if plan is not None and plan.panorama is not None else "",
         panoramas=() if indoor else tuple(panoramas),
         words={
@@ -147,6 +145,15 @@ def scene_details(graph: ContinuityMemoryGraph, name: str, panoramas: Sequence[s
 
 def _panorama(graph: ContinuityMemoryGraph, digest: str) -> str:
     return next((each.provenance.file for each in graph.panoramas if each.provenance.digest == digest), "")
+
+
+def _lamps(lights: Sequence[Light], decision: LightDecision) -> Iterator[LampValue]:
+    """Yield the lamps of a plan with what a person decided about them, which the crew may not have lit yet."""
+    for lamp in lights:
+        decided = decision.lamps.get(lamp.name, LampDecision())
+        if decided is not None:
+            power = lamp.power if decided.power is None else decided.power
+            yield LampValue(name=lamp.name, kind=lamp.kind, power=round(power, 2), color=decided.color or lamp.color)
 
 
 def _options(known: Mapping[str, object], params: Mapping[str, object]) -> dict[str, bool]:

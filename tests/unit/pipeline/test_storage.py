@@ -355,10 +355,10 @@ def test_a_write_that_the_system_refuses_is_one_sentence(stage: Stage, size: int
 
 
 def test_check_says_that_the_blender_file_was_changed(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
-    from storyblender import session
+    from storyblender import viewed_project
     from storyblender.inspection import Inspection
 
-    monkeypatch.setattr(session, "inspect", lambda *_: Inspection(rows=()))
+    monkeypatch.setattr(viewed_project, "inspect", lambda *_: Inspection(rows=()))
     assert Studio(SETTINGS).check(stage.folder).rows[-1].value == "as compiled"
     with (stage.folder / "story.blend").open("ab") as file:
         file.write(b"a camera moved")
