@@ -48,7 +48,7 @@ def test_two_takes_are_compared_and_one_is_chosen(page: Page) -> None:
     page.get_by_label("One over the other").uncheck()
     page.get_by_role("button", name="Choose this take").click()
     expect(page.locator("sb-compare dialog").first).to_be_hidden()
-    expect(page.locator(".inspector").get_by_role("button", name="Take 1")).to_have_class("chosen")
+    expect(page.locator(".inspector").get_by_role("button", name="Take 1", exact=True)).to_have_class("chosen")
 
 
 def test_a_revised_script_is_listed_before_it_is_taken_over(page: Page, studio: RunningStudio, tmp_path: Path) -> None:
