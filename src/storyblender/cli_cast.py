@@ -60,10 +60,10 @@ def cast(
     quiet: Quiet = False,
     json_lines: Json = False,
 ) -> None:
-    """Change how somebody looks, in all scenes that show them; without a name, list the cast. It stays when the script
-    changes.
+    """Change how a character looks, in all scenes that show them; without a name, list the cast.
 
-    `lock` keeps it against further edits, `unlock` gives it back to the crew, `undo` takes it back.
+    It stays when the script changes. `lock` keeps it against further edits, `unlock` gives
+    it back to the crew, `undo` takes it back.
     """
     said: dict[str, Any] = {
         "hair": hair, "hair_color": hair_color, "facial_hair": facial_hair, "glasses": glasses, "skin": skin,

@@ -133,13 +133,13 @@ class Session(ViewedProject):
 
     @property
     def saved_in_blender(self) -> tuple[str, ...]:
-        """Names of the story's .blend files that are not as they were written: somebody saved them."""
+        """Names of the story's .blend files that are not as they were written: a person saved them in Blender."""
         outputs = self._project.outputs
         return tuple(name for name in story_files(self.graph) if outputs.known(name) and outputs.changed(name))
 
     @property
     def waiting_conflicts(self) -> int:
-        """How many changes in Blender wait for somebody to choose between them and the project."""
+        """How many changes in Blender wait for a person to choose between them and the project."""
         return len(waiting(self._project))
 
     def pull(self, *, apply: bool = True, choice: Choice = UNDECIDED) -> Pulled:

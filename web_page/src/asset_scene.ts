@@ -56,7 +56,7 @@ export class AssetScene {
     this.renderer.dispose();
   }
 
-  /** Show a model of somebody or something; the view stays where they are shown already, in other clothes. */
+  /** Show a model of a person or a thing; the view stays where they are shown already, in other clothes. */
   async show(address: string, of: string): Promise<void> {
     const asked = ++this.asked;
     const loaded = (await new GLTFLoader().loadAsync(address)).scene;
@@ -155,7 +155,7 @@ export class AssetScene {
     this.fit();
   }
 
-  /** Lay the ground, and let somebody stand beside a thing that is not small. */
+  /** Lay the ground, and let a person stand beside a thing that is not small. */
   private measure(): void {
     const box = this.box;
     const size = box.getSize(new Vector3());

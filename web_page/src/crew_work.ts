@@ -14,7 +14,7 @@ export interface Work {
   /** What was mended. */
   fixes: string[];
   warnings: string[];
-  /** Who answered after somebody who could not. */
+  /** Which answerer of a role took over from one that could not go on. */
   handed: boolean;
   done: boolean;
 }

@@ -19,7 +19,7 @@ _SIGNAL_AT_PARENTS_END = 1
 """``PR_SET_PDEATHSIG``: an option of the system call ``prctl``."""
 
 _YIELDING = 10
-"""Added to how nice the process is to others: it gets a tenth of a processor that somebody waits for."""
+"""Added to how nice the process is to others: it gets a tenth of a processor that a person waits for."""
 
 
 def main() -> None:

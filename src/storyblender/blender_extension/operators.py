@@ -231,7 +231,7 @@ class Take(ShotOperator):
 
 
 class UndoStory(ShotOperator):
-    """Take back the last change of the story, whoever made it"""
+    """Take back the last change of the story, made here or by anybody else"""
 
     bl_idname = "storyblender.undo_story"
     bl_label = "Undo in Story"

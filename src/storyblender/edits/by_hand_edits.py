@@ -20,7 +20,7 @@ def by_hand_effects(graph: ContinuityMemoryGraph, edit: ByHandEdit) -> list[Effe
 
     Args:
         graph: The story.
-        edit: Somebody or something that moves in the shot.
+        edit: A character or a thing that moves in the shot.
 
     Raises:
         InputError: They are not in the shot, what is given back is not there, or the blocking is locked.

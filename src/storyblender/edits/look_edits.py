@@ -1,4 +1,4 @@
-"""Edits of how a person looks: body, hair, clothes. Whoever shows them follows, and nobody else."""
+"""Edits of how a character looks: body, hair, clothes. Only the scenes that show them follow."""
 
 from __future__ import annotations
 

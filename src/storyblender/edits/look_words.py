@@ -15,7 +15,7 @@ from storyblender.memory.edits import Edit
 
 
 def look_edit(person: str, said: Mapping[str, object], wear: Sequence[str] = (), take_off: Sequence[str] = ()) -> Edit:
-    """Read what a person says about how somebody looks.
+    """Read what a person says about how a character looks.
 
     Args:
         person: Their id or name.

@@ -25,7 +25,7 @@ Motions = dict[str, MotionByHand]
 def with_hand_changes(
     project: Project, changes: Sequence[BlendChange], reading: BlendReading
 ) -> tuple[list[BlendChange], Motions]:
-    """Return changes with one for each shot in which somebody moves by hand, in place of those of keys and strips.
+    """Return changes with one for each shot in which a character moves by hand, in place of those of keys and strips.
 
     Args:
         project: Open; a later motion by hand lies over an earlier one.

@@ -55,7 +55,7 @@ class CharacterLook(Frozen):
 
 
 class LookDecision(Described):
-    """What a person decided about how somebody looks, over the words of casting; what is left out is the crew's."""
+    """What a person decided about how a character looks, over the words of casting; what is left out is the crew's."""
 
     gender: Literal["female", "male"] | None = Field(default=None, exclude_if=is_none)
     """Of the body, and of the clothes that people usually wear."""
@@ -293,7 +293,7 @@ class Asset(Frozen):
     decision: AssetDecision | None = Field(default=None, exclude_if=is_none)
     """What a person had it made from, whatever the script calls it."""
     look_decision: LookDecision | None = Field(default=None, exclude_if=is_none)
-    """How a person decided that somebody looks, whatever the script says."""
+    """How a person decided that a character looks, whatever the script says."""
     turned_down: tuple[Note, ...] = Field(default=(), exclude_if=lambda value: not value)
     """Keys of what a person did not want it made from."""
     image_prompt: Annotated[str, StringConstraints(max_length=PROMPT_LENGTH)] = Field(

@@ -154,7 +154,7 @@ class BlockingEdit(Described):
 
 
 class ByHandEdit(Described):
-    """Lets somebody or something move in a shot as a person animated it in Blender, or gives that back to the crew."""
+    """Lets a character or a thing move in a shot as a person animated it in Blender, or gives that back to the crew."""
 
     kind: Literal["by_hand"] = "by_hand"
     """Which edit this is."""

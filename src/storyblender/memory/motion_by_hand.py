@@ -59,7 +59,7 @@ class MotionByHand(Frozen):
 
 
 class HandMotion(Frozen):
-    """The motion by hand of somebody or something in a shot."""
+    """The motion by hand of a character or a thing in a shot."""
 
     shot_id: ShotId
     """Of the scene that it goes with."""

@@ -41,7 +41,7 @@ class AssetCard(Described):
 
 
 class WornGarment(Described):
-    """A piece of clothing that somebody wears."""
+    """A piece of clothing that a character wears."""
 
     key: str
     """As edits name it."""
@@ -261,7 +261,7 @@ def _shown_in(graph: ContinuityMemoryGraph, asset: Asset) -> Iterable[ShownIn]:
 
 
 class GarmentChoice(Described):
-    """A garment that somebody may put on."""
+    """A garment that a character may put on."""
 
     key: str
     """As edits name it."""

@@ -17,7 +17,7 @@ def with_motion_by_hand(performance: Performance, motions: Mapping[str, MotionBy
 
     Args:
         performance: Solved.
-        motions: By asset id; those of who is not in the shot are not used.
+        motions: By asset id; those of characters that are not in the shot are left out.
     """
     frames = performance.frames.astype(float)
     people, props = dict(performance.people), dict(performance.props)

@@ -1,6 +1,6 @@
 """Motion by hand, read back from a saved story: what people and things do there that is not what was baked.
 
-Read is the pose that Blender evaluates, so it counts alike whether somebody keyed a bone above the strips, changed keys
+Read is the pose that Blender evaluates, so it counts alike whether a person keyed a bone above the strips, changed keys
 in a strip, moved the strip, or put a constraint or a control of the rig to use.
 """
 
@@ -100,7 +100,7 @@ def _watch(
         for modifier in obj.modifiers:
             modifier.show_viewport = False  # only poses count
     for _, _, obj in changed:
-        key_hidden(obj, [(scene.frame_start, True)])  # who is hidden is not evaluated
+        key_hidden(obj, [(scene.frame_start, True)])  # Blender evaluates no hidden armature
     seen = {(node.name, strip.name): _Seen() for node, _, _ in changed for strip in node.strips}
     spans = {(strip.name, round(strip.start), round(strip.end)) for node, _, _ in changed for strip in node.strips}
     for name, start, end in sorted(spans, key=lambda span: span[1]):

@@ -1,4 +1,4 @@
-"""What poses somebody or something besides its keys: constraints, switches of controls, bones that are not keyed."""
+"""What poses a character or a thing besides its keys: constraints, switches of controls, bones that are not keyed."""
 
 from __future__ import annotations
 
