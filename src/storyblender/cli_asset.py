@@ -7,7 +7,17 @@ from typing import Annotated, Any
 
 import typer
 
-from storyblender.cli_options import Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
+from storyblender.cli_options import (
+    Draw,
+    Folder,
+    Jobs,
+    Json,
+    LookOption,
+    Quiet,
+    Revision,
+    edit_and_draw,
+    examples,
+)
 from storyblender.errors import InputError
 from storyblender.shell import shown
 
@@ -52,10 +62,8 @@ def asset(
     ] = None,
     top: Annotated[str | None, typer.Option(help="Which is its top, likewise.")] = None,
     name: Annotated[str | None, typer.Option(help="What it is called on board and lists.")] = None,
-    revision: Annotated[
-        str | None, typer.Option(help="What you looked at, as --json told it; refused if that changed since.")
-    ] = None,
-    draw: Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")] = True,
+    revision: Revision = None,
+    draw: Draw = True,
     look: LookOption = None,
     jobs: Jobs = None,
     quiet: Quiet = False,
@@ -85,9 +93,4 @@ def asset(
         if not edits or (model and file) or (another and (model or file)):
             mend = "give --model, --file or --another, a size, --front with --top, or --name"
             raise InputError(f"it is not clear what becomes of {thing}", mend=mend)
-        settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
-        studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
-        applied, delivery = studio.edit(folder, edits_of(edits), revision, draw=draw)
-        terminal.applied(applied)
-        if delivery is not None:
-            terminal.files(delivery.folder, delivery.files)
+        edit_and_draw(context, terminal, folder, edits_of(edits), revision, draw=draw, look=look, jobs=jobs)

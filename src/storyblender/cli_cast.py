@@ -7,7 +7,17 @@ from typing import Annotated, Any
 
 import typer
 
-from storyblender.cli_options import Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
+from storyblender.cli_options import (
+    Draw,
+    Folder,
+    Jobs,
+    Json,
+    LookOption,
+    Quiet,
+    Revision,
+    edit_and_draw,
+    examples,
+)
 from storyblender.shell import shown
 
 _COLUMNS: dict[str, Callable[[Any], str]] = {
@@ -51,10 +61,8 @@ def cast(
     build: Annotated[str | None, typer.Option(help="slim, average, athletic, stocky or heavy.")] = None,
     height: Annotated[float | None, typer.Option(help="Metres.")] = None,
     face: Annotated[int | None, typer.Option(help="Another number, another face.")] = None,
-    revision: Annotated[
-        str | None, typer.Option(help="What you looked at, as --json told it; refused if that changed since.")
-    ] = None,
-    draw: Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")] = True,
+    revision: Revision = None,
+    draw: Draw = True,
     look: LookOption = None,
     jobs: Jobs = None,
     quiet: Quiet = False,
@@ -80,9 +88,4 @@ def cast(
             terminal.listed("cast", people, _COLUMNS)
             return
         edit = look_edit(person, said, wear or (), take_off or ())
-        settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
-        studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
-        applied, delivery = studio.edit(folder, [edit], revision, draw=draw)
-        terminal.applied(applied)
-        if delivery is not None:
-            terminal.files(delivery.folder, delivery.files)
+        edit_and_draw(context, terminal, folder, [edit], revision, draw=draw, look=look, jobs=jobs)

@@ -7,7 +7,18 @@ from typing import Annotated, Any
 
 import typer
 
-from storyblender.cli_options import Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
+from storyblender.cli_options import (
+    Draw,
+    Folder,
+    Jobs,
+    Json,
+    LookOption,
+    Quiet,
+    Revision,
+    edit_and_draw,
+    examples,
+    open_studio,
+)
 from storyblender.errors import InputError
 from storyblender.shell import shown
 
@@ -30,10 +41,6 @@ Parts = Annotated[
         help="Only this: camera, blocking or duration of a shot; layout, light or set of a scene. May be repeated.",
     ),
 ]
-Revision = Annotated[
-    str | None, typer.Option(help="What you looked at, as --json told it; refused if that changed since.")
-]
-Draw = Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")]
 _SIZES = "How much is seen, from extreme wide to extreme close-up: EWS WS FS MWS MS MCU CU ECU."
 
 
@@ -130,12 +137,7 @@ def edit(
                 edits.append(DurationEdit(shot=shot, seconds=seconds, frames=None if seconds is not None else frames))
         if not edits:
             raise InputError("there is nothing to change", mend="see `storyblender edit --help`")
-        settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
-        studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
-        applied, delivery = studio.edit(folder, edits, revision, draw=draw)
-        terminal.applied(applied)
-        if delivery is not None:
-            terminal.files(delivery.folder, delivery.files)
+        edit_and_draw(context, terminal, folder, edits, revision, draw=draw, look=look, jobs=jobs)
 
 
 def place(
@@ -171,12 +173,7 @@ def place(
         from storyblender.edits.words import place_edit
 
         edit = place_edit(where, what, (at, turn), (to, to_turn), height, scale, via=via)
-        settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
-        studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
-        applied, delivery = studio.edit(folder, [edit], revision, draw=draw)
-        terminal.applied(applied)
-        if delivery is not None:
-            terminal.files(delivery.folder, delivery.files)
+        edit_and_draw(context, terminal, folder, [edit], revision, draw=draw, look=look, jobs=jobs)
 
 
 def instruct(

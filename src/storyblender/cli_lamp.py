@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from storyblender.cli_options import Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
+from storyblender.cli_options import Draw, Folder, Jobs, Json, LookOption, Quiet, edit_and_draw, examples
 from storyblender.shell import shown
 
 _COLUMNS: dict[str, Callable[[Any], str]] = {
@@ -46,7 +46,7 @@ def lamp(
     cone: Annotated[float | None, typer.Option(help="Of a spot, degrees.")] = None,
     kind: Annotated[str | None, typer.Option(help="Adds one: point, spot, area or sun.")] = None,
     remove: Annotated[bool, typer.Option("--remove", help="Take it away.")] = False,
-    draw: Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")] = True,
+    draw: Draw = True,
     look: LookOption = None,
     jobs: Jobs = None,
     quiet: Quiet = False,
@@ -68,9 +68,4 @@ def lamp(
             return
         said = {"location": at, "target": point_at, "power": power, "color": color, "size": size, "cone": cone}
         edit = lamp_edit(scene, name, {**said, "kind": kind}, remove=remove)
-        settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
-        studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
-        applied, delivery = studio.edit(folder, [edit], draw=draw)
-        terminal.applied(applied)
-        if delivery is not None:
-            terminal.files(delivery.folder, delivery.files)
+        edit_and_draw(context, terminal, folder, [edit], draw=draw, look=look, jobs=jobs)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -11,6 +12,7 @@ from storyblender.terminal import Terminal
 
 if TYPE_CHECKING:
     from storyblender.engine.worker import Worker
+    from storyblender.memory.edits import Edit
     from storyblender.studio import Studio
 
 Folder = Annotated[
@@ -26,6 +28,11 @@ LookOption = Annotated[
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Say nothing but errors.")]
 Json = Annotated[bool, typer.Option("--json", help="For programs: events, results and errors as JSON, one a line.")]
 Jobs = Annotated[int | None, typer.Option(help="Blender processes; by default one for each processor, two at most.")]
+
+Draw = Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")]
+Revision = Annotated[
+    str | None, typer.Option(help="What you looked at, as --json told it; refused if that changed since.")
+]
 
 
 def examples(*lines: str) -> str:
@@ -56,3 +63,38 @@ def open_studio(
     from storyblender.studio import Studio
 
     return Studio(Settings.load(script, project, **overrides), terminal.show, ahead)
+
+
+def edit_and_draw(
+    context: typer.Context,
+    terminal: Terminal,
+    folder: Path,
+    edits: Sequence[Edit],
+    revision: str | None = None,
+    *,
+    draw: bool = True,
+    look: str | None = None,
+    jobs: int | None = None,
+) -> None:
+    """Apply edits to a project, draw what they made stale, and tell both.
+
+    Args:
+        context: Of the command; it holds the Blender worker that comes up already.
+        terminal: Shows what was done.
+        folder: The project.
+        edits: In order; one undo takes all of them back.
+        revision: What they were made on; None for the present one.
+        draw: Whether to draw at once.
+        look: How frames are drawn; None for as the project was made.
+        jobs: Blender processes; None for the usual number.
+
+    Raises:
+        InputError: No such project, or an edit that cannot be.
+        StaleEdit: What they touch has changed since that revision.
+    """
+    settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
+    studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
+    applied, delivery = studio.edit(folder, edits, revision, draw=draw)
+    terminal.applied(applied)
+    if delivery is not None:
+        terminal.files(delivery.folder, delivery.files)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
-from storyblender.cli_options import Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
+from storyblender.cli_options import Draw, Folder, Jobs, Json, LookOption, Quiet, edit_and_draw, examples
 from storyblender.shell import shown
 
 
@@ -39,7 +39,7 @@ def paint(
     finish: Annotated[str | None, typer.Option(help="A material of the catalogue in its place.")] = None,
     plain: Annotated[bool, typer.Option("--plain", help="Take its pattern away.")] = False,
     remove: Annotated[bool, typer.Option("--remove", help="Take the paint off.")] = False,
-    draw: Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")] = True,
+    draw: Draw = True,
     look: LookOption = None,
     jobs: Jobs = None,
     quiet: Quiet = False,
@@ -51,9 +51,4 @@ def paint(
 
         said = {"roughness": roughness, "metallic": metallic, "finish": finish, "plain": plain or None}
         edit = paint_edit(thing, material, scene, {**said, "color": color}, remove=remove)
-        settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
-        studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
-        applied, delivery = studio.edit(folder, [edit], draw=draw)
-        terminal.applied(applied)
-        if delivery is not None:
-            terminal.files(delivery.folder, delivery.files)
+        edit_and_draw(context, terminal, folder, [edit], draw=draw, look=look, jobs=jobs)

@@ -2,11 +2,21 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
-from storyblender.cli_options import Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
+from storyblender.cli_options import (
+    Draw,
+    Folder,
+    Jobs,
+    Json,
+    LookOption,
+    Quiet,
+    Revision,
+    edit_and_draw,
+    examples,
+)
 from storyblender.errors import InputError
 from storyblender.shell import shown
 
@@ -48,10 +58,8 @@ def pose(
     hold: Annotated[list[str] | None, typer.Option(help="A thing in their hand; once more for the other.")] = None,
     empty_hands: Annotated[bool, typer.Option("--empty-hands", help="They hold nothing.")] = False,
     at_end: Annotated[bool, typer.Option("--at-end", help="As the shot ends, not as it begins.")] = False,
-    revision: Annotated[
-        str | None, typer.Option(help="What you looked at, as --json told it; refused if that changed since.")
-    ] = None,
-    draw: Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")] = True,
+    revision: Revision = None,
+    draw: Draw = True,
     look: LookOption = None,
     jobs: Jobs = None,
     quiet: Quiet = False,
@@ -70,12 +78,7 @@ def pose(
         said = {"posture": posture, "on": on, "looking_at": look_at, "holding": holding}
         given = {name: value for name, value in said.items() if value is not None}
         edit = pose_edit(shot, person, given, at_end=at_end)
-        settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
-        studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
-        applied, delivery = studio.edit(folder, [edit], revision, draw=draw)
-        terminal.applied(applied)
-        if delivery is not None:
-            terminal.files(delivery.folder, delivery.files)
+        edit_and_draw(context, terminal, folder, [edit], revision, draw=draw, look=look, jobs=jobs)
 
 
 def motion(
@@ -89,7 +92,7 @@ def motion(
     to: Annotated[str | None, typer.Option(help="The person or thing that it is aimed at.")] = None,
     prop: Annotated[str | None, typer.Option("--with", help="The thing in hand.")] = None,
     remove: Annotated[bool, typer.Option("--remove", help="They do not do it.")] = False,
-    draw: Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")] = True,
+    draw: Draw = True,
     look: LookOption = None,
     jobs: Jobs = None,
     quiet: Quiet = False,
@@ -104,12 +107,7 @@ def motion(
 
         said = {"at": at, "seconds": seconds, "target": to, "prop": prop}
         edit = motion_edit(shot, person, what, said, remove=remove)
-        settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
-        studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
-        applied, delivery = studio.edit(folder, [edit], draw=draw)
-        terminal.applied(applied)
-        if delivery is not None:
-            terminal.files(delivery.folder, delivery.files)
+        edit_and_draw(context, terminal, folder, [edit], draw=draw, look=look, jobs=jobs)
 
 
 def line(
@@ -121,7 +119,7 @@ def line(
     at: Annotated[float | None, typer.Option(help="Second of the shot from which it is said.")] = None,
     seconds: Annotated[float | None, typer.Option(help="Its length.")] = None,
     crew: Annotated[bool, typer.Option("--crew", help="The crew has it again.")] = False,
-    draw: Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")] = True,
+    draw: Draw = True,
     look: LookOption = None,
     jobs: Jobs = None,
     quiet: Quiet = False,
@@ -138,9 +136,4 @@ def line(
         if bool(said) == crew:
             raise InputError("a line has a second, a length, or is the crew's", mend="give --at, --seconds or --crew")
         edit = line_edit(shot, person, number, said)
-        settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
-        studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
-        applied, delivery = studio.edit(folder, [edit], draw=draw)
-        terminal.applied(applied)
-        if delivery is not None:
-            terminal.files(delivery.folder, delivery.files)
+        edit_and_draw(context, terminal, folder, [edit], draw=draw, look=look, jobs=jobs)

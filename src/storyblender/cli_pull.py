@@ -3,11 +3,22 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 import typer
 
-from storyblender.cli_options import Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
+from storyblender.cli_options import (
+    Draw,
+    Folder,
+    Jobs,
+    Json,
+    LookOption,
+    Quiet,
+    Revision,
+    edit_and_draw,
+    examples,
+    open_studio,
+)
 from storyblender.shell import shown
 
 
@@ -73,10 +84,8 @@ def by_hand(
     motion: Annotated[
         str | None, typer.Option(help="Name of a file in the folder by_hand: that motion, as once pulled.")
     ] = None,
-    revision: Annotated[
-        str | None, typer.Option(help="What you looked at, as --json told it; refused if that changed since.")
-    ] = None,
-    draw: Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")] = True,
+    revision: Revision = None,
+    draw: Draw = True,
     look: LookOption = None,
     jobs: Jobs = None,
     quiet: Quiet = False,
@@ -87,9 +96,4 @@ def by_hand(
         from storyblender.edits.words import edits_of
 
         edits = edits_of([{"kind": "by_hand", "shot": shot, "who": who, "motion": motion}])
-        settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
-        studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
-        applied, delivery = studio.edit(folder, edits, revision, draw=draw)
-        terminal.applied(applied)
-        if delivery is not None:
-            terminal.files(delivery.folder, delivery.files)
+        edit_and_draw(context, terminal, folder, edits, revision, draw=draw, look=look, jobs=jobs)

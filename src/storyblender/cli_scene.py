@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from storyblender.cli_options import Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
+from storyblender.cli_options import Draw, Folder, Jobs, Json, LookOption, Quiet, edit_and_draw, examples, open_studio
 from storyblender.shell import shown
 
 if TYPE_CHECKING:
-    from storyblender.session import Session
-    from storyblender.terminal import Terminal
+    from storyblender.memory.edits import Edit
 
 _Scene = Annotated[str, typer.Argument(metavar="SCENE", help="Such as SC010.", show_default=False)]
-_Draw = Annotated[bool, typer.Option("--render/--no-render", help="Draw what changed at once.")]
 
 
 def add_to(app: typer.Typer) -> None:
@@ -54,7 +53,7 @@ def light(
     hdri: Annotated[
         str | None, typer.Option(help="A panorama (.hdr, .exr) that lights it by day; none is the drawn sky.")
     ] = None,
-    draw: _Draw = True,
+    draw: Draw = True,
     look: LookOption = None,
     jobs: Jobs = None,
     quiet: Quiet = False,
@@ -69,11 +68,13 @@ def light(
         "brightness": brightness, "contrast": contrast, "key_side": key_side,
     }  # fmt: skip
     with shown(quiet, json_lines) as terminal:
-        settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
-        with open_studio(terminal, project=folder, ahead=context.obj, **settings).open(folder) as session:
-            if hdri is not None:
-                said["panorama"] = hdri if hdri == "none" else session.take_in_panorama(Path(hdri)).model_dump()
-            _decide(session, terminal, "light", scene, said, draw=draw)
+        if hdri == "none":
+            said["panorama"] = hdri
+        elif hdri is not None:
+            with open_studio(terminal, project=folder).open(folder) as session:
+                said["panorama"] = session.take_in_panorama(Path(hdri)).model_dump()
+        edits = _decided("light", scene, said)
+        edit_and_draw(context, terminal, folder, edits, draw=draw, look=look, jobs=jobs)
 
 
 def set_command(
@@ -90,7 +91,7 @@ def set_command(
     width: Annotated[float | None, typer.Option(help="Metres from left to right.")] = None,
     depth: Annotated[float | None, typer.Option(help="Metres from front to back.")] = None,
     height: Annotated[float | None, typer.Option(help="Metres to the ceiling.")] = None,
-    draw: _Draw = True,
+    draw: Draw = True,
     look: LookOption = None,
     jobs: Jobs = None,
     quiet: Quiet = False,
@@ -105,18 +106,13 @@ def set_command(
         "height": height, "options": {**dict.fromkeys(option or (), True), **dict.fromkeys(without or (), False)},
     }  # fmt: skip
     with shown(quiet, json_lines) as terminal:
-        settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=False)
-        with open_studio(terminal, project=folder, ahead=context.obj, **settings).open(folder) as session:
-            _decide(session, terminal, "set", scene, said, draw=draw)
+        edits = _decided("set", scene, said)
+        edit_and_draw(context, terminal, folder, edits, draw=draw, look=look, jobs=jobs)
 
 
-def _decide(session: Session, terminal: Terminal, kind: str, scene: str, said: dict[str, Any], *, draw: bool) -> None:
-    """Apply what was said about a scene, and draw what it made stale."""
+def _decided(kind: str, scene: str, said: dict[str, Any]) -> Sequence[Edit]:
+    """Return the edit of what was said about a scene; None says nothing."""
     from storyblender.edits.words import edits_of
 
     decision = {name: value for name, value in said.items() if value is not None}
-    applied = session.apply(edits_of([{"kind": kind, "scene": scene, "decision": decision}]))
-    delivery = session.draw(applied) if draw else None
-    terminal.applied(applied)
-    if delivery is not None:
-        terminal.files(delivery.folder, delivery.files)
+    return edits_of([{"kind": kind, "scene": scene, "decision": decision}])
