@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Final
 
 from storyblender.edits.asset_edits import asset_effects
@@ -11,7 +11,7 @@ from storyblender.edits.by_hand_edits import by_hand_effects
 from storyblender.edits.camera_edits import camera_effects, duration_effects
 from storyblender.edits.coverage_edits import add_effects, join_effects, split_effects
 from storyblender.edits.cut_edits import omit_effects, reorder_effects, restore_effects
-from storyblender.edits.effect import Effect
+from storyblender.edits.effect import Effect, with_effects
 from storyblender.edits.lock_edits import lock_effects, unlock_effects
 from storyblender.edits.look_edits import look_effects
 from storyblender.edits.note_edits import approve_effects, note_effects
@@ -58,6 +58,21 @@ def effects_of(graph: ContinuityMemoryGraph, edit: Edit) -> list[Effect]:
         InputError: It names what does not exist, what is locked, or what cannot be.
     """
     return _FAMILIES[type(edit)](graph, edit)
+
+
+def tried(graph: ContinuityMemoryGraph, edits: Sequence[Edit]) -> ContinuityMemoryGraph:
+    """Return the graph as edits would leave it.
+
+    Args:
+        graph: As it is.
+        edits: In order; a later one sees what an earlier one does.
+
+    Raises:
+        InputError: One of them cannot be.
+    """
+    for edit in edits:
+        graph = with_effects(graph, effects_of(graph, edit))
+    return graph
 
 
 _FAMILIES: Final[dict[type[Edit], Callable[[ContinuityMemoryGraph, Any], list[Effect]]]] = {

@@ -7,11 +7,13 @@ from typing import Literal
 from storyblender.edits.adopting_objects import with_adopted
 from storyblender.edits.blend_changes import changes_of
 from storyblender.edits.dispatcher import Applied, apply_edits
+from storyblender.edits.families import tried
 from storyblender.edits.pull_conflicts import PullConflict, let_wait, waiting
 from storyblender.edits.pulled_edits import edits_of
 from storyblender.edits.pulled_motion import keep_motions, with_hand_changes
 from storyblender.errors import InputError
 from storyblender.memory.base import Frozen
+from storyblender.memory.edits import Edit
 from storyblender.pipeline.reading_back import changed_files, read_back, take_over
 from storyblender.pipeline.run import Run
 from storyblender.trace import Event
@@ -80,14 +82,18 @@ def _decided(run: Run, pulled: Pulled, choice: Choice) -> Pulled:
     """Return what came of a pull with Blender's side of the conflicts taken where a person chose that."""
     sides = {conflict.id: choice.side(conflict) for conflict in pulled.conflicts}
     understood, kept, applied = list(pulled.understood), list(pulled.kept), pulled.applied
+    graph, edits = run.project.graph, list[Edit]()
     for conflict in (each for each in pulled.conflicts if sides[each.id] == "blender"):
         try:
-            more = apply_edits(run.project, conflict.edits)
+            graph = tried(graph, conflict.edits)
         except InputError as error:
             kept.append(f"{conflict.words}: {error.problem}")
         else:
             understood.append(conflict.words)
-            applied = more if applied is None else applied.followed_by(more)
+            edits += conflict.edits
+    if edits:
+        chosen = apply_edits(run.project, edits)
+        applied = chosen if applied is None else applied.followed_by(chosen)
     kept += [f"{each.words}: the project stands" for each in pulled.conflicts if sides[each.id] == "project"]
     left = tuple(conflict for conflict in pulled.conflicts if sides[conflict.id] is None)
     let_wait(run.project, left)
@@ -110,8 +116,10 @@ def _with_file(run: Run, name: str, pulled: Pulled, *, apply: bool) -> Pulled:
     applied = pulled.applied
     if apply:
         run.copy_aside(name)  # what the values do not tell, such as a mesh that was sculpted, is in the copy alone
+        # Those of conflicts as well, which may be taken once the file has been written anew.
+        waiting_edits = (edit for conflict in found.conflicts for edit in conflict.edits)
+        keep_motions(run.project.files, motions, (*found.edits, *waiting_edits))
         if found.edits:
-            keep_motions(run.project.files, motions, found.edits)
             applied = apply_edits(run.project, found.edits)
             run.tell(Event(kind="commit", role="user", subject=name, message=f"pulled: {applied.words}"))
         for sentence in (
