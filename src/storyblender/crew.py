@@ -141,7 +141,7 @@ def rules_crew(settings: Settings, embedder: Callable[[], Embedder], sources: Se
         horizon: int = 5,
     ) -> Role[Subject, View, Draft]:
         limits = settings.reflection(name, threshold, horizon)
-        return Role(name, project, tuple(policies), critic, Typed(draft), *limits)
+        return Role(name, project, tuple(policies), critic, Typed(draft), *limits, rules=len(policies))
 
     retrievers = (RulesAssetRetriever(sources), RulesAssetGenerator(embedder))
     dimensions = dict[str, AssetDimension]

@@ -167,11 +167,12 @@ class Role(Generic[Subject, View, Draft]):
     Attributes:
         name: For the trace and the settings, e.g. ``spatial_planner``.
         project: The projection: from the graph and a subject to all that the role's policies may know.
-        policies: Tried in order; each hands over to the next if it does not converge. The last one is rules.
+        policies: Tried in order; each hands over to the next if it does not converge.
         critic: Scores every draft.
         drafts: How drafts are written down.
         threshold: tau, accept at this score.
         horizon: T_max, refinements before handing over.
+        rules: How many of the policies are rules, from the last one back; those before them are models.
     """
 
     name: str
@@ -181,6 +182,7 @@ class Role(Generic[Subject, View, Draft]):
     drafts: Format[View, Draft]
     threshold: float = 8.0
     horizon: int = 5
+    rules: int = 1
 
 
 def view_digest(view: object) -> str:
@@ -209,7 +211,7 @@ def reflect(
     """
     best: Outcome[View, Draft] | None = None
     for place, author in enumerate(role.policies):
-        by: DecidedBy = "rules" if place == len(role.policies) - 1 else "model"
+        by: DecidedBy = "rules" if place >= len(role.policies) - role.rules else "model"
         if place:
             listener(Event(kind="handover", role=role.name, subject=subject, message="the next policy takes over"))
         try:

@@ -92,3 +92,10 @@ def test_the_best_draft_before_the_silence_is_kept() -> None:
     role = Role("role", str, (Silent([7]), Climber(3, 3)), Scale(), Typed(float))
     outcome = reflect(role, "x", "view")
     assert (outcome.draft, outcome.handed_over) == (7, False)
+
+
+def test_several_policies_of_rules_are_no_models() -> None:
+    policies = (Climber(9, 9), Climber(2, 2), Climber(3, 3))
+    for rules, by in ((1, "model"), (2, "model"), (3, "rules")):
+        role = Role("role", str, policies, Scale(), Typed(float), rules=rules)
+        assert reflect(role, "x", "view").by == by
