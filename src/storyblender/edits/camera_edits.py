@@ -48,6 +48,7 @@ def with_decided_camera(
             refuse_far(place.location, graph.scene(shot.scene_id))
     retake = shot.camera_retake.decision if shot.camera_retake else CameraDecision()
     people = {asset.asset_id for asset in graph.assets if asset.asset_type == "character"}
+    decision = _with_partner(decision, shot, people)
     decision = _with_kind(decision, shot.camera_instruction, people)
     whole = (shot.camera_decision or retake).then(decision)
     instruction = decision.applied(shot.camera_instruction)
@@ -83,6 +84,27 @@ def _with_kind(decision: CameraDecision, now: CameraInstruction, people: Collect
         return decision
     kind: ShotKind = "group" if count > 2 else "two_shot" if count == 2 else "single" if count else "insert"
     return decision.model_copy(update={"kind": kind})
+
+
+def _with_partner(decision: CameraDecision, shot: ShotContext, people: Collection[str]) -> CameraDecision:
+    """Return a decision about a picture over a shoulder with its subject: if it names none, another person than theirs.
+
+    Args:
+        decision: Of a person, with ids.
+        shot: As it is.
+        people: Ids of all characters.
+
+    Raises:
+        InputError: Nobody else is in the place.
+    """
+    behind, now = decision.over_id, shot.camera_instruction.focus_on_ids
+    if behind is None or decision.focus_on_ids or (now and behind not in now):
+        return decision
+    others = [each for each in (*now, *shot.in_frame, *shot.on_stage) if each in people and each != behind]
+    if not others:
+        mend = "name what it shows with --on"
+        raise InputError(f"there is nobody but {behind} for {name_of(shot)} to show", mend=mend)
+    return decision.model_copy(update={"focus_on_ids": (others[0],)})
 
 
 def _with_ids(graph: ContinuityMemoryGraph, decision: CameraDecision) -> CameraDecision:

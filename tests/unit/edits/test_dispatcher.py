@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from tests.stage import plan
 
+from storyblender.edits.camera_edits import with_decided_camera
 from storyblender.edits.dispatcher import Applied, apply_edits
 from storyblender.edits.undo import undo_edit
 from storyblender.edits.words import camera_decision, edits_of
@@ -254,3 +255,17 @@ def test_a_lock_comes_off_and_what_a_person_decided_stays_until_they_give_it_bac
     apply_edits(project, [UnlockEdit(target=SHOT), UnlockEdit(target=SCENE)])
     shot, scene = shot_of(project), project.graph.scenes[0]
     assert shot.camera_decision is None and scene.light_decision is None
+
+
+def test_a_picture_over_a_shoulder_shows_another_person_if_none_is_named(project: Project) -> None:
+    anna = next(asset for asset in project.graph.assets if asset.asset_id == PERSON)
+    graph = replace(project.graph, anna.model_copy(update={"asset_id": "ben", "name": "BEN"}))
+    alone = shot_of(project)
+    pair = alone.model_copy(update={"on_stage": (PERSON, "ben")})
+    over = CameraDecision(kind="ots", over_id=PERSON)
+    seen, _ = with_decided_camera(graph, pair, over)
+    assert seen.camera_instruction.focus_on_ids == ("ben",)
+    named, _ = with_decided_camera(graph, pair, over.model_copy(update={"focus_on_ids": (PERSON,)}))
+    assert named.camera_instruction.focus_on_ids == (PERSON,), "what is named stands"
+    with pytest.raises(InputError, match=f"nobody but {PERSON} for {SHOT} to show"):
+        with_decided_camera(graph, alone, over)
