@@ -45,9 +45,9 @@ class Drawer:
         self._session, self._previewed, self._drawn = session, previewed, drawn
         self._failed, self._saved = failed, saved
         self._waiting: dict[str, bool] = {}
-        self._looked_at = self._ready_for = ""
+        self._looked_at = self._edited = self._ready_for = ""
         self._changed = threading.Condition()
-        self._working = self._ended = self._unknown = self._delivering = False
+        self._working = self._ended = self._paused = self._unknown = self._delivering = False
         self._thread = threading.Thread(target=self._run, name="drawer", daemon=True)
         self._thread.start()
 
@@ -64,10 +64,14 @@ class Drawer:
             self._changed.notify_all()
 
     def look_at(self, name: str) -> None:
-        """Hear which shot a person looks at: its preview comes first, and Blender gets ready for edits of it."""
+        """Hear which shot a person looks at: its preview comes first, and Blender gets ready for edits of it.
+
+        Of the shots of other scenes no previews are drawn any more; their frames come when nobody edits.
+        """
         with self._changed:
             self._looked_at = name
-            if self._working and self._is_unready() and self._waiting:  # frames can wait, what is delivered is finished
+            self._waiting = {each: preview and _share_scene(each, name) for each, preview in self._waiting.items()}
+            if self._working and self._is_unready():  # frames and what is delivered can wait
                 self._session.cancel()
             self._changed.notify_all()
 
@@ -76,27 +80,36 @@ class Drawer:
 
         Args:
             names: Shots that show something else now.
-            first: The one that was edited; it comes first where another one is looked at.
+            first: The one that was edited; it comes first where another one is looked at. Previews are drawn of its
+                scene only, those of its other shots after a rest, so that Blender is ready for the next edit of it.
         """
         with self._changed:
-            first = self._looked_at if self._looked_at in names else first
-            rest = {name: False for name in self._waiting | dict.fromkeys(names) if name not in names}
-            self._waiting = dict.fromkeys(sorted(names, key=lambda name: name != first), True) | rest
+            first = self._edited = self._looked_at if self._looked_at in names else first
+            near = sorted(names, key=lambda name: (name != first, not _share_scene(name, first)))
+            shown = {name: not first or _share_scene(name, first) for name in near}
+            self._waiting = shown | {name: False for name in self._waiting if name not in names}
             self._delivering = True
             self._changed.notify_all()
 
-    def interrupt(self) -> None:
-        """End the drawing under way, so that an edit need not wait; what is not drawn stays stale."""
+    def pause(self) -> None:
+        """End the drawing under way, and begin none before ``go_on``, so that an edit need not wait."""
         with self._changed:
+            self._paused = True
             if self._working:
                 self._session.cancel()
+
+    def go_on(self) -> None:
+        """Draw again after a pause; what was not drawn is still stale."""
+        with self._changed:
+            self._paused = False
+            self._changed.notify_all()
 
     def close(self) -> None:
         """End the thread."""
         with self._changed:
             self._ended = True
             self._changed.notify_all()
-        self.interrupt()
+        self.pause()
         self._thread.join(60)
 
     def _run(self) -> None:
@@ -105,12 +118,14 @@ class Drawer:
         while True:
             with self._changed:
                 self._working = False
-                self._changed.wait_for(lambda: self._waiting or self._unknown or self._delivering or self._is_asked())
+                self._changed.wait_for(self._has_work)
                 if not self._unknown and not self._is_asked():
                     rest = REST if self._waiting else IDLE
                     self._changed.wait_for(self._is_asked, rest)
                 if self._ended:
                     return
+                if self._paused:
+                    continue
                 there = self._shots()
                 self._waiting = {name: preview for name, preview in self._waiting.items() if name in there}
                 previews = [name for name, preview in self._waiting.items() if preview]
@@ -178,9 +193,15 @@ class Drawer:
         """Whether a person looks at a shot that Blender is not ready for."""
         return self._looked_at != self._ready_for
 
+    def _has_work(self) -> bool:
+        """Whether there is something to do, and nobody edits; or nothing to do ever again."""
+        waits = self._waiting or self._unknown or self._delivering or self._is_asked()
+        return self._ended or (bool(waits) and not self._paused)
+
     def _is_asked(self) -> bool:
         """Whether there is something to do at once: the end, a preview, a look at another shot."""
-        return self._ended or any(self._waiting.values()) or self._is_unready()
+        looked_at = [preview for name, preview in self._waiting.items() if name in (self._edited, self._looked_at)]
+        return self._ended or any(looked_at) or self._is_unready()
 
     def _shots(self) -> set[str]:
         """Return the names of the shots that there are now."""
@@ -192,3 +213,8 @@ class Drawer:
                 self._waiting = {name: wait for name, wait in self._waiting.items() if name not in names or wait}
             else:
                 self._waiting |= {name: False for name in names if name in self._waiting}
+
+
+def _share_scene(one: str, other: str) -> bool:
+    """Return whether two shots are of one scene, by their names."""
+    return one.partition("_")[0] == other.partition("_")[0]

@@ -65,7 +65,7 @@ class Hub:
         if isinstance(call, PlainCall) and call.call == "cancel":
             return await asyncio.to_thread(self._said, call.id, self.place.cancel)
         return await asyncio.get_running_loop().run_in_executor(
-            self._calls, self._said, call.id, self._does.handler(call)
+            self._calls, self._said_in_turn, call.id, self._does.handler(call)
         )
 
     def open(self, project: str) -> None:
@@ -98,6 +98,13 @@ class Hub:
         self.stop_drawing()
         self.place.close()
         self._calls.shutdown()
+
+    def _said_in_turn(self, number: int, call: Callable[[], Any]) -> Answer:
+        try:
+            return self._said(number, call)
+        finally:
+            if self._drawer is not None:
+                self._drawer.go_on()
 
     def _said(self, number: int, call: Callable[[], Any]) -> Answer:
         try:
@@ -161,9 +168,9 @@ class Hub:
             self._drawer = None
 
     def pause_drawing(self) -> None:
-        """End the drawing under way, so that a call need not wait; it goes on by itself after it."""
+        """End the drawing under way, so that a call need not wait; it goes on at the end of the call."""
         if self._drawer is not None:
-            self._drawer.interrupt()
+            self._drawer.pause()
 
     def refuse_busy(self) -> None:
         """Refuse a call while long work is under way. Raises InputError."""

@@ -16,15 +16,16 @@ from storyblender.web_studio import drawer
 from storyblender.web_studio.drawer import Drawer
 
 SHOTS = [f"SC010_SH0{number}0" for number in range(1, 6)]
+ELSEWHERE = "SC020_SH010"
 
 
 class Call:
     """A shot of the graph."""
 
-    scene_id, joined = 1, False
+    joined = False
 
-    def __init__(self, shot_id: int) -> None:
-        self.shot_id = shot_id
+    def __init__(self, shot_id: int, scene_id: int = 1) -> None:
+        self.shot_id, self.scene_id = shot_id, scene_id
 
 
 class Rehearsals:
@@ -35,7 +36,8 @@ class Rehearsals:
         self.slow = self.broken = ""
         self.delivered = True
         self.saved_in_blender: tuple[str, ...] = ()
-        self.graph = cast(ContinuityMemoryGraph, type("Graph", (), {"shots": [Call(n) for n in range(1, 6)]}))
+        shots = [*(Call(number) for number in range(1, 6)), Call(1, scene_id=2)]
+        self.graph = cast(ContinuityMemoryGraph, type("Graph", (), {"shots": shots}))
         self._changed, self._cancelled = threading.Condition(), False
 
     def warm(self) -> None:
@@ -121,6 +123,38 @@ def test_frames_under_way_give_way_to_a_look_and_go_on(session: Rehearsals, draw
     session.slow = ""
     session.heard(f"rehearse {SHOTS[4]}")
     session.heard_again(f"shoot {SHOTS[0]}")
+
+
+def test_a_paused_drawing_begins_nothing_before_it_goes_on(session: Rehearsals, drawing: Drawer) -> None:
+    session.slow = "preview"
+    drawing.draw(SHOTS[:2], first=SHOTS[0])
+    session.heard(f"preview {SHOTS[0]}")
+    drawing.pause()
+    session.slow = ""
+    before = list(session.calls)
+    assert not threading.Event().wait(0.2)
+    assert session.calls == before, "the edit has the session to itself"
+    drawing.go_on()
+    session.heard_again(f"preview {SHOTS[0]}")
+
+
+def test_previews_stay_in_the_scene_that_is_looked_at(session: Rehearsals, drawing: Drawer) -> None:
+    drawing.look_at(SHOTS[0])
+    drawing.draw([ELSEWHERE, *SHOTS[:2]])
+    session.heard(f"shoot {SHOTS[0]} {SHOTS[1]}")
+    session.heard(f"shoot {ELSEWHERE}")
+    assert previews(session) == SHOTS[:2]
+
+
+def test_previews_of_a_scene_that_nobody_looks_at_any_more_are_left(session: Rehearsals, drawing: Drawer) -> None:
+    drawing.look_at(SHOTS[0])
+    session.slow = "preview"
+    drawing.draw(SHOTS[:2])
+    session.heard(f"preview {SHOTS[0]}")
+    drawing.look_at(ELSEWHERE)
+    session.heard(f"rehearse {ELSEWHERE}")
+    session.heard(f"shoot {SHOTS[0]} {SHOTS[1]}")
+    assert previews(session) == [SHOTS[0]]
 
 
 def test_a_look_at_what_is_gone_is_no_work(session: Rehearsals, drawing: Drawer) -> None:
