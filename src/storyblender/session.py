@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from storyblender.edits.approving import approved_by, refuse_undrawn
 from storyblender.edits.dispatcher import Applied, apply_edits
 from storyblender.edits.pull_conflicts import waiting
 from storyblender.edits.pulling import UNDECIDED, Choice, Pulled, pull
@@ -89,10 +90,13 @@ class Session(ViewedProject):
             revision: What they were made on, as ``revision`` was then; None for the present one.
 
         Raises:
-            InputError: An edit names what does not exist or cannot be, or what is locked.
+            InputError: An edit names what does not exist or cannot be, what is locked, or approves what is not drawn.
             StaleEdit: What they touch has changed since that revision.
         """
         with self._alone():
+            if names := approved_by(edits):
+                with self._call() as run:
+                    refuse_undrawn(run, names)
             applied = apply_edits(self._project, edits, revision)
             self._tell(Event(kind="commit", role="user", message=applied.words, turn=self._project.revision))
             return applied

@@ -172,8 +172,27 @@ def test_a_note_is_written_and_done_and_a_shot_approved(inspected: Page) -> None
     expect(card(page).locator(".marks")).to_contain_text("1 note")
     page.locator(".notes input[type=checkbox]").check()
     expect(card(page).locator(".marks")).not_to_contain_text("1 note")
+    expect(page.locator(FRESH)).to_be_visible(timeout=DRAWN)
     page.get_by_role("button", name="Approve").click()
     expect(card(page).locator(".marks")).to_contain_text("approved")
     expect(page.locator("select[data-field=size]")).to_be_disabled()
     page.get_by_role("button", name="Withdraw approval").click()
     expect(page.locator("select[data-field=size]")).to_be_enabled()
+
+
+def test_an_old_picture_is_drawn_before_its_shot_is_approved(inspected: Page) -> None:
+    page = inspected
+    expect(page.locator(FRESH)).to_be_visible(timeout=DRAWN)
+    page.select_option("select[data-field=angle]", "low angle")
+    expect(page.locator(f'[data-shot="{SHOT}"]:not(.fresh)')).to_be_visible()
+    page.get_by_role("button", name="Approve").click()
+    page.get_by_role("button", name="Draw it now").click()
+    expect(page.locator("sb-approval [role=status]")).to_have_text("This is the shot as it is now.", timeout=DRAWN)
+    expect(page.locator(FRESH)).to_be_visible()
+    expect(card(page).locator(".marks")).not_to_contain_text("approved")
+    page.get_by_role("button", name="Approve").click()
+    expect(card(page).locator(".marks")).to_contain_text("approved")
+    for done in ("approved", "low angle"):
+        expect(page.get_by_role("button", name="Undo")).to_have_attribute("title", re.compile(done))
+        page.get_by_role("button", name="Undo").click()
+    expect(page.get_by_role("button", name="Undo")).not_to_have_attribute("title", re.compile("low angle"))

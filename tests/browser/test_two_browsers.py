@@ -35,6 +35,8 @@ def test_an_edit_in_one_page_arrives_in_the_other(page: Page, second: Page) -> N
 def test_edits_of_different_shots_from_both_pages_are_kept(page: Page, second: Page) -> None:
     page.locator(SHOT).click()
     second.locator(OTHER).click()
+    for shot in (SHOT, OTHER):
+        expect(page.locator(f"{shot}.fresh")).to_be_visible()
     page.get_by_role("button", name="Approve").click()
     second.get_by_role("button", name="Approve").click()
     for each in (page, second):

@@ -101,6 +101,9 @@ def test_notes_and_approval_are_typed_and_seen(folder: Path) -> None:
     *_, written = [line for line in said("shot", "note", folder, SHOT, "Too slow.", "--author", "Ilsa", "--no-render")]
     assert written["edited"] == f"{SHOT}: note 1: Ilsa: Too slow." and written["stale"] == []
     said("shot", "note", folder, SHOT, "--resolve", "1", "--no-render")
+    [refused] = said("shot", "approve", folder, SHOT, "--no-render", code=2)
+    assert f"{SHOT} is not drawn yet" in refused["error"] and f"render DIR --shot {SHOT}" in refused["error"]
+    said("render", folder)
     said("shot", "approve", folder, SHOT, "--no-render")
     shot = read_project_graph(folder).shots[0]
     assert shot.approved == () and shot.notes[0].resolved

@@ -4,6 +4,7 @@ import { LitElement, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { STOPS, lensesOf } from "./camera_kit";
 import type { Board, Edit, PanelCard, ShotDetails } from "./messages";
+import "./shot_approval";
 import "./shot_light";
 import "./shot_lines";
 import "./shot_parts";
@@ -90,8 +91,7 @@ export class ShotInspector extends LitElement {
           @edit=${(event: CustomEvent<Edit>) => this.edit(event.detail)}></sb-stagings>
       </fieldset>
       <p class="buttons">
-        <button @click=${() => this.edit({ kind: "approve", shot: this.shot, approved: !shot.approved })}>
-          ${shot.approved ? "Withdraw approval" : "Approve"}</button>
+        <sb-approval .card=${card} .wire=${this.wire} @edit=${(event: CustomEvent<Edit>) => this.edit(event.detail)}></sb-approval>
         <button ?disabled=${shot.approved} @click=${() => this.edit({ kind: card.locked ? "unlock" : "lock", target: this.shot, parts: [] })}>
           ${card.locked ? "Unlock the shot" : "Lock the shot"}</button>
         <button @click=${() => this.edit({ kind: card.omitted ? "restore" : "omit", target: this.shot })}>

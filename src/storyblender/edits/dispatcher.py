@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from itertools import groupby
 from typing import Final
 
+from storyblender.edits.approving import approved_by, refuse_changed
 from storyblender.edits.by_hand_edits import refuse_unknown_motions
 from storyblender.edits.conflicts import refuse_stale
 from storyblender.edits.effect import Effect, name_of, with_effects
@@ -68,6 +69,7 @@ def apply_edits(project: Project, edits: Sequence[Edit], version: str | None = N
         done = effects_of(graph, edit)
         graph = with_effects(graph, done)
         effects += done
+    refuse_changed(approved_by(edits), effects)
     if version is not None:
         refuse_stale(project, version, {(each.name, aspect) for each in effects for aspect in each.aspects})
     words = "; ".join(

@@ -49,8 +49,6 @@ def approve_effects(graph: ContinuityMemoryGraph, edit: ApproveEdit) -> list[Eff
     name = name_of(shot)
     if edit.approved == (shot.approved is not None):
         raise InputError(f"{name} is {'approved already' if edit.approved else 'not approved'}")
-    if edit.approved and shot.camera is None:
-        raise InputError(f"{name} has no picture yet that could be approved", mend="run `storyblender render` first")
     if edit.approved:
         update = {"approved": shot.locked, "locked": tuple(SHOT_LOCKS)}
     else:

@@ -142,7 +142,7 @@ class AddShotEdit(Described):
 
 
 class ApproveEdit(Described):
-    """Approves a shot, which locks all of it; or withdraws the approval, and what was locked before is locked still."""
+    """Approves a shot whose frame shows it as it is, and locks all of it; or withdraws that, and earlier locks stay."""
 
     kind: Literal["approve"] = "approve"
     """Which edit this is."""

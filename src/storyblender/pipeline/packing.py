@@ -21,7 +21,7 @@ def pack_scenes(run: Run) -> None:
     build_states(run, jobs.values())
     waiting: dict[int, Future[PackRef]] = {}
     for scene_id, job in jobs.items():
-        known = _known(run, job)
+        known = known_pack(run, job)
         if known is None:
             waiting[scene_id] = run.engine.pack_scene(job)
         else:
@@ -43,13 +43,13 @@ def pack_scene(run: Run, job: SceneJob) -> PackRef:
     Raises:
         EngineError: It cannot be packed.
     """
-    if (known := _known(run, job)) is not None:
+    if (known := known_pack(run, job)) is not None:
         return known
     build_states(run, (job,))
     return _noted(run, job, run.engine.pack_scene(job).result())
 
 
-def _known(run: Run, job: SceneJob) -> PackRef | None:
+def known_pack(run: Run, job: SceneJob) -> PackRef | None:
     """Return the pack of a scene if it is there already."""
     return run.outputs.read(job.record, PackRef.model_validate_json) if run.outputs.whole(job.out) else None
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from storyblender.memory.base import content_hash
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.shot_context import ShotContext
 from storyblender.outputs import Outputs
 
 FILM = "animatic.mp4"
@@ -40,10 +41,15 @@ def shows(outputs: Outputs, graph: ContinuityMemoryGraph, name: str) -> bool | N
     return None if shown is None else shown == _shown_of(graph)
 
 
+def as_seen(shot: ShotContext) -> ShotContext:
+    """Return a shot without what people say about it, which no picture shows."""
+    return shot.model_copy(update=_UNSEEN)
+
+
 def _record(name: str) -> str:
     return f"{_RECORDS}/{name.replace('/', '-')}.txt"
 
 
 def _shown_of(graph: ContinuityMemoryGraph) -> str:
-    shots = tuple(shot.model_copy(update=_UNSEEN) for shot in graph.shots)
+    shots = tuple(as_seen(shot) for shot in graph.shots)
     return content_hash(graph.model_copy(update={"shots": shots}))

@@ -15,6 +15,7 @@ from storyblender.memory.edits import LightEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import CAUSED_BY_PERSON
 from storyblender.memory.scene_decision import LightDecision
+from storyblender.pipeline.shown import as_seen
 from storyblender.proposing import pictures_of_other_takes, propose_stagings
 from storyblender.session import Session
 from storyblender.web_studio.assets import answer_about_assets
@@ -168,7 +169,7 @@ class Calls:
         """Draw the frame of a shot before all others, and return the name of its file in the project."""
         panel = self._place.panel(name)
         self._free().shoot([panel.name])
-        self._hub.frames_drawn([panel.name])
+        self._hub.drawn_now(panel.name)
         return f"frames/{panel.name}.png"
 
     def _why(self, name: str) -> dict[str, Any]:
@@ -284,12 +285,12 @@ def reached(before: ContinuityMemoryGraph, after: ContinuityMemoryGraph) -> list
     """
     before, after = as_filmed(before), as_filmed(after)
     scenes = {scene.scene_id: scene for scene in before.scenes}
-    shots = {(shot.scene_id, shot.shot_id): shot for shot in before.shots}
+    shots = {(shot.scene_id, shot.shot_id): as_seen(shot) for shot in before.shots}
     same_things = before.assets == after.assets and before.format == after.format
     return [
         shot_name(shot.scene_id, shot.shot_id)
         for shot in after.shots
         if not same_things
         or scenes.get(shot.scene_id) != after.scene(shot.scene_id)
-        or shots.get((shot.scene_id, shot.shot_id)) != shot
+        or shots.get((shot.scene_id, shot.shot_id)) != as_seen(shot)
     ]

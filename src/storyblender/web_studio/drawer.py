@@ -45,6 +45,8 @@ class Drawer:
         self._session, self._previewed, self._drawn = session, previewed, drawn
         self._failed, self._saved = failed, saved
         self._waiting: dict[str, bool] = {}
+        self._undrawn: frozenset[str] = frozenset()
+        """Shots whose frames could not be drawn, and are not tried again by themselves."""
         self._looked_at = self._edited = self._ready_for = ""
         self._changed = threading.Condition()
         self._working = self._ended = self._paused = self._unknown = self._delivering = False
@@ -55,7 +57,7 @@ class Drawer:
     def stale(self) -> frozenset[str]:
         """Names of the shots whose frames do not show the story as it is."""
         with self._changed:
-            return frozenset(self._waiting)
+            return self._undrawn.union(self._waiting)
 
     def find_stale(self) -> None:
         """Find out which frames do not show the story as it is, and draw them."""
@@ -88,8 +90,15 @@ class Drawer:
             near = sorted(names, key=lambda name: (name != first, not _share_scene(name, first)))
             shown = {name: not first or _share_scene(name, first) for name in near}
             self._waiting = shown | {name: False for name in self._waiting if name not in names}
+            self._undrawn = self._undrawn.difference(names)
             self._delivering = True
             self._changed.notify_all()
+
+    def is_drawn(self, name: str) -> None:
+        """Hear that a call drew the frame of a shot as it is now."""
+        with self._changed:
+            self._undrawn = self._undrawn.difference((name,))
+            self._waiting.pop(name, None)
 
     def pause(self) -> None:
         """End the drawing under way, and begin none before ``go_on``, so that an edit need not wait."""
@@ -179,7 +188,7 @@ class Drawer:
             self._saved()
         else:
             self._session.render()
-            self._delivering = False
+            self._delivering, self._undrawn = False, frozenset()
             self._drawn(())
 
     def _give_up(self, names: Collection[str], why: str, *, drawn: bool) -> None:
@@ -187,6 +196,8 @@ class Drawer:
         self._unknown = False
         self._delivering = self._delivering and bool(names)
         self._settle(names, drawn=drawn)
+        if drawn:
+            self._undrawn = self._undrawn.union(names)
         self._failed(why)
 
     def _is_unready(self) -> bool:

@@ -148,6 +148,12 @@ class Hub:
                 self.previews.pop(name, None)
             self._drawer.draw(stale, first)
 
+    def drawn_now(self, name: str) -> None:
+        """Hear that a call drew the frame of a shot, and tell all browsers."""
+        if self._drawer is not None:
+            self._drawer.is_drawn(name)
+        self.frames_drawn([name])
+
     def look_at(self, name: str) -> None:
         """Hear which shot a browser shows large: its preview is drawn before those of others."""
         if self._drawer is not None:

@@ -77,6 +77,38 @@ def test_what_is_approved_does_not_change_until_the_approval_is_withdrawn(sessio
     assert shot_of(session).locked == ("duration",), "as it was locked before"
 
 
+def test_only_what_is_seen_is_approved(session: Session) -> None:
+    closer = {"kind": "camera", "shot": SHOT, "decision": {"size": "ECU"}}
+    with pytest.raises(InputError, match="as the same step changes it; look at its new frame first"):
+        session.apply(edits_of([closer, {**APPROVE, "shot": SHOT.lower()}]))
+    session.apply(edits_of([closer]))
+    before = session.graph
+    with pytest.raises(InputError, match=f"the frame of {SHOT} does not show the shot as it is now; draw it"):
+        session.apply(edits_of([APPROVE]))
+    assert session.graph == before
+    apply(session, {**APPROVE, "shot": NEXT})
+    session.shoot([SHOT])
+    apply(session, APPROVE)
+    session.undo()
+    (session.folder / "frames" / f"{SHOT}.png").unlink()
+    with pytest.raises(InputError, match=f"{SHOT} is not drawn yet"):
+        session.apply(edits_of([APPROVE]))
+
+
+def test_a_frame_that_an_artist_painted_on_is_approved(session: Session) -> None:
+    (session.folder / "frames" / f"{SHOT}.png").write_bytes((session.folder / "frames" / f"{NEXT}.png").read_bytes())
+    apply(session, APPROVE)
+
+
+def test_what_light_made_old_is_not_approved_and_after_an_undo_it_is(session: Session) -> None:
+    session.apply(edits_of([{"kind": "light", "scene": "SC010", "decision": {"warmth": 2}}]))
+    for name in (SHOT, NEXT):
+        with pytest.raises(InputError, match="as it is now"):
+            session.apply(edits_of([{**APPROVE, "shot": name}]))
+    session.undo()
+    apply(session, APPROVE)
+
+
 def test_bad_notes_are_refused_in_a_sentence(session: Session) -> None:
     apply(session, NOTE)
     cases: list[tuple[dict[str, Any], str]] = [

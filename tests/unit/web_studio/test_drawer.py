@@ -170,3 +170,14 @@ def test_a_fault_of_the_program_does_not_end_the_drawing(session: Rehearsals, dr
     session.heard(session.broken)
     session.heard(f"preview {SHOTS[1]}")
     session.heard(f"shoot {SHOTS[0]} {SHOTS[1]}")
+
+
+def test_what_cannot_be_drawn_stays_stale_until_a_call_draws_it(session: Rehearsals, drawing: Drawer) -> None:
+    session.broken = "shoot"
+    drawing.draw(SHOTS[:1])
+    session.heard(f"shoot {SHOTS[0]}")
+    drawing.look_at(SHOTS[4])
+    session.heard(f"rehearse {SHOTS[4]}")
+    assert drawing.stale == {SHOTS[0]} and session.calls.count(f"shoot {SHOTS[0]}") == 1
+    drawing.is_drawn(SHOTS[0])
+    assert not drawing.stale
