@@ -116,9 +116,10 @@ def main(project: Path, script: Path, out: Path) -> None:
         with studio(empty) as address:
             page.goto(address)
             page.wait_for_selector(".drop")
-            take(page, out, "studio_start")
-            page.select_option("select", "fast")
             page.set_input_files(".drop input", first_scene(script.read_text(encoding="utf-8")))
+            page.select_option(".ready select", "fast")
+            take(page, out, "studio_start")
+            page.get_by_role("button", name="Start", exact=True).click()
             page.wait_for_selector(".crew figure:nth-of-type(2) img", timeout=4 * DRAWN)
             take(page, out, "studio_crew")
         browser.close()

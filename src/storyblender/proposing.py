@@ -93,11 +93,29 @@ def pictures_of_other_takes(session: Session, shot: str, of: Literal["blocking",
     """
     [found] = shots_named(session.graph, [shot])
     kept = found.blocking_takes if of == "blocking" else session.graph.scene(found.scene_id).layout_takes
-    pictures: dict[int, Path] = {}
-    for take in kept.others if kept is not None else ():
-        with session.trying([TakeEdit(shot=shot, of=of, action="choose", number=take.number)]):
-            pictures[take.number] = session.preview([shot])[name_of(found)]
-    return pictures
+    others = kept.others if kept is not None else ()
+    return {take.number: picture_of_take(session, name_of(found), of, take.number) for take in others}
+
+
+def picture_of_take(
+    session: Session, shot: str, of: Literal["camera", "blocking", "layout"], number: int | None
+) -> Path:
+    """Return a small picture of a shot in another take of its camera, its blocking or its scene's layout.
+
+    Args:
+        session: Of a finished project; the story stays as it is.
+        shot: Its name.
+        of: What the take is of.
+        number: Of the take.
+
+    Raises:
+        InputError: There is no such shot or take, or the take cannot be at the moment.
+        Cancelled: ``cancel`` was called.
+    """
+    if number is None:
+        raise InputError("no take is named", mend="give its number")
+    with session.trying([TakeEdit(shot=shot, of=of, action="choose", number=number)]):
+        return session.preview([shot])[shot]
 
 
 def _tried(

@@ -101,6 +101,33 @@ def test_shots_are_shortened_by_keys_and_moved_by_keys(cut: Page) -> None:
     expect(first(cut)).to_have_text(length)
 
 
+def test_a_locked_shot_shows_its_lock_and_says_why_it_is_not_trimmed(cut: Page) -> None:
+    name = first(cut).get_attribute("data-bar")
+    expect(cut.locator(".inspector")).to_have_count(0)
+    cut.get_by_role("button", name="Open SH").click()
+    expect(cut.locator(".inspector > .head h2")).to_have_text(str(name))
+    cut.locator("sb-parts").get_by_label("duration").check()
+    cut.get_by_role("button", name="Cut", exact=True).click()
+    expect(first(cut).locator(".lock")).to_be_visible()
+    length = first(cut).inner_text()
+    edge = first(cut).locator(".edge").bounding_box()
+    assert edge is not None
+    cut.mouse.move(edge["x"] + 4, edge["y"] + 20)
+    cut.mouse.down()
+    cut.mouse.move(edge["x"] + 64, edge["y"] + 20, steps=4)
+    cut.mouse.up()
+    refusal = cut.locator(".bar.wrong").first
+    expect(refusal).to_contain_text(f"the duration of {name} is locked; unlock it first")
+    expect(first(cut)).to_have_text(length)
+    cut.keyboard.press("Home")
+    cut.get_by_role("button", name="Earlier").click()
+    expect(refusal).to_contain_text("a shot stays in its scene")
+    cut.get_by_role("button", name="Longer").click()
+    expect(refusal).to_contain_text("is locked")
+    cut.get_by_role("button", name="Undo").click()
+    expect(first(cut).locator(".lock")).to_have_count(0)
+
+
 def test_nothing_is_wrong_for_those_who_cannot_see_it(cut: Page) -> None:
     from axe_playwright_python.sync_playwright import Axe
 

@@ -37,6 +37,11 @@ def drop(page: Page, name: str, words: str) -> None:
     page.set_input_files(".drop input", {"name": name, "mimeType": "text/plain", "buffer": words.encode()})
 
 
+def begin(page: Page, name: str, words: str) -> None:
+    drop(page, name, words)
+    page.get_by_role("button", name="Start", exact=True).click()
+
+
 def faultless(page: Page) -> None:
     from axe_playwright_python.sync_playwright import Axe
 
@@ -50,19 +55,25 @@ def test_the_start_has_no_faults_of_access_and_fits(start: Page) -> None:
 
 
 def test_a_script_with_nothing_in_it_is_one_sentence_and_leaves_nothing(start: Page, empty: RunningStudio) -> None:
-    drop(start, "two_cups.fountain", " \n\n ")
+    begin(start, "two_cups.fountain", " \n\n ")
     expect(start.locator(".bar.wrong")).to_contain_text("there is nothing to read; write at least one scene")
     assert not [path for path in Path(empty.folder).iterdir() if not path.name.startswith(".")]
 
 
 def test_a_file_that_is_no_script_is_one_sentence(start: Page) -> None:
-    drop(start, "cat.png", "not a picture either")
+    begin(start, "cat.png", "not a picture either")
     expect(start.locator(".bar.wrong")).to_contain_text("it ends in")
 
 
-def test_the_crew_is_watched_stopped_and_goes_on_at_one_click(start: Page) -> None:
-    start.select_option("select", "fast")
+def test_the_crew_is_watched_stopped_and_goes_on_at_one_click(start: Page, empty: RunningStudio) -> None:
     drop(start, "two_cups.fountain", SCRIPT)
+    ready = start.get_by_role("form", name="Make two_cups.fountain")
+    expect(ready.get_by_role("heading")).to_have_text("two_cups.fountain")
+    faultless(start)
+    assert not (empty.folder / "two_cups.fountain").exists(), "nothing begins before it is started"
+    ready.get_by_label("Look").select_option("fast")
+    ready.get_by_label("Crew").fill("rules")
+    ready.get_by_role("button", name="Start").click()
     expect(start.locator(".stages .now")).to_have_count(1)
     expect(start.locator(".event .score").first).to_contain_text("10", timeout=MADE)
     faultless(start)

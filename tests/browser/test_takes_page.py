@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 import pytest
@@ -60,6 +61,32 @@ def test_a_layout_is_kept_and_dropped(inspector: Page) -> None:
     for _ in range(2):
         page.get_by_role("button", name="Undo").click()
         expect(page.locator(".bar").first).to_contain_text("Undone")
+
+
+def test_a_take_that_is_not_drawn_says_so_and_is_drawn_at_once(inspector: Page, studio: RunningStudio) -> None:
+    page, before = inspector, graph_of(studio).model_dump_json()
+    expect(page.locator(f"{SHOT}.fresh")).to_be_visible(timeout=DRAWN)
+    row(page, "Camera").get_by_role("button", name="Keep").click()
+    expect(row(page, "Camera").get_by_role("button", name="Compare")).to_be_visible()
+    page.get_by_role("button", name="Warmer").click()
+    expect(page.locator(".bar").first).to_contain_text("warmth")
+    row(page, "Camera").get_by_role("button", name="Compare").click()
+    dialog = page.get_by_role("dialog", name="Takes of SC010_SH010")
+    kept, shown = dialog.locator("section").first, dialog.locator("section").last
+    expect(kept.locator(".picture")).to_contain_text("Take 1 is not drawn", timeout=DRAWN)
+    kept.get_by_role("button", name="Draw it now").click()
+    expect(kept.locator("img")).to_have_count(1, timeout=DRAWN)
+    assert kept.locator("img").evaluate("image => image.decode().then(() => image.naturalWidth)") > 100
+    expect(kept.locator(".state")).to_have_text("quick preview")
+    expect(shown.locator(".picture")).to_have_class(re.compile("fresh"), timeout=DRAWN)
+    expect(shown.get_by_role("button", name="Draw it now")).to_have_count(0)
+    dialog.get_by_role("button", name="Close").click()
+    for done in ("warmth", "kept"):
+        undo = page.get_by_role("button", name="Undo")
+        expect(undo).to_have_attribute("title", re.compile(done))
+        undo.click()
+    expect(page.get_by_role("button", name="Undo")).to_be_disabled()
+    assert graph_of(studio).model_dump_json() == before
 
 
 def test_the_inspector_has_no_faults_of_access(inspector: Page) -> None:

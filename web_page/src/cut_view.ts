@@ -8,6 +8,8 @@ import type { Wire } from "./wire";
 
 /** Fewest frames that a shot is trimmed to. */
 const LEAST = 6;
+const LOCK = html`<svg class="lock" viewBox="0 0 12 14" aria-hidden="true"><path d="M3.4 6V4a2.6 2.6 0 0 1 5.2 0v2" fill="none" stroke="currentColor" stroke-width="1.6" />
+  <rect x="1.5" y="6" width="9" height="7" rx="1.2" fill="currentColor" /></svg>`;
 
 @customElement("sb-cut")
 export class CutView extends LitElement {
@@ -105,14 +107,23 @@ export class CutView extends LitElement {
     return new Promise((settled) => this.dispatchEvent(new CustomEvent("edit", { detail: { edits, settled } })));
   }
 
+  /** Say why something cannot be done. */
+  private refuse(why: string): void {
+    this.dispatchEvent(new CustomEvent("refuse", { detail: why }));
+  }
+
   private resize(shot: Placed, frames: number): void {
-    if (!shot.fixed) void this.edit({ kind: "duration", shot: shot.shot, frames: Math.max(shot.frames + frames, LEAST) });
+    const wanted = Math.max(shot.frames + frames, LEAST);
+    if (shot.held) this.refuse(shot.held);
+    else if (wanted === shot.frames) this.refuse(`${shot.shot} has ${LEAST} frames; a shorter one is not made here`);
+    else void this.edit({ kind: "duration", shot: shot.shot, frames: wanted });
   }
 
   /** Move a shot by one place in its scene. */
   private shift(shot: Placed, by: number): void {
     const other = this.shots[this.shots.indexOf(shot) + by];
     if (other?.scene === shot.scene) this.move(shot.shot, other.shot, by > 0);
+    else this.refuse(`${shot.shot} is the ${by > 0 ? "last" : "first"} shot of ${shot.scene}; a shot stays in its scene`);
   }
 
   private move(shot: string, other: string, after: boolean): void {
@@ -122,6 +133,7 @@ export class CutView extends LitElement {
   private drop(onto: Placed): void {
     const own = this.shots.find((shot) => shot.shot === this.dragged);
     if (own && own !== onto && own.scene === onto.scene) this.move(own.shot, onto.shot, own.start < onto.start);
+    else if (own && own !== onto) this.refuse(`${own.shot} stays in ${own.scene}: a shot is moved within its scene`);
     this.dragged = "";
   }
 
@@ -129,6 +141,7 @@ export class CutView extends LitElement {
   private grab(event: PointerEvent, shot: Placed): void {
     event.preventDefault();
     event.stopPropagation();
+    if (shot.held) return this.refuse(shot.held);
     const handle = event.currentTarget as HTMLElement;
     const [from, perFrame] = [event.clientX, this.track.scrollWidth / this.length];
     handle.setPointerCapture(event.pointerId);
@@ -153,6 +166,12 @@ export class CutView extends LitElement {
   private select(shot: Placed): void {
     this.dispatchEvent(new CustomEvent("select", { detail: [shot.shot] }));
     this.seek(shot.start);
+  }
+
+  /** Leave the cut for the shot's inspector. */
+  private open(shot: Placed): void {
+    this.select(shot);
+    this.dispatchEvent(new CustomEvent("goto"));
   }
 
   render() {
@@ -196,13 +215,13 @@ export class CutView extends LitElement {
 
   private tools(here: Placed) {
     const fps = this.cut!.fps;
-    const [at, shots] = [this.shots.indexOf(here), this.shots];
     return html`
-      <button ?disabled=${here.fixed} @click=${() => this.resize(here, -Math.round(fps / 2))}>Shorter</button>
-      <button ?disabled=${here.fixed} @click=${() => this.resize(here, Math.round(fps / 2))}>Longer</button>
-      <button ?disabled=${shots[at - 1]?.scene !== here.scene} @click=${() => this.shift(here, -1)}>Earlier</button>
-      <button ?disabled=${shots[at + 1]?.scene !== here.scene} @click=${() => this.shift(here, 1)}>Later</button>
-      <button @click=${() => this.edit({ kind: "omit", target: here.shot })}>Omit</button>`;
+      <button title=${here.held} @click=${() => this.resize(here, -Math.round(fps / 2))}>Shorter</button>
+      <button title=${here.held} @click=${() => this.resize(here, Math.round(fps / 2))}>Longer</button>
+      <button @click=${() => this.shift(here, -1)}>Earlier</button>
+      <button @click=${() => this.shift(here, 1)}>Later</button>
+      <button @click=${() => this.edit({ kind: "omit", target: here.shot })}>Omit</button>
+      <button title="Its camera, takes, notes and locks" @click=${() => this.open(here)}>Open ${here.shot.slice(-5)}</button>`;
   }
 
   private at(start: number, frames: number): string {
@@ -219,15 +238,16 @@ export class CutView extends LitElement {
   }
 
   private bar(shot: Placed, here: Placed | undefined) {
-    const picture = this.board.scenes.flatMap((scene) => scene.shots).find((card) => card.shot === shot.shot)?.picture;
+    const card = this.board.scenes.flatMap((scene) => scene.shots).find((each) => each.shot === shot.shot);
     const seconds = (shot.frames / this.cut!.fps).toFixed(1);
     return html`<div role="listitem" class="bar ${shot === here ? "here" : ""} ${this.selected.includes(shot.shot) ? "chosen" : ""}"
       style=${this.at(shot.start, shot.frames)} data-bar=${shot.shot} draggable="true"
       @dragstart=${() => (this.dragged = shot.shot)} @dragend=${() => (this.dragged = "")}
       @dragover=${(event: DragEvent) => this.dragged && event.preventDefault()} @drop=${() => this.drop(shot)}>
-      <button class="face" aria-label="${shot.shot}, ${seconds} seconds" @click=${() => this.select(shot)}
-        style=${picture ? `background-image: url("${picture}")` : ""}><b>${shot.shot.slice(-5)}</b> ${seconds} s</button>
-      ${shot.fixed ? nothing : html`<span class="edge" aria-hidden="true" @pointerdown=${(event: PointerEvent) => this.grab(event, shot)}></span>`}
+      <button class="face" aria-label="${shot.shot}, ${seconds} seconds${shot.held ? ", not to be trimmed" : ""}" title=${shot.held} @click=${() => this.select(shot)}
+        style=${card?.picture ? `background-image: url("${card.picture}")` : ""}><b>${shot.shot.slice(-5)}</b> ${seconds} s</button>
+      ${shot.held && card?.locked ? LOCK : nothing}
+      <span class="edge ${shot.held ? "held" : ""}" aria-hidden="true" title=${shot.held} @pointerdown=${(event: PointerEvent) => this.grab(event, shot)}></span>
     </div>`;
   }
 }

@@ -173,7 +173,7 @@ export interface CutShot {
   scene: string;
   title: string;
   frames: number;
-  fixed: boolean;
+  held: string;
   speech: CutSpeech[];
 }
 

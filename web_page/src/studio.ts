@@ -27,6 +27,8 @@ const VIEWS = {
   revise: "Revised script",
   deliver: "Deliver",
 };
+/** The views that have the inspector of the selected shot beside them. */
+const WITH_INSPECTOR: View[] = ["board", "stage"];
 /** The view of what was saved in Blender has its button in the line that says so. */
 type View = keyof typeof VIEWS | "pull";
 
@@ -251,7 +253,7 @@ export class Studio extends LitElement {
     }
     return html`
       ${this.shown(this.board)}
-      ${this.selected.length === 1
+      ${this.selected.length === 1 && WITH_INSPECTOR.includes(this.view)
         ? html`<sb-shot .board=${this.board} .shot=${this.selected[0]} .wire=${this.wire}
             @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}
             @close=${() => ((this.selected = []), (this.view = "board"))}></sb-shot>`
@@ -297,6 +299,7 @@ export class Studio extends LitElement {
           @panorama=${(event: CustomEvent<object>) => this.call("panorama", event.detail)}></sb-set>`;
       case "cut":
         return html`<sb-cut .board=${board} .selected=${this.selected} .wire=${this.wire} @select=${select}
+          @goto=${() => (this.view = "board")} @refuse=${(event: CustomEvent<string>) => this.say(event.detail, true)}
           @edit=${(event: CustomEvent<{ edits: Edit[]; settled: (done: boolean) => void }>) =>
             this.edit(event.detail.edits).then(event.detail.settled)}></sb-cut>`;
       case "deliver":
@@ -316,6 +319,7 @@ export class Studio extends LitElement {
     this.board = null;
     this.status = null;
     this.selected = [];
+    this.said = null;
     this.places = await this.wire.call<Places>("places");
     document.title = "StoryBlender";
   }

@@ -44,7 +44,7 @@ export class Takes extends LitElement {
       <button ?disabled=${locked} title="The next edits make another take; this one stays" @click=${() => this.edit(of, "keep")}>Keep, and try another</button>
       ${takes.length > 1
         ? html`<button @click=${() => this.querySelector<TakesCompare>(`sb-compare[data-of=${of}]`)!.open()}>Compare</button>
-            <sb-compare data-of=${of} .of=${of} .details=${this.details} .picture=${this.card.picture} .aspect=${this.aspect} .wire=${this.wire}
+            <sb-compare data-of=${of} .of=${of} .details=${this.details} .card=${this.card} .aspect=${this.aspect} .wire=${this.wire}
               @edit=${(event: CustomEvent<Edit>) => this.dispatchEvent(new CustomEvent("edit", { detail: event.detail }))}></sb-compare>`
         : nothing}</div>`;
   }

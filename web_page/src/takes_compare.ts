@@ -1,22 +1,29 @@
 /** Two takes of a shot beside each other, or one wiped over the other, to choose between them. */
 
-import { LitElement, html } from "lit";
+import { LitElement, html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import type { Edit, ShotDetails, Take } from "./messages";
+import type { Edit, PanelCard, ShotDetails, Take } from "./messages";
 import { takesOf, type TakesOf } from "./takes";
 import type { Wire } from "./wire";
+
+/** What is said on the picture of the film's take where it is not the finished one of the take as it is. */
+const MARKS = { fresh: "", preview: "quick preview", stale: "older than the take", none: "" };
 
 @customElement("sb-compare")
 export class TakesCompare extends LitElement {
   @property({ attribute: false }) details!: ShotDetails;
   @property({ attribute: false }) of: TakesOf = "camera";
-  /** Address of the picture of the take that the film shows. */
-  @property({ attribute: false }) picture = "";
+  /** The shot on the board, whose picture is that of the take that the film shows. */
+  @property({ attribute: false }) card!: PanelCard;
   @property({ attribute: false }) aspect = 16 / 9;
   @property({ attribute: false }) wire!: Wire;
   @state() private pictures: Record<number, string> = {};
   @state() private waiting = false;
   @state() private failed = "";
+  /** Numbers of the takes whose pictures are only quick ones. */
+  private quick = new Set<number>();
+  /** Number of the take that a picture is being made of. */
+  @state() private drawing = 0;
   @state() private pair: [number, number] = [0, 0];
   @state() private wipe = false;
   @state() private edge = 50;
@@ -34,15 +41,32 @@ export class TakesCompare extends LitElement {
   async open(): Promise<void> {
     const shown = this.takes.find((take) => take.in_film)!.number;
     this.pair = [this.takes.find((take) => !take.in_film)!.number, shown];
-    [this.pictures, this.waiting, this.failed] = [{ [shown]: this.picture }, true, ""];
+    [this.pictures, this.waiting, this.failed] = [{}, true, ""];
+    this.quick = new Set(this.of === "camera" ? [] : this.takes.map((take) => take.number));
     this.dialog.showModal();
     try {
-      const others = await this.wire.call<Record<number, string>>("takes", { shot: this.details.shot, of: this.of });
-      this.pictures = { ...others, [shown]: this.picture };
+      this.pictures = await this.wire.call<Record<number, string>>("takes", { shot: this.details.shot, of: this.of });
     } catch (error) {
       this.failed = (error as Error).message;
     }
     this.waiting = false;
+  }
+
+  /** Draw a take now: that of the film as its frame, another one as a small picture. */
+  private async draw(take: Take): Promise<void> {
+    const { shot } = this.details;
+    [this.drawing, this.failed] = [take.number, ""];
+    try {
+      if (take.in_film) await this.wire.call("draw", { shot });
+      else {
+        const picture = await this.wire.call<string>("draw_take", { shot, of: this.of, number: take.number });
+        this.quick.add(take.number);
+        this.pictures = { ...this.pictures, [take.number]: picture };
+      }
+    } catch (error) {
+      this.failed = (error as Error).message;
+    }
+    this.drawing = 0;
   }
 
   private choose(number: number): void {
@@ -76,9 +100,22 @@ export class TakesCompare extends LitElement {
   }
 
   private shown(number: number) {
-    const address = this.pictures[number];
-    return html`<div class="picture" style="aspect-ratio: ${this.aspect}">
-      ${address ? html`<img src=${address} alt="Take ${number}" />` : html`<span class="state">${this.waiting ? "being drawn ..." : this.failed || "not drawn"}</span>`}</div>`;
+    const take = this.takes.find((each) => each.number === number);
+    if (!take) return nothing;
+    const address = take.in_film ? this.card.picture : this.pictures[number];
+    const mark = take.in_film ? MARKS[this.card.state] : address && this.quick.has(number) ? MARKS.preview : "";
+    return html`<div class="picture ${take.in_film ? this.card.state : ""}" style="aspect-ratio: ${this.aspect}">
+      ${address ? html`<img src=${address} alt="Take ${number}" />` : nothing}
+      ${mark ? html`<span class="state">${mark}</span>` : nothing}
+      ${address && (!take.in_film || !mark) ? nothing : this.offer(take, address)}</div>`;
+  }
+
+  /** What there is in place of a picture of a take, or over an old one: a button that draws it. */
+  private offer(take: Take, address: string) {
+    if (this.waiting && !take.in_film) return html`<p class="undrawn">Being drawn ...</p>`;
+    const drawn = this.drawing === take.number;
+    return html`<p class="undrawn ${address ? "beneath" : ""}">${this.failed || (address ? "" : `Take ${take.number} is not drawn`)}
+      <button ?disabled=${!!this.drawing} @click=${() => this.draw(take)}>${drawn ? "Drawing ..." : "Draw it now"}</button></p>`;
   }
 
   private picker(side: number) {

@@ -131,16 +131,11 @@ def duration_effects(graph: ContinuityMemoryGraph, edit: DurationEdit) -> list[E
     """Return what another length does to a shot; the crew fits its motions to it. Raises InputError."""
     [shot] = shots_named(graph, [edit.shot])
     name, fps = name_of(shot), graph.format.fps
-    refuse_locked(shot, "duration")
+    refuse_fixed_length(graph, shot)
     frames = edit.frames or max(1, round((edit.seconds or 0.0) * fps))
-    if shot.camera is not None and len(shot.camera.poses) > 1:
-        refuse_locked(shot, "camera")
     beside = is_beside(shot)
     if beside and frames > (room := room_for(graph, shot)):
         raise InputError(f"{name} has {room} frames until its scene ends", mend=f"give it {room / fps:.3g} s or less")
-    if not beside and filmed(graph, shot) is not shot:
-        mend = "split it elsewhere, or join its parts first"
-        raise InputError(f"{name} is split or joined, and as long as what it shows of the staged scene", mend=mend)
     update = {
         "duration": frames,
         "decided_duration": frames,
@@ -151,6 +146,24 @@ def duration_effects(graph: ContinuityMemoryGraph, edit: DurationEdit) -> list[E
     stale = (name,) if beside else shot_names(graph, shot.scene_id)
     words = f"length {frames} frames ({frames / fps:.3g} s)"
     return [Effect(shot.model_copy(update=update), name, words, frozenset({"duration"}), stale)]
+
+
+def refuse_fixed_length(graph: ContinuityMemoryGraph, shot: ShotContext) -> None:
+    """Refuse another length for a shot whose length cannot be changed, whatever it would be.
+
+    Args:
+        graph: The story.
+        shot: Of the graph.
+
+    Raises:
+        InputError: It is locked or approved, its camera moves and is locked, or it is a part of what is staged.
+    """
+    refuse_locked(shot, "duration")
+    if shot.camera is not None and len(shot.camera.poses) > 1:
+        refuse_locked(shot, "camera")
+    if not is_beside(shot) and filmed(graph, shot) is not shot:
+        what = f"{name_of(shot)} is split or joined, and as long as what it shows of the staged scene"
+        raise InputError(what, mend="split it elsewhere, or join its parts first")
 
 
 def retimed(camera: CameraState, before: int, after: int) -> CameraState:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from storyblender.agents.vocabulary import vocabulary
@@ -16,7 +17,7 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import CAUSED_BY_PERSON
 from storyblender.memory.scene_decision import LightDecision
 from storyblender.pipeline.shown import as_seen
-from storyblender.proposing import pictures_of_other_takes, propose_stagings
+from storyblender.proposing import picture_of_take, pictures_of_other_takes, propose_stagings
 from storyblender.session import Session
 from storyblender.web_studio.assets import answer_about_assets
 from storyblender.web_studio.board import board_of, staging_cards
@@ -77,6 +78,7 @@ class Calls:
                     "why": self._why,
                     "takes": partial(self._takes, of=call.of),
                     "draw": self._draw_now,
+                    "draw_take": partial(self._draw_take, of=call.of, number=call.number),
                 }[call.call]
                 return lambda: asked(call.shot)
             case ReviseCall():
@@ -179,8 +181,16 @@ class Calls:
         """Return the addresses of the pictures of a shot's takes, by number; that of the film is on the board."""
         panel, session = self._place.panel(name), self._free()
         found = session.takes(panel.name) if of == "camera" else pictures_of_other_takes(session, panel.name, of)
-        self._hub.takes |= {f"{panel.name}-{of}-{number}": path for number, path in found.items()}
-        return {number: f"/takes/{panel.name}-{of}-{number}.png?v={path.stem}" for number, path in found.items()}
+        return {number: self._address_of_take(panel.name, of, number, path) for number, path in found.items()}
+
+    def _draw_take(self, name: str, of: Literal["camera", "blocking", "layout"], number: int | None) -> str:
+        """Draw a take that the film does not show, small and quickly, and return the address of the picture."""
+        panel, session = self._place.panel(name), self._free()
+        return self._address_of_take(panel.name, of, number, picture_of_take(session, panel.name, of, number))
+
+    def _address_of_take(self, shot: str, of: str, number: int | None, picture: Path) -> str:
+        self._hub.takes[f"{shot}-{of}-{number}"] = picture
+        return f"/takes/{shot}-{of}-{number}.png?v={picture.stem}"
 
     def _propose(self, call: ProposeCall) -> list[dict[str, Any]]:
         """Return other stagings of a shot's scene; nothing is drawn while they are tried."""

@@ -6,8 +6,11 @@ from collections.abc import Collection
 
 from storyblender.deliver.panel import cue_of, panels
 from storyblender.deliver.speech import speeches
+from storyblender.edits.camera_edits import refuse_fixed_length
+from storyblender.errors import InputError
 from storyblender.memory.base import Described, scene_name
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.shot_context import ShotContext
 
 
 class CutSpeech(Described):
@@ -34,8 +37,8 @@ class CutShot(Described):
     """Heading of its scene."""
     frames: int
     """Length."""
-    fixed: bool
-    """Whether its length is locked."""
+    held: str
+    """Why its length cannot be changed, in a sentence; empty where it can."""
     speech: tuple[CutSpeech, ...]
     """In order."""
 
@@ -66,7 +69,7 @@ def cut_of(graph: ContinuityMemoryGraph, stale: Collection[str]) -> Cut:
                 scene=scene_name(panel.scene.scene_id),
                 title=panel.scene.numbered_title,
                 frames=panel.shot.duration,
-                fixed="duration" in panel.shot.locked,
+                held=_held(graph, panel.shot),
                 speech=tuple(
                     CutSpeech(start=each.start, end=each.end, speaker=cue_of(each.line), words=each.line.text)
                     for each in speeches(panel)
@@ -76,3 +79,11 @@ def cut_of(graph: ContinuityMemoryGraph, stale: Collection[str]) -> Cut:
         ),
         stale=tuple(sorted(stale)),
     )
+
+
+def _held(graph: ContinuityMemoryGraph, shot: ShotContext) -> str:
+    try:
+        refuse_fixed_length(graph, graph.shot(shot.scene_id, shot.shot_id))
+    except InputError as error:
+        return str(error)
+    return ""

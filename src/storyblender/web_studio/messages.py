@@ -74,13 +74,15 @@ class InstructCall(_Call):
 class ShotCall(_Call):
     """Asks for something about a shot."""
 
-    call: Literal["shot", "why", "takes", "draw"]
+    call: Literal["shot", "why", "takes", "draw", "draw_take"]
     """``shot``: everything that can be changed; ``why``: who decided what; ``takes``: pictures of its other takes;
-    ``draw``: its frame is drawn now."""
+    ``draw``: its frame is drawn now; ``draw_take``: a picture of one of its other takes is."""
     shot: _Name
     """Such as ``SC010_SH020``."""
     of: Literal["camera", "blocking", "layout"] = "camera"
-    """What the ``takes`` are of."""
+    """What the takes are of."""
+    number: Annotated[int, Field(ge=1, le=999)] | None = None
+    """Of the take to draw."""
 
 
 class SceneCall(_Call):

@@ -274,6 +274,15 @@ def test_the_cut_is_the_film_in_its_order_with_what_is_said_when(page: TestClien
         browser.value("apply", edits=[{"kind": "omit", "target": names[0]}])
         assert [shot["shot"] for shot in browser.value("cut")["shots"]] == names[1:]
         browser.value("undo")
+        assert not any(shot["held"] for shot in cut["shots"])
+        held = {names[0]: {"kind": "lock", "target": names[0], "parts": ["duration"]}}
+        held[names[1]] = {"kind": "split", "shot": names[1], "frames": 10}
+        browser.value("apply", edits=list(held.values()))
+        shots = {shot["shot"]: shot["held"] for shot in browser.value("cut")["shots"]}
+        for name in held:
+            refused = browser.call("apply", edits=[{"kind": "duration", "shot": name, "seconds": 9}])
+            assert shots[name] and refused["error"] == shots[name], "the reason is that of the edit itself"
+        browser.value("undo")
 
 
 def test_a_scene_tells_its_set_and_light_and_what_both_can_be(page: TestClient) -> None:
