@@ -8,7 +8,6 @@ they are used: an edit needs no reader, and its frame does not wait for the boar
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from threading import Event as Signal
@@ -285,13 +284,12 @@ class Studio:
         def engine(listener: Listener) -> BlenderEngine:
             return BlenderEngine(folder, models, settings.jobs, build=build, ahead=ahead, listener=listener)
 
-        embedder = cache(load_embedder)
-        sources = asset_sources(settings, embedder)
-        crew, cancelled = rules_crew(settings, embedder, sources), Signal()
+        sources = asset_sources(settings, load_embedder)
+        crew, cancelled = rules_crew(settings, load_embedder, sources), Signal()
         if settings.language_roles:
             from storyblender.language.answerers import answerers
             from storyblender.language_crew import language_crew
 
             by_role = answerers(settings.crew, folder, settings.limits, cancelled, self._listener)
-            crew = language_crew(crew, by_role, embedder, sources)
+            crew = language_crew(crew, by_role, load_embedder, sources)
         return Session(Project(folder, build), engine, crew, sources, settings, self._listener, cancelled)

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import gzip
 import hashlib
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from functools import cache
+from functools import cache, lru_cache
 from importlib import resources
 from pathlib import Path
 
@@ -22,6 +23,8 @@ from storyblender.ports import Embedder
 MODEL_SHA256 = "8199be6f699a395f99f89df973f9dc5285fbcfcdb2ae1a4e1201dab014f3d2a6"
 MOST_TOKENS = 128
 BATCH = 64
+REMEMBERED = 256
+"""Lists of texts whose vectors are kept: the names of the library are asked for again with every thing and story."""
 LEXICAL_WIDTH = 512
 
 Vectors = NDArray[np.float32]
@@ -31,16 +34,33 @@ class EmbedderUnavailable(StoryBlenderError):
     """The sentence model cannot be loaded here."""
 
 
+@cache
 def load_embedder() -> Embedder:
-    """Return the sentence model, or the lexical embedder where the model cannot be loaded."""
+    """Return the sentence model, or the lexical embedder where the model cannot be loaded; one for the process."""
     try:
         return MiniLmEmbedder()
     except EmbedderUnavailable:
         return LexicalEmbedder()
 
 
-class MiniLmEmbedder:
-    """The Embedder port over ONNX Runtime: mean-pooled, normalised MiniLM sentence vectors.
+class RememberingEmbedder(ABC):
+    """An embedder that does not read the same texts twice."""
+
+    def __init__(self) -> None:
+        self._remembered = lru_cache(REMEMBERED)(self._vectors)
+
+    def embed(self, texts: Sequence[str]) -> Vectors:
+        """Return (n, d) unit vectors, which cannot be changed."""
+        vectors = self._remembered(tuple(texts))
+        vectors.flags.writeable = False
+        return vectors
+
+    @abstractmethod
+    def _vectors(self, texts: tuple[str, ...]) -> Vectors: ...
+
+
+class MiniLmEmbedder(RememberingEmbedder):
+    """The Embedder port over ONNX Runtime: mean-pooled, normalised MiniLM sentence vectors of width 384.
 
     Args:
         model: Path of ``model.onnx``; the installed package's by default.
@@ -50,6 +70,7 @@ class MiniLmEmbedder:
     """
 
     def __init__(self, model: Path | None = None) -> None:
+        super().__init__()
         try:
             import onnxruntime
             from tokenizers.implementations.bert_wordpiece import BertWordPieceTokenizer
@@ -70,10 +91,7 @@ class MiniLmEmbedder:
         self._session = onnxruntime.InferenceSession(str(model), options, providers=["CPUExecutionProvider"])
         self._inputs = {entry.name for entry in self._session.get_inputs()}
 
-    def embed(self, texts: Sequence[str]) -> Vectors:
-        """Return (n, 384) unit vectors."""
-        if not texts:
-            return np.zeros((0, 384), np.float32)
+    def _vectors(self, texts: tuple[str, ...]) -> Vectors:
         # Texts of like length share a batch: padding is most of the cost of short texts.
         order = sorted(range(len(texts)), key=lambda index: len(texts[index]))
         vectors = np.zeros((len(texts), 384), np.float32)
@@ -96,11 +114,10 @@ class MiniLmEmbedder:
         return (pooled / np.linalg.norm(pooled, axis=1, keepdims=True)).astype(np.float32)
 
 
-class LexicalEmbedder:
-    """Likeness of spelling: hashed words and letter triples. Knows no synonyms; needs only numpy."""
+class LexicalEmbedder(RememberingEmbedder):
+    """Likeness of spelling: hashed words and letter triples, of width 512. Knows no synonyms; needs only numpy."""
 
-    def embed(self, texts: Sequence[str]) -> Vectors:
-        """Return (n, 512) unit vectors."""
+    def _vectors(self, texts: tuple[str, ...]) -> Vectors:
         vectors = np.zeros((len(texts), LEXICAL_WIDTH), np.float32)
         for row, text in enumerate(texts):
             for word in text.lower().split():

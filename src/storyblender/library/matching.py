@@ -81,7 +81,6 @@ class Likeness:
 
     def __init__(self, embedder: Callable[[], Embedder]) -> None:
         self._load = embedder
-        self._known: dict[tuple[Term, ...], np.ndarray] = {}
 
     def with_likely(self, named: list[Match], query: AssetQuery, terms: tuple[Term, ...]) -> list[Match]:
         """Return the matches by words and those by meaning, best first; what words found odd stays odd.
@@ -101,7 +100,7 @@ class Likeness:
         if not words:
             return []
         query = self._model.embed([" ".join(words), description or " ".join(words)])
-        vectors = self._vectors(terms)
+        vectors = self._model.embed([" ".join(term.words) for term in terms])
         likeness = vectors @ query[0] + 0.02 * (vectors @ query[1])
         best: dict[str, Match] = {}
         for index in np.argsort(-likeness, kind="stable")[:40]:
@@ -114,11 +113,6 @@ class Likeness:
             found = Match(term.key, score, f"means nearly {' '.join(term.words)!r} ({cosine:.2f})", by_meaning=True)
             best.setdefault(term.key, found)
         return list(best.values())
-
-    def _vectors(self, terms: tuple[Term, ...]) -> np.ndarray:
-        if terms not in self._known:
-            self._known[terms] = self._model.embed([" ".join(term.words) for term in terms])
-        return self._known[terms]
 
     @cached_property
     def _model(self) -> Embedder:

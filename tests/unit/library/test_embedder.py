@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from storyblender.library.embedder import EmbedderUnavailable, LexicalEmbedder, MiniLmEmbedder
+from storyblender.library.embedder import EmbedderUnavailable, LexicalEmbedder, MiniLmEmbedder, load_embedder
 
 
 def test_synonyms_are_alike_and_strangers_are_not():
@@ -33,3 +33,15 @@ def test_the_lexical_embedder_knows_spelling_only():
     assert same @ plural > 0.9
     assert same @ other < 0.3
     assert LexicalEmbedder().embed([]).shape == (0, 512)
+
+
+def test_the_same_texts_are_read_once_and_nobody_changes_what_is_remembered():
+    embedder = LexicalEmbedder()
+    first = embedder.embed(["chair", "sofa"])
+    assert embedder.embed(["chair", "sofa"]) is first and embedder.embed(["sofa", "chair"]) is not first
+    with pytest.raises(ValueError, match="read-only"):
+        first[0] = 0
+
+
+def test_there_is_one_sentence_model_for_all_stories():
+    assert load_embedder() is load_embedder()
