@@ -201,7 +201,7 @@ def render(
     with shown(quiet, json_lines) as terminal:
         studio = open_studio(terminal, project=folder, ahead=context.obj, **settings)
         delivery = studio.render(folder, shot or [])
-        terminal.files(delivery.folder, delivery.files)
+        terminal.files(delivery.folder, delivery.files, delivery.followed)
 
 
 cli_edits.add_to(app)

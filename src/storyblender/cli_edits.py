@@ -205,7 +205,7 @@ def instruct(
         applied, delivery = studio.instruct(folder, words, revision, draw=draw)
         terminal.applied(applied)
         if delivery is not None:
-            terminal.files(delivery.folder, delivery.files)
+            terminal.files(delivery.folder, delivery.files, delivery.followed)
 
 
 def lock(folder: Folder, names: Targets, part: Parts = None, quiet: Quiet = False, json_lines: Json = False) -> None:

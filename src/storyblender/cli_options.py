@@ -97,4 +97,4 @@ def edit_and_draw(
     applied, delivery = studio.edit(folder, edits, revision, draw=draw)
     terminal.applied(applied)
     if delivery is not None:
-        terminal.files(delivery.folder, delivery.files)
+        terminal.files(delivery.folder, delivery.files, delivery.followed)

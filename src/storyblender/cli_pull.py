@@ -73,7 +73,7 @@ def pull(
             )
             terminal.pulled(pulled)
             if render and pulled.applied is not None and (delivery := session.draw(pulled.applied)) is not None:
-                terminal.files(delivery.folder, delivery.files)
+                terminal.files(delivery.folder, delivery.files, delivery.followed)
 
 
 def by_hand(

@@ -246,4 +246,4 @@ def _apply(folder: Path, edits: list[dict[str, Any]], draw: bool, quiet: bool, j
         applied, delivery = studio.edit(folder, edits_of(edits), draw=draw)
         terminal.applied(applied)
         if delivery is not None:
-            terminal.files(delivery.folder, delivery.files)
+            terminal.files(delivery.folder, delivery.files, delivery.followed)

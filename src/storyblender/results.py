@@ -24,6 +24,7 @@ class Delivery:
         files: Names in it, in the order people open them.
         graph: The story as it is now.
         reasons: Which rule read what in the script, if that was asked.
+        followed: Shots that nobody edited and that changed in consequence of an edit, each with what changed.
         wrong_cuts: What is wrong with the cuts to and from cameras that the call set.
         reviews: What the Frame Critic finds in the frames that were asked for, by shot name.
     """
@@ -32,5 +33,6 @@ class Delivery:
     files: list[str]
     graph: ContinuityMemoryGraph
     reasons: list[Reason] = field(default_factory=list)
+    followed: tuple[str, ...] = ()
     wrong_cuts: tuple[Flaw, ...] = ()
     reviews: Mapping[str, FrameReview] = field(default_factory=dict)

@@ -186,7 +186,8 @@ class Session(ViewedProject):
             for flaw in wrong:
                 run.tell(Event(kind="warning", role="camera_operator", subject=flaw.shot, message=flaw.message))
             files, reviews = draw_shots(run, [run.graph.shot(shot.scene_id, shot.shot_id) for shot in shots])
-            return Delivery(self.folder, files, run.graph, wrong_cuts=tuple(wrong), reviews=reviews)
+            told = {"followed": tuple(run.followed), "wrong_cuts": tuple(wrong), "reviews": reviews}
+            return Delivery(self.folder, files, run.graph, **told)
 
     def print_board(self, layout: BoardLayout) -> Delivery:
         """Write the board in a layout that the project keeps; shots that look otherwise are drawn first.

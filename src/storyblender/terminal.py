@@ -120,20 +120,24 @@ class Terminal:
             self._note(note)
         elif event.kind in ("propose", "refine"):
             self._note(f"{event.role} {event.subject} {event.kind}s {event.message}")
+        elif event.kind == "follow":
+            self._console.print(f"[yellow]also changed[/] {_plain(f'{event.subject} {event.message}')}", soft_wrap=True)
         elif event.kind in ("handover", "reject", "warning"):
             text = " ".join(filter(None, (event.role, event.subject, event.message)))
             self._console.print(f"[yellow]{event.kind}[/] {_plain(text)}", soft_wrap=True)
 
-    def files(self, folder: Path, names: Sequence[str]) -> None:
+    def files(self, folder: Path, names: Sequence[str], followed: Sequence[str] = ()) -> None:
         """Say where everything is.
 
         Args:
             folder: Where the files are.
             names: Relative to it.
+            followed: Shots that changed in consequence of an edit; a person has heard of them as they did.
         """
         self._progress.stop()
         if self._json:
-            self._write({"folder": str(folder), "files": list(names)})
+            told: dict[str, Any] = {"folder": str(folder), "files": list(names)}
+            self._write(told | ({"followed": list(followed)} if followed else {}))
         self._results.print(f"[bold]{_plain(str(folder))}[/]", soft_wrap=True)
         for name in names:
             self._results.print(f"  {_plain(name)}")

@@ -8,9 +8,11 @@ from typing import Literal
 from storyblender.memory.base import Frozen
 
 EventKind = Literal[
-    "stage", "job", "propose", "score", "refine", "accept", "handover", "commit", "reject", "warning", "cancel",
+    "stage", "job", "propose", "score", "refine", "accept", "handover", "commit", "reject", "warning", "follow",
+    "cancel",
 ]  # fmt: skip
-"""``stage``: a step of a stage is done; ``job``: progress inside a job; ``cancel``: a call was ended."""
+"""``stage``: a step of a stage is done; ``job``: progress inside a job; ``follow``: a shot that nobody edited
+changed in consequence of an edit; ``cancel``: a call was ended."""
 
 
 DecidedBy = Literal["rules", "model"]

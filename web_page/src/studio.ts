@@ -17,6 +17,7 @@ import type { Board, CrewEvent, Edit, News, Places, Pulled, Status } from "./mes
 import { Wire } from "./wire";
 
 const EVENTS_SHOWN = 400;
+const ALSO = "Also changed: ";
 /** The views of a made project, in the order of their buttons. */
 const VIEWS = {
   board: "Board",
@@ -114,6 +115,7 @@ export class Studio extends LitElement {
     if (news.news === "event" && news.event) this.events = [...this.events, news.event].slice(-EVENTS_SHOWN);
     if (news.news === "event" && news.event?.role === "frames" && news.event.kind === "warning")
       this.say(news.event.message ?? "", true);
+    if (news.news === "event" && news.event?.kind === "follow") this.sayFollowed(news.event);
     if (news.news === "board" || news.news === "frames" || (news.event?.role === "frames" && this.status?.busy))
       void this.look();
   }
@@ -142,6 +144,13 @@ export class Studio extends LitElement {
 
   private say(text: string, wrong = false): void {
     this.said = text ? { text, wrong } : null;
+  }
+
+  /** Add to what was said of an edit that a shot which nobody edited changed in consequence. */
+  private sayFollowed(event: CrewEvent): void {
+    const before = this.said && !this.said.wrong ? this.said.text : "";
+    const how = before.includes(ALSO) ? "; " : before ? `. ${ALSO}` : ALSO;
+    this.say(`${before}${how}${event.subject} ${event.message}`);
   }
 
   /** Do something, and show the studio's sentence if it cannot be done. */

@@ -7,10 +7,11 @@ from collections.abc import Collection, Sequence
 from storyblender.edits.effect import Effect, name_of, refuse_far, refuse_locked, shot_names
 from storyblender.edits.targets import person_or_thing, shots_named
 from storyblender.errors import InputError
+from storyblender.geometry.camera_path import retimed
 from storyblender.memory.coverage import filmed, is_beside, room_for
 from storyblender.memory.edits import CameraEdit, DurationEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.shot_context import CameraDecision, CameraInstruction, CameraState, ShotContext
+from storyblender.memory.shot_context import CameraDecision, CameraInstruction, ShotContext
 from storyblender.memory.vocabulary import ShotKind
 
 _PEOPLE_IN = {"two_shot": 2, "group": 3, "single": 1, "reaction": 1, "ots": 1, "insert": 1}
@@ -60,6 +61,7 @@ def with_decided_camera(
         "camera_decision": whole,
         "camera_retake": None,
         "camera": None,
+        "former_camera": None,
         "lights": (),
         "in_frame": (*shot.in_frame, *shown),
     }
@@ -164,19 +166,3 @@ def refuse_fixed_length(graph: ContinuityMemoryGraph, shot: ShotContext) -> None
     if not is_beside(shot) and filmed(graph, shot) is not shot:
         what = f"{name_of(shot)} is split or joined, and as long as what it shows of the staged scene"
         raise InputError(what, mend="split it elsewhere, or join its parts first")
-
-
-def retimed(camera: CameraState, before: int, after: int) -> CameraState:
-    """Return a camera whose move, and whose rack focus, end with a shot of another length.
-
-    Args:
-        camera: As it is.
-        before: Frames of the shot as it was.
-        after: Frames of the shot now.
-    """
-    share = max(after - 1, 1) / max(before - 1, 1)
-    keys = {
-        field: tuple(key.model_copy(update={"frame": round(key.frame * share)}) for key in getattr(camera, field))
-        for field in ("poses", "focus")
-    }
-    return camera.model_copy(update=keys)

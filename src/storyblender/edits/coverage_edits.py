@@ -163,7 +163,7 @@ def join_effects(graph: ContinuityMemoryGraph, edit: JoinEdit) -> list[Effect]:
     if second.covers is not None:
         return [Effect(None, name, "joined", _CUT, (name,)), Effect(second, gone, "joined", _CUT, removed=True)]
     kept = "camera" in first.locked or (first.camera_decision is not None and first.camera_decision.placed is not None)
-    update: dict[str, Any] = {} if kept else {"camera": None, "lights": ()}
+    update: dict[str, Any] = {} if kept else {"camera": None, "former_camera": None, "lights": ()}
     return [
         Effect(first.model_copy(update=update), name, "joined", _CUT, (name,)),
         Effect(second.model_copy(update={"joined": True}), gone, "joined", _CUT),

@@ -37,6 +37,22 @@ def camera_at(state: CameraState, frame: float, film: Film) -> Orbit:
     return orbit_of(state.poses[-1], film)
 
 
+def retimed(camera: CameraState, before: int, after: int) -> CameraState:
+    """Return a camera whose move, and whose rack focus, end with a shot of another length.
+
+    Args:
+        camera: As it is.
+        before: Frames of the shot as it was.
+        after: Frames of the shot now.
+    """
+    share = max(after - 1, 1) / max(before - 1, 1)
+    keys = {
+        field: tuple(key.model_copy(update={"frame": round(key.frame * share)}) for key in getattr(camera, field))
+        for field in ("poses", "focus")
+    }
+    return camera.model_copy(update=keys)
+
+
 def focus_at(state: CameraState, frame: float, film: Film) -> float | None:
     """Return the depth in metres that is sharp at a frame of a shot; None where everything is.
 

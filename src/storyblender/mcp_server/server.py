@@ -292,7 +292,8 @@ def _edited(place: Workplace, applied: Applied, *, draw: bool) -> Edited:
     names = names_of(place.session.graph)
     frames = tuple(verdict_of(review, names) for review in drawn.reviews.values()) if drawn is not None else ()
     told = {"revision": applied.version, "done": applied.words, "redrawn": applied.stale, "warnings": applied.warnings}
-    return Edited(**told, wrong_cuts=cuts, frames=frames)
+    followed = drawn.followed if drawn is not None else ()
+    return Edited(**told, followed=followed, wrong_cuts=cuts, frames=frames)
 
 
 def _stepped(place: Workplace, commits: Sequence[Any]) -> Edited:

@@ -324,6 +324,8 @@ class ShotContext(Frozen):
     cues: tuple[Cue, ...] = ()
     prop_states: tuple[PropState, ...] = ()
     camera: CameraState | None = None
+    former_camera: CameraState | None = Field(default=None, exclude_if=is_none)
+    """Of a shot that was staged again, until its camera is set: the one it had, which stays where it still works."""
     lights: tuple[Light, ...] = ()
     """Key, fill and rim of this shot, solved for its camera."""
     lighting: Lighting | None = None
@@ -372,7 +374,7 @@ class ShotContext(Frozen):
     def showing(self, take: Take) -> ShotContext:
         """Return the shot with the camera of one of its takes; the others stay as they are."""
         update = {field: getattr(take, field) for field in TAKE_FIELDS}
-        return self.model_copy(update={"take": take.number, **update})
+        return self.model_copy(update={"take": take.number, "former_camera": None, **update})
 
     @property
     def takes_to_set_anew(self) -> tuple[Take, ...]:

@@ -6,6 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 from pydantic import TypeAdapter
 
@@ -179,12 +180,20 @@ def _commit_scene(
     for event in events:
         run.tell(event)
     fresh = [
-        run.graph.shot(scene_id, shot.shot_id).model_copy(update={"camera": states[shot.shot_id], "frame": shot.frame})
+        _with_camera(run.graph.shot(scene_id, shot.shot_id), states[shot.shot_id], shot.frame)
         for shot in graph.shots_of(scene_id)
         if shot.camera is None
     ]
     run.commit("camera_operator", f"cameras of scene {scene_id}", *fresh)
     return len(states)
+
+
+def _with_camera(shot: ShotContext, state: CameraState, frame: int | None) -> ShotContext:
+    """Return a shot with its camera; one other than before its scene was staged again has not been taken again yet."""
+    former = shot.former_camera
+    update: dict[str, Any] = {"camera": state, "frame": frame, "former_camera": None}
+    update |= {} if former is None or state.poses == former.poses else {"camera_retake": None}
+    return shot.model_copy(update=update)
 
 
 def film_scene(run: Run, graph: ContinuityMemoryGraph, scene_id: int) -> tuple[dict[int, CameraState], list[Event]]:

@@ -42,6 +42,7 @@ class Run:
 
     Attributes:
         packs: Scene id to the pack in use, as the staging made them.
+        followed: Shots that nobody edited and that changed in consequence of an edit, each with what changed.
     """
 
     def __init__(
@@ -58,6 +59,7 @@ class Run:
         self.project, self.crew, self.settings, self.listener = project, crew, settings, listener
         self._engine, self._cancelled = engine, cancelled or Signal()
         self.packs: dict[int, PackRef] = {}
+        self.followed: list[str] = []
 
     def in_front(self) -> Run:
         """Return a run of the same call whose engine is for what a person waits for."""
@@ -99,6 +101,8 @@ class Run:
     def tell(self, event: Event) -> None:
         """Show an event and keep it in the trace."""
         self.project.record(event)
+        if event.kind == "follow":
+            self.followed.append(f"{event.subject} {event.message}")
         self.listener(event)
 
     @contextmanager

@@ -28,6 +28,7 @@ from storyblender.agents.visual_effects_artist.staging_flaws import staging_flaw
 from storyblender.agents.visual_effects_artist.vehicle_doors import add_open_doors
 from storyblender.catalog.sets import plan_of
 from storyblender.errors import AnswerAwaited
+from storyblender.geometry.camera_path import retimed
 from storyblender.memory.base import Vec2, scene_name, shot_name
 from storyblender.memory.coverage import parts_of
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -39,6 +40,9 @@ from storyblender.pipeline.materializing import materialize
 from storyblender.pipeline.run import Run
 from storyblender.reflection import Outcome
 from storyblender.trace import Event
+
+_LONGER = "what people do in it takes longer"
+"""Why a shot that is staged again has another length: it is never made shorter."""
 
 
 def stage(run: Run) -> None:
@@ -120,13 +124,16 @@ def act_in_layout(run: Run, scene: SceneContext, left_out: Collection[str] | Non
     name, before = scene_name(scene.scene_id), {shot.shot_id: shot for shot in run.graph.shots_of(scene.scene_id)}
     shots = _animate(run, scene.scene_id)
     if scene.lighting is not None:
-        shots = tuple(_with_new_camera(shot) for shot in shots)
-    added = tuple(_with_new_camera(shot) for shot in before.values() if shot.covers is not None)
+        shots = tuple(_with_camera_to_set(shot, before[shot.shot_id], scene) for shot in shots)
+    added = tuple(_with_camera_to_set(shot, shot, scene) for shot in before.values() if shot.covers is not None)
     if "light" not in scene.locked:
         scene, shots = light_scene(run, scene, shots)
     scene = scene.model_copy(update={"stale": ()})
     shots = tuple(_with_flaws(run.graph, scene, shot, before[shot.shot_id], left_out) for shot in shots)
+    anew = run.graph.scene(scene.scene_id).lighting is not None
     run.commit("animator", f"motion and light of {name}", scene, *shots, *added)
+    if anew:
+        _tell_lengths(run, before, shots)
 
 
 def _with_flaws(
@@ -153,19 +160,34 @@ def _with_flaws(
     return shot.model_copy(update={"flaws": flaws, "stale": ()})
 
 
-def _with_new_camera(shot: ShotContext) -> ShotContext:
-    """Return a shot of a scene that is staged again; a camera that a person locked or placed stays."""
+def _with_camera_to_set(shot: ShotContext, before: ShotContext, scene: SceneContext | None = None) -> ShotContext:
+    """Return a shot that is staged again, without its camera; one that a person locked or placed stays.
+
+    The Camera Operator gives a shot that nobody edited its camera again where that still works.
+
+    Args:
+        shot: As it is staged now.
+        before: As it was.
+        scene: Its scene, where all of it is staged again; in a new set every camera is a new one.
+    """
     update: dict[str, object] = {"takes": shot.takes_to_set_anew}
     placed = shot.camera_decision is not None and shot.camera_decision.placed is not None
-    if "camera" not in shot.locked and not placed:
-        update |= {"camera": None, "lights": (), "camera_retake": None}
-    return shot.model_copy(update=update)
+    if "camera" in shot.locked or placed:
+        return shot.model_copy(update=update)
+    former = before.camera or before.former_camera
+    if former is None or before.stale or (scene is not None and "set" in scene.stale):
+        return shot.model_copy(
+            update=update | {"camera": None, "former_camera": None, "lights": (), "camera_retake": None}
+        )
+    former = retimed(former, before.duration, shot.duration)
+    return shot.model_copy(update=update | {"camera": None, "former_camera": former, "lights": ()})
 
 
 def animate_again(run: Run, scenes: Collection[int]) -> None:
     """Animate the scenes of shots whose motion an edit made stale; shots that come out as they were stay untouched.
 
-    A shot whose people stand or go elsewhere now gets a new camera, unless a person locked or placed it.
+    A shot whose people stand or go elsewhere now gets a new camera, unless a person locked or placed it, or nobody
+    edited that shot and its camera still works.
 
     Args:
         run: With the scenes staged.
@@ -178,11 +200,23 @@ def animate_again(run: Run, scenes: Collection[int]) -> None:
         shots = _with_cameras_after(before, shots)
         names = ", ".join(shot_name(scene_id, shot_id) for shot_id, shot in before.items() if shot.stale)
         run.commit("animator", f"motion of {names}", *shots)
+        _tell_lengths(run, before, shots)
         for shot in shots:
             for flaw in shot.flaws:
                 if flaw not in before[shot.shot_id].flaws:
                     subject = shot_name(scene_id, shot.shot_id)
                     run.tell(Event(kind="warning", role="animator", subject=subject, message=flaw.message))
+
+
+def _tell_lengths(run: Run, before: Mapping[int, ShotContext], shots: Sequence[ShotContext]) -> None:
+    """Tell which shots that nobody edited have another length, because of what is done in them now."""
+    fps = run.graph.format.fps
+    for shot in shots:
+        past = before[shot.shot_id]
+        if shot.duration != past.duration and not past.stale:
+            message = f"lasts {shot.duration / fps:.3g} s instead of {past.duration / fps:.3g} s: {_LONGER}"
+            subject = shot_name(shot.scene_id, shot.shot_id)
+            run.tell(Event(kind="follow", role="animator", subject=subject, message=message))
 
 
 def _with_cameras_after(before: Mapping[int, ShotContext], shots: Sequence[ShotContext]) -> list[ShotContext]:
@@ -197,12 +231,8 @@ def _with_cameras_after(before: Mapping[int, ShotContext], shots: Sequence[ShotC
     result: list[ShotContext] = []
     for shot in (*shots, *(each for each in every if each.covers is not None)):
         parts = (shot,) if shot.joined else parts_of(every, before[shot.shot_id])
-        update: dict[str, object] = {}
-        if moved & {part.shot_id for part in parts}:
-            update["takes"] = shot.takes_to_set_anew
-            placed = shot.camera_decision is not None and shot.camera_decision.placed is not None
-            update |= {} if "camera" in shot.locked or placed else {"camera": None, "lights": ()}
-        result.append(shot.model_copy(update=update))
+        follows = moved & {part.shot_id for part in parts}
+        result.append(_with_camera_to_set(shot, before[shot.shot_id]) if follows else shot)
     return result
 
 

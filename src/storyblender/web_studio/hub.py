@@ -25,7 +25,7 @@ from storyblender.web_studio.messages import (
 from storyblender.workplace.workplace import Workplace
 
 _LOG = logging.getLogger(__name__)
-_TOLD = ("stage", "propose", "score", "refine", "accept", "handover", "warning")
+_TOLD = ("stage", "propose", "score", "refine", "accept", "handover", "warning", "follow")
 """Kinds of events that the page shows as the crew at work."""
 
 

@@ -216,6 +216,8 @@ class Edited(Described):
     """Shots whose frames show something else now."""
     warnings: tuple[str, ...] = ()
     """What you should know of it, such as what a thing that you placed stands in."""
+    followed: tuple[str, ...] = ()
+    """Other shots that changed in consequence, such as a camera that no longer saw its subject, once it is drawn."""
     wrong_cuts: tuple[str, ...] = ()
     """What is wrong now with cuts to and from the cameras that were changed."""
     frames: tuple[FrameVerdict, ...] = ()

@@ -12,6 +12,7 @@ from tests.every import every
 from tests.home import SCRIPT, SETTINGS
 
 from storyblender.deliver.panel import panels
+from storyblender.edits.effect import name_of
 from storyblender.edits.words import edits_of, place_edit
 from storyblender.errors import InputError, Rejected, StaleEdit
 from storyblender.geometry.orbit import Orbit, camera_around
@@ -194,6 +195,26 @@ def test_cameras_follow_but_for_the_one_that_a_person_placed(session: Session) -
     apply(session, move("sofa", [0.9, 1.2], 40.0))
     after = [shot.camera for shot in session.graph.shots_of(1)]
     assert after[0] == before[0] and after[1:] != before[1:] and None not in after
+
+
+def test_cameras_stay_where_they_still_work_and_what_changed_is_told(session: Session) -> None:
+    before = session.graph
+    applied = session.apply(edits_of([move("sofa", [2.4, -1.6], 200.0)]))
+    delivery = session.draw(applied)
+    assert delivery is not None
+    changed = {
+        name_of(new)
+        for old, new in zip(before.shots, session.graph.shots, strict=True)
+        if old.camera is not None and new.camera is not None and old.camera.poses != new.camera.poses
+    }
+    told = [each for each in delivery.followed if "has another camera" in each]
+    assert changed and {each.split()[0] for each in told} == changed
+    assert not any(shot.former_camera for shot in session.graph.shots)
+    kept = session.graph
+    session.draw(session.apply(edits_of([move("sofa", [2.41, -1.6], 200.0)])))
+    assert [shot.camera and shot.camera.poses for shot in session.graph.shots] == [
+        shot.camera and shot.camera.poses for shot in kept.shots
+    ], "a centimetre moves no camera"
 
 
 def test_people_go_on_from_where_a_mark_was_set(session: Session) -> None:

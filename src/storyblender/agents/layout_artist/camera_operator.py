@@ -230,12 +230,23 @@ def operate(
     else:
         outcome = reflect(role, shot_name(view.scene_id, view.shot_id), view, listener)
         chosen, critique = outcome.draft, outcome.critique
+    return state_of(view, chosen, critique)
+
+
+def state_of(view: CameraOperatorView, take: CameraOperatorDraft, critique: Critique) -> CameraState:
+    """Return a take as the camera of its shot, focused, with its score and remaining flaws.
+
+    Args:
+        view: The shot.
+        take: The take.
+        critique: Of the take.
+    """
     residual = tuple(
         Flaw(kind=fault.kind, subject=fault.subject, weight=fault.severity, message=fault.message)
         for fault in critique.faults
     )
     f_number = SIZES[view.instruction.size].f_number
-    return with_focus(view, chosen.state(view.duration, f_number, critique.score, residual))
+    return with_focus(view, take.state(view.duration, f_number, critique.score, residual))
 
 
 def camera_side(view: CameraOperatorView, state: CameraState) -> int:

@@ -10,6 +10,7 @@ from storyblender.agents.layout_artist.camera_continuity import SceneCuts
 from storyblender.agents.layout_artist.camera_details import detail_box, held_box, story_moment_of
 from storyblender.agents.layout_artist.camera_operator import Operator, operate, rules_operator
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment, too_far_to_frame
+from storyblender.agents.layout_artist.kept_camera import keep_camera
 from storyblender.agents.layout_artist.layout_things import size_of
 from storyblender.agents.layout_artist.story_moment import AT_REST, board_frame
 from storyblender.agents.layout_artist.vehicle_panels import open_doors, panel_boxes
@@ -18,12 +19,13 @@ from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.framing import Film
+from storyblender.memory.base import shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import PlayedCue
 from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.shot_context import CameraDecision, CameraInstruction, CameraState, Cue, ShotContext
 from storyblender.ports import Viewfinder
-from storyblender.trace import Listener, silent
+from storyblender.trace import Event, Listener, silent
 
 _RELEASING_CLIPS = ("put_down", "drop", "throw")
 """Clips after which a thing is in nobody's hands."""
@@ -96,11 +98,34 @@ def shoot_scene(
     cuts = SceneCuts()
     for shot in graph.shots_in_order(scene_id):
         view = cuts.match(shot, replace(camera_operator_view(graph, shot, plan, measures, moments(shot)), kit=kit))
-        state = shot.camera or _with_people_left_out(operate(view, viewfinder, operator, listener), shot, view)
+        state = shot.camera
+        if state is None:
+            state = _set_camera(view, shot.former_camera, viewfinder, operator, listener)
+            state = _with_people_left_out(state, shot, view)
         cameras[shot.shot_id] = state
         if not shot.omitted:
             cuts.remember(shot, view, state)
     return cameras
+
+
+def _set_camera(
+    view: CameraOperatorView,
+    former: CameraState | None,
+    viewfinder: Viewfinder,
+    operator: Operator,
+    listener: Listener,
+) -> CameraState:
+    """Return the camera of a shot: the one it had before it was staged again, if that still works, or a new one."""
+    if former is None:
+        return operate(view, viewfinder, operator, listener)
+    kept, why = keep_camera(view, former, operator(viewfinder).critic)
+    if kept is not None:
+        return kept
+    state = operate(view, viewfinder, operator, listener)
+    if state.poses != former.poses:
+        name = shot_name(view.scene_id, view.shot_id)
+        listener(Event(kind="follow", role="camera_operator", subject=name, message=f"has another camera: {why}"))
+    return state
 
 
 def _with_people_left_out(state: CameraState, shot: ShotContext, view: CameraOperatorView) -> CameraState:

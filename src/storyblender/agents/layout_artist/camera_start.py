@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -116,12 +117,7 @@ def take_with_camera(view: CameraOperatorView, camera: Orbit) -> CameraOperatorD
     elif not still and instruction.movement != "static":
         direction = instruction.direction
         first, last = (move_camera(camera, instruction.movement, direction, share) for share in (-0.5, 0.5))
-    hidden: list[str] = []
-    if view.plan is not None:
-        hidden = find_hidden_nodes(
-            view.plan, view.removable_props, dict.fromkeys((first, camera, last)), _sight_targets(view)
-        )
-    hidden += hidden_panels(view, (first, camera, last), _sight_targets(view))
+    hidden = nodes_in_the_way(view, (first, camera, last))
     if instruction.kind == "pov" and instruction.pov_id is not None:
         hidden.append(view.node(instruction.pov_id))
     return CameraOperatorDraft(camera, first, last, tuple(hidden), span)
@@ -137,12 +133,20 @@ def placed_take(view: CameraOperatorView, placed: FreeCamera) -> CameraOperatorD
     lens = view.instruction.lens or SIZES[view.instruction.size].lens
     first, last = (_placed_camera(end, lens, view.film) for end in (placed.start, placed.end or placed.start))
     middle = interpolate_cameras(first, last, 0.5)
-    hidden: list[str] = []
+    return CameraOperatorDraft(middle, first, last, tuple(nodes_in_the_way(view, (first, middle, last))))
+
+
+def nodes_in_the_way(view: CameraOperatorView, cameras: Sequence[Orbit]) -> list[str]:
+    """Return the node_ids of walls, things and panels of vehicles between cameras and what has to be visible.
+
+    Args:
+        view: The shot.
+        cameras: From the start to the end of its move.
+    """
+    targets, hidden = _sight_targets(view), list[str]()
     if view.plan is not None:
-        cameras = dict.fromkeys((first, middle, last))
-        hidden = find_hidden_nodes(view.plan, view.removable_props, cameras, _sight_targets(view))
-    hidden += hidden_panels(view, (first, middle, last), _sight_targets(view))
-    return CameraOperatorDraft(middle, first, last, tuple(hidden))
+        hidden = find_hidden_nodes(view.plan, view.removable_props, dict.fromkeys(cameras), targets)
+    return [*hidden, *hidden_panels(view, cameras, targets)]
 
 
 def _placed_camera(place: CameraPosition, lens: float, film: Film) -> Orbit:

@@ -24,6 +24,7 @@ from storyblender.memory.shot_context import (
     PropState,
     ShotContext,
 )
+from storyblender.trace import Event
 
 PLAN = plan_of(Environment(kit="street"))
 AXIS = ("anna", "tom")
@@ -382,3 +383,34 @@ def test_a_camera_set_as_the_one_before_is_a_jump_cut_and_other_faults_stay() ->
     jumped = filmed(graph(*singles), shot_2=same)
     assert wrong_cuts(jumped) == {2: {"jump"}}
     assert headroom in as_judged(jumped).shots[1].camera.residual
+
+
+def staged_again(story: ContinuityMemoryGraph, *formers: CameraState) -> ContinuityMemoryGraph:
+    """Return a story whose shots had these cameras before it was staged again."""
+    shots = (shot.model_copy(update={"former_camera": each}) for shot, each in zip(story.shots, formers, strict=True))
+    return story.model_copy(update={"shots": tuple(shots)})
+
+
+def shoot_and_hear(story: ContinuityMemoryGraph) -> tuple[dict[int, CameraState], list[Event]]:
+    heard: list[Event] = []
+    finder = NumberFinder(moments(story.shots[0]), {})
+    cameras = shoot_scene(story, 1, PLAN, {"cup": CUP}, moments, finder, listener=heard.append)
+    return cameras, heard
+
+
+def test_cameras_that_still_work_are_kept_and_nobody_plans_them() -> None:
+    story = graph(*DIALOGUE)
+    cameras = shoot(story)
+    kept, heard = shoot_and_hear(staged_again(story, *cameras.values()))
+    assert kept == cameras and heard == []
+
+
+def test_a_camera_that_no_longer_sees_its_subject_is_another_and_says_why() -> None:
+    story = graph(*DIALOGUE)
+    cameras = shoot(story)
+    away = cameras[4].model_copy(update={"poses": (cameras[4].poses[0].model_copy(update={"pivot": (40, 40, 1)}),)})
+    after, heard = shoot_and_hear(staged_again(story, *({**cameras, 4: away}).values()))
+    assert after == cameras
+    [told] = [event for event in heard if event.kind == "follow"]
+    assert told.subject == "SC010_SH040"
+    assert told.message == "has another camera: in the picture of the one before, anna is not in the picture"
