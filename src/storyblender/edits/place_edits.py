@@ -16,9 +16,9 @@ from storyblender.edits.effect import (
     Effect,
     name_of,
     refuse_far,
-    refuse_locked_staging,
     scene_effect,
 )
+from storyblender.edits.locked_shots import refuse_shown_in_locked
 from storyblender.edits.scale_edits import scale_effects
 from storyblender.edits.targets import as_id, scene_named
 from storyblender.errors import InputError
@@ -43,7 +43,6 @@ def place_effects(graph: ContinuityMemoryGraph, edit: PlaceEdit) -> list[Effect]
     layout, environment = scene.layout, scene.environment
     if layout is None or environment is None:
         raise InputError(f"{name_of(scene)} is not staged yet", mend="run `storyblender render` first")
-    refuse_locked_staging(graph, scene)
     item = _item_named(graph, scene, layout, edit.thing)
     scaled = scale_effects(graph, scene, item, edit.scale) if edit.scale is not None else []
     if edit.place == ThingPlace():
@@ -57,7 +56,9 @@ def place_effects(graph: ContinuityMemoryGraph, edit: PlaceEdit) -> list[Effect]
     decision = scene.layout_decision or LayoutDecision()
     place = _whole(item, edit.place, decision.things.get(item.node_id), stand)
     moved = place_by_hand(layout, {item.node_id: place}, stand)
-    taken = carried(decision.things, riders_of(layout, item.node_id, stand), moved)
+    riders = riders_of(layout, item.node_id, stand)
+    refuse_shown_in_locked(graph, scene, stand, (item.node_id, *riders), layout, moved)
+    taken = carried(decision.things, riders, moved)
     decided = decision.then(LayoutDecision(things={**taken, item.node_id: place}))
     flaws = tuple(flaw.message for flaw in obstructions(moved, [item.node_id], stand))
     words = f"{item.node_id} placed {place.words}"

@@ -12,10 +12,10 @@ from storyblender.catalog.sets import SETS, plan_of
 from storyblender.edits.effect import (
     Effect,
     refuse_locked,
-    refuse_locked_staging,
     scene_effect,
     scenes_of_place,
 )
+from storyblender.edits.locked_shots import refuse_shown_in_locked
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import PLAUSIBLE, Asset, AssetDecision, AssetDimension, CanonicalAsset, ModelPose
 from storyblender.memory.base import Vec3
@@ -189,8 +189,9 @@ def _scaled_layout(
     shown = [node_id for node_id in node_ids if node_id in there]
     if scene.layout is None or scene.environment is None or not shown:
         return {}
-    refuse_locked_staging(graph, scene)
     layout, stand = scene.layout, stand_of(graph.assets, scene.environment)
+    riders = [rider for node_id in shown for rider in riders_of(layout, node_id, stand)]
+    refuse_shown_in_locked(graph, scene, stand, (*shown, *riders), layout)
     decision = scene.layout_decision
     for node_id in shown:
         layout = scale_on_it(layout, node_id, factor, stand)

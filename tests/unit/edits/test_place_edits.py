@@ -15,6 +15,8 @@ from storyblender.deliver.panel import panels
 from storyblender.edits.effect import name_of
 from storyblender.edits.words import edits_of, place_edit
 from storyblender.errors import InputError, Rejected, StaleEdit
+from storyblender.geometry.camera_path import orbit_of
+from storyblender.geometry.framing import Film
 from storyblender.geometry.orbit import Orbit, camera_around
 from storyblender.memory.edits import EDITS
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -297,6 +299,36 @@ def test_what_is_locked_is_refused_and_what_changed_meanwhile(session: Session) 
         with pytest.raises(InputError, match="locked"):
             apply(session, edit)
         apply(session, {"kind": "unlock", "target": lock[0], "parts": [lock[1]]})
+
+
+def test_a_locked_shot_refuses_only_what_it_shows_or_uses(session: Session) -> None:
+    apply(session, {"kind": "lock", "target": "SC010_SH010", "parts": ["blocking", "camera"]})
+    before = session.graph.shot(1, 1)
+    with pytest.raises(InputError, match=r"sofa is used in SC010_SH010.*unlock SC010_SH010 first"):
+        apply(session, move("sofa", [0.0, 1.0]))
+    state = before.camera
+    assert state is not None
+    eye, pivot = orbit_of(state.poses[0], Film(36.0, 16 / 9)).position, state.poses[0].pivot
+    behind, ahead = ([float(eye[i] + way * (pivot[i] - eye[i])) for i in (0, 1)] for way in (-0.5, 0.8))
+    with pytest.raises(InputError, match="table is seen in SC010_SH010, or would be there"):
+        apply(session, move("table", ahead))
+    things = [each.node_id for each in layout(session.graph).objects]
+    free = next(name for name in things if _moves(session, name, behind))
+    assert free and session.graph.shot(1, 1).camera == state
+    apply(session, {"kind": "approve", "shot": "SC010_SH010"})
+    with pytest.raises(InputError, match="withdraw the approval of SC010_SH010 first"):
+        apply(session, move("sofa", [0.0, 1.0]))
+
+
+def _moves(session: Session, thing: str, at: list[float]) -> bool:
+    """Return whether a thing can be moved there; the locked shot is acted as before then."""
+    before = session.graph.shot(1, 1)
+    try:
+        apply(session, move(thing, at))
+    except InputError:
+        return False
+    after = session.graph.shot(1, 1)
+    return (after.blocking, after.cues, after.duration) == (before.blocking, before.cues, before.duration)
 
 
 def test_a_scaled_thing_keeps_what_is_on_it_and_its_size_in_every_scene_and_staging(session: Session) -> None:
