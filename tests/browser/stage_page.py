@@ -60,7 +60,7 @@ def undo(page: Page) -> None:
 
 
 def said(page: Page) -> Locator:
-    return page.locator("header ~ .bar")
+    return page.locator(".messages .bar")
 
 
 def point_on(page: Page, node: str) -> tuple[float, float]:

@@ -31,7 +31,13 @@ def undone(page: Page, count: int) -> None:
 
 def test_a_shot_is_split_at_a_time(opened: Page) -> None:
     before = shots(opened)
-    opened.locator("sb-parts").get_by_role("button", name="Split").click()
+    second = opened.locator("sb-parts input[name=seconds]").first
+    split = opened.locator("sb-parts").get_by_role("button", name="Split")
+    second.fill("0.3")
+    split.click()
+    assert not second.evaluate("field => field.checkValidity()"), "no shot of a third of a second is made by mistake"
+    second.fill(str(second.get_attribute("min")))
+    split.click()
     expect(opened.locator(".card")).to_have_count(len(before) + 1)
     assert shots(opened)[1] == "SC010_SH015"
     undone(opened, len(before))

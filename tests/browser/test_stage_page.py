@@ -31,6 +31,40 @@ def test_every_view_shows_a_picture_of_its_own(stage: Page) -> None:
     assert np.abs(views[0][:300, :600] - views[2][:300, :600]).mean() > 10
 
 
+def test_walls_before_the_free_camera_are_cut_away_and_come_back(stage: Page) -> None:
+    look(stage, "Free")
+    go = "view.scene.freeCamera.position.set(...values); view.scene.free.target.set(0, 0, 1); view.scene.free.update();"
+    hidden = """const model = view.scene.model;
+        return model.setPieces.filter((piece) => !model.nodes.get(piece)[0].visible);"""
+    begins = in_page(stage, "return view.scene.freeCamera.position.toArray();")
+    for eye in ([0, -14, 7], [13, 2, 8], [-9, 12, 4], [1, 1, 15]):
+        in_page(stage, go, *eye)
+        stage.wait_for_timeout(600)
+        gone = in_page(stage, hidden)
+        assert gone and not any(piece.startswith("floor") for piece in gone), eye
+        for person in ("ada", "tom"):
+            x, y = point_on(stage, person)
+            ray = "view.scene.ray({clientX: values[0], clientY: values[1]})"
+            assert in_page(stage, f"return view.scene.model.under({ray}, false)?.node ?? null;", x, y), (eye, person)
+        assert look(stage, "Free").std() > 12
+    in_page(stage, go, 0.5, -0.5, 1.6)
+    stage.wait_for_timeout(600)
+    assert not in_page(stage, hidden), "among the people every wall stands"
+    in_page(stage, go, *begins)
+
+
+def test_a_message_lies_over_the_page_and_nothing_shifts(stage: Page) -> None:
+    look(stage, "From above")
+    room, tom = stage.locator(".room").bounding_box(), point_on(stage, "tom")
+    expect(said(stage)).to_have_count(0)
+    stage.get_by_role("button", name="Warmer").click()
+    expect(said(stage)).to_contain_text("warmth")
+    assert stage.locator(".room").bounding_box() == room and point_on(stage, "tom") == pytest.approx(tom, abs=1)
+    undo(stage)
+    said(stage).get_by_role("button", name="Dismiss").click()
+    expect(said(stage)).to_have_count(0)
+
+
 def test_what_the_camera_shows_is_what_blender_draws(stage: Page, studio: RunningStudio) -> None:
     look(stage, "Through the camera")
     graph = graph_of(studio)
@@ -134,6 +168,10 @@ def test_a_camera_is_taken_by_hand(stage: Page, studio: RunningStudio) -> None:
     with shown_anew(stage):
         stage.get_by_role("button", name="Shoot from here").click()
         expect(said(stage)).to_contain_text("by hand")
+    for _ in range(LOADED // 500):
+        if graph_of(studio).shot(1, 1).camera is not None:  # the crew sets it as the frame is drawn
+            break
+        stage.wait_for_timeout(500)
     camera = graph_of(studio).shot(1, 1).camera
     assert camera is not None
     orbit = camera_at(camera, 0, Film(camera.sensor_width))

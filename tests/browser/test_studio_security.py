@@ -7,6 +7,8 @@ import http.client
 import json
 import os
 import socket
+import subprocess
+import sys
 from collections.abc import Iterator
 from urllib.parse import urlsplit
 
@@ -61,6 +63,17 @@ def test_without_the_key_there_is_nothing(visitor: Visitor, path: str) -> None:
 
 def test_the_key_works_once(visitor: Visitor, studio: RunningStudio) -> None:
     assert visitor.get(f"/?{urlsplit(studio.address).query}")[0] == 403
+
+
+def test_one_more_browser_is_let_in_by_a_fresh_key_once(visitor: Visitor, studio: RunningStudio) -> None:
+    command = [sys.executable, "-m", "storyblender", "studio", str(studio.folder / "two_cups.storyboard"), "--link"]
+    address = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60).stdout.strip()
+    assert urlsplit(address).netloc == visitor.host and address != studio.address
+    second = Visitor(address)
+    assert second.cookie != visitor.cookie
+    for known in (visitor, second):
+        assert known.get("/", Cookie=known.cookie)[0] == 200
+    assert visitor.get(f"/?{urlsplit(address).query}")[0] == 403
 
 
 @pytest.mark.parametrize("path", ["/", "/files/board.pdf"])

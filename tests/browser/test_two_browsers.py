@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Browser, Page, expect
 
 SHOT = '[data-shot="SC010_SH010"]'
 OTHER = '[data-shot="SC010_SH020"]'
@@ -46,6 +47,26 @@ def test_edits_of_different_shots_from_both_pages_are_kept(page: Page, second: P
         page.get_by_role("button", name="Undo").click()
         expect(page.locator(".bar").first).to_contain_text("Undone")
     expect(page.locator(".approved")).to_have_count(0)
+
+
+def test_the_page_gives_an_address_for_another_browser(page: Page, chromium: Browser) -> None:
+    page.get_by_role("button", name="Another browser").click()
+    dialog = page.get_by_role("dialog", name="Another browser")
+    expect(dialog.get_by_label("Address")).to_have_value(re.compile(r"^http://127\.0\.0\.1:\d+/\?token=.{20,}"))
+    address = dialog.get_by_label("Address").input_value()
+    from axe_playwright_python.sync_playwright import Axe
+
+    faults = Axe().run(page)
+    assert not faults.violations_count, faults.generate_report()
+    dialog.get_by_role("button", name="Close").click()
+    other = chromium.new_context().new_page()
+    other.goto(address)
+    other.wait_for_selector(".card img")
+    third = chromium.new_context().new_page()
+    answer = third.goto(address)
+    assert answer is not None and answer.status == 403 and "--link" in third.inner_text("body")
+    other.context.close()
+    third.context.close()
 
 
 def test_a_page_that_is_behind_is_told_what_has_changed(page: Page, second: Page) -> None:

@@ -115,6 +115,7 @@ export interface ShotDetails {
   speech: LineTime[];
   focus: string[];
   names: Record<string, string>;
+  split: { shortest: number; first: number; last: number; lines: number[] };
 }
 
 export interface RoleReason {

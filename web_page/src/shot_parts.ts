@@ -38,16 +38,23 @@ export class ShotParts extends LitElement {
 
   private split() {
     const { shot, lines, seconds } = this.details;
-    const half = Math.round(seconds * 5) / 10;
+    const { shortest, first, last, lines: places } = this.details.split;
+    const timed = first <= last;
+    if (!timed && !places.length)
+      return html`<p class="soft">Too short to split: neither part is to be shorter than ${shortest} s, as the crew plans shots.</p>`;
+    const half = Math.min(Math.max(Math.round(seconds * 5) / 10, first), last);
     return html`<form @submit=${(event: SubmitEvent) => this.send(event, (at) => {
         const place = String(at.get("line")) ? { line: Number(at.get("line")) } : { seconds: Number(at.get("seconds")) };
         return { kind: "split", shot, ...place };
       })}>
-      ${lines.length > 1
-        ? html`<label>Split at <select name="line"><option value="">a time</option>
-            ${lines.slice(1).map((line, index) => html`<option value=${index + 2}>${line.text.slice(0, 40)}</option>`)}</select></label>`
+      ${places.length
+        ? html`<label>Split at <select name="line">${timed ? html`<option value="">a time</option>` : nothing}
+            ${places.map((number) => html`<option value=${number}>${lines[number - 1].text.slice(0, 40)}</option>`)}</select></label>`
         : html`<input type="hidden" name="line" value="" />`}
-      <label>Second <input type="number" name="seconds" min="0.1" max=${seconds} step="0.1" .value=${String(half)} /></label>
+      ${timed
+        ? html`<label>Second <input type="number" name="seconds" min=${first} max=${last} step="0.1" .value=${String(half)} /></label>
+            <span class="soft">${first} to ${last}</span>`
+        : nothing}
       <button>Split</button></form>`;
   }
 

@@ -43,6 +43,11 @@ export class StageModel {
     });
   }
 
+  /** Pieces of the set, such as walls, by node id. */
+  get setPieces(): string[] {
+    return [...this.nodes.keys()].filter((node) => this.nodes.get(node)![0].userData.kind === "set");
+  }
+
   /** Hide set pieces that are taken away for a shot. */
   hide(hidden: Set<string>): void {
     for (const [id, parts] of this.nodes) for (const part of parts) part.visible = !hidden.has(id);

@@ -5,6 +5,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { type CameraPose, keyAt, look, poseOf, worldOf } from "./stage_cameras";
+import { inTheWay } from "./stage_cutaway";
 import { type Done, StageHands, type Tool, turn } from "./stage_hands";
 import { cameraOf, nameOf, noteWhere, partsOf, spotOf, turnOf } from "./stage_items";
 import { StageModel } from "./stage_model";
@@ -31,6 +32,8 @@ export class StageScene {
   private free: OrbitControls;
   private plan: OrbitControls;
   private over = new Group();
+  /** Metres that a pixel of the plan is wide before it is zoomed; 0 until it is drawn, then the same whatever its size. */
+  private planScale = 0;
   private asked = 0;
   private drawing = 0;
   /** The stage with all that was moved by hand since the studio told it. */
@@ -214,7 +217,7 @@ export class StageScene {
     const [middle, size] = [all.getCenter(new Vector3()), all.getSize(new Vector3())];
     this.planCamera.position.set(middle.x, middle.y, PLAN_HEIGHT);
     this.plan.target.set(middle.x, middle.y, 0);
-    this.planCamera.zoom = 1;
+    [this.planCamera.zoom, this.planScale] = [1, 0];
     this.planCamera.userData.span = [size.x + 2, size.y + 2];
     this.plan.update();
   }
@@ -231,7 +234,7 @@ export class StageScene {
     const { width, height } = this.canvas;
     if (!width || !height) return; // the page is not laid out yet
     const shape = width / height;
-    this.model.hide(new Set(this.view === "shot" ? this.camera?.hidden : []));
+    this.model.hide(this.hidden(stage));
     if (this.view === "shot" && this.camera) {
       look(this.shotCamera, this.camera, this.frame, stage.aspect);
     } else if (this.view === "free") {
@@ -239,13 +242,21 @@ export class StageScene {
       this.freeCamera.updateProjectionMatrix();
     } else {
       const [across, along] = this.span;
-      const half = Math.max(along, across / shape) / 2;
+      this.planScale ||= Math.max(along / this.canvas.clientHeight, across / this.canvas.clientWidth);
+      const half = (this.planScale * this.canvas.clientHeight) / 2;
       Object.assign(this.planCamera, { left: -half * shape, right: half * shape, top: half, bottom: -half });
       this.planCamera.updateProjectionMatrix();
     }
     this.active.updateMatrixWorld(true);
     this.mark(stage);
     this.renderer.render(this.scene, this.active);
+  }
+
+  /** Set pieces that are not shown: those that the shot takes away, or that stand before the free camera. */
+  private hidden(stage: Stage): Set<string> {
+    if (this.view === "shot") return new Set(this.camera?.hidden);
+    if (this.view === "plan") return new Set();
+    return inTheWay(this.model, [...Object.keys(stage.placed), ...Object.keys(stage.people)], this.freeCamera.position);
   }
 
   /** Metres that a pixel of the page is wide at a point. */

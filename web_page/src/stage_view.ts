@@ -206,8 +206,8 @@ export class StageView extends LitElement {
             @click=${() => this.take(tool)}>${label}</button>`)}
         </div>
         ${this.stage ? this.rows(this.stage) : nothing}
-        ${this.why && this.stage ? html`<p class="bar wrong" role="alert">${this.why} <button @click=${() => this.ask(this.frame)}>Try again</button></p>` : nothing}
         <div class="room">
+          ${this.why && this.stage ? html`<p class="bar wrong" role="alert">${this.why} <button @click=${() => this.ask(this.frame)}>Try again</button></p>` : nothing}
           <div class="frame">
             <canvas tabindex="0" role="img" aria-label="The scene in 3D${this.chosen && this.stage ? `, ${nameOf(this.stage, this.chosen)} chosen` : ""}"></canvas>
             ${this.guides && this.view === "shot" && this.stage ? html`<div class="thirds" aria-hidden="true"></div>` : nothing}

@@ -7,6 +7,7 @@ import "./board_view";
 import "./crew_view";
 import "./cut_view";
 import "./deliver_view";
+import "./link_dialog";
 import "./pull_view";
 import "./revise_view";
 import "./set_view";
@@ -66,12 +67,18 @@ export class Studio extends LitElement {
   connectedCallback(): void {
     super.connectedCallback();
     document.addEventListener("keydown", this.keys);
+    document.addEventListener("pointerdown", this.read, { capture: true });
     window.addEventListener("focus", () => void this.lookAtBlender());
   }
 
   protected firstUpdated(): void {
     this.high.observe(this.querySelector("header")!);
   }
+
+  /** What was done is read once the next thing is begun; what could not be done stays until it is dismissed. */
+  private read = (event: Event): void => {
+    if (this.said && !this.said.wrong && !(event.target as HTMLElement).closest(".messages")) this.said = null;
+  };
 
   private keys = (event: KeyboardEvent): void => {
     const typing = (event.target as HTMLElement).closest("input, textarea, select");
@@ -218,14 +225,20 @@ export class Studio extends LitElement {
         <h1>${this.board?.title || "Storyboards"}</h1>${this.board ? html`<span class="summary">${this.board.summary}</span>` : nothing}
         <span class="space"></span>
         ${this.board?.made && !this.making ? this.tools(this.board) : nothing}
+        <sb-link .wire=${this.wire}></sb-link>
       </header>
-      ${this.connected ? nothing : html`<p class="bar wrong" role="alert">The studio does not answer. Start it again; nothing is lost.</p>`}
-      ${this.said ? html`<p class="bar ${this.said.wrong ? "wrong" : ""}" role="status">${this.said.text}</p>` : nothing}
-      ${this.board ? this.unfinished(this.board) : nothing}
-      ${this.blender && this.view !== "pull" && this.board?.made && !this.making
-        ? html`<p class="bar" role="status">${this.blender} <button @click=${() => (this.view = "pull")}>Look at it</button>
-            <button @click=${() => this.takeOver({})}>Take over</button></p>`
-        : nothing}
+      <div class="messages">
+        ${this.connected ? nothing : html`<p class="bar wrong" role="alert">The studio does not answer. Start it again; nothing is lost.</p>`}
+        ${this.said
+          ? html`<p class="bar ${this.said.wrong ? "wrong" : ""}" role="status">${this.said.text}
+              <button class="quiet" aria-label="Dismiss" @click=${() => this.say("")}>×</button></p>`
+          : nothing}
+        ${this.board ? this.unfinished(this.board) : nothing}
+        ${this.blender && this.view !== "pull" && this.board?.made && !this.making
+          ? html`<p class="bar" role="status">${this.blender} <button @click=${() => (this.view = "pull")}>Look at it</button>
+              <button @click=${() => this.takeOver({})}>Take over</button></p>`
+          : nothing}
+      </div>
       <main>${this.main()}</main>
     `;
   }

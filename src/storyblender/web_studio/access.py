@@ -30,7 +30,8 @@ _HEADERS = {
     "Cross-Origin-Opener-Policy": "same-origin",
 }
 _NO_ENTRY = (
-    "open the address that `storyblender studio` printed: its key works once, start the studio again for another"
+    "open the address that `storyblender studio` printed: its key works once; for another browser run "
+    "`storyblender studio DIR --link`, or choose `Another browser` on its page"
 )
 _NO_KEY = "programs name the key that is in .studio.json of the open project"
 
@@ -55,7 +56,7 @@ class Door:
         self._token: str | None = token
 
     def admit(self) -> str:
-        """Return a new token for one more browser."""
+        """Return a new token for one more browser; the one before it opens nothing any more, used or not."""
         self._token = secrets.token_urlsafe(24)
         return self._token
 

@@ -11,6 +11,7 @@ from pathlib import Path
 from storyblender.errors import InputError
 from storyblender.folder import Folder
 
+LOOPBACK = "127.0.0.1"
 ADDRESS_FILE = ".studio.json"
 """Its name in the project. Only the user who runs the studio can read it; it is gone when the project is closed."""
 

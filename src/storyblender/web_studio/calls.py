@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from storyblender.agents.vocabulary import vocabulary
 from storyblender.edits.dispatcher import Applied
 from storyblender.edits.pulling import UNDECIDED, Choice
+from storyblender.errors import InputError
 from storyblender.memory.base import shot_name
 from storyblender.memory.coverage import as_filmed
 from storyblender.memory.edits import LightEdit
@@ -105,6 +106,7 @@ class Calls:
                     "pull": self._pull,
                     "blender": self._blender,
                     "changes": self._changes,
+                    "link": self._link,
                 }[call.call]
             case _:
                 return lambda: self._looked_at(call)
@@ -131,6 +133,12 @@ class Calls:
     def _places(self) -> dict[str, Any]:
         scripts, projects = self._place.names()
         return {"scripts": scripts, "projects": projects, "status": self._place.status.model_dump()}
+
+    def _link(self) -> dict[str, str]:
+        """Return an address that opens the studio in one more browser; its key works once."""
+        if self._hub.invite is None:
+            raise InputError("no browser can join here", mend="start it with `storyblender studio`")
+        return {"address": self._hub.invite()}
 
     def _opened(self, project: str) -> Board:
         self._hub.open(project)

@@ -47,6 +47,8 @@ class Hub:
         self.takes: dict[str, Path] = {}
         self.begun: Callable[[], dict[str, Any]] | None = None
         """Makes the story from its script, as it was begun last for the open project."""
+        self.invite: Callable[[], str] | None = None
+        """Returns an address whose key lets one more browser in; None where nothing is served."""
         self._does = Calls(self)
 
     def join(self) -> asyncio.Queue[News]:

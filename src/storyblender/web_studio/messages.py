@@ -172,12 +172,13 @@ class PlainCall(_Call):
 
     call: Literal[
         "places", "board", "shots", "vocabulary", "undo", "redo", "cancel", "go_on", "check", "cut",
-        "pull", "blender", "changes",
+        "pull", "blender", "changes", "link",
     ]  # fmt: skip
     """``places``: scripts and projects of the folder; ``cut``: the film as a timeline;
     ``shots``: all that ``shot`` tells, of every shot; ``go_on``: work that was stopped is gone on with;
     ``pull``: what was changed and saved in Blender is taken over; ``blender``: whether anything was saved there;
-    ``changes``: what that is, and nothing is taken over."""
+    ``changes``: what that is, and nothing is taken over; ``link``: an address for one more
+    browser."""
 
 
 Call = Annotated[

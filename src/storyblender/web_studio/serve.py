@@ -12,11 +12,9 @@ from pathlib import Path
 import uvicorn
 
 from storyblender.web_studio.access import Door
-from storyblender.web_studio.address_file import AddressFile, left_behind
+from storyblender.web_studio.address_file import LOOPBACK, AddressFile, left_behind
 from storyblender.web_studio.app import LARGEST_CALL, build_app
 from storyblender.web_studio.hub import Hub
-
-LOOPBACK = "127.0.0.1"
 
 
 def serve(folder: Path, begin: str, port: int, say: Callable[[str], None], *, browser: bool) -> None:
@@ -46,6 +44,7 @@ def serve(folder: Path, begin: str, port: int, say: Callable[[str], None], *, br
             if begin:
                 hub.open(begin) if (folder / begin).is_dir() else hub.begin(begin)
             door = Door(build_app(hub), token, origin, key)
+            hub.invite = lambda: f"{origin}/?token={door.admit()}"
             config = uvicorn.Config(door, log_level="warning", ws_max_size=LARGEST_CALL, lifespan="off")
             say(f"{origin}/?token={token}")
             if browser:

@@ -35,6 +35,18 @@ def visitor() -> Iterator[TestClient]:
         yield client
 
 
+def test_one_more_browser_is_let_in_by_a_fresh_key_once_and_the_first_one_stays(visitor: TestClient) -> None:
+    enter(visitor)
+    door = visitor.app
+    assert isinstance(door, Door)
+    unused, fresh = door.admit(), door.admit()
+    second = TestClient(door, base_url=ORIGIN)
+    assert second.get(f"/?token={unused}").status_code == 403, "only the last one opens"
+    assert second.get(f"/?token={fresh}").text == "secret" and second.get("/").text == "secret"
+    assert TestClient(door, base_url=ORIGIN).get(f"/?token={fresh}").status_code == 403
+    assert visitor.get("/").text == "secret"
+
+
 def enter(visitor: TestClient) -> None:
     assert visitor.get(f"/?token={TOKEN}").text == "secret"
 

@@ -124,6 +124,23 @@ def test_shots_come_and_go_and_the_frames_of_the_others_are_drawn(page: TestClie
         assert not [event for event in told if event["kind"] == "warning" and event["role"] == "frames"]
 
 
+def test_a_shot_is_offered_to_be_split_only_where_both_parts_are_shots_as_the_crew_plans_them(page: TestClient) -> None:
+    with page.websocket_connect("/wire") as socket:
+        browser = Browser(socket)
+        shots, tried = browser.value("shots"), 0
+        for shot in shots:
+            places = browser.value("shot", shot=shot["shot"])["split"]
+            times = [places["first"], places["last"]] if places["first"] <= places["last"] else []
+            assert times or shot["seconds"] < 2 * places["shortest"] + 0.2
+            for where in [{"seconds": second} for second in times] + [{"line": line} for line in places["lines"]]:
+                browser.value("apply", edits=[{"kind": "split", "shot": shot["shot"], **where}])
+                parts = [each["seconds"] for each in browser.value("shots") if each not in shots]
+                assert len(parts) == 2 and min(parts) >= places["shortest"], (shot["shot"], where)
+                browser.value("undo")
+                tried += 1
+        assert tried
+
+
 def test_two_browsers_see_each_others_edits_and_a_stale_one_is_refused(page: TestClient) -> None:
     with page.websocket_connect("/wire") as one, page.websocket_connect("/wire") as two:
         anna, ben = Browser(one), Browser(two)
