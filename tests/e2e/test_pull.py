@@ -40,8 +40,8 @@ bag = bag_of(strip)
 
 
 def in_blender(story: Path, code: str) -> None:
-    """Change a file as a person in Blender would, in a process of its own."""
-    text = f"{IN_BLENDER}\n{code}\nbpy.ops.wm.save_mainfile()"
+    """Change a file as a person in Blender would, in a process that ends at once: bpy may hang at exit."""
+    text = f"import os\n{IN_BLENDER}\n{code}\nbpy.ops.wm.save_mainfile()\nos._exit(0)"
     subprocess.run([sys.executable, "-c", text, str(story)], check=True, stdout=subprocess.DEVNULL)
 
 
