@@ -2,13 +2,7 @@
 
 from __future__ import annotations
 
-import shutil
-from collections.abc import Iterator
-from pathlib import Path
-
 import pytest
-from tests.home import SCRIPT, SETTINGS
-from tests.stand_in_engine import StandInEngine
 
 from storyblender.agents.layout_artist.layout_things import layout_violations
 from storyblender.agents.layout_artist.spatial_planner_view import measures_of
@@ -17,26 +11,8 @@ from storyblender.edits.words import edits_of
 from storyblender.errors import InputError
 from storyblender.proposing import propose_stagings
 from storyblender.session import Session
-from storyblender.studio import Studio
 
 ROOM, SHOT = "SC010", "SC010_SH020"
-
-
-@pytest.fixture(scope="module")
-def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("proposing")
-    (folder / "home.fountain").write_text(SCRIPT)
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("storyblender.studio.BlenderEngine", StandInEngine)
-        Studio(SETTINGS).make(folder / "home.fountain", folder / "p")
-    return folder / "p"
-
-
-@pytest.fixture
-def session(made: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Session]:
-    monkeypatch.setattr("storyblender.studio.BlenderEngine", StandInEngine)
-    with Studio(SETTINGS).open(Path(shutil.copytree(made, tmp_path / "p"))) as session:
-        yield session
 
 
 def test_they_differ_and_the_scene_stays_as_it_is(session: Session) -> None:

@@ -75,16 +75,16 @@ def test_what_is_chosen_anew_is_not_what_it_was_and_unlock_gives_it_back(session
 def test_a_thing_is_made_from_a_file_of_the_user_and_turned(with_models: Session) -> None:
     session = with_models
     before = session.graph
-    apply(session, thing("replace", file="radio.obj"))
-    made = letter(session).canonical
+    apply(session, thing("replace", "table", file="radio.obj"))
+    made = session.graph.asset("table").canonical
     assert made is not None and (made.source, made.key) == ("file", "radio.obj")
     assert made.provenance is not None and made.provenance.digest
-    apply(session, thing("turn", pose={"front": "left", "top": "top"}))
-    turned = letter(session).canonical
+    apply(session, thing("turn", "table", pose={"front": "left", "top": "top"}))
+    turned = session.graph.asset("table").canonical
     assert turned is not None and (turned.params["front"], turned.params["top"]) == ("left", "top")
-    apply(session, thing("resize", dimension={"height": 1.2}))
-    large = letter(session)
-    assert large.canonical is not None and large.canonical.params["front"] == "left" and large.decision is not None
+    apply(session, thing("resize", "table", dimension={"height": 0.3}))
+    small = session.graph.asset("table")
+    assert small.canonical is not None and small.canonical.params["front"] == "left" and small.decision is not None
     for _ in range(3):
         session.undo()
     assert session.graph.model_dump_json() == before.model_dump_json()
@@ -98,10 +98,10 @@ def test_where_a_file_is_gone_something_else_stands_in(with_models: Session) -> 
 
 def test_what_was_decided_of_a_thing_stays_when_the_script_tells_more_of_it(with_models: Session, folder: Path) -> None:
     script = folder.parent / "home.fountain"
-    apply(with_models, thing("replace", file="radio.obj"))
-    script.write_text(script.read_text().replace("A letter lies", "A crumpled letter lies"))
+    apply(with_models, thing("replace", "table", file="radio.obj"))
+    script.write_text(script.read_text().replace("on the table", "on the old table"))
     with_models.make(script)
-    made = letter(with_models).canonical
+    made = with_models.graph.asset("table").canonical
     assert made is not None and made.key == "radio.obj"
 
 

@@ -8,22 +8,16 @@ from typing import Any
 
 import pytest
 from starlette.testclient import TestClient
-from tests.home import SCRIPT, SETTINGS
-from tests.stand_in_engine import StandInEngine
 from tests.unit.web_studio.test_wire import Browser
 
-from storyblender.studio import Studio
 from storyblender.web_studio.app import build_app
 from storyblender.web_studio.hub import Hub
 
 
 @pytest.fixture
-def hub(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Hub]:
-    monkeypatch.setattr("storyblender.studio.BlenderEngine", StandInEngine)
-    (tmp_path / "home.fountain").write_text(SCRIPT)
-    Studio(SETTINGS).make(tmp_path / "home.fountain", tmp_path / "home.storyboard")
-    hub = Hub(tmp_path)
-    hub.open("home.storyboard")
+def hub(folder: Path) -> Iterator[Hub]:
+    hub = Hub(folder.parent)
+    hub.open(folder.name)
     yield hub
     hub.close()
 

@@ -241,6 +241,7 @@ def test_a_script_in_capitals_is_read_like_others() -> None:
     assert "sit" in {deed.motion for deed in deeds(reading)}
 
 
+@pytest.mark.slow  # in other words the same as test_a_feature_is_read_whole
 def test_a_whole_feature_is_read() -> None:
     feature = "\n\n".join(text for text in scripts() if "INT." in text or "EXT." in text)
     reading = read_script(read(feature))

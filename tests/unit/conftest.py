@@ -1,4 +1,4 @@
-"""A finished project to edit, made once without Blender."""
+"""A finished project, made once without Blender for all the tests that look at one or change a copy of it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from storyblender.studio import Studio
 
 @pytest.fixture(scope="session")
 def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return a finished project, made without Blender."""
+    """Return a folder with the script ``home.fountain`` and its finished project ``p``."""
     folder = tmp_path_factory.mktemp("made")
     (folder / "home.fountain").write_text(SCRIPT)
     with pytest.MonkeyPatch.context() as patch:
@@ -27,6 +27,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def folder(made: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Return a copy of the project, with its script beside it."""
     monkeypatch.setattr("storyblender.studio.BlenderEngine", StandInEngine)
     shutil.copy(made / "home.fountain", tmp_path)
     return Path(shutil.copytree(made / "p", tmp_path / "p"))
