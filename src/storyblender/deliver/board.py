@@ -30,8 +30,8 @@ BASELINE = 0.15
 """Offset of a line's baseline below its y, as a share of the font size."""
 MOST_LETTERS = 4000
 """Characters of a text that are laid out at most; a page holds fewer."""
-SHRINKING = (0.9, 0.8, 0.7)
-"""Font sizes, as shares of the usual one, that are tried before a long text is cut."""
+SHRINKING, SMALLEST = (0.9, 0.8, 0.7, 0.6, 0.5, 0.4), 5.5
+"""Font sizes, as shares of the usual one, that are tried before a long text is cut; the smallest of them in points."""
 _GAP = 0.45
 """Space between slate and words, as a share of the font size."""
 USUAL = BoardLayout()
@@ -158,10 +158,10 @@ def _words(canvas: Canvas, panel: Panel, x: float, y: float, width: float, room:
         size: Usual font size.
     """
     texts = _texts(panel, size)
-    for shrunk in SHRINKING:
-        if sum(text.wrap(width, room)[1] for text in texts) <= room:
+    for smaller in (size * share for share in SHRINKING):
+        if sum(text.wrap(width, room)[1] for text in texts) <= room or smaller < SMALLEST:
             break
-        texts = _texts(panel, size * shrunk)
+        texts = _texts(panel, smaller)
     for paragraph in texts:
         _, used = paragraph.wrap(width, room)
         if used > room:

@@ -29,14 +29,18 @@ _LEAST_LINES = 5.5
 """Lines under a picture, with that of the slate, as heights of its letters."""
 _LEAST_BESIDE, _BESIDE_GAP = 150.0, 12.0
 """Least width of the text beside a picture, and what lies between the two, in points."""
-_LARGEST_SHARE = 0.66
+_LARGEST_SHARE = 0.76
 """Largest share of a panel's height for a picture with words under it."""
 _LARGEST_SHARE_ALONE = 0.78
 """The same of the only panel of a page."""
-_LEAST_SIZE, _USUAL_SIZE, _LARGEST_SIZE = 7.5, 9.0, 13.0
+_LEAST_SIZE, _USUAL_SIZE, _LARGEST_SIZE = 7.5, 9.0, 15.0
 """Font sizes in points."""
 _USUAL_WIDTH = 250.0
-"""Width in points of a panel whose font has the usual size."""
+"""Width in points of a panel whose words have the usual size at least, however low the room under its picture."""
+_ROOM, _ACROSS = 190.0, 16.0
+"""Squares of a font size that the room for words has, and font sizes that its width has, at least: some 340 letters, in
+lines of 30 and more.
+"""
 
 
 class Box(NamedTuple):
@@ -109,22 +113,23 @@ def _box(layout: BoardLayout, columns: int, index: int) -> Box:
 
 
 def _words_under(box: Box, aspect: float, share: float) -> Cell:
-    least = _LEAST_LINES * _font_size(min(box.width, _LEAST_WORDS))
+    least = _LEAST_LINES * min(_USUAL_SIZE * math.sqrt(min(box.width, _LEAST_WORDS) / _USUAL_WIDTH), _USUAL_SIZE * 1.4)
     height = min(box.width / aspect, box.height * share, box.height - least)
     width = height * aspect
     words_width = min(box.width, max(width, _LEAST_WORDS))
     picture = Box(box.left + (box.width - width) / 2, box.top, width, height)
     words = Box(box.left + (box.width - words_width) / 2, box.top - height, words_width, box.height - height)
-    return Cell(picture, words, _font_size(words_width), beside=False)
+    return Cell(picture, words, _font_size(words), beside=False)
 
 
 def _words_beside(box: Box, aspect: float) -> Cell:
     width = min(box.height * aspect, box.width - _LEAST_BESIDE - _BESIDE_GAP)
     left = box.left + width + _BESIDE_GAP
     words = Box(left, box.top, box.left + box.width - left, box.height)
-    return Cell(Box(box.left, box.top, width, width / aspect), words, _font_size(words.width), beside=True)
+    return Cell(Box(box.left, box.top, width, width / aspect), words, _font_size(words), beside=True)
 
 
-def _font_size(width: float) -> float:
-    """Return the font size for words of a width, both in points."""
-    return min(_LARGEST_SIZE, max(_LEAST_SIZE, _USUAL_SIZE * math.sqrt(width / _USUAL_WIDTH)))
+def _font_size(words: Box) -> float:
+    """Return the font size in points for words in a room: as large as a usual text fits it."""
+    size = min(math.sqrt(words.width * words.height / _ROOM), words.width / _ACROSS)
+    return min(_LARGEST_SIZE, max(_LEAST_SIZE, size))
