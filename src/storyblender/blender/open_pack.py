@@ -21,7 +21,7 @@ from storyblender.memory.jobs import (
 
 if TYPE_CHECKING:
     from storyblender.blender.asset_store import AssetStore
-    from storyblender.blender.rehearsal import Rehearsal
+    from storyblender.blender.rehearsal import Rehearsals
 
 
 class OpenPack:
@@ -40,8 +40,8 @@ class OpenPack:
         self._files = Folder(root, build)
         self._models, self._report = models, report
         self._open = ""
-        self._rehearsal: Rehearsal | None = None
-        """The scene in the open file, if it was built here and not opened."""
+        self._rehearsals: Rehearsals | None = None
+        """The scenes in the open file, if they were built here and not opened."""
         self._viewfinder_scene = ExitStack()
         self._background = ThreadPoolExecutor(1)
         self._viewfinder: tuple[tuple[str, int | None, int], OpenViewfinder] | None = None
@@ -59,7 +59,7 @@ class OpenPack:
         height = max(2, round(WIDTH / aspect))
         key = (pack.path, frame, height)
         if self._viewfinder is None or self._viewfinder[0] != key:
-            scene = self._open_pack(pack)
+            scene = self._open_pack(pack, () if frame is None else (frame,))
             self._viewfinder = key, self._viewfinder_scene.enter_context(viewfinder(scene, frame, WIDTH, height))
         return self._viewfinder[1]
 
@@ -71,15 +71,22 @@ class OpenPack:
     def _close_pack(self) -> None:
         """Forget the open pack before a job that opens files of its own."""
         self._release_viewfinder()
-        self._open, self._rehearsal = "", None
+        self._open, self._rehearsals = "", None
 
-    def _open_pack(self, pack: PackRef) -> bpy.types.Scene:
-        """Open a pack, unless it is open, and return its scene."""
+    def _open_pack(self, pack: PackRef, frames: Sequence[int] = ()) -> bpy.types.Scene:
+        """Open a pack, unless it is open, and return its scene.
+
+        Args:
+            pack: The pack.
+            frames: Of its timeline, that are looked at.
+        """
         self._release_viewfinder()
         if self._open != pack.path:
             self._close_pack()
             bpy.ops.wm.open_mainfile(filepath=str(self._files.path(pack.path)), load_ui=False, use_scripts=False)
             self._open = pack.path
+        if self._rehearsals is not None:
+            self._rehearsals.pose(pack.scene_id, frames)
         scene = bpy.data.scenes[scene_name(pack.scene_id)]
         bpy.context.window.scene = scene
         return scene

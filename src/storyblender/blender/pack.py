@@ -19,8 +19,8 @@ from storyblender.blender.hiding import key_hidden
 from storyblender.blender.merge import merge_duplicates
 from storyblender.blender.motion.bake import bake, remove
 from storyblender.blender.motion.by_hand import with_motion_by_hand
-from storyblender.blender.motion.plan import Performance
-from storyblender.blender.motion.solve import solve_shot
+from storyblender.blender.motion.plan import Performance, PlayedTimes
+from storyblender.blender.motion.solve import SolvedShot
 from storyblender.blender.painting import paint_objects
 from storyblender.blender.progress import Report, ignore
 from storyblender.blender.sections import split_sections, with_sections
@@ -38,9 +38,6 @@ from storyblender.memory.jobs import PackRef, PlayedCue, SceneJob
 from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import Flaw, ShotContext
 from storyblender.memory.thing_states import Condition
-
-MOTION_STEP = 1
-"""Frames between solved poses; on twos, linear in-betweens make feet slide (notes: motion, section 6)."""
 
 
 class ScenePacker:
@@ -61,6 +58,7 @@ class ScenePacker:
         self._nodes: dict[str, list[bpy.types.Object]] = {}
         self._cast: dict[str, CastMember] = {}
         self._performances: dict[int, Performance] = {}
+        self._played: dict[int, PlayedTimes] = {}
 
     def build(self, report: Report = ignore) -> PackRef:
         """Build everything and return what the pack will be.
@@ -68,20 +66,24 @@ class ScenePacker:
         Args:
             report: Receives the number of shots animated.
         """
-        self.set_up()
+        self.set_up(begin_file())
         for step, shot in enumerate(self._job.shots):
             report(step, len(self._job.shots))
-            self.perform(shot)
-        return self.finish()
+            self.pose(shot, self.solve(shot), range(shot.duration))
+        self.finish()
+        return self.reference()
 
-    def set_up(self) -> None:
-        """Begin the file: the set, its things where the layout has them, its people without motion."""
-        bpy.ops.wm.read_factory_settings(use_empty=True)
-        scene = bpy.context.scene
+    def set_up(self, scene: bpy.types.Scene) -> None:
+        """Build the set, its things where the layout has them, its people without motion.
+
+        Args:
+            scene: Empty; it becomes the scene, and that of the context.
+        """
+        bpy.context.window.scene = self._scene = scene
         scene.name = self._name
         scene.render.fps = self._job.fps
         scene.frame_start = 1
-        scene.frame_end = max(1, sum(shot.duration for shot in self._job.shots))
+        scene.frame_end = _length_of(self._job)
         environment = self._job.scene.environment
         assert environment is not None, "the Environment Designer comes before the pack"
         self._plan = plan_of(environment)
@@ -96,12 +98,11 @@ class ScenePacker:
         """Have the things stand, and the people do, as a later version of the scene says; no shot is performed then.
 
         Args:
-            job: The scene with other places and other motion, and else as it is.
+            job: The scene with other places, other motion and other lengths of shots, and else as it is.
         """
-        for shot_id in self._performances:
-            remove(shot_name(job.scene.scene_id, shot_id))
-        self._performances.clear()
-        self._job = job
+        self.remove_motion()
+        self._job, self._starts = job, shot_starts(job.shots)
+        self._scene.frame_end = _length_of(job)
         self._states.follow(job)
         assert job.scene.layout is not None, "as before"
         for item in job.scene.layout.objects:
@@ -109,28 +110,50 @@ class ScenePacker:
                 _put(self._placed[item.node_id], item)
         self._planner = self._new_planner()
 
-    def perform(self, shot: ShotContext) -> None:
-        """Solve one shot and bake it."""
+    def remove_motion(self) -> None:
+        """Have no shot be performed."""
+        for shot_id in self._performances:
+            remove(shot_name(self._job.scene.scene_id, shot_id))
+        self._performances.clear()
+        self._played.clear()
+
+    def solve(self, shot: ShotContext) -> SolvedShot:
+        """Find out who does what when in a shot."""
+        solved = SolvedShot(self._planner.plan(shot), self._job.fps)
+        self._played[shot.shot_id] = solved.played
+        return solved
+
+    def pose(self, shot: ShotContext, solved: SolvedShot, frames: Sequence[int]) -> None:
+        """Bake a shot in place of what is baked of it.
+
+        Args:
+            shot: Of the job.
+            solved: The shot.
+            frames: From its start, ascending, its first and its last among them; what lies between is interpolated,
+                which makes feet slide (notes: motion, section 6).
+        """
         motions = {each.asset_id: each.motion for each in self._job.by_hand if each.shot_id == shot.shot_id}
-        performance = with_motion_by_hand(solve_shot(self._planner.plan(shot), self._job.fps, MOTION_STEP), motions)
+        performance = with_motion_by_hand(solved.at(frames), motions)
         armatures = {asset_id: member.armature for asset_id, member in self._cast.items()}
         name = shot_name(shot.scene_id, shot.shot_id)
         bake(performance, armatures, self._props, name, self._starts[shot.shot_id])
         self._performances[shot.shot_id] = performance
 
-    def finish(self) -> PackRef:
-        """Let doors swing and things appear after what is performed; return what the pack is so far."""
-        timing = tuple(self._timing())
+    def finish(self) -> None:
+        """Let doors swing and things appear after what is baked."""
         self._swing_doors()
-        self._key_visibility(timing)
+        self._key_visibility(tuple(self._timing()))
         merge_duplicates()
+
+    def reference(self) -> PackRef:
+        """Return what the pack is so far."""
         problems = (flaw for shot in self._job.shots for flaw in self._problems(shot))
         return PackRef(
             scene_id=self._job.scene.scene_id,
             path=self._job.out,
             starts=tuple(self._starts.items()),
             problems=tuple(problems),
-            timing=timing,
+            timing=tuple(self._timing()),
         )
 
     def _new_planner(self) -> StagePlanner:
@@ -139,7 +162,7 @@ class ScenePacker:
     def _collection(self, part: str) -> bpy.types.Collection:
         """Create and link the collection of a part of the scene."""
         collection = bpy.data.collections.new(f"{self._name}_{part}")
-        bpy.context.scene.collection.children.link(collection)
+        self._scene.collection.children.link(collection)
         return collection
 
     def _place_objects(self) -> None:
@@ -200,10 +223,10 @@ class ScenePacker:
             self._cast[asset.asset_id] = member
 
     def _timing(self) -> Iterator[PlayedCue]:
-        """Yield the actual timing of the cues that are performed, from which the moment of a board frame is chosen."""
-        for shot_id, performance in self._performances.items():
-            fps = performance.fps
-            for (who, clip, start), (began, over) in performance.played.items():
+        """Yield the actual timing of the cues of solved shots, from which the moment of a board frame is chosen."""
+        fps = self._job.fps
+        for shot_id, played in self._played.items():
+            for (who, clip, start), (began, over) in played.items():
                 spans = {"began": round(began * fps), "over": round(over * fps)}
                 yield PlayedCue(shot_id=shot_id, asset_id=who, clip=clip, start=start, **spans)
 
@@ -246,6 +269,11 @@ class ScenePacker:
                     key_hidden(each, shown)
 
 
+def _length_of(job: SceneJob) -> int:
+    """Return the frames of a scene."""
+    return max(1, sum(shot.duration for shot in job.shots))
+
+
 def _put(obj: bpy.types.Object, item: LayoutObject) -> None:
     """Put an object where the layout has it."""
     obj.rotation_mode = "XYZ"
@@ -269,6 +297,12 @@ def shot_starts(shots: tuple[ShotContext, ...]) -> dict[int, int]:
         starts[shot.shot_id] = frame
         frame += shot.duration
     return starts
+
+
+def begin_file() -> bpy.types.Scene:
+    """Begin an empty file, and return its scene."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    return bpy.context.scene
 
 
 def save_pack(part: Path) -> None:

@@ -43,8 +43,8 @@ def paint_objects(objects: Iterable[bpy.types.Object], paints: Sequence[Paint], 
     mains = _main_materials(meshes)
     wanted = {obj: _painted_slots(obj, ordered, mains.get(str(obj.get("asset_id", "")), "")) for obj in meshes}
     for obj, slots in wanted.items():
-        shared = [other for other in meshes if other.data == obj.data and wanted[other] != slots]
-        if slots and shared:  # only this one of several that share a mesh
+        alike = [other for other in meshes if other.data == obj.data and wanted[other] == slots]
+        if slots and len(alike) < obj.data.users - obj.data.use_fake_user:  # only some of those that share a mesh
             obj.data = obj.data.copy()
     done = set[bpy.types.Mesh]()
     for obj, slots in wanted.items():

@@ -92,17 +92,21 @@ class BlenderSession(AssetSession):
         The next calls on that pack then see it, though it is not saved.
 
         Args:
-            job: The scene; where only places and motion differ from the last rehearsal, it is changed in place.
+            job: The scene; where only places and motion differ from its last rehearsal, it is changed in place.
             shot_ids: Staged shots of it that will be looked at.
         """
-        from storyblender.blender.rehearsal import Rehearsal
+        from storyblender.blender.rehearsal import Rehearsals
 
         self._release_viewfinder()
-        if self._rehearsal is None or not self._rehearsal.can_show(job):
+        if self._rehearsals is None:
             self._close_pack()
-            self._rehearsal = Rehearsal(job, self._store)
+            self._rehearsals = Rehearsals(self._store)
         self._open = ""  # should it fail
-        pack = self._rehearsal.perform(job, shot_ids)
+        try:
+            pack = self._rehearsals.perform(job, shot_ids)
+        except BaseException:
+            self._rehearsals = None  # a scene may be half built
+            raise
         self._open = pack.path
         return pack
 
@@ -113,7 +117,7 @@ class BlenderSession(AssetSession):
             pack: The packed scene.
             frames: On the scene's timeline, not the shot's.
         """
-        scene = self._open_pack(pack)
+        scene = self._open_pack(pack, frames)
         return [list(figures(scene, frame)) for frame in frames]
 
     def find_collisions(self, pack: PackRef) -> list[Collision]:
@@ -144,7 +148,11 @@ class BlenderSession(AssetSession):
             aspect: Width of the picture over its height.
         """
         self._background.submit(display_of, AGX_CONTRAST)  # needed by the next render
-        return [self._viewfinder_at(pack, pose.frame, aspect)(pose) for pose in _poses(pack, requests)]
+        poses = list(_poses(pack, requests))
+        seen: dict[int, CameraView] = {}
+        for number in sorted(range(len(poses)), key=lambda number: poses[number].frame or 0):  # each frame is set once
+            seen[number] = self._viewfinder_at(pack, poses[number].frame, aspect)(poses[number])
+        return [seen[number] for number in range(len(poses))]
 
     def preview(self, pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> list[Picture]:
         """Return pictures of what cameras see, for a model or a person: wider than the frame, the subjects outlined.
@@ -167,8 +175,8 @@ class BlenderSession(AssetSession):
 
     def render_frame(self, job: FrameJob) -> FrameReport:
         """Render the board frame of one shot and return its report."""
-        scene = self._open_pack(job.pack)
         start = job.pack.start_of(job.shot.shot_id)
+        scene = self._open_pack(job.pack, (start + job.frame,))
         assert job.shot.camera is not None, "the Camera Operator comes before the camera"
         light_windows(scene, job.lighting.sky)
         request = FrameRequest(
@@ -203,7 +211,7 @@ class BlenderSession(AssetSession):
         """Write what a scene looks like at one moment as glTF."""
         from storyblender.blender.moment_glb import write_moment
 
-        scene = self._open_pack(job.pack)
+        scene = self._open_pack(job.pack, (job.frame,))
         with self._files.writing(job.out) as part:
             write_moment(scene, job.frame, part)
         return job.out

@@ -13,7 +13,7 @@ from storyblender.blender.motion.channel import Channel
 from storyblender.blender.motion.hands import blend_hands
 from storyblender.blender.motion.idle_hands import idle_hand
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.plan import Floats, Problem, StageFurniture, StagePlan
+from storyblender.blender.motion.plan import Floats, PlayedTimes, Problem, StageFurniture, StagePlan
 from storyblender.blender.motion.skeleton import SIDES, facing_yaw
 from storyblender.blender.motion.staged_props import StagedProp
 from storyblender.geometry.paths import (
@@ -122,7 +122,7 @@ class MotionStage:
         """Seconds at which a hand must have reached its target."""
         self.grasps: dict[tuple[str, int], float] = {}
         """Second at which a door or lid begins to move, by person and the cue's frame."""
-        self.played: dict[tuple[str, str, int], tuple[float, float]] = {}
+        self.played: PlayedTimes = {}
         """Start and end of cues in seconds, by person, clip and the cue's frame."""
         self.problems: list[Problem] = []
         for who in self.people.values():

@@ -149,6 +149,10 @@ class Problem:
     amount: float = 0.0
 
 
+PlayedTimes = dict[tuple[str, str, int], tuple[float, float]]
+"""Start and end of cues in seconds, by person, clip and the cue's frame."""
+
+
 @dataclass(frozen=True)
 class Performance:
     """The solved shot.
@@ -171,7 +175,7 @@ class Performance:
     problems: tuple[Problem, ...]
     ends: dict[str, float]
     grasps: dict[tuple[str, int], float] = field(default_factory=dict)
-    played: dict[tuple[str, str, int], tuple[float, float]] = field(default_factory=dict)
+    played: PlayedTimes = field(default_factory=dict)
 
 
 def box_of(node_id: str, furniture: StageFurniture) -> Obstacle:

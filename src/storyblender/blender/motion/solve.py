@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -19,7 +20,7 @@ from storyblender.blender.motion.clips.support import lean
 from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.on_body import attach_to_body
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.plan import Floats, Performance, PersonTrack, Problem, StagePlan
+from storyblender.blender.motion.plan import Floats, Performance, PersonTrack, PlayedTimes, Problem, StagePlan
 from storyblender.blender.motion.skeleton import IDENTITY, SIDES, Skeleton
 from storyblender.catalog.expressions import FACE
 from storyblender.catalog.motions import AIMED, MOTIONS
@@ -45,31 +46,73 @@ POSTURE_CLIPS: dict[Posture, Play] = {
 """Posture -> clip that leads to it."""
 
 
-def solve_shot(plan: StagePlan, fps: int, step: int = 1) -> Performance:
-    """Perform one shot.
-
-    Everybody starts at their start mark (already sitting, already holding), plays the cues in order of their start
-    frames, and is posed on every ``step``-th frame. Equal plans give equal performances.
+def solve_shot(plan: StagePlan, fps: int) -> Performance:
+    """Perform one shot, on every frame.
 
     Args:
         plan: The shot.
         fps: Frames per second.
-        step: 1 poses on every frame; 2 on twos, for animatics that are rendered so (feet slide between twos).
 
     Returns:
         Tracks of people and props, and what could not be staged.
     """
-    stage = MotionStage(plan, fps, lambda name: int(content_hash(name, plan.seed), 16) % 2**32)
-    for name, who in stage.people.items():
-        take_start_mark(stage, who, plan.people[name].blocking.start)
-    ends = dict.fromkeys(stage.people, 0.0)
-    for index, cue in sorted(enumerate(plan.cues), key=lambda pair: (pair[1].start, pair[0])):
-        end = _perform(stage, cue, index)
-        if end is not None:
-            ends[cue.asset_id] = max(ends[cue.asset_id], end)
-    _check_ends(stage)
-    frames = np.unique([*range(0, plan.frames, step), plan.frames - 1])
-    return _record(stage, frames, ends)
+    return SolvedShot(plan, fps).at(range(plan.frames))
+
+
+class SolvedShot:
+    """One shot of which it is known who does what when; poses are worked out at the frames that are asked for.
+
+    Everybody starts at their start mark (already sitting, already holding) and plays the cues in order of their start
+    frames. Equal plans give equal performances.
+
+    Args:
+        plan: The shot.
+        fps: Frames per second.
+    """
+
+    def __init__(self, plan: StagePlan, fps: int) -> None:
+        stage = self._stage = MotionStage(plan, fps, lambda name: int(content_hash(name, plan.seed), 16) % 2**32)
+        for name, who in stage.people.items():
+            take_start_mark(stage, who, plan.people[name].blocking.start)
+        self._ends = dict.fromkeys(stage.people, 0.0)
+        for index, cue in sorted(enumerate(plan.cues), key=lambda pair: (pair[1].start, pair[0])):
+            end = _perform(stage, cue, index)
+            if end is not None:
+                self._ends[cue.asset_id] = max(self._ends[cue.asset_id], end)
+        _check_ends(stage)
+        self._drops = stage.plan_drops(np.arange(plan.frames) / fps)
+
+    @property
+    def played(self) -> PlayedTimes:
+        """Start and end of cues in seconds, by person, clip and the cue's frame."""
+        return self._stage.played
+
+    def at(self, frames: Sequence[int]) -> Performance:
+        """Return the performance at frames of the shot, ascending, the first and the last of the shot among them."""
+        stage = self._stage
+        found = len(stage.problems)
+        rows = {name: _TrackSamples(who, len(frames)) for name, who in stage.people.items()}
+        matrices = {name: np.zeros((len(frames), 4, 4)) for name in stage.props}
+        contacts = sorted(stage.contacts, key=lambda contact: contact[0])
+        for index, frame in enumerate(frames):
+            t = frame / stage.fps
+            stage.pose(t, {name: float(drop[frame]) for name, drop in self._drops.items()})
+            for name, who in stage.people.items():
+                rows[name].write(index, t, who)
+            for name, prop in stage.props.items():
+                matrices[name][index] = np.array(prop.matrix)
+            while contacts and contacts[0][0] <= t:
+                _, who, side, staged = contacts.pop(0)
+                missed = who.missed[side]
+                if missed > MISSED:
+                    message = f"{who.asset_id}'s hand misses{_target_of(staged)} by {missed:.2f} m"
+                    stage.report("unreachable", who, staged, message, missed)
+        tracks = {name: rows[name].track(who) for name, who in stage.people.items()}
+        problems = tuple(stage.problems)
+        del stage.problems[found:]  # they are found again when it is asked again
+        return Performance(
+            stage.fps, np.array(frames), tracks, matrices, problems, self._ends, stage.grasps, stage.played
+        )
 
 
 def take_start_mark(stage: MotionStage, who: Performer, mark: Mark) -> None:
@@ -203,30 +246,6 @@ def _check_ends(stage: MotionStage) -> None:
             if off > ASTRAY:
                 message = f"{name} ends {off:.2f} m off the mark"
                 stage.problems.append(Problem("late", name, stage.plan.frames, message, off))
-
-
-def _record(stage: MotionStage, frames: np.ndarray, ends: dict[str, float]) -> Performance:
-    """Pose the stage at every frame and return the sampled performance."""
-    times = frames / stage.fps
-    drops = stage.plan_drops(times)
-    count = len(frames)
-    rows = {name: _TrackSamples(who, count) for name, who in stage.people.items()}
-    matrices = {name: np.zeros((count, 4, 4)) for name in stage.props}
-    contacts = sorted(stage.contacts, key=lambda contact: contact[0])
-    for index, t in enumerate(times):
-        stage.pose(float(t), {name: float(drop[index]) for name, drop in drops.items()})
-        for name, who in stage.people.items():
-            rows[name].write(index, float(t), who)
-        for name, prop in stage.props.items():
-            matrices[name][index] = np.array(prop.matrix)
-        while contacts and contacts[0][0] <= t:
-            _, who, side, staged = contacts.pop(0)
-            missed = who.missed[side]
-            if missed > MISSED:
-                message = f"{who.asset_id}'s hand misses{_target_of(staged)} by {missed:.2f} m"
-                stage.report("unreachable", who, staged, message, missed)
-    tracks = {name: rows[name].track(who) for name, who in stage.people.items()}
-    return Performance(stage.fps, frames, tracks, matrices, tuple(stage.problems), ends, stage.grasps, stage.played)
 
 
 def _target_of(staged: StagedCue) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,7 +16,15 @@ from storyblender.blender.render.lamps import PanoramaImage, lit
 from storyblender.blender.render.meter import SetLight, balanced
 from storyblender.blender.render.passes import Passes, render_passes
 from storyblender.blender.render.session import RenderSession
-from storyblender.blender.render.shot_light import DRAFT_SHADOWS, FACE_SHADOWS, SHADOWS, PersonHead, ShotLight
+from storyblender.blender.render.shot_light import (
+    DRAFT_SHADOWS,
+    FACE_SHADOWS,
+    NO_SHADOWS,
+    SHADOWS,
+    PersonHead,
+    ShadowsCast,
+    ShotLight,
+)
 from storyblender.blender.render.smoke import puffs_of
 from storyblender.errors import InputError
 from storyblender.look.atmosphere import add_fog, add_halos, add_rain, transmittance
@@ -194,10 +202,10 @@ def _drawn(display: Image, ink: Image | None, masks: Sequence[Image], look: Look
     return apply_ink(display, ink, masks[0], look.ink)
 
 
-def _casting(look: Look, request: FrameRequest) -> Mapping[str, int]:
-    """Return how many lamps of each role get a shadow map."""
+def _casting(look: Look, request: FrameRequest) -> ShadowsCast:
+    """Return which lamps get a shadow map."""
     if not request.shadows:
-        return {}
+        return NO_SHADOWS
     return DRAFT_SHADOWS if request.draft else SHADOWS if look.light == "numpy" else FACE_SHADOWS
 
 

@@ -32,7 +32,9 @@ _WIDEST = math.tan(math.radians(70))
 _SHADELESS = frozenset({int(Surface.CARD), int(Surface.EMISSIVE), int(Surface.GLASS), int(Surface.NO_INK)})
 
 
-def render_shadow_map(session: RenderSession, light: Light, receivers: NDArray[np.float32], eye: Image) -> ShadowMap:
+def render_shadow_map(
+    session: RenderSession, light: Light, receivers: NDArray[np.float32], eye: Image, fineness: float = 1.0
+) -> ShadowMap:
     """Return the shadow map of a lamp.
 
     Args:
@@ -40,9 +42,10 @@ def render_shadow_map(session: RenderSession, light: Light, receivers: NDArray[n
         light: Any kind.
         receivers: (n, 3) world positions the camera sees and the lamp faces; the map is fitted to them.
         eye: (3,) camera position.
+        fineness: Factor on the pixels across the map.
     """
     if light.kind == "SUN":
-        return _sun_map(session, light, receivers, eye)
+        return _sun_map(session, light, receivers, eye, round(_SUN_SIZE * fineness))
     aim = receivers.mean(axis=0) - np.asarray(light.location) if light.kind == "POINT" else direction_of(light)
     axes = np.array(Vector(aim).to_track_quat("-Z", "Y").to_matrix())
     local = (receivers - np.asarray(light.location)) @ axes
@@ -53,11 +56,12 @@ def render_shadow_map(session: RenderSession, light: Light, receivers: NDArray[n
         half = min(half, math.tan(math.radians(min(light.cone / 2, 70))) * 1.02)
     matrix = _placed(axes, np.asarray(light.location))
     near = _OWN_FITTING if light.role not in FACE_ROLES else 0.1
-    depth = _depth(session, light, matrix, _SIZE, type="PERSP", angle=2 * math.atan(half), clip_start=near)
+    size = round(_SIZE * fineness)
+    depth = _depth(session, light, matrix, size, type="PERSP", angle=2 * math.atan(half), clip_start=near)
     return ShadowMap(np.asarray(light.location, float), axes, half, False, depth)
 
 
-def _sun_map(session: RenderSession, light: Light, receivers: NDArray[np.float32], eye: Image) -> ShadowMap:
+def _sun_map(session: RenderSession, light: Light, receivers: NDArray[np.float32], eye: Image, size: int) -> ShadowMap:
     direction = direction_of(light)
     axes = np.array(Vector(direction).to_track_quat("-Z", "Y").to_matrix())
     close = receivers[np.linalg.norm(receivers - eye, axis=1) < _SUN_REACH]
@@ -66,7 +70,7 @@ def _sun_map(session: RenderSession, light: Light, receivers: NDArray[np.float32
     half = float((high - low).max() / 2 * 1.05 + 0.1)
     center = axes[:, :2] @ ((low + high) / 2) + axes[:, 2] * float((receivers @ axes[:, 2]).max() + _SUN_BACK)
     depth = _depth(
-        session, light, _placed(axes, center), _SUN_SIZE,
+        session, light, _placed(axes, center), size,
         type="ORTHO", ortho_scale=2 * half, clip_start=0.1, clip_end=_SUN_BACK + 400.0,
     )  # fmt: skip
     return ShadowMap(center, axes, half, True, depth)

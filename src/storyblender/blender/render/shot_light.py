@@ -36,12 +36,27 @@ from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Light, Lighting
 
 _MOST_LIT_FACES = 4
-SHADOWS: Mapping[str, int] = MappingProxyType({"sun": 1, "key": 2, "set": 2})
-"""Lamps that get a shadow map, by role; practicals count with the set."""
-FACE_SHADOWS: Mapping[str, int] = MappingProxyType({"sun": 1, "key": 2})
+
+
+@dataclass(frozen=True)
+class ShadowsCast:
+    """Which lamps get a shadow map; of the others it is asked at each face whether they reach it.
+
+    Attributes:
+        most: Lamps by role, at most; practicals count with the set.
+        fineness: Factor on the pixels across each map.
+    """
+
+    most: Mapping[str, int]
+    fineness: float = 1.0
+
+
+SHADOWS = ShadowsCast(MappingProxyType({"sun": 1, "key": 2, "set": 2}))
+FACE_SHADOWS = ShadowsCast(MappingProxyType({"sun": 1, "key": 2}))
 """Enough to solve the faces, where a path tracer draws the shadows that are seen."""
-DRAFT_SHADOWS: Mapping[str, int] = MappingProxyType({"sun": 1, "key": 1, "set": 1})
+DRAFT_SHADOWS = ShadowsCast(MappingProxyType({"sun": 1, "key": 1, "set": 1}), 0.5)
 """Enough for a preview: each map costs as much as a pass."""
+NO_SHADOWS = ShadowsCast(MappingProxyType({}))
 _LEAST_STRENGTH = 0.08
 """Share of the frame's light below which a lamp's shadow would not be seen."""
 
@@ -74,7 +89,7 @@ class ShotLight:
         set_light: Balanced light of the set.
         people: Everyone whose face may show.
         step: Pixels of the G-buffer for one pixel of light.
-        shadows: Lamps that get a shadow map, by role; of the others it is asked at each face whether they reach it.
+        shadows: Which lamps cast them.
     """
 
     def __init__(
@@ -85,7 +100,7 @@ class ShotLight:
         people: Sequence[PersonHead],
         step: int,
         *,
-        shadows: Mapping[str, int] = SHADOWS,
+        shadows: ShadowsCast = SHADOWS,
     ) -> None:
         self.gbuffer: GBuffer = passes.gbuffer.reduced(step)
         self.plan = set_light.plan
@@ -99,8 +114,8 @@ class ShotLight:
         bodies = _pixels_of(people, passes, self.gbuffer)
         lamps = self.plan.lights + _lamps_of_faces(session, self._by_hands(people, bodies), self.plan)
         fields = [light_field(lamp, self._positions, self._normal) for lamp in lamps]
-        casting = self._casting(fields, shadows)
-        fields = self._with_shadows(session, fields, casting, bodies)
+        casting = self._casting(fields, shadows.most)
+        fields = self._with_shadows(session, fields, casting, bodies, shadows.fineness)
         from_set = total([f for f in fields if f.light.for_asset is None], ambient)
         bounce = bounce_light(self.albedo, from_set, ~self.gbuffer.sky, self._openness)
         faces = find_faces(self.gbuffer, [(head.asset_id, head.location, head.scale) for head in people])
@@ -153,6 +168,7 @@ class ShotLight:
         fields: list[LightField],
         casting: frozenset[int],
         bodies: Sequence[tuple[PersonHead, Mask]],
+        fineness: float,
     ) -> list[LightField]:
         """Cast shadows from the lamps that matter; of the others, ask at each face whether they reach it."""
         eye = self.gbuffer.view.eye.astype(np.float32)
@@ -161,7 +177,7 @@ class ShotLight:
         for index, lamp in enumerate(fields):
             if index in casting:
                 receivers = self._positions[solid & (lamp.amount > 0)]
-                shadow = render_shadow_map(session, lamp.light, receivers, eye)
+                shadow = render_shadow_map(session, lamp.light, receivers, eye, fineness)
                 result.append(lamp.shadowed(blur(shadow.visibility(self._positions, self._normal), 1)))
             elif lamp.light.role in FACE_ROLES:
                 result.append(lamp)
