@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -27,6 +28,16 @@ def project_of(studio: RunningStudio) -> Path:
 
 def graph_of(studio: RunningStudio) -> ContinuityMemoryGraph:
     return read_project_graph(project_of(studio))
+
+
+def rested(studio: RunningStudio) -> ContinuityMemoryGraph:
+    """Return the story once the crew has set what the edits before made stale."""
+    for _ in range(120):
+        graph = graph_of(studio)
+        time.sleep(1)
+        if graph == graph_of(studio) and all(shot.camera is not None for shot in graph.shots):
+            return graph
+    raise AssertionError("the crew does not come to rest")
 
 
 def look(page: Page, view: str) -> np.ndarray:

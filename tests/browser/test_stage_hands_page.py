@@ -3,30 +3,18 @@
 from __future__ import annotations
 
 import math
-import time
 
 import numpy as np
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
-from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import Blocking
 from tests.browser.conftest import RunningStudio
-from tests.browser.stage_page import SHOT, drag, graph_of, in_page, look, point_on, said, shown_anew, undo
+from tests.browser.stage_page import SHOT, drag, graph_of, in_page, look, point_on, rested, said, shown_anew, undo
 
 BESIDE_LAMP = (0, 28)
 """Pixels from the middle of the table, over which a lamp hangs."""
-
-
-def rested(studio: RunningStudio) -> ContinuityMemoryGraph:
-    """Return the story once the crew has set what the edits before made stale."""
-    for _ in range(120):
-        graph = graph_of(studio)
-        time.sleep(1)
-        if graph == graph_of(studio) and all(shot.camera is not None for shot in graph.shots):
-            return graph
-    raise AssertionError("the crew does not come to rest")
 
 
 def item(studio: RunningStudio, node: str) -> LayoutObject:
@@ -234,7 +222,7 @@ def test_the_camera_has_lens_aperture_and_focus(stage: Page, studio: RunningStud
     with shown_anew(stage):
         stage.get_by_role("button", name="End here").click()
         expect(said(stage)).to_contain_text("by hand")
-    camera = graph_of(studio).shot(1, 1).camera
+    camera = rested(studio).shot(1, 1).camera
     assert camera is not None and len(camera.poses) > 1 and camera.f_number == pytest.approx(1.4)
     for _ in range(3):
         undo(stage)

@@ -19,6 +19,7 @@ from tests.browser.stage_page import (
     look,
     point_on,
     project_of,
+    rested,
     said,
     shown_anew,
     undo,
@@ -168,11 +169,7 @@ def test_a_camera_is_taken_by_hand(stage: Page, studio: RunningStudio) -> None:
     with shown_anew(stage):
         stage.get_by_role("button", name="Shoot from here").click()
         expect(said(stage)).to_contain_text("by hand")
-    for _ in range(LOADED // 500):
-        if graph_of(studio).shot(1, 1).camera is not None:  # the crew sets it as the frame is drawn
-            break
-        stage.wait_for_timeout(500)
-    camera = graph_of(studio).shot(1, 1).camera
+    camera = rested(studio).shot(1, 1).camera
     assert camera is not None
     orbit = camera_at(camera, 0, Film(camera.sensor_width))
     assert np.asarray(orbit.position) == pytest.approx(np.asarray(pose["location"]), abs=1e-3)

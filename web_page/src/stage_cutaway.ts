@@ -3,11 +3,11 @@
 import { Box3, Ray, Vector3 } from "three";
 import type { StageModel } from "./stage_model";
 
-/** Metres around people and things within which the free camera is among them, and nothing is cut away. */
+/** Metres: so near to people and things the camera is among them, and nothing is cut away; so far within them ground is to be seen. */
 const AMONG = 0.3;
 
 /**
- * The set pieces that hide people or things from a camera.
+ * The set pieces that hide people, things or the ground between them from a camera.
  * @param model The scene.
  * @param seen People and things that are to be seen, by node id.
  * @param eye Where the camera is.
@@ -15,9 +15,11 @@ const AMONG = 0.3;
 export function inTheWay(model: StageModel, seen: string[], eye: Vector3): Set<string> {
   const boxes = seen.map((node) => model.box(node)).filter((box) => !box.isEmpty());
   const scene = boxes.reduce((all, box) => all.union(box), new Box3());
-  if (scene.isEmpty() || scene.expandByScalar(AMONG).containsPoint(eye)) return new Set();
-  const middles = boxes.map((box) => box.getCenter(new Vector3()));
-  return new Set(model.setPieces.filter((piece) => hides(model.box(piece), middles, eye)));
+  if (scene.isEmpty() || scene.clone().expandByScalar(AMONG).containsPoint(eye)) return new Set();
+  const { min, max } = scene.expandByScalar(-AMONG);
+  const corners = [min.x, max.x].flatMap((x) => [min.y, max.y].map((y) => new Vector3(x, y, min.z)));
+  const points = [...boxes.map((box) => box.getCenter(new Vector3())), ...corners];
+  return new Set(model.setPieces.filter((piece) => hides(model.box(piece), points, eye)));
 }
 
 /** Whether a box is between a camera and any of some points; what a point is in, such as a terrain, hides it not. */
