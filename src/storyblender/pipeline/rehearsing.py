@@ -9,9 +9,10 @@ from storyblender.agents.layout_artist.camera_scene import measured_frames, shoo
 from storyblender.agents.layout_artist.spatial_planner_view import measures_of
 from storyblender.agents.layout_artist.story_moment import story_moment
 from storyblender.catalog.sets import plan_of
+from storyblender.memory.base import content_hash
 from storyblender.memory.coverage import as_filmed, parts_of
 from storyblender.memory.jobs import PackRef
-from storyblender.memory.shot_context import ShotContext
+from storyblender.memory.shot_context import CameraState, ShotContext
 from storyblender.pipeline.filming import PackViewfinder, figures_of
 from storyblender.pipeline.hand_motions import with_hand_motions
 from storyblender.pipeline.packing import scene_job, with_coverage
@@ -29,6 +30,8 @@ class CamerasToMatch:
     def __init__(self, run: Run) -> None:
         self._run, self._shots = run, {(shot.scene_id, shot.shot_id): shot for shot in as_filmed(run.graph).shots}
         self._moments: dict[tuple[int, int], Sequence[Moment]] = {}
+        self.found: dict[str, CameraState] = {}
+        """Cameras that were set in rehearsals, by all that they depend on: another light leaves them where they are."""
 
     def shot(self, shot: ShotContext) -> ShotContext | None:
         """Return a shot with its camera, or with the one it had last; None where it never had one."""
@@ -83,6 +86,11 @@ def with_camera_in_rehearsal(run: Run, shot: ShotContext, matching: CamerasToMat
             break
         if (set_before := matching.shot(each)) is not None and matching.moments(each):
             shots.append(set_before)
+    known = content_hash(
+        pack.path, *(each.model_copy(update={"lighting": None, "lights": ()}) for each in (*shots, own))
+    )
+    if known in matching.found:
+        return shot.model_copy(update={"camera": matching.found[known], "frame": own.frame})
     environment = graph.scene(shot.scene_id).environment
     assert environment is not None, "the set comes before the camera"
     start, viewfinder = pack.start_of(shot.shot_id), PackViewfinder(run, pack, (own,))
@@ -104,4 +112,5 @@ def with_camera_in_rehearsal(run: Run, shot: ShotContext, matching: CamerasToMat
         operator=run.crew.camera_operator,
         kit=run.settings.lens_kit,
     )
+    matching.found[known] = states[shot.shot_id]
     return shot.model_copy(update={"camera": states[shot.shot_id], "frame": own.frame})

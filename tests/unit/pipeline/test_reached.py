@@ -70,3 +70,14 @@ def test_only_reached_shots_are_stale(session: tuple[Session, Stage], family: st
     assert {*drawn_anew} <= {*applied.stale}
     assert drawn_anew or family == "staging", "of a room with one chair, every staging is the same"
     assert {name_of(shot): shot for shot in opened.graph.shots if shot.scene_id != 1} == before
+
+
+def test_another_light_leaves_a_camera_where_a_preview_has_set_it(session: tuple[Session, Stage]) -> None:
+    opened, stage = session
+    opened.apply([EDIT.validate_python(FAMILIES["camera"](opened.graph))])
+    opened.preview(["SC010_SH010"])
+    assert opened.graph.shot(1, 1).camera is None, "previews commit nothing"
+    opened.apply([EDIT.validate_python(FAMILIES["light"](opened.graph) | {"decision": {"brightness": 1.4}})])
+    stage.engine.calls.clear()
+    opened.preview(["SC010_SH010"])
+    assert stage.engine.calls["render_frame"] == 1 and not stage.engine.calls["look"]
