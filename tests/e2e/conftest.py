@@ -9,6 +9,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
+from typer.testing import CliRunner
+
+from storyblender.cli import app
 
 SCRIPT = """Title: Two Cups
 
@@ -32,6 +35,12 @@ def storyblender(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
     """Run the command line in a process of its own, as a user does."""
     command = [sys.executable, "-m", "storyblender", *map(str, arguments)]
     return subprocess.run(command, capture_output=True, text=True, timeout=600, check=False)
+
+
+def typed(*words: str | Path) -> None:
+    """Run a command that needs no Blender in this process, which starts at once."""
+    done = CliRunner().invoke(app, [*map(str, words), "--quiet"])
+    assert done.exit_code == 0, done.output[-2000:]
 
 
 def made(arguments: Sequence[str | Path]) -> None:

@@ -10,15 +10,15 @@ import pytest
 from storyblender.deliver.panel import panels
 from storyblender.memory.coverage import spans_of
 from storyblender.project import read_project_graph
-from tests.e2e.conftest import storyblender
+from tests.e2e.conftest import storyblender, typed
 from tests.e2e.test_cut import frames, told
 from tests.e2e.test_story_blend import read
 
 pytestmark = [pytest.mark.blender, pytest.mark.timeout(1800)]
 
 
-def run(*words: str | Path) -> None:
-    done = storyblender(*words, "--quiet")
+def render(project: Path) -> None:
+    done = storyblender("render", project, "--animatic", "--quiet")
     assert done.returncode == 0, done.stderr[-2000:]
 
 
@@ -28,10 +28,10 @@ def test_only_what_is_split_joined_or_added_is_drawn(project: Path, tmp_path: Pa
     scenes = {path.name: path.stat().st_mtime_ns for path in (project / "build/scenes").iterdir()}
     first, second, third, fourth = names[:4]
     half, insert = (f"{name[:-1]}5" for name in (first, second))
-    run("shot", "split", project, first, "--seconds", "1")
-    run("shot", "add", project, second, "--on", "ada", "--size", "CU", "--seconds", "1")
-    run("shot", "join", project, third, fourth)
-    run("render", project, "--animatic")
+    typed("shot", "split", project, first, "--seconds", "1", "--no-render")
+    typed("shot", "add", project, second, "--on", "ada", "--size", "CU", "--seconds", "1", "--no-render")
+    typed("shot", "join", project, third, fourth, "--no-render")
+    render(project)
     film = {panel.name: panel.shot.duration for panel in panels(read_project_graph(project))}
     assert [*film] == [first, half, second, insert, third, *names[4:]]
     assert told(project) == ([*film], length + film[insert]) and film[first] == film[insert] == 24
@@ -49,6 +49,6 @@ def test_only_what_is_split_joined_or_added_is_drawn(project: Path, tmp_path: Pa
     assert [*markers] == [name for name in film if name.startswith("SC010") and name != insert]
     assert markers[half] == starts[50_015] == 25
     for _ in range(3):
-        run("undo", project)
-    run("render", project, "--animatic")
+        typed("undo", project)
+    render(project)
     assert told(project) == (names, length) and frames(project) == drawn

@@ -10,7 +10,7 @@ import opentimelineio as otio
 import pytest
 
 from storyblender.project import read_project_graph
-from tests.e2e.conftest import storyblender
+from tests.e2e.conftest import storyblender, typed
 
 pytestmark = [pytest.mark.blender, pytest.mark.timeout(900)]
 
@@ -33,18 +33,15 @@ def test_the_film_follows_the_cut_and_no_frame_is_drawn(project: Path, tmp_path:
     shots = {
         f"SC{10 * shot.scene_id:03d}_SH{10 * shot.shot_id:03d}": shot for shot in read_project_graph(project).shots
     }
-    for words in (
-        ("omit", first),
-        ("move", names[2], "--before", second),
-        ("note", second, "Slower."),
-        ("approve", second),
-    ):
-        done = storyblender("shot", words[0], project, *words[1:], "--quiet")
-        assert done.returncode == 0, done.stderr[-2000:]
+    typed("shot", "omit", project, first, "--no-render")
+    typed("shot", "move", project, names[2], "--before", second, "--no-render")
+    typed("shot", "note", project, second, "Slower.", "--no-render")
+    done = storyblender("shot", "approve", project, second, "--quiet")
+    assert done.returncode == 0, done.stderr[-2000:]
     cut = [names[2], second, *names[3:]]
     assert told(project) == (cut, length - shots[first].duration) and frames(project) == drawn
     for _ in range(4):
-        assert storyblender("undo", project, "--quiet").returncode == 0
+        typed("undo", project)
     done = storyblender("render", project, "--no-animatic", "--quiet")
     assert done.returncode == 0, done.stderr[-2000:]
     assert told(project) == (names, length) and frames(project) == drawn
