@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import threading
+import time
 from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
@@ -48,6 +49,8 @@ class Drawer:
         self._undrawn: frozenset[str] = frozenset()
         """Shots whose frames could not be drawn, and are not tried again by themselves."""
         self._looked_at = self._edited = self._ready_for = ""
+        self._touched = time.monotonic()
+        """When a person last edited something, or looked at another shot."""
         self._changed = threading.Condition()
         self._working = self._ended = self._paused = self._unknown = self._delivering = False
         self._thread = threading.Thread(target=self._run, name="drawer", daemon=True)
@@ -71,7 +74,7 @@ class Drawer:
         Of the shots of other scenes no previews are drawn any more; their frames come when nobody edits.
         """
         with self._changed:
-            self._looked_at = name
+            self._looked_at, self._touched = name, time.monotonic()
             self._waiting = {each: preview and _share_scene(each, name) for each, preview in self._waiting.items()}
             if self._working and self._is_unready():  # frames and what is delivered can wait
                 self._session.cancel()
@@ -103,14 +106,15 @@ class Drawer:
     def pause(self) -> None:
         """End the drawing under way, and begin none before ``go_on``, so that an edit need not wait."""
         with self._changed:
-            self._paused = True
+            self._paused, self._touched = True, time.monotonic()
             if self._working:
                 self._session.cancel()
 
     def go_on(self) -> None:
         """Draw again after a pause; what was not drawn is still stale."""
         with self._changed:
-            self._paused = False
+            if self._paused:
+                self._paused, self._touched = False, time.monotonic()
             self._changed.notify_all()
 
     def close(self) -> None:
@@ -129,8 +133,8 @@ class Drawer:
                 self._working = False
                 self._changed.wait_for(self._has_work)
                 if not self._unknown and not self._is_asked():
-                    rest = REST if self._waiting else IDLE
-                    self._changed.wait_for(self._is_asked, rest)
+                    rested = time.monotonic() - self._touched
+                    self._changed.wait_for(self._is_asked, (REST if self._waiting else IDLE) - rested)
                 if self._ended:
                     return
                 if self._paused:
