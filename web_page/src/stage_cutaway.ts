@@ -1,10 +1,13 @@
-/** The free view as into a doll's house: walls, ceilings and other set pieces between the camera and the scene are cut away. */
+/** The free view as into a doll's house: walls, ceilings and other large set pieces between the camera and the scene are cut away. */
 
 import { Box3, Ray, Vector3 } from "three";
 import type { StageModel } from "./stage_model";
 
 /** Metres: so near to people and things the camera is among them, and nothing is cut away; so far within them ground is to be seen. */
 const AMONG = 0.3;
+
+/** Metres across of the smallest set piece that is cut away; a rock or a shelf stays. */
+const LARGE = 2;
 
 /**
  * The set pieces that hide people, things or the ground between them from a camera.
@@ -19,7 +22,8 @@ export function inTheWay(model: StageModel, seen: string[], eye: Vector3): Set<s
   const { min, max } = scene.expandByScalar(-AMONG);
   const corners = [min.x, max.x].flatMap((x) => [min.y, max.y].map((y) => new Vector3(x, y, min.z)));
   const points = [...boxes.map((box) => box.getCenter(new Vector3())), ...corners];
-  return new Set(model.setPieces.filter((piece) => hides(model.box(piece), points, eye)));
+  const large = (box: Box3) => box.getSize(new Vector3()).length() >= LARGE;
+  return new Set(model.setPieces.filter((piece) => large(model.box(piece)) && hides(model.box(piece), points, eye)));
 }
 
 /** Whether a box is between a camera and any of some points; what a point is in, such as a terrain, hides it not. */
