@@ -60,6 +60,7 @@ def views(page: Page) -> Iterator[str]:
     yield "studio_plan"
     go_to(page, "Cast and assets")
     page.wait_for_selector(".assets canvas", timeout=DRAWN)
+    page.wait_for_selector(".person", timeout=DRAWN)
     for _ in range(DRAWN // SOON):  # portraits are drawn one by one
         if page.locator(".person").evaluate_all("all => all.every((each) => each.querySelector('img')?.naturalWidth)"):
             break
