@@ -32,6 +32,8 @@ LEG_ROOM = 0.17
 
 GRID = 0.10
 """Cell of the search grid in metres."""
+_AT_ONCE = 200_000
+"""Distances that are worked out at a time."""
 CORNER_RADIUS = 0.22
 """Largest radius of a rounded corner; more would cut into furniture at the padding people keep."""
 
@@ -62,15 +64,32 @@ def clearance(points: Floats, obstacles: Sequence[Footprint]) -> Floats:
         points: (n, 2) world x and y, metres.
         obstacles: Footprints to keep away from.
     """
-    best = np.full(len(points), 1e9)
-    for box in obstacles:
-        offset = points - np.asarray(box.centre)
-        cos, sin = math.cos(box.yaw), math.sin(box.yaw)
-        u = np.abs(cos * offset[:, 0] + sin * offset[:, 1]) - box.size[0] / 2
-        v = np.abs(cos * offset[:, 1] - sin * offset[:, 0]) - box.size[1] / 2
-        outside = np.hypot(np.maximum(u, 0), np.maximum(v, 0))
-        best = np.minimum(best, outside + np.minimum(np.maximum(u, v), 0) - box.round)
-    return best
+    return _Rectangles(obstacles).clearance(points)
+
+
+class _Rectangles:
+    """Footprints as arrays: many short lines are tried against the same ones.
+
+    Args:
+        obstacles: Footprints to keep away from.
+    """
+
+    def __init__(self, obstacles: Sequence[Footprint]) -> None:
+        rows = [(*box.centre, math.cos(box.yaw), math.sin(box.yaw), *box.size, box.round) for box in obstacles]
+        self._rows = np.array(rows, float).reshape(-1, 7)
+
+    def clearance(self, points: Floats) -> Floats:
+        """As the function of that name."""
+        best = np.full(len(points), 1e9)
+        at_once = max(1, _AT_ONCE // max(1, len(points)))
+        for first in range(0, len(self._rows), at_once):
+            x, y, cos, sin, width, depth, grown = self._rows[first : first + at_once].T[:, :, None]
+            across, along = points[:, 0] - x, points[:, 1] - y
+            u = np.abs(cos * across + sin * along) - width / 2
+            v = np.abs(cos * along - sin * across) - depth / 2
+            outside = np.hypot(np.maximum(u, 0), np.maximum(v, 0))
+            best = np.minimum(best, (outside + np.minimum(np.maximum(u, v), 0) - grown).min(axis=0))
+        return best
 
 
 def find_path(
@@ -112,16 +131,16 @@ class _FreeSpace:
     """Clearances, with the relaxation around tight ends."""
 
     def __init__(self, start: Vec2, goal: Vec2, obstacles: Sequence[Footprint], radius: float) -> None:
-        self.obstacles, self.radius = obstacles, radius
+        self.obstacles, self.radius = _Rectangles(obstacles), radius
         self.ends = np.array([start, goal])
-        self.allowed = 0.9 * clearance(self.ends, obstacles)
+        self.allowed = 0.9 * self.obstacles.clearance(self.ends)
 
     def free(self, points: Floats) -> NDArray[np.bool_]:
         wanted = np.full(len(points), self.radius)
         for end, allowed in zip(self.ends, self.allowed, strict=True):
             away = np.hypot(points[:, 0] - end[0], points[:, 1] - end[1])
             wanted = np.minimum(wanted, max(0.02, float(allowed)) + 0.6 * away)
-        return clearance(points, self.obstacles) >= wanted
+        return self.obstacles.clearance(points) >= wanted
 
     def free_line(self, a: Vec2, b: Vec2) -> bool:
         count = int(math.dist(a, b) / (GRID / 2)) + 2
