@@ -149,8 +149,12 @@ class BlenderSession(AssetSession):
         """
         self._background.submit(display_of, AGX_CONTRAST)  # needed by the next render
         poses = list(_poses(pack, requests))
+        opened = self._viewfinder[0][1] if self._viewfinder is not None else None
         seen: dict[int, CameraView] = {}
-        for number in sorted(range(len(poses)), key=lambda number: poses[number].frame or 0):  # each frame is set once
+        # Each frame once, the one that is open already first: opening a viewfinder costs more than two looks.
+        for number in sorted(
+            range(len(poses)), key=lambda number: (poses[number].frame != opened, poses[number].frame)
+        ):
             seen[number] = self._viewfinder_at(pack, poses[number].frame, aspect)(poses[number])
         return [seen[number] for number in range(len(poses))]
 
