@@ -10,7 +10,7 @@ from storyblender.agents.layout_artist.layout_things import layout_violations
 from storyblender.agents.layout_artist.placed_by_hand import without_placed
 from storyblender.agents.layout_artist.spatial_planner_view import measures_of
 from storyblender.catalog.sets import plan_of
-from storyblender.deliver.checklist import STAGING, names_of, picture_flaws, plain
+from storyblender.deliver.checklist import STAGING, picture_flaws
 from storyblender.geometry.continuity import has_new_line, side_of_line
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.base import Frozen, Vec3, scene_name, shot_name
@@ -18,6 +18,7 @@ from storyblender.memory.coverage import as_filmed
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import PackRef
 from storyblender.memory.measure import Collision
+from storyblender.memory.plain_words import names_of, plain
 from storyblender.memory.shot_context import CameraPose, Flaw
 from storyblender.pipeline.reviewing import FrameReview
 from storyblender.pipeline.sighting import ShotSight, Sighting

@@ -19,6 +19,7 @@ from typing import Self
 from storyblender.crew import Crew
 from storyblender.errors import Cancelled, InputError, StoryBlenderError
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.plain_words import names_of
 from storyblender.pipeline.adopting import adopt_earlier_outputs
 from storyblender.pipeline.filming import film
 from storyblender.pipeline.rehearsing import CamerasToMatch
@@ -167,6 +168,9 @@ class OpenProject:
             yield run
 
     def _tell(self, event: Event) -> None:
+        """Tell every listener, in words for people; the trace has kept what the program calls it."""
+        if event.message or event.details:
+            event = event.in_words_for(names_of(self.graph))
         with self._telling:
             for listener in self._listeners:
                 listener(event)

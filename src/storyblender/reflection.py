@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cache
-from reprlib import Repr
 from typing import Final, Generic, Literal, ParamSpec, Protocol, TypeVar
 
 from pydantic import TypeAdapter
 
+from storyblender.draft_words import draft_in_words, fix_in_words
 from storyblender.errors import NoAnswer
 from storyblender.memory.base import Frozen, content_hash
 from storyblender.trace import DecidedBy, Event, Listener, silent
@@ -19,11 +19,6 @@ View = TypeVar("View")
 Draft = TypeVar("Draft")
 Seen = TypeVar("Seen", contravariant=True)
 Judged = TypeVar("Judged", contravariant=True)
-
-
-_SHORT = Repr()
-"""How a draft is written into the trace."""
-_SHORT.maxother = 240
 
 
 UNUSABLE: Final = 9.0
@@ -277,7 +272,7 @@ def _told(
 ) -> Event:
     """Return the event of a new draft, with the fixes that the critic gave for the one before."""
     fixes = (
-        f"{fault.kind} {fault.subject}: " + ", ".join(f"{name} {value}" for name, value in fault.fix.items())
+        f"{fault.message}: {fix_in_words(fault.fix)}"
         for fault in (critique.faults if critique is not None else ())
         if fault.fix
     )
@@ -286,7 +281,7 @@ def _told(
         role=role.name,
         subject=subject,
         turn=turn,
-        message=_SHORT.repr(draft),
+        message=draft_in_words(draft),
         details=tuple(fixes),
         draft=role.drafts.write(draft),
     )

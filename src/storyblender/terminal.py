@@ -113,17 +113,18 @@ class Terminal:
         """Show one event; a stage without work is passed over."""
         if self._json:
             self._write({"event": event.model_dump(mode="json", exclude_defaults=True)})
+        role = event.role.replace("_", " ")
         if event.kind == "stage" and event.total:
             self._advance(event) if self._console.is_terminal else self._say_stage(event)
         elif event.kind == "score" and event.details:
-            note = f"{event.role} {event.subject} turn {event.turn}: {event.score:g}  {event.details[0]}"
+            note = f"{role} {event.subject} turn {event.turn}: {event.score:g}  {event.details[0]}"
             self._note(note)
         elif event.kind in ("propose", "refine"):
-            self._note(f"{event.role} {event.subject} {event.kind}s {event.message}")
+            self._note(f"{role} {event.subject} {event.kind}s {event.message}")
         elif event.kind == "follow":
             self._console.print(f"[yellow]also changed[/] {_plain(f'{event.subject} {event.message}')}", soft_wrap=True)
         elif event.kind in ("handover", "reject", "warning"):
-            text = " ".join(filter(None, (event.role, event.subject, event.message)))
+            text = " ".join(filter(None, (role, event.subject, event.message)))
             self._console.print(f"[yellow]{event.kind}[/] {_plain(text)}", soft_wrap=True)
 
     def files(self, folder: Path, names: Sequence[str], followed: Sequence[str] = ()) -> None:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Literal
 
 from storyblender.memory.base import Frozen
+from storyblender.memory.plain_words import plain
 
 EventKind = Literal[
     "stage", "job", "propose", "score", "refine", "accept", "handover", "commit", "reject", "warning", "follow",
@@ -40,6 +41,16 @@ class Event(Frozen):
     step: int | None = None
     """Progress: this many of ``total`` are done."""
     total: int | None = None
+
+    def in_words_for(self, names: Mapping[str, str]) -> Event:
+        """Return the event as people read it: with display names, as ``names_of`` returns them, in place of ids."""
+        return self.model_copy(
+            update={
+                "subject": names.get(self.subject, self.subject).removeprefix("the "),
+                "message": plain(self.message, names),
+                "details": tuple(plain(each, names) for each in self.details),
+            }
+        )
 
 
 Listener = Callable[[Event], None]

@@ -33,7 +33,7 @@ def said(*words: object, code: int = 0) -> list[dict[str, Any]]:
 def test_an_edit_is_told_with_its_revision_and_what_is_stale(folder: Path) -> None:
     move = ("--move", "pan left", "--f-number", "2", "--focus", "Anna")
     *_, edited = [line for line in said("edit", folder, SHOT, "--size", "cu".upper(), *move) if "edited" in line]
-    assert edited["edited"] == f"{SHOT}: size CU, movement pan, direction left, f number 2, focus anna"
+    assert edited["edited"] == f"{SHOT}: size CU, movement pan, direction left, f number 2, focus Anna"
     assert edited["stale"] == [SHOT] and edited["revision"].partition(".")[0].isdigit()
     decided = CameraDecision(size="CU", movement="pan", direction="left", f_number=2, focus="anna")
     assert read_project_graph(folder).shots[0].camera_decision == decided
@@ -99,7 +99,7 @@ def test_help_teaches_with_examples(command: str) -> None:
 
 def test_notes_and_approval_are_typed_and_seen(folder: Path) -> None:
     *_, written = [line for line in said("shot", "note", folder, SHOT, "Too slow.", "--author", "Ilsa", "--no-render")]
-    assert written["edited"] == f"{SHOT}: note 1: Ilsa: Too slow." and written["stale"] == []
+    assert written["edited"] == f"{SHOT}: note 1: “Ilsa: Too slow.”" and written["stale"] == []
     said("shot", "note", folder, SHOT, "--resolve", "1", "--no-render")
     [refused] = said("shot", "approve", folder, SHOT, "--no-render", code=2)
     assert f"{SHOT} is not drawn yet" in refused["error"] and f"render DIR --shot {SHOT}" in refused["error"]

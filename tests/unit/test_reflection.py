@@ -46,7 +46,7 @@ def test_every_proposal_score_and_fix_is_told() -> None:
     assert [(event.kind, event.turn, event.message) for event in events] == [
         ("propose", 0, "7"), ("score", 0, ""), ("refine", 1, "8"), ("score", 1, ""), ("accept", 1, ""),
     ]  # fmt: skip
-    assert events[2].details == ("low : add 1.0",)
+    assert events[2].details == ("only 7: add 1",)
 
 
 def test_hands_over_after_the_horizon() -> None:

@@ -16,6 +16,7 @@ from pathlib import Path
 from storyblender.deliver.panel import Panel, panels
 from storyblender.deliver.shot_list import inert
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.plain_words import names_of, plain
 from storyblender.memory.shot_context import Flag, Flaw, ShotContext
 from storyblender.memory.shot_sizes import SHOT_SIZES
 
@@ -121,31 +122,16 @@ def write_checklist(checks: Iterable[Check], part: Path) -> None:
         writer.writerows([inert(value) for value in (check.shot, check.says, check.mend)] for check in checks)
 
 
-def names_of(graph: ContinuityMemoryGraph) -> dict[str, str]:
-    """Return the display name of every asset and placed object by id: ``Ilsa Lund``, ``the round table``."""
-    names = {
-        asset.asset_id: asset.name if asset.asset_type == "character" and asset.name else f"the {asset.name}"
-        for asset in graph.assets
-        if asset.name
-    }
-    placed = {
-        item.node_id: names[item.asset_id]
-        for scene in graph.scenes
-        if scene.layout is not None
-        for item in scene.layout.objects
-        if item.asset_id in names
-    }
-    return placed | names
-
-
-def plain(text: str, names: Mapping[str, str]) -> str:
-    """Return a message with every id replaced by its display name; quoted words of the script stay as they are.
+def to_check(shot: ShotContext, names: Mapping[str, str]) -> tuple[str, ...]:
+    """Return what a director would mind in a shot, one sentence each: of its staging, then of its picture.
 
     Args:
-        text: The message.
-        names: Display names by asset_id and node_id, from ``names_of``.
+        shot: With what its staging and its camera were left with.
+        names: Display names, from ``names_of``.
     """
-    return re.sub(r"“[^”]*”|\b[a-z]\w*", lambda word: names.get(word[0], word[0]), text)
+    staging = (_worded(says, flaw, names) for flaw, says in _staging_flaws(shot.flaws))
+    picture = (_worded(CAMERA[flaw.kind][1], flaw, names) for flaw in picture_flaws(shot))
+    return tuple(dict.fromkeys((*staging, *picture)))
 
 
 def _reading_checks(panel: Panel, script: str, names: Mapping[str, str]) -> Iterator[Check]:
@@ -164,14 +150,20 @@ def _script_mend(flag: Flag, script: str) -> str:
 def _staging_checks(
     panel: Panel, flaws: Iterable[Flaw], script: str, folder: str, names: Mapping[str, str]
 ) -> Iterator[Check]:
+    for flaw, says in _staging_flaws(flaws):
+        mend = f"change it in story.blend, or reword the line, then: storyblender make {shlex.quote(script)}"
+        if flaw.kind in PLACED:
+            where = panel.name if flaw.kind == "mark" else panel.name.partition("_")[0]
+            mend = f"storyblender place {shlex.quote(folder)} {where} {flaw.subject} --at X,Y"
+        yield Check(panel.name, _worded(says, flaw, names), mend)
+
+
+def _staging_flaws(flaws: Iterable[Flaw]) -> Iterator[tuple[Flaw, str]]:
+    """Yield the staging flaws that a director would mind, each with its sentence."""
     for flaw in flaws:
         least, says = STAGING.get(flaw.kind, (0.0, "{message}"))
         if flaw.weight >= least:
-            mend = f"change it in story.blend, or reword the line, then: storyblender make {shlex.quote(script)}"
-            if flaw.kind in PLACED:
-                where = panel.name if flaw.kind == "mark" else panel.name.partition("_")[0]
-                mend = f"storyblender place {shlex.quote(folder)} {where} {flaw.subject} --at X,Y"
-            yield Check(panel.name, _worded(says, flaw, names), mend)
+            yield flaw, says
 
 
 def picture_flaws(shot: ShotContext) -> list[Flaw]:

@@ -13,6 +13,7 @@ from storyblender.edits.effect import Effect, name_of, with_effects
 from storyblender.edits.families import effects_of
 from storyblender.memory.base import Frozen
 from storyblender.memory.edits import Edit
+from storyblender.memory.plain_words import names_of, plain
 from storyblender.project import Project
 
 PRINTED: Final = frozenset({"notes", "approval", "cut", "name"})
@@ -72,14 +73,16 @@ def apply_edits(project: Project, edits: Sequence[Edit], version: str | None = N
     refuse_changed(approved_by(edits), effects)
     if version is not None:
         refuse_stale(project, version, {(each.name, aspect) for each in effects for aspect in each.aspects})
+    names = names_of(project.graph) | names_of(graph)
     words = "; ".join(
-        f"{_listed([each.name for each in same])}: {said}" for said, same in groupby(effects, lambda each: each.words)
+        f"{_listed([names.get(each.name, each.name) for each in same])}: {plain(said, names)}"
+        for said, same in groupby(effects, lambda each: each.words)
     )
     project.commit(graph, author, words)
     there = {name_of(shot) for shot in graph.shots if not shot.joined}
     stale = dict.fromkeys(name for each in effects for name in each.stale if name in there)
     printed = any(each.aspects & PRINTED for each in effects)
-    warnings = tuple(dict.fromkeys(each for effect in effects for each in effect.warnings))
+    warnings = tuple(dict.fromkeys(plain(each, names) for effect in effects for each in effect.warnings))
     return Applied(version=project.version, words=words, stale=tuple(stale), printed=printed, warnings=warnings)
 
 

@@ -23,7 +23,7 @@ def note_effects(graph: ContinuityMemoryGraph, edit: NoteEdit) -> list[Effect]:
         if number > MOST_NOTES:
             raise InputError(f"{name} has {MOST_NOTES} notes already", mend="remove some that are resolved")
         note = Note(number=number, text=(edit.text or "").strip(), author=edit.author.strip())
-        return [_effect(shot, (*shot.notes, note), f"note {number}: {note.words}")]
+        return [_effect(shot, (*shot.notes, note), f"note {number}: “{note.words}”")]
     number = edit.number
     if number not in {note.number for note in shot.notes}:
         numbers = ", ".join(str(note.number) for note in shot.notes)

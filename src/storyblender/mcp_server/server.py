@@ -16,10 +16,10 @@ from mcp.types import ToolAnnotations
 from PIL import Image as Pillow
 from pydantic import Field
 
-from storyblender.deliver.checklist import names_of
 from storyblender.edits.dispatcher import Applied
 from storyblender.errors import InputError, StoryBlenderError
 from storyblender.memory.edits import Edit
+from storyblender.memory.plain_words import names_of
 from storyblender.workplace.values import (
     CheckReport,
     Edited,
@@ -173,7 +173,7 @@ def _add_looking(server: FastMCP[None], place: Workplace) -> None:
         """List the takes of a shot: kept versions of its camera. `look` shows each, `edit` chooses or drops one."""
         with _sentences():
             panel = place.panel(shot)
-            return Takes(shot=panel.name, takes=takes_of(panel.shot))
+            return Takes(shot=panel.name, takes=takes_of(panel.shot, names_of(place.session.graph)))
 
     @_tool(server, READS)
     def look(

@@ -153,7 +153,7 @@ def film(run: Run) -> None:
                 awaited.append(error)
                 continue
             done += _commit_scene(run, graph, scene_id, states, events)
-            run.progress("camera", done, total, f"scene {scene_id}")
+            run.progress("camera", done, total, scene_name(scene_id))
         if awaited:
             raise AnswerAwaited.of(awaited)
     finally:
@@ -184,7 +184,7 @@ def _commit_scene(
         for shot in graph.shots_of(scene_id)
         if shot.camera is None
     ]
-    run.commit("camera_operator", f"cameras of scene {scene_id}", *fresh)
+    run.commit("camera_operator", f"cameras of {scene_name(scene_id)}", *fresh)
     return len(states)
 
 

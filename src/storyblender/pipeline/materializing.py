@@ -42,7 +42,7 @@ def materialize(run: Run, assets: Sequence[Asset] | None = None) -> None:
         built.append(_built(run, concept, asset, future))
         note_asset(run, built[-1])
     run.progress("materialize", len(waiting), len(waiting))
-    run.commit("asset_formatter", f"{len(built)} assets built", *_with_prompts(run, built))
+    run.commit("asset_formatter", f"{len(built)} asset{'s' * (len(built) != 1)} built", *_with_prompts(run, built))
 
 
 def _with_prompts(run: Run, assets: Sequence[Asset]) -> list[Asset]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
 from pydantic import ValidationError
@@ -13,6 +13,7 @@ from storyblender.agents.director.rules import Ledger, using_ledger
 from storyblender.memory.base import Frozen, scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import ShotOutline
+from storyblender.memory.plain_words import names_of, plain
 from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.run import Run
 from storyblender.project import TRACE
@@ -81,6 +82,7 @@ def shot_reasons(run: Run, shot: ShotContext) -> ShotReasons:
         shot: Of its graph.
     """
     name, graph = shot_name(shot.scene_id, shot.shot_id), run.graph
+    names = names_of(graph)
     outline = _outline_of(graph, shot)
     scene = graph.scene(shot.scene_id)
     decisions = {
@@ -90,12 +92,23 @@ def shot_reasons(run: Run, shot: ShotContext) -> ShotReasons:
     return ShotReasons(
         shot=name,
         decided=(
-            *(f"{part}: {each.words}" for part, each in decisions.items() if each is not None),
-            *([f"animated by hand: {', '.join(shot.motion_by_hand)}"] if shot.motion_by_hand else ()),
+            *(f"{part}: {plain(each.words, names)}" for part, each in decisions.items() if each is not None),
+            *([f"animated by hand: {plain(', '.join(shot.motion_by_hand), names)}"] if shot.motion_by_hand else ()),
         ),
-        roles=tuple(role_reasons(_events(run.project.path(TRACE)), (scene_name(shot.scene_id), name))),
+        roles=tuple(
+            _in_words(each, names)
+            for each in role_reasons(_events(run.project.path(TRACE)), (scene_name(shot.scene_id), name))
+        ),
         lines=tuple(line.text for line in outline.lines),
         words=tuple(_words_of(outline, _rules_read(run))),
+    )
+
+
+def _in_words(reason: RoleReason, names: Mapping[str, str]) -> RoleReason:
+    """Return a reason as people read it: the trace has ids."""
+    said = ("remarks", "fixes", "warnings")
+    return reason.model_copy(
+        update={field: tuple(plain(each, names) for each in getattr(reason, field)) for field in said}
     )
 
 

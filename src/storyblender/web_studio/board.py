@@ -6,6 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 from itertools import groupby
 from pathlib import Path
 
+from storyblender.deliver.checklist import to_check
 from storyblender.deliver.panel import Panel, cue_of, length_of, panels
 from storyblender.memory.base import scene_name
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -57,7 +58,6 @@ def _card(folder: Path, panel: Panel, stale: Collection[str], previews: Mapping[
         address = f"/previews/{panel.name}.png?v={picture.stem}"
     else:
         address = f"/frames/{panel.name}.png?v={picture.stat().st_mtime_ns}"
-    camera = panel.shot.camera
     return PanelCard(
         shot=panel.name,
         scene=scene_name(panel.scene.scene_id),
@@ -72,7 +72,7 @@ def _card(folder: Path, panel: Panel, stale: Collection[str], previews: Mapping[
         notes=sum(not note.resolved for note in panel.shot.notes),
         locked=bool(panel.shot.locked),
         takes=len(panel.shot.takes) + 1,
-        problems=len(panel.shot.flaws) + len(camera.residual if camera is not None else ()),
+        problems=len(to_check(panel.shot, {})),
     )
 
 

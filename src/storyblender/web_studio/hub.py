@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from storyblender.errors import InputError, StoryBlenderError
+from storyblender.memory.plain_words import names_of, plain
 from storyblender.session import Session
 from storyblender.trace import Event
 from storyblender.web_studio.calls import Calls
@@ -112,10 +113,14 @@ class Hub:
         try:
             return Answer(id=number, ok=True, value=call())
         except StoryBlenderError as error:
-            return Answer(id=number, ok=False, error=str(error))
+            return Answer(id=number, ok=False, error=self._worded(str(error)))
         except Exception:  # noqa: BLE001 - logged; the page goes on
             _LOG.exception("a call of the page failed")
             return Answer(id=number, ok=False, error="this failed, and should not have; the terminal says more")
+
+    def _worded(self, sentence: str) -> str:
+        """Return a sentence with the names of people and things in place of ids: the page shows no ids to type."""
+        return plain(sentence, names_of(self.place.session.graph)) if self.place.is_open else sentence
 
     def followed(self) -> dict[str, Any]:
         """Return how far the work is that has just begun; the browsers hear of it until it ends."""

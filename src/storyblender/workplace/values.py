@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any, Literal
 
-from storyblender.deliver.checklist import plain
+from storyblender.deliver.checklist import to_check
 from storyblender.deliver.panel import Panel
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.base import Described
 from storyblender.memory.camera_decision import CameraInstruction
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.kept_takes import BlockingTakes, LayoutTakes
+from storyblender.memory.plain_words import names_of, plain
 from storyblender.memory.scene_decision import BlockingDecision, LayoutDecision
 from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.reviewing import FrameReview
@@ -248,21 +249,28 @@ def summary_of(panel: Panel) -> ShotSummary:
     )
 
 
-def takes_of(shot: ShotContext) -> tuple[TakeSummary, ...]:
-    """Return all takes of a shot, in order of their numbers."""
+def takes_of(shot: ShotContext, names: Mapping[str, str]) -> tuple[TakeSummary, ...]:
+    """Return all takes of a shot, in order of their numbers.
+
+    Args:
+        shot: The shot.
+        names: Of people and things by id, as ``names_of`` returns them.
+    """
     return tuple(
         TakeSummary(
             number=take.number,
             in_film=take.number == shot.take,
             camera=described(take.camera_instruction),
-            decided=tuple(take.camera_decision.words.split(", ")) if take.camera_decision is not None else (),
+            decided=tuple(plain(take.camera_decision.words, names).split(", ")) if take.camera_decision else (),
         )
         for take in sorted((*shot.takes, shot.as_take), key=lambda take: take.number)
     )
 
 
 def _takes_of_decisions(
-    takes: BlockingTakes | LayoutTakes | None, present: BlockingDecision | LayoutDecision | None
+    takes: BlockingTakes | LayoutTakes | None,
+    present: BlockingDecision | LayoutDecision | None,
+    names: Mapping[str, str],
 ) -> tuple[TakeSummary, ...]:
     """Return all takes of a blocking or a layout, in order of their numbers."""
     number = takes.number if takes is not None else 1
@@ -272,7 +280,7 @@ def _takes_of_decisions(
             number=each,
             in_film=each == number,
             camera="",
-            decided=(decision.words,) if decision is not None and decision.words else (),
+            decided=(plain(decision.words, names),) if decision is not None and decision.words else (),
         )
         for each, decision in sorted(decided.items())
     )
@@ -291,7 +299,7 @@ def details_of(panel: Panel, graph: ContinuityMemoryGraph) -> ShotDetails:
         panel: The shot.
         graph: The story.
     """
-    scene = graph.scene(panel.shot.scene_id)
+    scene, names = graph.scene(panel.shot.scene_id), names_of(graph)
     decisions = {part: getattr(scene, f"{part}_decision") for part in ("light", "set", "layout")}
     shot, camera = panel.shot, panel.shot.camera
     first = camera.poses[0] if camera is not None else None
@@ -310,21 +318,23 @@ def details_of(panel: Panel, graph: ContinuityMemoryGraph) -> ShotDetails:
         camera_location=stands if stands is None else _rounded(stands),
         camera_looks_at=first and _rounded(first.pivot),
         decided=(
-            *(shot.camera_decision.words.split(", ") if shot.camera_decision is not None else ()),
-            *([f"marks: {shot.blocking_decision.words}"] if shot.blocking_decision is not None else ()),
-            *([f"animated by hand: {', '.join(shot.motion_by_hand)}"] if shot.motion_by_hand else ()),
+            *(plain(shot.camera_decision.words, names).split(", ") if shot.camera_decision is not None else ()),
+            *([f"marks: {plain(shot.blocking_decision.words, names)}"] if shot.blocking_decision is not None else ()),
+            *([f"animated by hand: {plain(', '.join(shot.motion_by_hand), names)}"] if shot.motion_by_hand else ()),
         ),
-        takes=takes_of(shot),
-        blocking_takes=_takes_of_decisions(shot.blocking_takes, shot.blocking_decision),
-        layout_takes=_takes_of_decisions(scene.layout_takes, scene.layout_decision),
-        scene_decided=tuple(f"{part}: {each.words}" for part, each in decisions.items() if each is not None),
+        takes=takes_of(shot, names),
+        blocking_takes=_takes_of_decisions(shot.blocking_takes, shot.blocking_decision, names),
+        layout_takes=_takes_of_decisions(scene.layout_takes, scene.layout_decision, names),
+        scene_decided=tuple(
+            f"{part}: {plain(each.words, names)}" for part, each in decisions.items() if each is not None
+        ),
         locked=(*shot.locked, *(f"{part} of the scene" for part in scene.locked)),
         approved=shot.approved is not None,
         notes=tuple(NoteOn(**note.model_dump()) for note in shot.notes),
         stand_ins={
             asset.asset_id: asset.image_prompt for asset in graph.assets_of(scene.scene_id) if asset.image_prompt
         },
-        problems=tuple(flaw.message for flaw in (*shot.flaws, *(camera.residual if camera is not None else ()))),
+        problems=to_check(shot, names),
     )
 
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 
-from storyblender.deliver.checklist import Check, checklist, names_of, plain
+from storyblender.deliver.checklist import Check, checklist
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline, ShotOutline
+from storyblender.memory.plain_words import names_of, plain
 from storyblender.memory.scene_context import Layout, LayoutObject, SceneContext, SceneSetup, SceneSize
 from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Flag, Flaw, ShotContext
 

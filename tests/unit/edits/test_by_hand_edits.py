@@ -50,7 +50,7 @@ def job(session: Session) -> SceneJob:
 def test_it_is_packed_with_its_scene_and_nothing_else_of_the_shot_changes(kept: Session) -> None:
     before, bytes_before, packed = kept.graph.shot(1, 2), (kept.folder / "graph.json").read_bytes(), job(kept)
     applied = kept.apply(edits_of([edit()]))
-    assert {name[:5] for name in applied.stale} == {"SC010"} and "tom" in applied.words
+    assert {name[:5] for name in applied.stale} == {"SC010"} and "Tom" in applied.words
     after = kept.graph.shot(1, 2)
     assert after == before.model_copy(update={"motion_by_hand": {"tom": WAVE.digest}}), "cameras and marks stay"
     [motion] = job(kept).by_hand

@@ -36,7 +36,7 @@ def test_a_line_is_said_when_a_person_decided_and_as_long(session: Session) -> N
     shot, person, number = spoken(session)
     first, before = begins(session, shot), (session.folder / "graph.json").read_bytes()
     words = apply(session, line_edit(shot, person, number, {"at": first + 3.0}))
-    assert f"{person} says line {number} at" in words
+    assert f"{person.title()} says line {number} at" in words
     assert begins(session, shot) == pytest.approx(first + 3.0, abs=0.5)
     apply(session, line_edit(shot, person, number, {"seconds": 5.0}))
     panel = next(each for each in panels(session.graph) if each.name == shot)

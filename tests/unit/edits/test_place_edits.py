@@ -245,7 +245,7 @@ def test_who_sits_rises_and_goes_to_their_mark(session: Session) -> None:
 def test_what_it_stands_in_is_told_and_on_the_checklist_and_no_layout_fault(session: Session) -> None:
     at = item(session.graph, "table").location[:2]
     applied = session.apply(edits_of([move("sofa", list(at))]))
-    assert any("deep in table" in said for said in applied.warnings)
+    assert any("deep in the table" in said for said in applied.warnings)
     session.draw(applied)
     report = session.check()
     assert any("which a person placed, stands" in finding for finding in report.findings)
@@ -254,13 +254,13 @@ def test_what_it_stands_in_is_told_and_on_the_checklist_and_no_layout_fault(sess
     assert "SC010 sofa --at X,Y" in page, "the checklist says how to move it"
     near = mark(session.graph, "anna", SHOT).location[:2]
     told = session.apply(edits_of([{**TOM, "marks": {"start": {"location": near}}}])).warnings
-    assert any("stands in anna" in said for said in told)
+    assert any("stands in Anna" in said for said in told)
 
 
 def test_a_description_of_the_shot_says_what_was_placed(session: Session) -> None:
     session.apply(edits_of([move("sofa", [0.5, 1.25], 30.0), TOM]))
     told = details_of(next(panel for panel in panels(session.graph) if panel.name == SHOT), session.graph)
-    assert "marks: tom starts at 1.5, -1, turned to 200 degrees" in told.decided
+    assert "marks: Tom starts at 1.5, -1, turned to 200 degrees" in told.decided
     assert "layout: things sofa at 0.5, 1.25, turned to 30 degrees" in told.scene_decided
 
 

@@ -87,7 +87,7 @@ def find_composition_faults(view: CameraOperatorView, camera: Orbit, moment: Mom
         xs = [subject.face[0] for _, subject in heads if subject.face is not None]
         off = (min(xs) + max(xs)) / 2 - 0.5
         if abs(off) > _STRAY:
-            text = f"the group is {off:+.2f} of the width off the middle"
+            text = f"the group is {off:+.0%} of the width off the middle"
             found.append(fault("placement", heads[0][1].node_id, 0.8 + abs(off), text, pan_x=off * camera.aspect))
         aside = max(AT_SIDE - min(xs), max(xs) - 1 + AT_SIDE)
         if aside > 0:
@@ -119,14 +119,14 @@ def _thing_faults(view: CameraOperatorView, camera: Orbit, subjects: Sequence[Su
     x, y, node = (left + right) / 2 - 0.5, (top + bottom) / 2 - 0.5, subjects[0].node_id
     found = []
     if max(abs(x), abs(y)) > _THING_STRAY:
-        text = f"{node} is off the middle by {x:+.2f} of the width and {y:+.2f} of the height"
+        text = f"{node} is off the middle by {x:+.0%} of the width and {y:+.0%} of the height"
         found.append(fault("placement", node, 0.8 + 2 * max(abs(x), abs(y)), text, pan_x=x * camera.aspect, pan_y=-y))
     wanted = SIZES[view.instruction.size].fill
     extent = max(right - left, bottom - top)
     least = _LEAST_ASKED if view.asked.size is not None else _LEAST_THING
     if not least * wanted < extent < min(1.7 * wanted, 0.97):
         steps = math.log(wanted / max(extent, 0.01), DOLLY)
-        text = f"{node} fills {extent:.2f} of the picture, {view.instruction.size} wants {wanted:.2f}"
+        text = f"{node} fills {extent:.0%} of the picture, {view.instruction.size} wants {wanted:.0%}"
         found.append(fault("size", node, min(0.5 + 0.2 * abs(steps), 3.0), text, dolly=steps))
     return found
 
@@ -171,7 +171,7 @@ def _size_faults(view: CameraOperatorView, heads: Sequence[SubjectView]) -> list
     if low <= largest <= high or largest <= 0:
         return []
     steps = math.log(scale.head / largest, DOLLY)
-    text = f"the head fills {largest:.2f} of the height, {view.instruction.size} wants {scale.head:.2f}"
+    text = f"the head fills {largest:.0%} of the height, {view.instruction.size} wants {scale.head:.0%}"
     return [fault("size", heads[0].node_id, min(0.5 + 0.25 * abs(steps), 3.0), text, dolly=steps)]
 
 
@@ -184,7 +184,7 @@ def _placement_faults(view: CameraOperatorView, camera: Orbit, figure: Figure, s
     off = subject.face[0] - wanted
     if abs(off) <= _STRAY:
         return []
-    text = f"the face of {subject.node_id} is {off:+.2f} of the width off its place"
+    text = f"the face of {subject.node_id} is {off:+.0%} of the width off its place"
     return [fault("placement", subject.node_id, 0.5 + 2 * abs(off), text, pan_x=off * camera.aspect)]
 
 
@@ -204,5 +204,5 @@ def _headroom_faults(view: CameraOperatorView, heads: Sequence[SubjectView], ove
     if low <= top <= high:
         return []
     off = crown - top
-    text = f"headroom is {top:.2f} of the height"
+    text = f"headroom is {top:.0%} of the height"
     return [fault("headroom", heads[0].node_id, 0.5 + 2 * abs(off), text, pan_y=off)]

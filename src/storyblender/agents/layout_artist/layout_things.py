@@ -11,6 +11,7 @@ import numpy as np
 
 from storyblender.catalog.footprints import piece_boxes, wall_boxes
 from storyblender.catalog.set_plan import SetPlan
+from storyblender.draft_words import fix_in_words
 from storyblender.geometry.boxes import Box, footprint_gap, yaw_along
 from storyblender.geometry.relations import (
     CONTACT_DISTANCE,
@@ -291,6 +292,6 @@ def fault_of(violation: Violation, things: Sequence[LayoutThing], room: PlayingA
 
 def _fault(kind: str, subject: str, other: str | None, amount: str, fix: Mapping[str, float]) -> Fault:
     towards = f" and {other}" if other else ""
-    mend = ", ".join(f"{name} {value:+.2f}" for name, value in fix.items()) or "none known"
+    mend = fix_in_words(fix) or "none known"
     message = f"{kind} of {subject}{towards}: {amount} too much; fix: {mend}"
     return Fault(kind=kind, subject=subject, severity=_SEVERITY, message=message, fix=dict(fix))
