@@ -98,7 +98,7 @@ def test_a_person_who_is_dragged_stands_there_and_undo_brings_them_back(stage: P
     where = {block.start.asset_id: getattr(block, end).location for block in before.shot(1, 1).blocking}
     with shown_anew(stage):
         drag(stage, "tom", (30, 20))
-        expect(said(stage)).to_contain_text(f"tom {end}s")
+        expect(said(stage)).to_contain_text(f"Tom {end}s")
     now = {block.start.asset_id: getattr(block, end).location for block in graph_of(studio).shot(1, 1).blocking}
     assert now["tom"][0] > where["tom"][0] + 0.1 and now["tom"][1] < where["tom"][1] - 0.05
     assert now["ada"] == pytest.approx(where["ada"], abs=0.01)

@@ -175,7 +175,7 @@ def test_a_place_without_room_is_told(folder: Path) -> None:
         assert not [each for each in warnings if "no room" in each]
         session.undo()
         apply(session, {**PIANO, "relation": "in", "anchor": "left_corner"})
-    assert "there is no room for piano in left corner: it stands elsewhere" in warnings
+    assert "there is no room for the piano in left corner: it stands elsewhere" in warnings
 
 
 def test_takes_are_kept_chosen_and_dropped(session: Session) -> None:
