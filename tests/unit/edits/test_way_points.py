@@ -44,7 +44,7 @@ def test_a_walk_goes_through_its_way_points_and_back_to_the_crews_way(session: S
     apply(session, goes(end=GOAL))
     [straight] = walks(session)
     said = apply(session, goes(ASIDE))
-    assert f"tom walks through {ASIDE[0]:g}, {ASIDE[1]:g}" in said
+    assert f"Tom walks through {ASIDE[0]:g}, {ASIDE[1]:g}" in said
     [walk] = walks(session)
     assert walk.via == (ASIDE,) and not marks(session)
     assert walk.mark and straight.mark and walk.mark.location == straight.mark.location
