@@ -54,3 +54,17 @@ def test_a_moment_has_what_is_drawn_where_it_is_then(
     assert node.get("translation", [0, 0, 0])[0] == pytest.approx(x, abs=1e-5)
     assert not {"animations", "skins", "cameras"} & made.keys()
     assert {obj.name for obj in bpy.context.scene.objects} == {"box", "hidden", "lamp"}, "the scene is as before"
+
+
+def test_what_does_not_move_is_where_it_was_put_in_a_scene_that_was_just_built(tmp_path: Path) -> None:
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    scene = bpy.context.scene.copy()
+    bpy.context.window.scene = scene
+    mesh = bpy.data.meshes.new("table")
+    mesh.from_pydata([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [], [(0, 1, 2)])
+    table = bpy.data.objects.new("table", mesh)
+    scene.collection.objects.link(table)
+    table.location = (1.5, 0.0, 0.25)
+    write_moment(scene, 1, tmp_path / "moment.glb")
+    [node] = content(tmp_path / "moment.glb")["nodes"]
+    assert node["translation"] == pytest.approx([1.5, 0.25, 0.0])

@@ -29,6 +29,9 @@ def export_still(still: bpy.types.Scene, part: Path) -> None:
         part: The .glb to write.
     """
     bpy.context.window.scene = still
+    for obj in still.objects:
+        obj.update_tag()  # the exporter reads places that Blender works out only for the window's scene
+    bpy.context.view_layer.update()
     bpy.ops.export_scene.gltf(
         filepath=str(part),
         export_format="GLB",
