@@ -19,6 +19,7 @@ from storyblender.memory.edits import Edit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import TRIAL, Commit
 from storyblender.memory.panorama import Panorama
+from storyblender.memory.plain_words import names_of, plain
 from storyblender.pipeline.compiling import story_files
 from storyblender.pipeline.drawing import draw_frames, draw_shots
 from storyblender.pipeline.filming import cuts_made_wrong, film
@@ -186,7 +187,11 @@ class Session(ViewedProject):
             for flaw in wrong:
                 run.tell(Event(kind="warning", role="camera_operator", subject=flaw.shot, message=flaw.message))
             files, reviews = draw_shots(run, [run.graph.shot(shot.scene_id, shot.shot_id) for shot in shots])
-            told = {"followed": tuple(run.followed), "wrong_cuts": tuple(wrong), "reviews": reviews}
+            told = {
+                "followed": tuple(plain(each, names_of(run.graph)) for each in run.followed),
+                "wrong_cuts": tuple(wrong),
+                "reviews": reviews,
+            }
             return Delivery(self.folder, files, run.graph, **told)
 
     def print_board(self, layout: BoardLayout) -> Delivery:
