@@ -41,9 +41,16 @@ def rested(studio: RunningStudio) -> ContinuityMemoryGraph:
 
 
 def look(page: Page, view: str) -> np.ndarray:
+    """Return the pixels of a view of the stage, once it is drawn and nothing changes any more."""
     page.get_by_role("button", name=view, exact=True).click()
-    page.wait_for_timeout(1200)
-    return np.asarray(Image.open(io.BytesIO(page.locator(".frame canvas").screenshot())).convert("RGB"), dtype=float)
+    before = b""
+    for _ in range(60):
+        page.wait_for_timeout(200)
+        now = page.locator(".frame canvas").screenshot()
+        if now == before and not in_page(page, "return view.scene.drawing;"):
+            return np.asarray(Image.open(io.BytesIO(now)).convert("RGB"), dtype=float)
+        before = now
+    raise AssertionError(f"the view {view} does not come to rest")
 
 
 def in_page(page: Page, script: str, *values: Any) -> Any:

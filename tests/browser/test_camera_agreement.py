@@ -67,16 +67,17 @@ def frames(shot: ShotContext) -> Iterator[int]:
 
 
 def in_blender(
-    graph: ContinuityMemoryGraph, shot: ShotContext, at: int, points: list[tuple[float, float, float]]
-) -> NDArray[np.float64]:
-    """Return where Blender's camera sees points at a frame: from the left and from the top, and how far ahead."""
+    graph: ContinuityMemoryGraph, shot: ShotContext, points: list[tuple[float, float, float]]
+) -> Iterator[tuple[int, NDArray[np.float64]]]:
+    """Yield frames, and where Blender's camera sees points: from the left and from the top, and how far ahead."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene
     scene.render.resolution_x, scene.render.resolution_y = graph.format.width, graph.format.height
     scene.camera = make_camera(scene, scene.collection, shot, FIRST)
-    scene.frame_set(FIRST + at)
-    seen = np.array([world_to_camera_view(scene, scene.camera, Vector(point)) for point in points])
-    return seen * (1, -1, 1) + (0, 1, 0)
+    for at in frames(shot):
+        scene.frame_set(FIRST + at)
+        seen = np.array([world_to_camera_view(scene, scene.camera, Vector(point)) for point in points])
+        yield at, seen * (1, -1, 1) + (0, 1, 0)
 
 
 @pytest.mark.slow
@@ -91,8 +92,7 @@ def test_the_page_and_blender_see_the_same(
         if shot.camera is None or not points:
             continue
         camera = stage_camera(shot, shot.camera, Film(shot.camera.sensor_width, graph.format.aspect))
-        for at in frames(shot):
-            blender = in_blender(graph, shot, at, points)
+        for at, blender in in_blender(graph, shot, points):
             page = np.array(in_page(stage, SEEN, camera.model_dump(), graph.format.aspect, at, points))
             ahead = (blender[:, 2] > 0.3) & (np.abs(blender[:, :2] - 0.5).max(axis=1) < 1.5)
             off = np.abs(page - blender[:, :2])[ahead] * (graph.format.aspect, 1.0)

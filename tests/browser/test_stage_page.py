@@ -139,7 +139,7 @@ def test_a_person_is_seated_made_to_look_and_given_a_thing(stage: Page, studio: 
     stage.mouse.click(*point_on(stage, "tom"))
     pose = stage.get_by_role("group", name="Pose of")
     expect(pose).to_be_visible()
-    for label, choice, told in (("Posture", "sit", "sitting"), ("Looks", "ada", "looking at ada")):
+    for label, choice, told in (("Posture", "sit", "sitting"), ("Looks", "ada", "looking at Ada")):
         with shown_anew(stage):
             pose.get_by_label(label).select_option(choice)
             expect(said(stage)).to_contain_text(told)
