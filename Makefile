@@ -29,7 +29,7 @@ test-local-model: $(LOCAL)  ## Install a small model with its server, compiled h
 	$(BIN)/python -m pytest -n 0 -s tests/local_model
 
 test-studio: $(BROWSER)  ## Look at the studio's page in a real browser; it needs Chromium
-	$(BIN)/python -m pytest -n 0 tests/browser
+	$(BIN)/python -m pytest -n 2 tests/browser
 
 check: $(READY)  ## Lint, types, layers
 	$(BIN)/ruff check .
