@@ -89,17 +89,23 @@ async def over_pipes(folder: Path) -> dict[str, Any]:
         return await whole_session(call)
 
 
-def test_a_whole_session_over_pipes(tmp_path: Path) -> None:
-    was_whole(asyncio.run(over_pipes(tmp_path)))
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder of stories: what one client has made, another finds there."""
+    return tmp_path_factory.mktemp("stories")
+
+
+def test_a_whole_session_over_pipes(folder: Path) -> None:
+    was_whole(asyncio.run(over_pipes(folder)))
 
 
 @pytest.fixture
-def port(tmp_path: Path) -> Iterator[int]:
-    """Run a server for a folder over HTTP, and return its port."""
+def port(folder: Path) -> Iterator[int]:
+    """Run a server for the folder over HTTP, and return its port."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         number = free.getsockname()[1]
-    command = [sys.executable, "-m", "storyblender", "mcp", str(tmp_path), "--http", str(number)]
+    command = [sys.executable, "-m", "storyblender", "mcp", str(folder), "--http", str(number)]
     with subprocess.Popen(command, env={**os.environ, "STORYBLENDER_TOKEN": TOKEN}, stderr=subprocess.PIPE) as server:
         try:
             yield number
