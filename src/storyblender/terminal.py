@@ -12,22 +12,13 @@ from collections.abc import Callable, Mapping, Sequence
 from io import TextIOWrapper
 from itertools import groupby
 from pathlib import Path
-from time import monotonic
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
-from rich.markup import escape
-from rich.progress import (
-    BarColumn,
-    MofNCompleteColumn,
-    Progress,
-    TaskID,
-    TextColumn,
-    TimeElapsedColumn,
-    TimeRemainingColumn,
-)
 from rich.table import Table
+
+from storyblender.terminal_progress import StageProgress, plain
 
 if TYPE_CHECKING:
     from storyblender.agents.director.reader.reasons import Reason
@@ -46,24 +37,6 @@ if TYPE_CHECKING:
     from storyblender.pipeline.shot_reasons import ShotReasons
     from storyblender.trace import Event
 
-_CONTROLS = {code: "\N{REPLACEMENT CHARACTER}" for code in (*range(32), *range(127, 160)) if chr(code) not in "\t\n"}
-LABELS = {
-    "ground": "Reading the script",
-    "materialize": "Building people and props",
-    "stage": "Laying out the scenes",
-    "pack": "Building the scenes",
-    "camera": "Setting the cameras",
-    "frames": "Drawing the frames",
-    "motion": "Shooting the animatic",
-    "deliver": "Binding the board",
-    "prints": "Printing the frames",
-    "encode": "Encoding the film",
-    "story": "Compiling the Blender files",
-    "export": "Writing the scenes",
-    "check": "Checking the scenes",
-}
-LINES, LEAST_STEPS = 50, 5
-"""A log says of a stage how far it has come this many times at most, and never before so many steps more are done."""
 PLAIN_WIDTH = 240
 """Columns of a table that goes to a file or a pipe: enough that nothing is cut."""
 
@@ -87,18 +60,7 @@ class Terminal:
         self._console = Console(stderr=True, quiet=silent, highlight=False, emoji=False)
         width = None if sys.stdout.isatty() else PLAIN_WIDTH
         self._results = Console(file=sys.stdout, quiet=silent, highlight=False, emoji=False, width=width)
-        self._progress = Progress(
-            TextColumn("{task.description:28}"),
-            BarColumn(bar_width=28),
-            MofNCompleteColumn(),
-            TimeElapsedColumn(),
-            TimeRemainingColumn(),
-            TextColumn("[dim]{task.fields[note]}"),
-            console=self._console,
-            disable=silent or not self._console.is_terminal,
-        )
-        self._tasks: dict[str, TaskID] = {}
-        self._begun: dict[str, tuple[float, int]] = {}  # when a stage began, and the step that is told next
+        self._progress = StageProgress(self._console, silent=silent)
 
     def __enter__(self) -> Terminal:
         self._progress.start()
@@ -115,17 +77,17 @@ class Terminal:
             self._write({"event": event.model_dump(mode="json", exclude_defaults=True)})
         role = event.role.replace("_", " ")
         if event.kind == "stage" and event.total:
-            self._advance(event) if self._console.is_terminal else self._say_stage(event)
+            self._progress.advance(event)
         elif event.kind == "score" and event.details:
             note = f"{role} {event.subject} turn {event.turn}: {event.score:g}  {event.details[0]}"
-            self._note(note)
+            self._progress.note(note)
         elif event.kind in ("propose", "refine"):
-            self._note(f"{role} {event.subject} {event.kind}s {event.message}")
+            self._progress.note(f"{role} {event.subject} {event.kind}s {event.message}")
         elif event.kind == "follow":
-            self._console.print(f"[yellow]also changed[/] {_plain(f'{event.subject} {event.message}')}", soft_wrap=True)
+            self._console.print(f"[yellow]also changed[/] {plain(f'{event.subject} {event.message}')}", soft_wrap=True)
         elif event.kind in ("handover", "reject", "warning"):
             text = " ".join(filter(None, (role, event.subject, event.message)))
-            self._console.print(f"[yellow]{event.kind}[/] {_plain(text)}", soft_wrap=True)
+            self._console.print(f"[yellow]{event.kind}[/] {plain(text)}", soft_wrap=True)
 
     def files(self, folder: Path, names: Sequence[str], followed: Sequence[str] = ()) -> None:
         """Say where everything is.
@@ -139,9 +101,9 @@ class Terminal:
         if self._json:
             told: dict[str, Any] = {"folder": str(folder), "files": list(names)}
             self._write(told | ({"followed": list(followed)} if followed else {}))
-        self._results.print(f"[bold]{_plain(str(folder))}[/]", soft_wrap=True)
+        self._results.print(f"[bold]{plain(str(folder))}[/]", soft_wrap=True)
         for name in names:
-            self._results.print(f"  {_plain(name)}")
+            self._results.print(f"  {plain(name)}")
 
     def commits(self, done: str, commits: Sequence[Commit]) -> None:
         """Say what was undone or redone, and that the pictures follow.
@@ -154,7 +116,7 @@ class Terminal:
         if self._json:
             self._write({done: [{"author": commit.author, "reason": commit.reason} for commit in commits]})
         draws = "`storyblender render` draws what this changes"
-        self._results.print(f"[bold]{done}[/] {_plain(commits[0].reason)}; {draws}", soft_wrap=True)
+        self._results.print(f"[bold]{done}[/] {plain(commits[0].reason)}; {draws}", soft_wrap=True)
 
     def applied(self, applied: Applied) -> None:
         """Say what was changed, and which shots show something else now."""
@@ -162,9 +124,9 @@ class Terminal:
         if self._json:
             told = {"edited": applied.words, "revision": applied.version, "stale": list(applied.stale)}
             self._write(told | ({"warnings": list(applied.warnings)} if applied.warnings else {}))
-        self._results.print(f"[bold]done[/] {_plain(applied.words)}", soft_wrap=True)
+        self._results.print(f"[bold]done[/] {plain(applied.words)}", soft_wrap=True)
         for sentence in applied.warnings:
-            self._results.print(f"[yellow]note[/] {_plain(sentence)}", soft_wrap=True)
+            self._results.print(f"[yellow]note[/] {plain(sentence)}", soft_wrap=True)
 
     def pulled(self, pulled: Pulled) -> None:
         """Print what was changed in Blender, and what became of it."""
@@ -183,7 +145,7 @@ class Terminal:
         )
         for label, style, sentences in rows:
             for sentence in sentences:
-                self._results.print(f"[{style}]{label}[/] {_plain(sentence)}", soft_wrap=True)
+                self._results.print(f"[{style}]{label}[/] {plain(sentence)}", soft_wrap=True)
 
     def plan(self, graph: ContinuityMemoryGraph) -> None:
         """Print cast and shots."""
@@ -192,12 +154,12 @@ class Terminal:
         self._progress.stop()
         names = {asset.asset_id: asset.name or asset.asset_id for asset in graph.assets}
         cast = [names[asset.asset_id] for asset in graph.assets if asset.asset_type == "character"]
-        self._results.print(f"[bold]Cast[/] {_plain(', '.join(cast) or 'nobody')}")
+        self._results.print(f"[bold]Cast[/] {plain(', '.join(cast) or 'nobody')}")
         table = Table("scene", "shots", "heading", "on stage", box=None)
         for scene in graph.outline:
             shots = graph.shots_of(scene.scene_id)
             people = dict.fromkeys(names[person] for shot in shots for person in shot.on_stage)
-            table.add_row(str(scene.scene_id), str(len(shots)), _plain(scene.title), _plain(", ".join(people)))
+            table.add_row(str(scene.scene_id), str(len(shots)), plain(scene.title), plain(", ".join(people)))
         self._results.print(table)
 
     def changes(self, changes: ScriptChanges) -> None:
@@ -208,10 +170,10 @@ class Terminal:
         table = Table("", "shot", "was", "words", box=None)
         for shot in changes.shots:
             former = shot.former if shot.former != shot.shot else ""
-            table.add_row(shot.kind, shot.shot, former, _plain(shot.words))
+            table.add_row(shot.kind, shot.shot, former, plain(shot.words))
         self._results.print(table if changes.shots else "No shot changes.")
         for name, decided in changes.lost:
-            self._results.print(f"[yellow]not kept[/] {name} {_plain(decided)}: the words under it changed")
+            self._results.print(f"[yellow]not kept[/] {name} {plain(decided)}: the words under it changed")
         counted = f"{len(changes.kept_scenes)} of {changes.scenes} scenes stay as they are staged"
         self._results.print(f"{counted}; {len(changes.renamed)} shots only get another number")
 
@@ -224,7 +186,7 @@ class Terminal:
             self._results.print(f"[bold]unit {unit}[/]")
             for each in group:
                 row = f"{each.rule:32}  {each.kind:8}  {each.what}  “{each.words}”"
-                self._results.print(f"  {_plain(row)}", soft_wrap=True)
+                self._results.print(f"  {plain(row)}", soft_wrap=True)
 
     def shot_reasons(self, reasons: ShotReasons) -> None:
         """Print why a shot is as it is: decisions of people, of roles, and the words they stand on."""
@@ -232,20 +194,20 @@ class Terminal:
         if self._json:
             self._write(reasons.model_dump(mode="json"))
         for decided in reasons.decided:
-            self._results.print(f"[bold]you decided[/] {_plain(decided)}", soft_wrap=True)
+            self._results.print(f"[bold]you decided[/] {plain(decided)}", soft_wrap=True)
         table = Table("role", "of", "by", "score", "turns", "what its critic said", box=None)
         for role in reasons.roles:
             score = "" if role.score is None else f"{role.score:.1f}"
             said = "; ".join((*role.remarks, *role.warnings)) or (
                 "mended: " + "; ".join(role.fixes) if role.fixes else ""
             )
-            table.add_row(role.role.replace("_", " "), role.subject, role.by, score, str(role.turns), _plain(said))
+            table.add_row(role.role.replace("_", " "), role.subject, role.by, score, str(role.turns), plain(said))
         self._results.print(table)
         for number, line in enumerate(reasons.lines):
-            self._results.print(f"[bold]“{_plain(line)}”[/]", soft_wrap=True)
+            self._results.print(f"[bold]“{plain(line)}”[/]", soft_wrap=True)
             for word in (each for each in reasons.words if each.line == number):
                 read = f"“{line[word.start : word.end]}” read as {word.kind} {word.what} ({word.rule})"
-                self._results.print(f"  {_plain(read)}", soft_wrap=True)
+                self._results.print(f"  {plain(read)}", soft_wrap=True)
 
     def listed(self, what: str, values: Sequence[Frozen], columns: Mapping[str, Callable[[Any], str]]) -> None:
         """Print a list of values as a table with what each column reads of them; as JSON they are told whole."""
@@ -254,7 +216,7 @@ class Terminal:
             self._write({what: [value.model_dump(mode="json") for value in values]})
         table = Table(*columns, box=None)
         for value in values:
-            table.add_row(*(_plain(read(value)) for read in columns.values()))
+            table.add_row(*(plain(read(value)) for read in columns.values()))
         self._results.print(table)
 
     def stagings(self, found: Mapping[int, str]) -> None:
@@ -263,7 +225,7 @@ class Terminal:
         if self._json:
             self._write({"stagings": [{"number": number, "moved": words} for number, words in found.items()]})
         for number, words in found.items():
-            self._results.print(f"[bold]staging {number}[/] {_plain(words)}", soft_wrap=True)
+            self._results.print(f"[bold]staging {number}[/] {plain(words)}", soft_wrap=True)
         if not found:
             self._results.print("no other staging without a fault was found", soft_wrap=True)
 
@@ -277,7 +239,7 @@ class Terminal:
             table.add_row(row.name, row.value, "[green]ok[/]" if row.ok else "[red]look[/]")
         self._results.print(table)
         for finding in report.findings:
-            self._results.print(f"  [yellow]{_plain(finding)}[/]", soft_wrap=True)
+            self._results.print(f"  [yellow]{plain(finding)}[/]", soft_wrap=True)
 
     def reviews(self, folder: Path, reviews: Sequence[FrameReview]) -> None:
         """Print what the Frame Critic found in the frames of a project.
@@ -290,11 +252,11 @@ class Terminal:
         if self._json:
             self._write({"folder": str(folder), "frames": [review.model_dump(mode="json") for review in reviews]})
         colors = {"pass": "green", "fix": "yellow", "reject": "red"}
-        table = Table("frame", "score", "", "what is wrong", box=None, title=_plain(str(folder)), title_justify="left")
+        table = Table("frame", "score", "", "what is wrong", box=None, title=plain(str(folder)), title_justify="left")
         for review in reviews:
             faults = "; ".join(fault.message for fault in review.faults)
             verdict = f"[{colors[review.verdict]}]{review.verdict}[/]"
-            table.add_row(review.shot, f"{review.score:.1f}", verdict, _plain(faults))
+            table.add_row(review.shot, f"{review.score:.1f}", verdict, plain(faults))
         self._results.print(table)
         passed = sum(review.verdict == "pass" for review in reviews)
         self._results.print(f"{passed} of {len(reviews)} frames pass")
@@ -313,9 +275,9 @@ class Terminal:
                     }
                 )
             mark = "[green]ok [/]" if finding.healthy else "[red]bad[/]"
-            self._results.print(f"{mark} {finding.name:18} {_plain(finding.says)}")
+            self._results.print(f"{mark} {finding.name:18} {plain(finding.says)}")
             if finding.mend:
-                self._results.print(f"    [bold]{_plain(finding.mend)}[/]")
+                self._results.print(f"    [bold]{plain(finding.mend)}[/]")
 
     def answers(self, checked: Sequence[CheckedAnswer]) -> None:
         """Print which requests of the crew wait, and which answers are not of the form that was asked for."""
@@ -324,7 +286,7 @@ class Terminal:
             if self._json:
                 self._write({"name": each.name, "answered": each.answered, "problem": each.problem or None})
             state = "[red]wrong[/]" if each.problem else "[green]there[/]" if each.answered else "waits"
-            self._results.print(f"{state:5} {_plain(each.name)} {_plain(each.problem)}".rstrip())
+            self._results.print(f"{state:5} {plain(each.name)} {plain(each.problem)}".rstrip())
         waiting, wrong = sum(not each.answered for each in checked), sum(bool(each.problem) for each in checked)
         if not checked:
             self._results.print("nothing was asked in this folder; `storyblender make SCRIPT --crew ask:FOLDER` asks")
@@ -340,7 +302,7 @@ class Terminal:
                 self._write({"kind": kind, "keys": [entry.key for entry in entries]})
             table = Table(f"{kind} ({len(entries)})", "name", "also", box=None)
             for entry in entries:
-                table.add_row(entry.key, _plain(entry.name), _plain(", ".join(entry.tags[:6])))
+                table.add_row(entry.key, plain(entry.name), plain(", ".join(entry.tags[:6])))
             self._results.print(table)
 
     def error(self, error: StoryBlenderError) -> None:
@@ -350,54 +312,9 @@ class Terminal:
             parts = {"problem": error.problem, "file": file, "line": error.line, "mend": error.mend or None}
             self._write({"error": str(error), **parts})
         Console(stderr=True, highlight=False, emoji=False).print(
-            f"[red]storyblender:[/] {_plain(str(error))}", soft_wrap=True
+            f"[red]storyblender:[/] {plain(str(error))}", soft_wrap=True
         )
-
-    def _advance(self, event: Event) -> None:
-        if event.role not in self._tasks:
-            label = LABELS.get(event.role, event.role)
-            self._tasks[event.role] = self._progress.add_task(label, total=event.total, note="")
-        note = event.subject or event.message
-        self._progress.update(self._tasks[event.role], completed=event.step, total=event.total, note=_plain(note))
-
-    def _say_stage(self, event: Event) -> None:
-        """One line as a stage begins, one as it ends, and one now and then between."""
-        label, step, total = LABELS.get(event.role, event.role), event.step or 0, event.total or 0
-        note = f" ({event.subject})" if event.subject else ""
-        period = max(LEAST_STEPS, -(-total // LINES))
-        if event.role not in self._begun:
-            self._begun[event.role] = monotonic(), step
-            self._console.print(f"{label} ...", soft_wrap=True)
-        then, told = self._begun[event.role]
-        if step == total:
-            del self._begun[event.role]
-            self._console.print(f"{label}: {step} of {total}{_plain(note)}", soft_wrap=True)
-        elif step >= told + period:
-            now = monotonic()
-            self._begun[event.role] = now, step
-            left = roughly((now - then) / (step - told) * (total - step))
-            self._console.print(f"{label}: {step} of {total}{_plain(note)}, {left} left", soft_wrap=True)
-
-    def _note(self, text: str) -> None:
-        if self._tasks:
-            last = list(self._tasks.values())[-1]
-            self._progress.update(last, note=_plain(text[: max(20, self._console.width - 70)]))
 
     def _write(self, value: object) -> None:
         sys.stdout.write(json.dumps(value, ensure_ascii=False) + "\n")
         sys.stdout.flush()
-
-
-def roughly(seconds: float) -> str:
-    """Return a length of time as people say it: ``about 40 seconds``, ``about 3 hours 20 minutes``."""
-    minutes, hours = round(seconds / 60), round(seconds / 60) // 60
-    if minutes < 2:
-        return f"about {max(1, round(seconds))} second{'s' * (round(seconds) > 1)}"
-    if hours < 1:
-        return f"about {minutes} minutes"
-    return f"about {hours} hour{'s' * (hours > 1)} {minutes % 60} minutes"
-
-
-def _plain(text: str) -> str:
-    """Return text for rich, in which nothing is markup and nothing steers the terminal."""
-    return escape(text.translate(_CONTROLS))

@@ -15,7 +15,8 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit
 from storyblender.memory.outline import SceneOutline, ShotOutline
 from storyblender.memory.shot_context import CameraInstruction, ShotContext
-from storyblender.terminal import Terminal, roughly
+from storyblender.terminal import Terminal
+from storyblender.terminal_progress import roughly
 from storyblender.trace import Event
 
 REPORT = Inspection(rows=(CheckRow(name="SDE", value="0", ok=True),), findings=("a sentence " * 30 + "end",))
@@ -39,7 +40,7 @@ def test_a_log_of_a_feature_says_now_and_then_how_far_it_has_come(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     clock = iter(range(100, 10_000_000, 60))
-    monkeypatch.setattr("storyblender.terminal.monotonic", lambda: next(clock))
+    monkeypatch.setattr("storyblender.terminal_progress.monotonic", lambda: next(clock))
     with Terminal(quiet=False, json_lines=False) as terminal:
         for step in range(1214):
             terminal.show(progress("frames", step, 1213))
@@ -54,7 +55,7 @@ def test_steps_that_cost_nothing_do_not_shorten_the_estimate(
 ) -> None:
     """A run that goes on where it was stopped passes over 300 frames at once; the others take ten seconds each."""
     now = 0.0
-    monkeypatch.setattr("storyblender.terminal.monotonic", lambda: now)
+    monkeypatch.setattr("storyblender.terminal_progress.monotonic", lambda: now)
     with Terminal(quiet=False, json_lines=False) as terminal:
         for step in range(321):
             terminal.show(progress("frames", step, 500))

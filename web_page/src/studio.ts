@@ -34,6 +34,16 @@ const WITH_INSPECTOR: View[] = ["board", "stage"];
 /** The view of what was saved in Blender has its button in the line that says so. */
 type View = keyof typeof VIEWS | "pull";
 
+/** What edits came to, and what a person should know of it. */
+interface Applied {
+  words: string;
+  warnings: string[];
+}
+
+function told(done: Applied): string {
+  return [done.words, ...done.warnings].join(". ");
+}
+
 @customElement("sb-studio")
 export class Studio extends LitElement {
   @state() private board: Board | null = null;
@@ -185,9 +195,9 @@ export class Studio extends LitElement {
   private call(name: "apply" | "panorama", detail: object): Promise<boolean> {
     const made = this.edited.then(() =>
       this.attempt(async () => {
-        const done = await this.wire.call<{ words: string; version: string }>(name, { ...detail, revision: this.revision });
+        const done = await this.wire.call<Applied & { version: string }>(name, { ...detail, revision: this.revision });
         this.revision = done.version;
-        return done.words;
+        return told(done);
       }),
     );
     this.edited = made;
@@ -201,9 +211,9 @@ export class Studio extends LitElement {
     if (!words || !this.board) return;
     const about = words.includes(":") ? "" : `${this.selected.join(", ")}: `;
     void this.attempt(async () => {
-      const done = await this.wire.call<{ words: string }>("instruct", { words: about + words, revision: this.revision });
+      const done = await this.wire.call<Applied>("instruct", { words: about + words, revision: this.revision });
       field.value = "";
-      return done.words;
+      return told(done);
     });
   }
 
