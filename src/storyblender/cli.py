@@ -16,6 +16,7 @@ from storyblender import (
     cli_crew,
     cli_deliver,
     cli_edits,
+    cli_format,
     cli_lamp,
     cli_mcp,
     cli_paint,
@@ -28,7 +29,7 @@ from storyblender import (
     cli_studio,
     cli_why,
 )
-from storyblender.cli_options import Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
+from storyblender.cli_options import Aspect, Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
 from storyblender.shell import Commands, shown
 
 app = typer.Typer(
@@ -73,7 +74,6 @@ Seed = Annotated[
 Shots = Annotated[
     int | None, typer.Option("--shots-per-scene", help="About how many shots a scene may have (default 4).")
 ]
-Aspect = Annotated[str | None, typer.Option(help="Width over height of the picture: 2.39, 1.85, 16:9, 9:16 ...")]
 Width = Annotated[int | None, typer.Option(help="Pixels across (default 960).")]
 Fps = Annotated[int | None, typer.Option(help="Frames a second (default 24).")]
 Crew = Annotated[
@@ -211,6 +211,7 @@ cli_lamp.add_to(app)
 cli_scene.add_to(app)
 cli_cast.add_to(app)
 cli_paint.add_to(app)
+cli_format.add_to(app)
 cli_asset.add_to(app)
 app.add_typer(cli_shots.app, name="shot")
 cli_crew.add_to(app)

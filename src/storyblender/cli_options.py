@@ -25,6 +25,7 @@ LookOption = Annotated[
         "or render (Blender's Cycles, minutes a frame)."
     ),
 ]
+Aspect = Annotated[str | None, typer.Option(help="Width over height of the picture: 2.39, 1.85, 16:9, 9:16 ...")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Say nothing but errors.")]
 Json = Annotated[bool, typer.Option("--json", help="For programs: events, results and errors as JSON, one a line.")]
 Jobs = Annotated[int | None, typer.Option(help="Blender processes; by default one for each processor, two at most.")]

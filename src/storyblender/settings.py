@@ -10,7 +10,7 @@ import re
 from pathlib import Path
 from typing import Annotated, Any, Self
 
-from pydantic import AfterValidator, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
+from pydantic import AfterValidator, BeforeValidator, ConfigDict, Field, PrivateAttr, ValidationError, model_validator
 from pydantic_core import ErrorDetails
 
 from storyblender.crew_setting import LimitName, RoleName, players
@@ -18,19 +18,11 @@ from storyblender.errors import InputError
 from storyblender.memory.base import Frozen
 from storyblender.memory.board_layout import BoardLayout, Orientation, PanelsPerPage, Paper
 from storyblender.memory.jobs import Look
+from storyblender.memory.picture_format import LARGEST, Aspect, FormatDecision, SensorWidth
 from storyblender.settings_file import REMEMBERED, SettingsFile, short
 
 Lens = Annotated[float, Field(ge=4, le=1200)]
 """mm."""
-
-
-def _ratio(value: Any) -> Any:
-    """Return a ratio written as people write it, ``16:9`` or ``2.39:1``, as the number that it is."""
-    wide, colon, high = value.partition(":") if isinstance(value, str) else (value, "", "")
-    try:
-        return float(wide) / float(high) if colon else value
-    except (ValueError, ZeroDivisionError):
-        return value
 
 
 def _as_list(value: Any) -> Any:
@@ -54,10 +46,6 @@ def _players(value: str) -> str:
     return value
 
 
-LARGEST = 7680
-"""Pixels across and down."""
-
-
 class Settings(Frozen):
     """Everything a run can be told. Every field has a default that just works."""
 
@@ -68,12 +56,11 @@ class Settings(Frozen):
     """Who plays each role: rules, a model, a folder of requests and answers, a recording (``docs/crew.md``)."""
     limits: dict[LimitName, Annotated[float, Field(gt=0)]] = {}
     """The most that a run asks of models in all, where it is not ``crew_setting.LIMITS``."""
-    aspect: Annotated[float, BeforeValidator(_ratio)] = Field(default=16 / 9, ge=0.4, le=4)
+    aspect: Aspect = 16 / 9
     width: int = Field(default=960, ge=160, le=LARGEST, multiple_of=4)
     """Pixels of a frame; the height follows the aspect ratio."""
     fps: int = Field(default=24, ge=6, le=120)
-    sensor_width: float = Field(default=36.0, ge=4, le=70)
-    """mm."""
+    sensor_width: SensorWidth = 36.0
     lens_kit: Annotated[tuple[Lens, ...], Field(max_length=50)] = ()
     """Lenses at hand, mm; empty allows any. A shot takes the nearest, or a wider one where the room is short."""
     seed: int = Field(default=0, ge=0, lt=2**32)
@@ -108,6 +95,7 @@ class Settings(Frozen):
     """tau by role; the role's own where not given, mostly the paper's 8."""
     horizons: dict[RoleName, Annotated[int, Field(ge=1, le=100)]] = {}
     """T_max by role."""
+    _ordered: frozenset[str] = PrivateAttr(default=frozenset())
 
     @model_validator(mode="after")
     def _fit_together(self) -> Self:
@@ -159,7 +147,9 @@ class Settings(Frozen):
                 values[name] = made_with.paths(name)
         given = {key: value for key, value in overrides.items() if value is not None}
         try:
-            return cls.model_validate(values | given)
+            settings = cls.model_validate(values | given)
+            settings._ordered = frozenset(given).intersection(FormatDecision.model_fields)
+            return settings
         except ValidationError as error:
             fault = error.errors()[0]
             ours = file is None or bool(fault["loc"] and fault["loc"][0] in given)
@@ -178,6 +168,11 @@ class Settings(Frozen):
             return InputError("the settings do not fit together", mend=mend, path=path)
         problem = f"setting {short(name)} cannot be {short(fault['input'])}"
         return InputError(problem, mend=mend, path=path, line=line)
+
+    @property
+    def ordered_format(self) -> frozenset[str]:
+        """Fields of ``FormatDecision`` that the command line gave: they win over what a person decided before."""
+        return self._ordered
 
     @property
     def language_roles(self) -> tuple[RoleName, ...]:

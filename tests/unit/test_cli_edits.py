@@ -148,3 +148,13 @@ def test_shots_are_listed_with_what_a_person_should_know_of_them(folder: Path) -
     assert cards[SHOT]["notes"] == 1 and cards["SC020_SH010"]["locked"] and cards[SHOT]["state"] == "none"
     [details] = [shot for shot in told["shots"] if shot["shot"] == SHOT]
     assert details["notes"][0]["text"] == "Slower." and details["size"] == "CU"
+
+
+def test_the_picture_of_the_film_is_decided_in_one_line(folder: Path) -> None:
+    [edited] = [line for line in said("format", folder, "--aspect", "2.39", "--sensor", "super 35") if "edited" in line]
+    assert edited["edited"] == "film: aspect 2.39:1, sensor Super 35 (24.89 mm)" and SHOT in edited["stale"]
+    assert read_project_graph(folder).format.aspect == 2.39
+    [refused] = said("format", folder, code=2)
+    assert refused["problem"] == "nothing is decided about the picture"
+    said("undo", folder)
+    assert read_project_graph(folder).format_decision is None

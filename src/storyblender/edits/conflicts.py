@@ -16,7 +16,7 @@ Aspect = tuple[str, str]
 """Name of an item and what of it: ``("SC010_SH020", "camera")``."""
 
 FILM: Final = "film"
-"""Name of the whole, where the order of scenes is edited."""
+"""Name of the whole, where the order of scenes or the picture is edited."""
 _VERSION: Final = re.compile(r"(\d{1,9})(?:\.([0-9a-f]{0,16}))?")
 _FIELDS: Final[dict[str, dict[str, str]]] = {
     "shots": {
@@ -32,7 +32,7 @@ _FIELDS: Final[dict[str, dict[str, str]]] = {
         "lighting": "light", "light_decision": "light",
         "environment": "set", "set_decision": "set", "omitted": "cut", "shot_order": "cut",
     },
-    "head": {"scene_order": "cut"},
+    "head": {"scene_order": "cut", "format_decision": "format"},
     "assets": {"look": "asset", "dimension": "asset", "canonical": "asset", "decision": "asset", "locked": "asset",
                "look_decision": "asset", "turned_down": "asset", "name": "name"},
 }  # fmt: skip

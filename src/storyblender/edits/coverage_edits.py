@@ -107,7 +107,7 @@ def _second_part(graph: ContinuityMemoryGraph, shot: ShotContext, frame: int) ->
         camera_instruction=shot.camera_instruction,
         camera_retake=shot.camera_retake or CameraRetake(),
         camera_decision=shot.camera_decision,
-        camera=shot.camera and _from_frame(shot.camera, frame, Film(graph.format.sensor_width, graph.format.aspect)),
+        camera=shot.camera and _from_frame(shot.camera, frame, Film(shot.camera.sensor_width, graph.format.aspect)),
         lights=shot.lights,
         locked=tuple(lock for lock in shot.locked if lock == "camera"),
     )

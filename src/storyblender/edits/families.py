@@ -12,6 +12,7 @@ from storyblender.edits.camera_edits import camera_effects, duration_effects
 from storyblender.edits.coverage_edits import add_effects, join_effects, split_effects
 from storyblender.edits.cut_edits import omit_effects, reorder_effects, restore_effects
 from storyblender.edits.effect import Effect, with_effects
+from storyblender.edits.format_edits import format_effects
 from storyblender.edits.lock_edits import lock_effects, unlock_effects
 from storyblender.edits.look_edits import look_effects
 from storyblender.edits.note_edits import approve_effects, note_effects
@@ -28,6 +29,7 @@ from storyblender.memory.edits import (
     CameraEdit,
     DurationEdit,
     Edit,
+    FormatEdit,
     JoinEdit,
     LayoutEdit,
     LightEdit,
@@ -87,6 +89,7 @@ _FAMILIES: Final[dict[type[Edit], Callable[[ContinuityMemoryGraph, Any], list[Ef
     AssetEdit: asset_effects,
     LookEdit: look_effects,
     PaintEdit: paint_effects,
+    FormatEdit: format_effects,
     TakeEdit: take_effects,
     NoteEdit: note_effects,
     ApproveEdit: approve_effects,

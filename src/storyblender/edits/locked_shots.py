@@ -36,14 +36,13 @@ def refuse_shown_in_locked(
         InputError: With the shot, and what to do first.
     """
     refuse_locked(scene, "layout")
-    film = Film(graph.format.sensor_width, graph.format.aspect)
     items = [each for each in layouts[0].objects if each.node_id in node_ids and not stand.is_person(each)]
     boxes = [*_boxes(layouts, stand, {each.node_id for each in items})]
     for shot in graph.shots_of(scene.scene_id):
         if "blocking" not in shot.locked:
             continue
         used = next((each.node_id for each in items if {each.node_id, each.asset_id} & _used(shot)), None)
-        shown = next((node_id for node_id, box in boxes if _shows(shot, node_id, box, film)), None)
+        shown = next((node_id for node_id, box in boxes if _shows(shot, node_id, box, graph.format.aspect)), None)
         if used is not None or shown is not None:
             name, approved = name_of(shot), shot.approved is not None
             how = f"{used} is used in {name}" if used is not None else f"{shown} is seen in {name}, or would be there"
@@ -68,11 +67,12 @@ def _used(shot: ShotContext) -> set[str | None]:
     return held | cued | {mark.support_id for mark in marks}
 
 
-def _shows(shot: ShotContext, node_id: str, box: Box, film: Film) -> bool:
+def _shows(shot: ShotContext, node_id: str, box: Box, aspect: float) -> bool:
     """Return whether a box is in the picture of a shot at its start, at the moment of its frame or at its end."""
     state = shot.camera or shot.former_camera
     if state is None or node_id in state.hidden_node_ids:
         return False
+    film = Film(state.sensor_width, aspect)
     for frame in {0, shot.frame or 0, shot.duration - 1}:
         points, depths = project(camera_at(state, frame, film), corners(box))
         seen = points[depths > _NEAREST]

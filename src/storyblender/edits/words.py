@@ -241,6 +241,20 @@ def paint_edit(
     return edits_of([edit])[0]
 
 
+def format_edit(aspect: str | None, sensor: str | None) -> Edit:
+    """Read what a person says about the picture of the film.
+
+    Args:
+        aspect: Width over height: ``2.39``, ``16:9``.
+        sensor: Width in mm, or its name: ``Super 35``.
+
+    Raises:
+        InputError: It is no aspect ratio or no sensor.
+    """
+    told = {"aspect": aspect, "sensor_width": sensor}
+    return edits_of([{"kind": "format", "decision": {name: value for name, value in told.items() if value}}])[0]
+
+
 def _floor_place(point: str | None, rotation: float | None) -> dict[str, object]:
     return {"location": _floor_point(point) if point else None, "rotation": rotation}
 

@@ -21,6 +21,7 @@ from storyblender.memory.edits_of_cut import (
 )
 from storyblender.memory.locks import LockName
 from storyblender.memory.paint import MaterialName, PaintDecision
+from storyblender.memory.picture_format import FormatDecision
 from storyblender.memory.scene_decision import LightDecision, PersonMarks, SetDecision, ThingPlace
 from storyblender.memory.shot_context import CameraDecision
 from storyblender.memory.vocabulary import RelationKind
@@ -252,6 +253,15 @@ class PaintEdit(Described):
         return self
 
 
+class FormatEdit(Described):
+    """Decides about the picture of the film, its shape and the sensor; all cameras but locked ones are set anew."""
+
+    kind: Literal["format"] = "format"
+    """Which edit this is."""
+    decision: FormatDecision
+    """Any of its fields; those left out stay as they are."""
+
+
 Edit = Annotated[
     CameraEdit
     | DurationEdit
@@ -264,6 +274,7 @@ Edit = Annotated[
     | AssetEdit
     | LookEdit
     | PaintEdit
+    | FormatEdit
     | TakeEdit
     | NoteEdit
     | ApproveEdit

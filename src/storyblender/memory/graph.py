@@ -12,6 +12,7 @@ from storyblender.memory.base import Digest, Frozen, SceneId, is_none
 from storyblender.memory.outline import SceneOutline
 from storyblender.memory.paint import Paint
 from storyblender.memory.panorama import Panorama
+from storyblender.memory.picture_format import FormatDecision
 from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.shot_context import ShotContext
 from storyblender.memory.vocabulary import Age
@@ -63,6 +64,8 @@ class ContinuityMemoryGraph(Frozen):
     settings_digest: Digest = ""
     """Hash of those settings alone."""
     format: ProjectFormat = ProjectFormat()
+    format_decision: FormatDecision | None = Field(default=None, exclude_if=is_none)
+    """What a person decided of ``format``; it stays whatever the settings are."""
     story_summary: str = ""
     age: Age | None = None
     """When the story plays, where its words tell it."""

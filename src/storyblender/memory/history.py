@@ -23,7 +23,7 @@ _ByKey = dict[tuple[int | str, ...], Item]
 
 HEAD_FIELDS = (
     "title", "script_name", "edition", "plan_digest", "settings_digest", "format", "story_summary", "age", "panorama",
-    "scene_order", "paints",
+    "scene_order", "paints", "format_decision",
 )  # fmt: skip
 """The graph's own fields, kept as the single item of the layer ``head``."""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -17,6 +18,8 @@ from storyblender.folder import Folder
 from storyblender.memory.base import content_hash
 from storyblender.memory.graph import ContinuityMemoryGraph, ProjectFormat
 from storyblender.memory.history import Commit
+from storyblender.memory.picture_format import FormatDecision
+from storyblender.pipeline.reframing import reframed
 from storyblender.pipeline.revision import Revision, revise, with_digests
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.staging import design
@@ -78,7 +81,8 @@ def planned_revision(run: Run, script: Path, reading: Path | None = None) -> Rev
 
 def _revision(run: Run, plan: ContinuityMemoryGraph) -> Revision:
     designer = partial(design, run)
-    return revise(run.graph, with_digests(plan), _log(run), designer)
+    revision = revise(run.graph, with_digests(plan), _log(run), designer)
+    return replace(revision, graph=reframed(revision.graph, run.graph.format))
 
 
 def _revised(run: Run, plan: ContinuityMemoryGraph) -> ContinuityMemoryGraph:
@@ -177,6 +181,7 @@ def _plan(run: Run, script: Path, reading: Reading, digest: str) -> ContinuityMe
         plan_digest=digest,
         settings_digest=content_hash(_plan_settings(run)),
         format=_format(run),
+        format_decision=_format_decision(run),
         story_summary=board.story_summary,
         age=board.age,
         panorama=run.panorama and run.panorama[0],
@@ -189,19 +194,29 @@ def _plan(run: Run, script: Path, reading: Reading, digest: str) -> ContinuityMe
 
 def _take_over_format(run: Run) -> None:
     """A new width asks for new pictures, not for a new plan."""
-    graph = run.graph.model_copy(update={"format": _format(run)})
-    run.project.commit(graph, "user", "picture size")
+    graph = run.graph.model_copy(update={"format": _format(run), "format_decision": _format_decision(run)})
+    run.project.commit(reframed(graph, run.graph.format), "user", "picture size")
 
 
 def _format(run: Run) -> ProjectFormat:
-    settings = run.settings
+    """Return the format of the settings, with what a person decided of it."""
+    settings, decision = run.settings, _format_decision(run)
     return ProjectFormat(
         fps=settings.fps,
         aspect=settings.aspect,
         width=settings.width // 4 * 4,
         sensor_width=settings.sensor_width,
         seed=settings.seed,
-    )
+    ).model_copy(update=decision.told if decision is not None else {})
+
+
+def _format_decision(run: Run) -> FormatDecision | None:
+    """Return what a person decided of the format before, without what the command line says otherwise now."""
+    if run.graph.format_decision is None:
+        return None
+    told = run.graph.format_decision.told
+    kept = {name: value for name, value in told.items() if name not in run.settings.ordered_format}
+    return FormatDecision(**kept) if kept else None
 
 
 def _plan_digest(run: Run, screenplay: Screenplay, corrected: Path | None) -> str:

@@ -40,9 +40,8 @@ class Sighting:
     ) -> None:
         shots = [filmed(graph, shot) for shot in graph.shots_of(pack.scene_id) if shot.camera and not shot.joined]
         shots = [shot for shot in shots if only is None or shot.shot_id in only]
-        film = Film(graph.format.sensor_width, graph.format.aspect)
         nodes = nodes_of(graph, pack.scene_id)
-        requests = [_request(shot, film, nodes, pack.played(shot.shot_id)) for shot in shots]
+        requests = [_request(shot, graph.format.aspect, nodes, pack.played(shot.shot_id)) for shot in shots]
         frames = [pack.start_of(request.shot_id) + request.frame for request in requests]
         self._names = [shot_name(shot.scene_id, shot.shot_id) for shot in shots]
         self._views = engine.look(pack, requests, graph.format.aspect)
@@ -69,10 +68,10 @@ def nodes_of(graph: ContinuityMemoryGraph, scene_id: int) -> dict[str, tuple[str
 
 
 def _request(
-    shot: ShotContext, film: Film, nodes: Mapping[str, tuple[str, ...]], played: Sequence[PlayedCue]
+    shot: ShotContext, aspect: float, nodes: Mapping[str, tuple[str, ...]], played: Sequence[PlayedCue]
 ) -> ViewRequest:
     assert shot.camera is not None, "only shots with a camera are looked at"
-    frame = board_frame(shot, played)
+    frame, film = board_frame(shot, played), Film(shot.camera.sensor_width, aspect)
     return ViewRequest(
         scene_id=shot.scene_id,
         shot_id=shot.shot_id,

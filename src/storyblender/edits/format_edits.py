@@ -1,0 +1,48 @@
+"""Edits of the picture of the whole film: its shape, and the sensor that every lens sees with."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from storyblender.edits.conflicts import FILM
+from storyblender.edits.effect import Effect, name_of, shot_names
+from storyblender.errors import InputError
+from storyblender.memory.edits import FormatEdit
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.picture_format import LARGEST, FormatDecision
+from storyblender.pipeline.reframing import reframed
+
+
+def format_effects(graph: ContinuityMemoryGraph, edit: FormatEdit) -> list[Effect]:
+    """Return what another picture does to the film: cameras are set for it anew, and every frame is drawn.
+
+    Args:
+        graph: The story.
+        edit: The aspect ratio, the width of the sensor, or both.
+
+    Raises:
+        InputError: It says nothing, or the picture would be far too high.
+    """
+    if not edit.decision.told:
+        raise InputError("nothing is decided about the picture", mend="give an aspect ratio, the width of a sensor ...")
+    picture = graph.format.model_copy(update=edit.decision.told)
+    if picture.height > LARGEST:
+        mend = f"{LARGEST} is the most; make it with a smaller --width first"
+        raise InputError(f"a picture {picture.width} wide would be {picture.height} high", mend=mend)
+    decision = (graph.format_decision or FormatDecision()).then(edit.decision)
+    changed = graph.model_copy(update={"format": picture, "format_decision": decision})
+    head = {"format": picture, "format_decision": decision, "shots": reframed(changed, graph.format).shots}
+    effect = Effect(None, FILM, edit.decision.words, frozenset({"format"}), head=head)
+    if picture == graph.format:
+        return [effect]
+    stale = tuple(name for scene in graph.scenes for name in shot_names(graph, scene.scene_id))
+    return [replace(effect, stale=stale, warnings=tuple(_kept(graph)))]
+
+
+def _kept(graph: ContinuityMemoryGraph) -> Iterator[str]:
+    """Yield what a person should know of the shots whose cameras are not set for the new picture."""
+    for shot in graph.shots:
+        if "camera" in shot.locked and shot.camera is not None and not shot.joined:
+            why = "is approved" if shot.approved is not None else "has its camera locked"
+            yield f"{name_of(shot)} {why}, so its camera stays as it is; look at its frame in the new picture"
