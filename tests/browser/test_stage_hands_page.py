@@ -136,7 +136,7 @@ def test_a_lamp_is_dragged_and_dimmed(stage: Page, studio: RunningStudio) -> Non
     name = in_page(stage, "return Object.entries(view.stage.lamps).find(([, lamp]) => lamp.kind !== 'SUN')[0];")
     with shown_anew(stage):
         drag(stage, f"lamp:{name}", (25, 10))
-        expect(said(stage)).to_contain_text(name)
+        expect(said(stage)).to_contain_text(name.replace("_", " "))
     with shown_anew(stage):
         exactly(stage, "Power").fill("5")
         exactly(stage, "Power").press("Enter")
