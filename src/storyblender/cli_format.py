@@ -27,7 +27,7 @@ def format_command(
     folder: Folder,
     aspect: Aspect = None,
     sensor: Annotated[
-        str | None, typer.Option(help="Its width in mm, or Super 16, Super 35, full frame, 65 mm.")
+        str | None, typer.Option(help="Its width in mm, or Super 16, Super 35, full frame, 65 mm film.")
     ] = None,
     draw: Draw = True,
     look: LookOption = None,

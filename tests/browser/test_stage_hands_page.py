@@ -227,3 +227,22 @@ def test_the_camera_has_lens_aperture_and_focus(stage: Page, studio: RunningStud
     for _ in range(3):
         undo(stage)
     assert graph_of(studio) == before
+
+
+def test_the_picture_of_the_film_is_chosen_beside_the_lens(stage: Page, studio: RunningStudio) -> None:
+    look(stage, "Through the camera")
+    before = rested(studio)
+    film = stage.get_by_role("group", name="The whole film")
+    for label, wanted, field in (("Picture", 2.39, "aspect"), ("Sensor", 24.89, "sensor_width")):
+        with shown_anew(stage):
+            film.get_by_label(label).select_option(str(wanted))
+            expect(said(stage)).to_contain_text("film: ")
+        assert getattr(graph_of(studio).format, field) == wanted
+    now = rested(studio)
+    assert {shot.camera.sensor_width for shot in now.shots if shot.camera} == {24.89}
+    box = stage.locator(".frame canvas").bounding_box()
+    assert box is not None and box["width"] / box["height"] == pytest.approx(2.39, rel=0.01), "with it the safe areas"
+    expect(film.get_by_label("Sensor")).to_have_value("24.89")
+    for _ in range(2):
+        undo(stage)
+    assert graph_of(studio) == before

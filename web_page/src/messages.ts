@@ -30,6 +30,9 @@ export interface Board {
   revision: string;
   made: boolean;
   aspect: number;
+  aspects: Record<string, number>;
+  sensor_width: number;
+  sensors: Record<string, number>;
   lens_kit: number[];
   summary: string;
   scenes: SceneCard[];

@@ -2,9 +2,9 @@
 
 import { LitElement, html, nothing } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import { STOPS } from "./camera_kit";
+import { lensesOf, STOPS } from "./camera_kit";
 import { hex, linear } from "./colors";
-import type { Edit } from "./messages";
+import type { Board, Edit } from "./messages";
 import { poseOf, roundTo } from "./stage_cameras";
 import { cameraEdit, cameraOf, editOf, lampEdit, marksEdit, nameOf, partsOf, put, putCamera, spotOf } from "./stage_items";
 import { numberField } from "./number_field";
@@ -19,7 +19,7 @@ export class StageNumbers extends LitElement {
   @property({ attribute: false }) item = "";
   /** Another one for each change of the stage. */
   @property({ type: Number }) change = 0;
-  @property({ attribute: false }) lenses: number[] = [];
+  @property({ attribute: false }) board!: Board;
 
   protected createRenderRoot(): HTMLElement {
     return this;
@@ -104,9 +104,8 @@ export class StageNumbers extends LitElement {
     const lens = roundTo(camera.keys[0].lens, 1);
     const when = partsOf(this.item)[2] === "end" ? "end" : "start";
     const pose = poseOf(camera, when);
-    const film = `${roundTo(camera.sensor_width, 1)} mm sensor, ${roundTo(this.stage.aspect, 2)}:1`;
-    return html`<b>Camera ${camera.shot.slice(-5)}</b><span title="Sensor and aspect, as the project has them">${film}</span>
-      ${this.choice("Lens", lens, this.lenses, (value) => `${value} mm`, (value) => decide({ lens: value }))}
+    return html`<b>Camera ${camera.shot.slice(-5)}</b>
+      ${this.choice("Lens", lens, lensesOf(this.board), (value) => `${value} mm`, (value) => decide({ lens: value }))}
       ${this.choice("Aperture", camera.f_number, STOPS, (value) => `f/${value}`, (value) => decide({ f_number: value }))}
       ${this.sharp("Focus", camera.focus[0], (focus) => decide({ focus }))}
       ${this.sharp("then", camera.focus[1], (focus_to) => decide({ focus_to }))}
@@ -118,7 +117,18 @@ export class StageNumbers extends LitElement {
       ${partsOf(this.item)[0] === "camera" ? this.place(`camera:${camera.shot}:${when}`) : nothing}
       ${partsOf(this.item)[0] === "aim" ? this.place(`aim:${camera.shot}:${when}`) : nothing}
       ${camera.shot === this.stage.shot ? nothing : html`<button @click=${() =>
-        this.dispatchEvent(new CustomEvent("go", { detail: camera.shot }))}>Go to it</button>`}`;
+        this.dispatchEvent(new CustomEvent("go", { detail: camera.shot }))}>Go to it</button>`}
+      ${this.film()}`;
+  }
+
+  /** The picture of the whole film: its shape, and the sensor behind every lens. */
+  private film() {
+    const { aspect, aspects, sensor_width, sensors } = this.board;
+    const decide = (decision: object) => this.make({ kind: "format", decision });
+    const called = (all: Record<string, number>, value: number) => Object.keys(all).find((name) => all[name] === value);
+    return html`<span class="film" role="group" aria-label="The whole film" title="Of the whole film: every camera that is not locked is set for it anew">
+      ${this.choice("Picture", aspect, Object.values(aspects), (value) => called(aspects, value) ?? `${roundTo(value, 3)}:1`, (value) => decide({ aspect: value }))}
+      ${this.choice("Sensor", sensor_width, Object.values(sensors), (value) => `${called(sensors, value) ?? ""} ${roundTo(value, 2)} mm`, (value) => decide({ sensor_width: value }))}</span>`;
   }
 
   private choice(label: string, now: number, all: number[], told: (value: number) => string, chosen: (value: number) => void) {

@@ -2,7 +2,6 @@
 
 import { LitElement, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import { lensesOf } from "./camera_kit";
 import type { Board, Edit } from "./messages";
 import type { Done, Tool } from "./stage_hands";
 import { editOf, marksEdit, nameOf, partsOf, put, shotFrom, spotOf, turnOf } from "./stage_items";
@@ -240,7 +239,7 @@ export class StageView extends LitElement {
     const draft = this.scene?.stage ?? stage;
     const [, id] = partsOf(this.shown);
     const make = (event: CustomEvent<Edit[]>) => this.edit(event.detail);
-    return html`<sb-numbers .stage=${draft} .item=${this.shown} .change=${this.changes} .lenses=${lensesOf(this.board)} @make=${make}
+    return html`<sb-numbers .stage=${draft} .item=${this.shown} .change=${this.changes} .board=${this.board} @make=${make}
         @go=${(event: CustomEvent<string>) => this.dispatchEvent(new CustomEvent("select", { detail: [event.detail] }))}></sb-numbers>
       ${this.shown === id && id in stage.people
         ? html`<sb-pose .stage=${stage} .person=${id} .frame=${this.frame} .wire=${this.wire} @pose=${(event: CustomEvent<Edit>) => this.edit([event.detail])}></sb-pose>`

@@ -15,7 +15,7 @@ ASPECTS: Final[dict[str, float]] = {
     "16:9": 16 / 9, "1.85:1": 1.85, "2.39:1": 2.39, "4:3": 4 / 3, "1:1": 1.0, "9:16": 9 / 16
 }  # fmt: skip
 """Width over height of usual pictures."""
-SENSORS: Final[dict[str, float]] = {"Super 16": 12.52, "Super 35": 24.89, "full frame": 36.0, "65 mm": 52.48}
+SENSORS: Final[dict[str, float]] = {"Super 16": 12.52, "Super 35": 24.89, "full frame": 36.0, "65 mm film": 52.48}
 """Widths in mm of usual sensors and film gates."""
 
 

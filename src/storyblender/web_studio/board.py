@@ -10,6 +10,7 @@ from storyblender.deliver.checklist import to_check
 from storyblender.deliver.panel import Panel, cue_of, length_of, panels
 from storyblender.memory.base import scene_name
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.picture_format import ASPECTS, SENSORS
 from storyblender.proposing import ProposedStaging
 from storyblender.session import Session
 from storyblender.web_studio.messages import Board, PanelCard, SceneCard, StagingCard
@@ -37,6 +38,9 @@ def board_of(session: Session, stale: Collection[str], previews: Mapping[str, Pa
         revision=session.revision,
         made=session.made,
         aspect=graph.format.aspect,
+        aspects=ASPECTS,
+        sensor_width=graph.format.sensor_width,
+        sensors=SENSORS,
         lens_kit=session.lens_kit,
         summary=length_of([panel for panel in shown if not panel.omitted]),
         scenes=tuple(scenes),

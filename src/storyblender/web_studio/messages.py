@@ -272,6 +272,12 @@ class Board(Described):
     """Whether it is staged; a plan has no pictures."""
     aspect: float
     """Width of a picture divided by its height."""
+    aspects: dict[str, float]
+    """Those that pictures usually have, by name."""
+    sensor_width: float
+    """mm, of the film; a camera that was locked before may have another."""
+    sensors: dict[str, float]
+    """Widths of usual sensors in mm, by name."""
     lens_kit: tuple[float, ...]
     """Lenses at hand in mm; empty allows any."""
     summary: str

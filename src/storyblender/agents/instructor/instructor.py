@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from storyblender.agents.instructor.address import address_of
+from storyblender.agents.instructor.film_phrases import format_decision
 from storyblender.agents.instructor.mentions import Mentions, Present
 from storyblender.agents.instructor.parsing import Phrase, read_sentences
 from storyblender.agents.instructor.person_phrases import edits_of_person
@@ -27,6 +28,7 @@ from storyblender.memory.edits import (
     CameraEdit,
     DurationEdit,
     Edit,
+    FormatEdit,
     JoinEdit,
     LightEdit,
     NoteEdit,
@@ -38,6 +40,7 @@ from storyblender.memory.edits import (
     TakeEdit,
 )
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.picture_format import FormatDecision
 from storyblender.memory.scene_decision import LightDecision, SetDecision
 from storyblender.reflection import UNUSABLE, Critique, Fault
 
@@ -186,12 +189,22 @@ class _Phrases:
     def _read(self, words: str) -> Phrase | None:
         if cut := edits_of_cut(words, self._view.targets):
             return Phrase(words, tuple(cut))
+        if picture := format_decision(words):
+            return self._of_film(words, picture)
         scenes = [(scene.name, edits_of_scene(words, scene)) for scene in self._view.scenes]
         of_scene = self._together(words, scenes)
         if of_scene is not None and not of_scene.problem:
             return of_scene
         of_shot = self._together(words, [*self._of_shots(words)])
         return of_shot if of_shot is not None and not of_shot.problem else of_scene or of_shot
+
+    def _of_film(self, words: str, picture: FormatDecision | str) -> Phrase:
+        """Return what is said of the picture of the film; it must be said of all of it."""
+        if isinstance(picture, str):
+            return Phrase(words, problem=f"{words!r} ({picture})")
+        if not self._view.everywhere:
+            return Phrase(words, problem=f"{words!r} (it is of the whole film: say 'all: {words}')")
+        return Phrase(words, (FormatEdit(decision=picture),))
 
     def _of_shots(self, words: str) -> Iterator[tuple[str, list[Edit] | str]]:
         """Yield what words mean for each shot: edits, or in one sentence why they cannot be."""

@@ -16,6 +16,7 @@ from storyblender.memory.edits import (
     CameraEdit,
     DurationEdit,
     Edit,
+    FormatEdit,
     JoinEdit,
     LightEdit,
     LockEdit,
@@ -210,5 +211,7 @@ def _decisions(edit: Edit) -> Mapping[tuple[str, str], object]:
             return {(edit.scene, name): value for name, value in edit.decision if value not in (None, {})}
         case DurationEdit():
             return {(edit.shot, "seconds"): edit.seconds}
+        case FormatEdit():
+            return {("film", name): value for name, value in edit.decision.told.items()}
         case _:
             return {}

@@ -21,7 +21,7 @@ from storyblender.agents.instructor.instructor import (
 )
 from storyblender.errors import InputError
 from storyblender.memory.camera_decision import CameraInstruction
-from storyblender.memory.edits import BlockingEdit, CameraEdit, DurationEdit, Edit, LightEdit, SetEdit
+from storyblender.memory.edits import BlockingEdit, CameraEdit, DurationEdit, Edit, FormatEdit, LightEdit, SetEdit
 from storyblender.memory.scene_decision import BlockingDecision
 
 PAGE = (Path(__file__).parents[4] / "docs" / "edits.md").read_text("utf-8").split("\n## In words")[1].split("\n## ")[0]
@@ -85,6 +85,27 @@ def test_a_phrase_decides_what_its_row_says(phrase: str, meaning: str) -> None:
     assert not draft.unclear, draft.unclear
     assert "; ".join(map(told, draft.edits)) == meaning
     assert InstructorCritic().judge(draft, view(phrase)).score == 10
+
+
+OF_FILM = [(phrase, meaning) for phrases, meaning in rows("| words after `all:` |") for phrase in phrases]
+
+
+@every("phrase meaning", OF_FILM)
+def test_a_phrase_of_the_whole_film_decides_what_its_row_says_and_only_there(phrase: str, meaning: str) -> None:
+    of_all = replace(view(phrase), everywhere=True)
+    for words in (phrase, f"Please {phrase}.", f"{phrase}, and now"):
+        draft = RulesInstructor().propose(replace(of_all, words=words))
+        said = [edit.decision.words for edit in draft.edits if isinstance(edit, FormatEdit)]
+        assert (draft.unclear, "; ".join(said)) == ((), meaning), words
+        assert InstructorCritic().judge(draft, of_all).score == 10
+    for words in with_strange_words(phrase):
+        assert RulesInstructor().propose(replace(of_all, words=words)).unclear, words
+    assert "it is of the whole film" in instruction(phrase).unclear[0], "a shot has no picture of its own"
+
+
+def test_two_pictures_of_one_film_contradict_each_other() -> None:
+    draft = RulesInstructor().propose(replace(view("4:3, 16:9"), everywhere=True))
+    assert draft.unclear == ("'4:3' and '16:9' contradict each other",)
 
 
 @every("phrase meaning", PHRASES)
