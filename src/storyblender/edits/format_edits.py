@@ -10,8 +10,8 @@ from storyblender.edits.effect import Effect, name_of, shot_names
 from storyblender.errors import InputError
 from storyblender.memory.edits import FormatEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.picture_format import LARGEST, FormatDecision
-from storyblender.pipeline.reframing import reframed
+from storyblender.memory.picture_format import FormatDecision
+from storyblender.pipeline.reframing import reframed, with_decision
 
 
 def format_effects(graph: ContinuityMemoryGraph, edit: FormatEdit) -> list[Effect]:
@@ -26,10 +26,7 @@ def format_effects(graph: ContinuityMemoryGraph, edit: FormatEdit) -> list[Effec
     """
     if not edit.decision.told:
         raise InputError("nothing is decided about the picture", mend="give an aspect ratio, the width of a sensor ...")
-    picture = graph.format.model_copy(update=edit.decision.told)
-    if picture.height > LARGEST:
-        mend = f"{LARGEST} is the most; make it with a smaller --width first"
-        raise InputError(f"a picture {picture.width} wide would be {picture.height} high", mend=mend)
+    picture = with_decision(graph.format, edit.decision)
     decision = (graph.format_decision or FormatDecision()).then(edit.decision)
     changed = graph.model_copy(update={"format": picture, "format_decision": decision})
     head = {"format": picture, "format_decision": decision, "shots": reframed(changed, graph.format).shots}

@@ -19,7 +19,7 @@ from storyblender.memory.base import content_hash
 from storyblender.memory.graph import ContinuityMemoryGraph, ProjectFormat
 from storyblender.memory.history import Commit
 from storyblender.memory.picture_format import FormatDecision
-from storyblender.pipeline.reframing import reframed
+from storyblender.pipeline.reframing import reframed, with_decision
 from storyblender.pipeline.revision import Revision, revise, with_digests
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.staging import design
@@ -200,14 +200,15 @@ def _take_over_format(run: Run) -> None:
 
 def _format(run: Run) -> ProjectFormat:
     """Return the format of the settings, with what a person decided of it."""
-    settings, decision = run.settings, _format_decision(run)
-    return ProjectFormat(
+    settings = run.settings
+    told = ProjectFormat(
         fps=settings.fps,
         aspect=settings.aspect,
         width=settings.width // 4 * 4,
         sensor_width=settings.sensor_width,
         seed=settings.seed,
-    ).model_copy(update=decision.told if decision is not None else {})
+    )
+    return with_decision(told, _format_decision(run) or FormatDecision())
 
 
 def _format_decision(run: Run) -> FormatDecision | None:

@@ -2,9 +2,28 @@
 
 from __future__ import annotations
 
+from storyblender.errors import InputError
 from storyblender.memory.graph import ContinuityMemoryGraph, ProjectFormat
 from storyblender.memory.history import replace
+from storyblender.memory.picture_format import LARGEST, FormatDecision
 from storyblender.memory.shot_context import ShotContext
+
+
+def with_decision(picture: ProjectFormat, decision: FormatDecision) -> ProjectFormat:
+    """Return a format with what a person decided of it.
+
+    Args:
+        picture: As the settings have it, or as it is.
+        decision: Any of its fields.
+
+    Raises:
+        InputError: The picture would be far too high.
+    """
+    decided = picture.model_copy(update=decision.told)
+    if decided.height > LARGEST:
+        mend = f"{LARGEST} is the most; give a smaller --width to `storyblender make`, or a wider aspect"
+        raise InputError(f"a picture {decided.width} wide would be {decided.height} high", mend=mend)
+    return decided
 
 
 def reframed(graph: ContinuityMemoryGraph, former: ProjectFormat) -> ContinuityMemoryGraph:

@@ -146,6 +146,17 @@ def test_what_cannot_be_is_refused_in_a_sentence(decision: dict[str, Any], said:
     assert session.graph == before
 
 
+def test_a_picture_that_would_be_far_too_high_is_refused_whichever_comes_last(folder: Path) -> None:
+    script, huge = folder.parent / "home.fountain", SETTINGS.model_copy(update={"width": 7680})
+    with Studio(SETTINGS).open(folder) as session:
+        apply(session, {"kind": "format", "decision": {"aspect": "9:16"}})
+        before = session.graph
+    with pytest.raises(InputError, match="7680 wide would be 13652 high"):
+        Studio(huge).plan(script, folder)
+    with Studio(SETTINGS).open(folder) as session:
+        assert session.graph == before
+
+
 def test_two_people_who_change_the_picture_are_told(session: Session) -> None:
     revision = session.revision
     apply(session, WIDE)
