@@ -155,7 +155,10 @@ export class Studio extends LitElement {
       this.view = "board";
       await this.lookAtBlender();
       const changes = done.understood.length;
-      return changes ? `${changes === 1 ? "One change is" : `${changes} changes are`} taken over from Blender` : "Nothing was to be taken over";
+      const taken = changes ? `${changes === 1 ? "One change is" : `${changes} changes are`} taken over from Blender` : "";
+      if (done.kept.length)
+        throw new Error(`${taken ? `${taken}; but not this` : "Not taken over from Blender"}: ${done.kept.join("; ")}. A dated copy of the file has it`);
+      return taken || "Nothing was to be taken over";
     });
   }
 

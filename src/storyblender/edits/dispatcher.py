@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import groupby
 from typing import Final
 
@@ -13,11 +13,14 @@ from storyblender.edits.effect import Effect, name_of, with_effects
 from storyblender.edits.families import effects_of
 from storyblender.memory.base import Frozen
 from storyblender.memory.edits import Edit
+from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.plain_words import names_of, plain
 from storyblender.project import Project
 
 PRINTED: Final = frozenset({"notes", "approval", "cut", "name"})
 """Aspects that the deliverables show without a new frame."""
+_GUARDED: Final = frozenset({"camera", "blocking", "layout", "duration", *PRINTED})
+"""Aspects that a lock or an approval refuses to touch where the shot would look otherwise."""
 _NAMED = 4
 """Most items whose names a sentence lists."""
 
@@ -78,12 +81,22 @@ def apply_edits(project: Project, edits: Sequence[Edit], version: str | None = N
         f"{_listed([names.get(each.name, each.name) for each in same])}: {plain(said, names)}"
         for said, same in groupby(effects, lambda each: each.words)
     )
+    before = project.graph
     project.commit(graph, author, words)
     there = {name_of(shot) for shot in graph.shots if not shot.joined}
     stale = dict.fromkeys(name for each in effects for name in each.stale if name in there)
     printed = any(each.aspects & PRINTED for each in effects)
-    warnings = tuple(dict.fromkeys(plain(each, names) for effect in effects for each in effect.warnings))
+    said = [*_approved_and_changed(before, effects), *(each for effect in effects for each in effect.warnings)]
+    warnings = tuple(dict.fromkeys(plain(each, names) for each in said))
     return Applied(version=project.version, words=words, stale=tuple(stale), printed=printed, warnings=warnings)
+
+
+def _approved_and_changed(graph: ContinuityMemoryGraph, effects: Sequence[Effect]) -> Iterator[str]:
+    """Yield what to know of shots that were approved, and get another light, set, format or look."""
+    approved = {name_of(shot) for shot in graph.shots if shot.approved is not None and not shot.omitted}
+    touched = dict.fromkeys(name for each in effects if not each.aspects & _GUARDED for name in each.stale)
+    if changed := [name for name in touched if name in approved]:
+        yield f"{_listed(changed)} {'was' if len(changed) == 1 else 'were'} approved and may look otherwise now"
 
 
 def _listed(names: Sequence[str]) -> str:

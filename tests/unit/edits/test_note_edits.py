@@ -59,6 +59,15 @@ def test_notes_and_approval_are_delivered_and_draw_no_frame(session: Session) ->
     assert "Too slow." in rows[0]["notes"] and not rows[1]["notes"]
 
 
+def test_another_light_of_what_is_approved_is_told(session: Session) -> None:
+    warmer: list[dict[str, Any]] = [{"kind": "light", "scene": "SC010", "decision": {"warmth": 0.5}}]
+    assert not session.apply(edits_of(warmer)).warnings
+    session.undo()
+    apply(session, APPROVE)
+    told = session.apply(edits_of(warmer))
+    assert SHOT in told.stale and told.warnings == (f"{SHOT} was approved and may look otherwise now",)
+
+
 def test_what_is_approved_does_not_change_until_the_approval_is_withdrawn(session: Session) -> None:
     lock = {"kind": "lock", "target": SHOT, "parts": ["duration"]}
     apply(session, APPROVE)
