@@ -25,8 +25,8 @@ export class BoardPagePreview extends LitElement {
           return html`
             ${index && shots[index - 1].title === shot.title ? nothing : html`<span class="over" style="${this.place([Math.min(cell.picture[0], cell.words[0]), cell.picture[1] - 14, cell.words[2], 13])}; font-size: ${this.across(9)}">${shot.title}</span>`}
             <div class="frame" style=${this.place(cell.picture)}>${shot.picture ? html`<img src=${shot.picture} alt="" />` : nothing}</div>
-            <div class="said" style="${this.place(cell.words)}; ${font}"><b>${shot.shot}</b> <i>${shot.facts}</i> <br />${shot.words}
-              ${shot.speech.map(([who, words]) => html`<p><i>${who}</i> ${words}</p>`)}</div>`;
+            <div class="said" style="${this.place(cell.words)}; ${font}"><b>${shot.shot}</b> <i>${shot.facts}</i>
+              ${shot.script.map(([cue, words]) => html`<p>${cue ? html`<i>${cue}</i> ` : nothing}${words}</p>`)}</div>`;
         })}
         <span class="over" style="${this.place([30, 16, width - 60, 18])}; font-size: ${this.across(12)}">${this.board.title}</span>
         <span class="over last" style="${this.place([30, height - 26, width - 60, 14])}; font-size: ${this.across(8)}">1 / ${pages}</span>

@@ -108,8 +108,7 @@ export class BoardView extends LitElement {
           </div>
           <div class="slate"><b>${shot.shot}</b><span>${shot.seconds.toFixed(1)} s</span></div>
           <div class="facts">${shot.facts}</div>
-          <p>${shot.words}</p>
-          ${shot.speech.map(([who, words]) => html`<p class="speech"><b>${who}</b> ${words}</p>`)}
+          ${shot.script.map(([cue, words]) => (cue ? html`<p class="speech"><b>${cue}</b> ${words}</p>` : html`<p>${words}</p>`))}
           <div class="marks">
             ${shot.approved ? html`<span class="approved">approved</span>` : nothing}
             ${shot.notes ? html`<span>${shot.notes === 1 ? "1 note" : `${shot.notes} notes`}</span>` : nothing}

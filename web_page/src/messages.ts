@@ -6,7 +6,7 @@ export interface PanelCard {
   facts: string;
   seconds: number;
   words: string;
-  speech: [string, string][];
+  script: [string, string][];
   picture: string;
   state: "fresh" | "preview" | "stale" | "none";
   omitted: boolean;

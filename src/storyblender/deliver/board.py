@@ -18,7 +18,7 @@ from storyblender.deliver import fonts
 from storyblender.deliver.arrows import draw_way
 from storyblender.deliver.board_cells import GUTTER, MARGIN, Cell, cells_of, page_size
 from storyblender.deliver.lettering import Lettering, width_of
-from storyblender.deliver.panel import Panel, cue_of, length_of, panels
+from storyblender.deliver.panel import Panel, length_of, panels
 from storyblender.memory.board_layout import BoardLayout
 from storyblender.memory.graph import ContinuityMemoryGraph
 
@@ -180,9 +180,10 @@ def _texts(panel: Panel, size: float) -> list[Flowable]:
     """Return the paragraphs under a picture; ``size`` is the font size of the slate in points."""
     style = ParagraphStyle("action", fontName=fonts.REGULAR, fontSize=size * 0.9, leading=size * 1.12, textColor=INK)
     speech = ParagraphStyle("speech", parent=style, leftIndent=size)
-    said = panel.action or ("" if panel.dialogue else panel.description)
-    texts = [_setting([(said, INK)], style)] if said else []
-    texts += [_setting([(cue_of(line), GREY), (line.text, INK)], speech) for line in panel.dialogue]
+    texts = [
+        _setting([(cue, GREY), (text, INK)], speech) if cue else _setting([(text, INK)], style)
+        for cue, text in panel.script or (("", panel.description),)
+    ]
     return texts + [_setting([("Note", GREY), (note, NOTE)], style) for note in panel.open_notes]
 
 

@@ -16,7 +16,7 @@ from storyblender.deliver.asset_list import ASSETS_FILE
 from storyblender.deliver.checklist import CHECKLIST_FILE, Check
 from storyblender.deliver.contact_sheet import sheets_in
 from storyblender.deliver.credits import CREDITS_FILE
-from storyblender.deliver.panel import Panel, cue_of, length_of, panels
+from storyblender.deliver.panel import Panel, length_of, panels
 from storyblender.deliver.speech import subtitles
 from storyblender.memory.base import scene_name
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -145,9 +145,10 @@ def _card(panel: Panel, sources: tuple[str, str] | None, to_check: int, film: bo
     if film:
         start = f'data-start="{panel.start / panel.fps:.3f}" data-seconds="{length}" title="Play the film from here"'
         length = f'<button class="play" {start}>{length} ▶</button>'
-    words = [f"<p>{escape(panel.action)}</p>"] if panel.action else []
-    for line in panel.dialogue:
-        words.append(f'<p class="speech"><b>{escape(cue_of(line))}</b> {escape(line.text)}</p>')
+    words = [
+        f'<p class="speech"><b>{escape(cue)}</b> {escape(text)}</p>' if cue else f"<p>{escape(text)}</p>"
+        for cue, text in panel.script
+    ]
     words += [f'<p class="note"><b>Note</b> {escape(note)}</p>' for note in panel.notes]
     for note in panel.shot.notes:
         words.append(f'<p class="note{" resolved" * note.resolved}"><b>Note</b> {escape(note.words)}</p>')

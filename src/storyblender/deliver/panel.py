@@ -5,7 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import accumulate
+from itertools import accumulate, groupby
 from string import capwords
 from typing import Literal
 
@@ -52,7 +52,8 @@ class Panel:
         shot: Its context.
         start: First frame on the story's timeline.
         fps: Frames a second.
-        action: The script's own action lines, with an ellipsis where a sentence is cut.
+        lines: Its script lines without notes and the marks of emphasis; an action line has an ellipsis where its
+            sentence is cut.
         description: What happens: the lines in order, with who speaks to whom; without lines, whom or what it shows.
         omitted: Whether a person left the shot, or its scene, out of the film.
         opens: Whether it is the first of its scene in the film.
@@ -64,7 +65,7 @@ class Panel:
     shot: ShotContext
     start: int
     fps: int
-    action: str
+    lines: tuple[ScriptLine, ...]
     description: str
     omitted: bool = False
     opens: bool = False
@@ -149,9 +150,24 @@ class Panel:
 
     @property
     def dialogue(self) -> tuple[ScriptLine, ...]:
-        """The speeches in the script's own words, without notes and the marks of emphasis."""
-        spoken = (line for line in self.outline.lines if line.kind == "dialogue")
-        return tuple(line.model_copy(update={"text": _shown_text(line)}) for line in spoken)
+        """The speeches in the script's own words."""
+        return tuple(line for line in self.lines if line.kind == "dialogue")
+
+    @property
+    def action(self) -> str:
+        """The action lines in the script's own words."""
+        return " ".join(line.text for line in self.lines if line.kind == "action" and line.text)
+
+    @property
+    def script(self) -> tuple[tuple[str, str], ...]:
+        """Its speeches with their cues, and its action with an empty cue, in the order of the script."""
+        told: list[tuple[str, str]] = []
+        for spoken, lines in groupby(self.lines, key=lambda line: line.kind == "dialogue"):
+            if spoken:
+                told += [(cue_of(line), line.text) for line in lines]
+            elif action := " ".join(line.text for line in lines if line.text):
+                told.append(("", action))
+        return tuple(told)
 
     @property
     def status(self) -> str:
@@ -193,10 +209,11 @@ def panels(graph: ContinuityMemoryGraph, *, with_omitted: bool = False) -> list[
                 continue
             first, outline = planned[shot.shot_id]
             name = shot_name(scene.scene_id, shot.shot_id)
-            action = _action(lines, first, first + len(outline.lines))
+            end = first + len(outline.lines)
+            shown = tuple(_shown_line(lines, index, first, end) for index in range(first, end))
             words = _description(outline.lines, shot, names, places.get(scene.scene_id, ""))
             numbers = (start, graph.format.fps)
-            result.append(Panel(name, scene, outline, shot, *numbers, action, words, omitted, opens and not omitted))
+            result.append(Panel(name, scene, outline, shot, *numbers, shown, words, omitted, opens and not omitted))
             if not omitted:
                 start, opens = start + shot.duration, False
     return result
@@ -212,26 +229,24 @@ def length_of(shots: Sequence[Panel]) -> str:
     return f"{counted}, {minutes}:{seconds:02d} minutes"
 
 
-def _action(lines: Sequence[ScriptLine], first: int, end: int) -> str:
-    """Return the action lines of a shot as written, with an ellipsis where a sentence goes on in another shot or in
+def _shown_line(lines: Sequence[ScriptLine], index: int, first: int, end: int) -> ScriptLine:
+    """Return a line of a shot as it is shown: action with an ellipsis where its sentence goes on in another shot or in
     a camera direction that is left out.
 
     Args:
         lines: All lines of the scene.
+        index: Of the line.
         first: Index of the shot's first line.
         end: The index after its last.
     """
-    texts: list[str] = []
-    for index in range(first, end):
-        text = _shown_text(lines[index]).strip()
-        if lines[index].kind != "action" or not text:
-            continue
+    line = lines[index]
+    text = _shown_text(line)
+    if line.kind == "action" and (text := text.strip()):
         if text[0].islower() and (index == first or not _goes_on(lines[index - 1])):
             text = f"… {text}"
-        if index == end - 1 and end < len(lines) and _goes_on(lines[index]) and lines[end].text.strip()[:1].islower():
+        if index == end - 1 and end < len(lines) and _goes_on(line) and lines[end].text.strip()[:1].islower():
             text += " …"
-        texts.append(text)
-    return " ".join(texts)
+    return line.model_copy(update={"text": text})
 
 
 def _description(lines: Sequence[ScriptLine], shot: ShotContext, names: Mapping[str, str], place: str) -> str:

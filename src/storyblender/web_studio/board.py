@@ -7,7 +7,7 @@ from itertools import groupby
 from pathlib import Path
 
 from storyblender.deliver.checklist import to_check
-from storyblender.deliver.panel import Panel, cue_of, length_of, panels
+from storyblender.deliver.panel import Panel, length_of, panels
 from storyblender.memory.base import scene_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.picture_format import ASPECTS, SENSORS
@@ -68,7 +68,7 @@ def _card(folder: Path, panel: Panel, stale: Collection[str], previews: Mapping[
         facts=panel.facts,
         seconds=round(panel.seconds, 2),
         words=panel.action,
-        speech=tuple((cue_of(line), line.text) for line in panel.dialogue),
+        script=panel.script,
         picture=address,
         state=state,
         omitted=panel.omitted,

@@ -226,8 +226,8 @@ class PanelCard(Described):
     """Length."""
     words: str
     """Action of the script."""
-    speech: tuple[tuple[str, str], ...]
-    """Speaker and words."""
+    script: tuple[tuple[str, str], ...]
+    """Cues and words in the order of the script; action has an empty cue."""
     picture: str
     """Address of its frame; empty while there is none."""
     state: Literal["fresh", "preview", "stale", "none"]

@@ -62,7 +62,7 @@ def in_inspector(panel: Panel, graph: ContinuityMemoryGraph) -> InInspector:
         panel: The shot.
         graph: The story.
     """
-    shot, lines = panel.shot, panel.outline.lines
+    shot, lines = panel.shot, panel.lines
     decided = shot.blocking_decision.people if shot.blocking_decision is not None else {}
     keys = shot.camera.focus if shot.camera is not None else ()
 

@@ -45,3 +45,12 @@ def test_a_shot_without_lines_says_whom_its_camera_shows(graph: ContinuityMemory
     assert _description(graph, camera_instruction=insert) == "We see Bo."
     wide = both.model_copy(update={"kind": "establishing"})
     assert _description(graph, camera_instruction=wide) == "Bar, before the first line is spoken."
+
+
+def test_words_under_a_picture_are_in_the_order_of_the_script(graph: ContinuityMemoryGraph) -> None:
+    speech = _line("You *came*.", "dialogue", speaker="ann", speaker_name="ANN")
+    lines = (speech, _line("She sits."), _line("He waits."), speech)
+    (scene,) = graph.outline
+    outline = scene.model_copy(update={"shots": (ShotOutline(shot_id=1, lines=lines), *scene.shots[1:])})
+    told = panels(replace(graph, outline, graph.shots[0], *_CAST))[0]
+    assert told.script == (("ANN", "You came."), ("", "She sits. He waits."), ("ANN", "You came."))
