@@ -143,6 +143,10 @@ class Story(Described):
     """Name it in an edit: the edit is refused if what it touches has changed since."""
     made: bool
     """Whether there is something to look at; a project that is only planned has no frames."""
+    aspect: float
+    """Width of the picture divided by its height."""
+    sensor_width: float
+    """mm, of the film; lenses are those of such a camera."""
     cast: dict[str, str]
     """Id and name of every character."""
     props: dict[str, str]
@@ -382,8 +386,9 @@ def story_of(graph: ContinuityMemoryGraph, revision: str, made: bool, shots: tup
         if asset.origin != "dressing":
             named[asset.asset_type][asset.asset_id] = asset.name or asset.asset_id
     return Story(
-        title=graph.title, revision=revision, made=made, cast=named["character"], props=named["object"],
-        shots=tuple(map(summary_of, shots)),
+        title=graph.title, revision=revision, made=made,
+        aspect=graph.format.aspect, sensor_width=graph.format.sensor_width,
+        cast=named["character"], props=named["object"], shots=tuple(map(summary_of, shots)),
     )  # fmt: skip
 
 
