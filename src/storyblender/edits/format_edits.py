@@ -38,8 +38,7 @@ def format_effects(graph: ContinuityMemoryGraph, edit: FormatEdit) -> list[Effec
 
 
 def _kept(graph: ContinuityMemoryGraph) -> Iterator[str]:
-    """Yield what a person should know of the shots whose cameras are not set for the new picture."""
+    """Yield which locked cameras are not set anew; shots that are approved are told with every edit."""
     for shot in graph.shots:
-        if "camera" in shot.locked and shot.camera is not None and not shot.joined:
-            why = "is approved" if shot.approved is not None else "has its camera locked"
-            yield f"{name_of(shot)} {why}, so its camera stays as it is; look at its frame in the new picture"
+        if "camera" in shot.locked and shot.approved is None and shot.camera is not None and not shot.joined:
+            yield f"the camera of {name_of(shot)} is locked and stays as it is; look at its frame in the new picture"

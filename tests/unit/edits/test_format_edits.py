@@ -77,6 +77,17 @@ def test_a_locked_camera_stays_to_the_byte_and_a_person_is_told(session: Session
     assert {shot.camera.sensor_width for shot in session.graph.shots[1:] if shot.camera} == {24.89}
 
 
+def test_an_approved_shot_keeps_its_camera_and_is_told_once(session: Session) -> None:
+    session.render([SHOT])
+    apply(session, {"kind": "approve", "shot": SHOT})
+    before = first(session.graph)
+    applied = apply(session, WIDE)
+    assert [warning for warning in applied.warnings if SHOT in warning] == [
+        f"{SHOT} was approved and may look otherwise now"
+    ]
+    assert first(session.graph) == before
+
+
 def test_a_camera_placed_by_hand_stands_where_it_was_placed(session: Session) -> None:
     session.draw(apply(session, {"kind": "camera", "shot": SHOT, "decision": {"placed": PLACED, "lens": 40}}))
     before = first(session.graph).camera
