@@ -12,8 +12,8 @@ from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import frame_job
 from storyblender.pipeline.updating import bring_scene_up_to_date
 
-PREVIEW_WIDTH = 480
-"""Pixels, at most."""
+PREVIEW_WIDTH = 512
+"""Pixels, at most; heights are in fours, and 16:9 of this is exact, so that a preview fills the place of its frame."""
 
 
 def preview_shot(run: Run, shot: ShotContext, matching: CamerasToMatch) -> Path:
