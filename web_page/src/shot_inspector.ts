@@ -136,9 +136,10 @@ export class ShotInspector extends LitElement {
     const stops = [...new Set([...STOPS, ...(shot.f_number ? [shot.f_number] : [])])].sort((one, other) => one - other);
     return html`${people.map(([id, name]) => html`<label><input type="checkbox" .checked=${shown.includes(id)} @change=${() => change(id)} /> ${name}</label>`)}
       <label>Aperture <select @change=${(event: Event) => this.camera({ f_number: Number((event.target as HTMLSelectElement).value) })}>
+        ${shot.f_number ? nothing : html`<option value="" selected disabled>being set</option>`}
         ${stops.map((stop) => html`<option value=${stop} ?selected=${stop === shot.f_number}>f/${stop}</option>`)}</select></label>
       <label>Sharp <select @change=${(event: Event) => this.camera({ focus: (event.target as HTMLSelectElement).value })}>
-        ${people.some(([id]) => id === shot.focus[0]) ? nothing : html`<option selected disabled>${shot.focus[0] || "everything"}</option>`}
+        ${people.some(([id]) => id === shot.focus[0]) ? nothing : html`<option selected disabled>${shot.focus[0] || (shot.f_number ? "everything" : "being set")}</option>`}
         ${people.map(([id, name]) => html`<option value=${id} ?selected=${id === shot.focus[0]}>${name}</option>`)}</select></label>`;
   }
 

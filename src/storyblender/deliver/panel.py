@@ -72,7 +72,7 @@ class Panel:
 
     @property
     def lens(self) -> float:
-        """mm."""
+        """mm; 0 while the crew is still to choose it."""
         camera = self.shot.camera
         if camera is not None:
             return camera.poses[0].lens
@@ -89,7 +89,8 @@ class Panel:
     def facts(self) -> str:
         """The camera in a line, e.g. ``MCU over the shoulder · low angle · 65 mm · push in``."""
         angle = self.shot.camera_instruction.angle
-        said = (self.framing, "" if angle == "eye-level" else angle, f"{self.lens:.0f} mm", self.movement)
+        lens = f"{self.lens:.0f} mm" if self.lens else ""
+        said = (self.framing, "" if angle == "eye-level" else angle, lens, self.movement)
         return " · ".join(filter(None, said))
 
     @property

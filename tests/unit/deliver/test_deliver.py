@@ -292,6 +292,12 @@ def test_facts_name_an_angle_that_is_not_at_eye_level(graph: ContinuityMemoryGra
     assert panels(graph.model_copy(update={"shots": shots}))[0].facts == "MCU · low angle · 65 mm · push in"
 
 
+def test_facts_name_no_lens_while_the_camera_is_being_set(graph: ContinuityMemoryGraph) -> None:
+    instruction = graph.shots[0].camera_instruction.model_copy(update={"lens": None})
+    shot = graph.shots[0].model_copy(update={"camera": None, "camera_instruction": instruction})
+    assert panels(graph.model_copy(update={"shots": (shot, graph.shots[1])}))[0].facts == "MCU · push in"
+
+
 def test_the_frame_of_a_push_in_is_what_the_camera_sees_at_its_end(graph: ContinuityMemoryGraph) -> None:
     ends = tuple(
         CameraPose(frame=frame, pivot=(0, 0, 1), rotation=(1, 0, 0, 0), distance=distance, lens=lens)
