@@ -100,6 +100,7 @@ export class StageModel {
         const geometry = each.geometry as BufferGeometry;
         if (!geometry.boundingBox) geometry.computeBoundingBox();
         const box = new OBB().fromBox3(geometry.boundingBox!).applyMatrix4(each.matrixWorld);
+        box.center.copy(geometry.boundingBox!.getCenter(new Vector3()).applyMatrix4(each.matrixWorld)); // OBB only shifts it
         box.halfSize.subScalar(TOUCHING / 2).max(new Vector3());
         boxes.push(box);
       });

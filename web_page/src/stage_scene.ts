@@ -43,6 +43,8 @@ export class StageScene {
   tool: Tool = "move";
   frame = 0;
   chosen = "";
+  /** What the chosen one stood in when it was chosen, as a chair at its table; null until that is looked at. */
+  private stood: string[] | null = null;
 
   constructor(
     private canvas: HTMLCanvasElement,
@@ -94,6 +96,7 @@ export class StageScene {
     }
     if (before?.shot.slice(0, 5) !== stage.shot.slice(0, 5)) this.frameAll();
     if (before?.shot !== stage.shot) this.startFree();
+    if (before?.shot !== stage.shot || before.frame !== stage.frame) this.stood = null;
     this.choose(nameOf(stage, this.chosen) ? this.chosen : "");
   }
 
@@ -118,6 +121,7 @@ export class StageScene {
   }
 
   choose(item: string): void {
+    if (item !== this.chosen) this.stood = null;
     this.chosen = item;
     this.draw();
   }
@@ -267,13 +271,15 @@ export class StageScene {
     return (2 * camera.position.distanceTo(at) * Math.tan((camera.fov * Math.PI) / 360)) / high;
   };
 
-  /** Draw cameras, lamps and ways, the box of what is chosen with its ring, and the boxes that it stands in. */
+  /** Draw cameras, lamps and ways, the box of what is chosen with its ring, and the boxes that it has come to stand in. */
   private mark(stage: Stage): void {
     clear(this.over);
     if (this.view !== "shot") this.over.add(...overlay(stage, this.chosen, this.pixel).children);
     if (!this.model.has(this.chosen)) return;
     const own = [this.chosen, ...(stage.placed[this.chosen]?.carries ?? [])];
-    const hits = this.model.collisions(own);
+    const within = this.model.collisions(own);
+    this.stood ??= within;
+    const hits = within.filter((node) => !this.stood!.includes(node));
     this.over.add(this.model.boxOf([this.chosen], hits.length ? HIT : CHOSEN));
     for (const node of this.hands.item ? hits : []) this.over.add(this.model.boxOf([node], HIT));
     if (nameOf(stage, this.chosen)) this.over.add(...ring(stage, this.chosen, this.pixel).children);
