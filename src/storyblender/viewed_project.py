@@ -55,6 +55,11 @@ class ViewedProject(OpenProject):
         return self.delivered if known is None else known
 
     @property
+    def makes_film(self) -> bool:
+        """Whether the film is made as the story is."""
+        return self._settings.animatic
+
+    @property
     def board_layout(self) -> BoardLayout:
         """How the pages of the board are laid out."""
         return self._settings.board_layout

@@ -33,7 +33,8 @@ export class CrewView extends LitElement {
   render() {
     const status = this.status!;
     const stage = WITHIN[status.stage] ?? status.stage;
-    const at = Object.keys(STAGES).indexOf(stage);
+    const stages = Object.entries(STAGES).filter(([name]) => name !== "motion" || status.film);
+    const at = stages.findIndex(([name]) => name === stage);
     const shots = (this.board?.scenes ?? []).flatMap((scene) => scene.shots).filter((shot) => shot.picture);
     return html`
       <section class="crew" aria-label="The crew at work">
@@ -42,7 +43,7 @@ export class CrewView extends LitElement {
           : html`<span class="buttons"><button @click=${() => this.dispatchEvent(new Event("go-on"))}>Go on</button>
               <button @click=${() => this.dispatchEvent(new Event("back"))}>Back</button></span>`}</div>
         ${status.error ? html`<p class="bar wrong" role="alert">${status.error}</p>` : nothing}
-        <ol class="stages">${Object.entries(STAGES).map(([name, words], index) => html`
+        <ol class="stages">${stages.map(([name, words], index) => html`
           <li class=${index < at ? "done" : index === at ? "now" : ""} aria-current=${index === at ? "step" : nothing}>${words}
             ${index === at && status.busy ? this.progress(status, words) : nothing}</li>`)}
         </ol>

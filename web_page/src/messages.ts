@@ -45,6 +45,7 @@ export interface Board {
 export interface Status {
   busy: boolean;
   work: string;
+  film: boolean;
   stage: string;
   step: number;
   total: number;

@@ -162,6 +162,8 @@ class Status(Described):
     """Whether work is under way; ask again, or wait with ``wait_seconds``."""
     work: str
     """What is done, or was done last."""
+    film: bool
+    """Whether a story that is made gets a film as well."""
     stage: str
     """The stage it has come to: ground, materialize, stage, pack, camera, frames, motion, deliver ..."""
     step: int

@@ -40,7 +40,7 @@ class Workplace:
         self._thread: threading.Thread | None = None
         self._state = threading.Lock()
         self._status = Status(
-            busy=False, work="", stage="", step=0, total=0, error="", warnings=(), files=()
+            busy=False, work="", film=False, stage="", step=0, total=0, error="", warnings=(), files=()
         )  # fmt: skip
 
     @property
@@ -192,9 +192,10 @@ class Workplace:
         """
         self._refuse_busy()
         with self._state:
+            film = self.session.makes_film
             self._status = Status(
-                busy=True, work=work, stage="", step=0, total=0, error="", warnings=(), files=()
-            )  # fmt: skip
+                busy=True, work=work, film=film, stage="", step=0, total=0, error="", warnings=(), files=()
+            )
 
         def run() -> None:
             error, files = "", tuple[str, ...]()
