@@ -67,6 +67,7 @@ export class StageView extends LitElement {
     this.canvas.addEventListener("webglcontextlost", () => (this.lost = true));
     this.canvas.addEventListener("webglcontextrestored", () => (this.lost = false));
     this.resized.observe(this.room);
+    if (!document.activeElement?.closest("input, textarea, select")) this.canvas.focus(); // its keys are heard there
   }
 
   disconnectedCallback(): void {

@@ -8,12 +8,14 @@ import "./crew_view";
 import "./cut_view";
 import "./deliver_view";
 import "./link_dialog";
+import "./message_bar";
 import "./pull_view";
 import "./revise_view";
 import "./set_view";
 import "./shot_inspector";
 import "./stage_view";
 import "./start_view";
+import type { Said } from "./message_bar";
 import type { Board, CrewEvent, Edit, News, Places, Pulled, Status } from "./messages";
 import { Wire } from "./wire";
 
@@ -54,10 +56,12 @@ export class Studio extends LitElement {
   private asset = "";
   @state() private view: View = "board";
   @state() private events: CrewEvent[] = [];
-  @state() private said: { text: string; wrong: boolean } | null = null;
+  @state() private said: Said | null = null;
   @state() private connected = true;
   /** What was saved in Blender and is not taken over, in a sentence. */
   @state() private blender = "";
+  /** Whether that sentence was put away; the next save brings it back. */
+  @state() private blenderRead = false;
   /** What the person has seen: the board's revision, or what their last edit came to. */
   private revision = "";
   private edited: Promise<unknown> = Promise.resolve();
@@ -127,7 +131,10 @@ export class Studio extends LitElement {
   }
 
   private hear(news: News): void {
-    if (news.news === "blender") void this.lookAtBlender();
+    if (news.news === "blender") {
+      this.blenderRead = false;
+      void this.lookAtBlender();
+    }
     if (news.news === "status" && news.status) this.status = news.status;
     if (news.news === "event" && news.event) this.events = [...this.events, news.event].slice(-EVENTS_SHOWN);
     if (news.news === "event" && news.event?.role === "frames" && news.event.kind === "warning")
@@ -243,13 +250,13 @@ export class Studio extends LitElement {
       <div class="messages">
         ${this.connected ? nothing : html`<p class="bar wrong" role="alert">The studio does not answer. Start it again; nothing is lost.</p>`}
         ${this.said
-          ? html`<p class="bar ${this.said.wrong ? "wrong" : ""}" role="status">${this.said.text}
-              <button class="quiet" aria-label="Dismiss" @click=${() => this.say("")}>×</button></p>`
+          ? html`<sb-message .said=${this.said} @dismiss=${() => this.say("")}></sb-message>`
           : nothing}
         ${this.board ? this.unfinished(this.board) : nothing}
-        ${this.blender && this.view !== "pull" && this.board?.made && !this.making
+        ${this.blender && !this.blenderRead && this.view !== "pull" && this.board?.made && !this.making
           ? html`<p class="bar" role="status">${this.blender} <button @click=${() => (this.view = "pull")}>Look at it</button>
-              <button @click=${() => this.takeOver({})}>Take over</button></p>`
+              <button @click=${() => this.takeOver({})}>Take over</button>
+              <button class="quiet" aria-label="Put this away" @click=${() => (this.blenderRead = true)}>×</button></p>`
           : nothing}
       </div>
       <main>${this.main()}</main>
@@ -260,6 +267,7 @@ export class Studio extends LitElement {
     if (view === "stage" && !this.selected.length) this.selected = [this.board!.scenes[0].shots[0].shot];
     if (view === "assets") this.selected = [];
     this.view = view;
+    if (view === "stage") this.querySelector<HTMLElement>("sb-stage canvas")?.focus();
   }
 
   private tools(board: Board) {
