@@ -15,3 +15,5 @@ WORDS_BY_AGE: Final[Mapping[Age, Mapping[str, str]]] = {
     "medieval": {"lamp": "lantern"},
 }
 """Age -> word -> key of a prop. A set kit's own ``means`` takes precedence."""
+OVERHEAD_OUTDOORS: Final[Mapping[str, str]] = {"table_lamp": "lamppost", "floor_lamp": "lamppost"}
+"""Key of a prop -> the prop that it is outdoors where somebody or something is under it."""

@@ -8,6 +8,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from pydantic import Field
 
 from storyblender.agents.side_views import nothing_drawn
+from storyblender.catalog.meanings import OVERHEAD_OUTDOORS
 from storyblender.catalog.recipe import AssetQuery, Recipe
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.states import state_at_first
@@ -57,12 +58,14 @@ def asset_retriever_view(
         return AssetRetrieverView(asset=asset, rejected=refused, draw=draw)
     changes = [change for shot in graph.shots for change in shot.asset_modifications if change.doors is None]
     states = [change.state for change in changes if change.asset_id == asset.asset_id and change.state]
+    outdoors = setup.scene_type == "outdoor"
+    overhead = OVERHEAD_OUTDOORS if outdoors and _is_overhead(graph, asset.asset_id) else {}
     return AssetRetrieverView(
         asset=asset,
         rejected=refused,
         draw=draw,
-        means={**means, **SETS[setup.kit].meanings},
-        weather=setup.weather if setup.scene_type == "outdoor" else "",
+        means={**means, **SETS[setup.kit].meanings, **overhead},
+        weather=setup.weather if outdoors else "",
         place=setup.place,
         lines=tuple(itertools.islice(_lines_with(graph, asset.name.lower()), _LINES)) if asset.name else (),
         state=state_at_first(states) or ("open" if _is_looked_into(graph, asset.asset_id) else ""),
@@ -82,6 +85,15 @@ def _is_looked_into(graph: ContinuityMemoryGraph, asset_id: str) -> bool:
     spots = (spot for shot in graph.shots for spot in shot.thing_spots.values())
     told += [(spot.relation, spot.anchor_id) for spot in spots if spot.anchor_id is not None]
     return ("in", asset_id) in told or ("inside", asset_id) in told
+
+
+def _is_overhead(graph: ContinuityMemoryGraph, asset_id: str) -> bool:
+    """Return whether the script tells of somebody or something under a thing."""
+    told = [(each.kind, each.anchor_asset_id) for scene in graph.scenes for each in scene.setup.relations]
+    for shot in graph.shots:
+        spots = (*shot.thing_spots.values(), *(state.spot for state in shot.states if state.spot is not None))
+        told += [(spot.relation, spot.anchor_id) for spot in spots if spot.anchor_id is not None]
+    return ("under", asset_id) in told
 
 
 class AssetRetrieverCritic:

@@ -112,19 +112,20 @@ def place_outside(stage: LayoutStage, asset_id: str, spot: Spot, anchor: LayoutT
     return True
 
 
-def box_under(stage: LayoutStage, asset_id: str, base: Box, peeps: bool) -> Box:
-    """Return the box of a thing under another.
+def box_under(stage: LayoutStage, asset_id: str, anchor: LayoutThing, peeps: bool) -> Box:
+    """Return the box of a thing under another: where that one stands, or on the floor if it hangs.
 
     Args:
         stage: What stands in the set; not changed.
         asset_id: The lower thing.
-        base: Box of the upper one, world metres.
-        peeps: Let a quarter of its depth stand out in front, if it is smaller than ``base``; else it is in the middle.
+        anchor: The upper one.
+        peeps: Let a quarter of its depth stand out in front, if it is smaller than the upper one; else it is in the
+            middle.
     """
-    width, depth, _ = size_of(stage.measure(asset_id))
+    base, (width, depth, _) = anchor.box, size_of(stage.measure(asset_id))
     ahead = max(0.0, base.depth / 2 - depth / 4) if peeps and depth < base.depth and width < base.width else 0.0
     x, y = base.to_world(0.0, -ahead)
-    return stage.box(asset_id, x, y, base.z, base.yaw)
+    return stage.box(asset_id, x, y, 0.0 if anchor.floats else base.z, base.yaw)
 
 
 def place_at_wall(

@@ -135,7 +135,7 @@ def _place_at_spot(stage: LayoutStage, asset_id: str, spot: Spot, anchor: Layout
     if kind in ("on", "in"):
         return _place_on(stage, asset_id, anchor)
     if kind in ("under", "around"):
-        stage.place(asset_id, box_under(stage, asset_id, base, kind == "under"), anchor=anchor.name)
+        _place_under(stage, asset_id, spot.model_copy(update={"relation": kind}), anchor)
     elif kind == "over":
         box = stage.box(asset_id, base.x, base.y, 0.0, base.yaw)
         if not hang(stage, asset_id, near=(base.x, base.y), lowest=base.top + 0.1):
@@ -146,6 +146,22 @@ def _place_at_spot(stage: LayoutStage, asset_id: str, spot: Spot, anchor: Layout
     else:
         _place_beside(stage, asset_id, spot.model_copy(update={"relation": kind}), anchor)
     return True
+
+
+def _place_under(stage: LayoutStage, asset_id: str, spot: Spot, anchor: LayoutThing) -> None:
+    """Place a thing under or around another; what is too large to be under it is beside it, or beside its table."""
+    under = spot.relation == "under"
+    if anchor.walks or not under or _fits_under(stage, asset_id, anchor):
+        stage.place(asset_id, box_under(stage, asset_id, anchor, peeps=under), anchor=anchor.name)
+        return
+    table = stage.find(anchor.anchor) if anchor.relationship == "on_top_of" else None
+    _place_beside(stage, asset_id, spot.model_copy(update={"relation": "next_to"}), table or anchor)
+
+
+def _fits_under(stage: LayoutStage, asset_id: str, anchor: LayoutThing) -> bool:
+    """Return whether a thing can be under another: flat, smaller across, or lower than one that hangs."""
+    base, (width, depth, height) = anchor.box, size_of(stage.measure(asset_id))
+    return height < (base.z if anchor.floats else _FLAT) or (width < base.width and depth < base.depth)
 
 
 def _second_anchor(stage: LayoutStage, asset_id: str) -> LayoutThing | None:

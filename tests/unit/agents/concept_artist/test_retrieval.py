@@ -2,12 +2,16 @@
 
 import pytest
 
-from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD, AssetRetrieverView
+from storyblender.agents.concept_artist.asset_retriever_view import (
+    RETRIEVAL_THRESHOLD,
+    AssetRetrieverView,
+    asset_retriever_view,
+)
 from storyblender.agents.concept_artist.generator import RulesAssetGenerator
 from storyblender.agents.concept_artist.retriever import RulesAssetRetriever
 from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.kinds import kinds
-from storyblender.catalog.meanings import WORDS_BY_AGE
+from storyblender.catalog.meanings import OVERHEAD_OUTDOORS, WORDS_BY_AGE
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import words_of
 from storyblender.catalog.recipe import Recipe
@@ -17,6 +21,8 @@ from storyblender.library.built_in import BuiltInLibrary
 from storyblender.library.embedder import load_embedder
 from storyblender.library.model_folders import ModelFolders
 from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.scene_context import Relation, SceneContext, SceneSetup
 from storyblender.reflection import reflect
 from storyblender.settings import Settings
 
@@ -311,7 +317,7 @@ def test_what_words_mean_in_a_place_is_in_the_catalog():
     for kit in SETS.values():
         assert set(kit.means.values()) <= set(PROPS), kit.key
         assert set(kit.means) <= known, kit.key
-    assert all({*means.values()} <= {*PROPS} for means in WORDS_BY_AGE.values())
+    assert all({*means.values()} <= {*PROPS} for means in (*WORDS_BY_AGE.values(), OVERHEAD_OUTDOORS))
 
 
 @pytest.mark.parametrize(
@@ -359,3 +365,15 @@ def test_who_calls_is_on_a_screen_and_on_nothing_else(key, told, shown):
 )
 def test_a_thing_is_at_first_as_it_was_before_it_changes(key, state, params):
     assert Recipe(source="catalog", key=key, score=10.0).in_state(state).params == params
+
+
+@pytest.mark.parametrize(
+    ("scene_type", "relation", "key"),
+    [("outdoor", "under", "lamppost"), ("outdoor", "next_to", "table_lamp"), ("indoor", "under", "table_lamp")],
+)
+def test_a_lamp_that_something_is_under_outdoors_is_a_street_lamp(scene_type, relation, key):
+    lamp = Asset(asset_id="lamp", asset_type="object", description="lamp", name="lamp")
+    below = Relation(asset_id="bench", kind=relation, anchor_asset_id="lamp")
+    setup = SceneSetup(asset_ids=("bench", "lamp"), scene_type=scene_type, kit="platform", relations=(below,))
+    graph = ContinuityMemoryGraph(title="", scenes=(SceneContext(scene_id=1, setup=setup),), assets=(lamp,))
+    assert BY_WORDS.propose(asset_retriever_view(graph, lamp, {})).key == key

@@ -169,3 +169,13 @@ def test_what_is_in_a_tree_is_up_at_its_trunk_and_holds_what_is_in_it(tree: str,
 def test_what_is_on_a_tall_thing_without_a_level_top_is_up_there() -> None:
     found = laid_out({"lantern": Spot(relation="on", anchor_id="lamppost")}, "lamppost", plan=TREE_PLAN)
     assert found["lantern"].location[2] > 1.3
+
+
+@pytest.mark.parametrize(("lamp", "table"), [("lamppost", None), ("table_lamp", "desk")])
+def test_what_is_too_large_to_be_under_a_thing_is_on_the_floor_beside_it(lamp: str, table: str | None) -> None:
+    told = {"bench": Spot(relation="under", anchor_id=lamp)}
+    at = laid_out({**({lamp: Spot(relation="on", anchor_id=table)} if table else {}), **told}, table or lamp)
+    x, y, _ = local(at["bench"], at[table or lamp])
+    reach = [(PROPS["bench"].size[axis] + PROPS[table or lamp].size[axis]) / 2 for axis in (0, 1)]
+    assert at["bench"].location[2] == pytest.approx(0, abs=1e-3)
+    assert reach[0] <= abs(x) + 0.01 < reach[0] + 1 or reach[1] <= abs(y) + 0.01 < reach[1] + 1
