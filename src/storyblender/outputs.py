@@ -64,6 +64,8 @@ class Outputs:
         self.recorded = files.path(RECORD).exists()
         """Whether the project has a record; projects of early versions have none."""
         self._known = self._read()
+        self._digests: dict[str, tuple[str, str]] = {}
+        """Of files that were written by others: the description at which each was read, and its digest."""
 
     def write(self, name: str, content: str | bytes) -> Path:
         """Write a file and note it; takes, returns and raises what ``Folder.write`` does."""
@@ -99,7 +101,7 @@ class Outputs:
         path, entry = self._files.path(name), self._known[name]
         try:
             now = _description(path)
-            if now != entry.description and entry.digest == digest_of(path):
+            if now != entry.description and entry.digest == self._digest_at(now, name, path):
                 self._put(name, entry.digest, now)
                 return True
             return now == entry.description
@@ -111,7 +113,7 @@ class Outputs:
         path = self._files.path(name)
         if not path.is_file() or not path.stat().st_size or self.whole(name):
             return False
-        return name not in self._known or self._known[name].former != digest_of(path)
+        return name not in self._known or self._known[name].former != self._digest_at(_description(path), name, path)
 
     def read(self, name: str, parse: Callable[[bytes], Content]) -> Content | None:
         """Return the parsed content of a file, or None if the file was changed or cannot be parsed.
@@ -175,6 +177,14 @@ class Outputs:
             former = before.former if before.digest == digest else before.digest
             self._known[name] = entry = _Entry(digest, description, former)
             self._files.append(RECORD, entry.line(name))
+
+    def _digest_at(self, description: str, name: str, path: Path) -> str:
+        """Return the digest of a file, which is read again only where its description is another one."""
+        read_at, digest = self._digests.get(name, ("", ""))
+        if read_at != description:
+            digest = digest_of(path)
+            self._digests[name] = description, digest
+        return digest
 
     def _forget(self, name: str) -> None:
         with self._lock:

@@ -128,3 +128,17 @@ def test_many_write_at_once(files: Folder) -> None:
     with ThreadPoolExecutor(8) as threads:
         list(threads.map(lambda name: written.write(name, name), names))
     assert all(map(Outputs(files).whole, names))
+
+
+def test_what_others_wrote_is_read_once_a_write(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    outputs, read = Outputs(Folder(tmp_path)), list[Path]()
+    digest_of = module.digest_of
+    outputs.write("story.blend", "ours")
+    monkeypatch.setattr(module, "digest_of", lambda path: read.append(path) or digest_of(path))
+    for words in ("theirs", "theirs again"):
+        (tmp_path / "story.blend").write_text(words)
+        read.clear()
+        assert all(outputs.changed("story.blend") for _ in range(3))
+        assert len(read) == 1
+    (tmp_path / "story.blend").write_text("ours")
+    assert not outputs.changed("story.blend")

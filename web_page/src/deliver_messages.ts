@@ -19,7 +19,7 @@ export interface Deliverable {
   title: string;
   words: string;
   files: { name: string; bytes: number; written: string }[];
-  state: "fresh" | "old" | "none";
+  state: "fresh" | "old" | "none" | "saved";
   write: string;
 }
 

@@ -9,12 +9,14 @@ import type { Wire } from "./wire";
 
 const PANELS = [1, 2, 3, 4, 6, 9, 12];
 const PAPERS: Record<string, string> = { a4: "A4", letter: "Letter", a3: "A3", legal: "Legal", tabloid: "Tabloid" };
-const STATES = { fresh: "up to date", old: "older than the story", none: "not written" };
+const STATES = { fresh: "up to date", old: "older than the story", none: "not written", saved: "saved in Blender, not taken over" };
 
 @customElement("sb-deliver")
 export class DeliverView extends LitElement {
   @property({ attribute: false }) board!: Board;
   @property({ attribute: false }) status: Status | null = null;
+  /** What was saved in Blender and is not taken over. */
+  @property({ attribute: false }) blender = "";
   @property({ attribute: false }) wire!: Wire;
   @state() private found: Deliveries | null = null;
   @state() private layout: BoardLayout | null = null;
@@ -25,7 +27,7 @@ export class DeliverView extends LitElement {
   }
 
   protected willUpdate(changed: PropertyValues<this>): void {
-    if (changed.has("board") || changed.get("status")?.busy) void this.ask();
+    if (changed.has("board") || changed.has("blender") || changed.get("status")?.busy) void this.ask();
   }
 
   private async ask(): Promise<void> {

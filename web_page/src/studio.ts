@@ -346,7 +346,7 @@ export class Studio extends LitElement {
           @edit=${(event: CustomEvent<{ edits: Edit[]; settled: (done: boolean) => void }>) =>
             this.edit(event.detail.edits).then(event.detail.settled)}></sb-cut>`;
       case "deliver":
-        return html`<sb-deliver .board=${board} .status=${this.status} .wire=${this.wire} @stop=${() => this.stop()}
+        return html`<sb-deliver .board=${board} .status=${this.status} .blender=${this.blender} .wire=${this.wire} @stop=${() => this.stop()}
           @write=${(event: CustomEvent<object>) =>
             this.attempt(async () => ((this.status = await this.wire.call<Status>("write", event.detail)), ""))}></sb-deliver>`;
       case "pull":

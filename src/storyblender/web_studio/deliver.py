@@ -65,8 +65,8 @@ class Deliverable(Described):
     """What it is good for."""
     files: tuple[DeliveredFile, ...]
     """None while it is not written."""
-    state: Literal["fresh", "old", "none"]
-    """Whether the files show the story as it is."""
+    state: Literal["fresh", "old", "none", "saved"]
+    """Whether the files show the story as it is; ``saved``: a person saved one in Blender, and it is not taken over."""
     write: Written
     """What writes it now."""
 
@@ -181,7 +181,8 @@ def _item(
 ) -> Deliverable:
     files = tuple(_file(session.folder, name) for name in names if (session.folder / name).is_file())
     fresh = fresh or all(session.shows_story(each.name) for each in files if not each.name.endswith(".srt"))
-    state = "none" if not files else "fresh" if fresh else "old"
+    saved = not set(names).isdisjoint(session.saved_in_blender)
+    state = "none" if not files else "saved" if saved else "fresh" if fresh else "old"
     return Deliverable(what=what, title=title, words=words, files=files, state=state, write=write)
 
 

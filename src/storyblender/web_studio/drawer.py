@@ -18,6 +18,8 @@ PAIR = 2
 """Frames that are drawn side by side."""
 REST = 2.0
 """Seconds without an edit before the frames themselves are drawn."""
+LOOK = 5.0
+"""Seconds between two looks whether a person saved story.blend in Blender, while there is nothing to do."""
 IDLE = 15.0
 """Seconds without an edit before board, lists and story.blend are written."""
 
@@ -32,7 +34,8 @@ class Drawer:
         previewed: Hears of new previews, by shot name.
         drawn: Hears that frames are new, with their previews' places taken.
         failed: Hears why something could not be drawn, in a sentence.
-        saved: Hears that story.blend was saved in Blender, so that nothing is delivered before that is taken over.
+        saved: Hears, once a save, that a person saved story.blend in Blender; nothing is delivered before that is taken
+            over.
     """
 
     def __init__(
@@ -48,6 +51,8 @@ class Drawer:
         self._waiting: dict[str, bool] = {}
         self._undrawn: frozenset[str] = frozenset()
         """Shots whose frames could not be drawn, and are not tried again by themselves."""
+        self._saved_ones: Mapping[str, float] = {}
+        """Files that were saved in Blender, as was told, and when each was."""
         self._looked_at = self._edited = self._ready_for = ""
         self._touched = time.monotonic()
         """When a person last edited something, or looked at another shot."""
@@ -131,7 +136,12 @@ class Drawer:
         while True:
             with self._changed:
                 self._working = False
-                self._changed.wait_for(self._has_work)
+                has_work = self._changed.wait_for(self._has_work, LOOK)
+            if not has_work:
+                with suppress(StoryBlenderError, OSError):  # closed meanwhile, or a file is being replaced
+                    self._look_for_saved()
+                continue
+            with self._changed:
                 if not self._unknown and not self._is_asked():
                     rested = time.monotonic() - self._touched
                     self._changed.wait_for(self._is_asked, (REST if self._waiting else IDLE) - rested)
@@ -187,13 +197,21 @@ class Drawer:
             self._session.shoot(next_ones)
             self._settle(next_ones, drawn=True)
             self._drawn(next_ones)
-        elif self._session.saved_in_blender:
+        elif self._look_for_saved():
             self._delivering = False
-            self._saved()
         else:
             self._session.render()
             self._delivering, self._undrawn = False, frozenset()
             self._drawn(())
+
+    def _look_for_saved(self) -> bool:
+        """Tell of what was saved in Blender since it was last told; return whether anything was and waits."""
+        names = self._session.saved_in_blender
+        saved = {name: (self._session.folder / name).stat().st_mtime for name in names}
+        if saved and saved != self._saved_ones:
+            self._saved()
+        self._saved_ones = saved
+        return bool(saved)
 
     def _give_up(self, names: Collection[str], why: str, *, drawn: bool) -> None:
         """Leave what cannot be drawn as it is, and say why."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import queue
 import threading
 from collections.abc import Callable, Collection, Sequence
 from pathlib import Path
@@ -36,6 +38,7 @@ class Rehearsals:
         self.slow = self.broken = ""
         self.delivered = True
         self.saved_in_blender: tuple[str, ...] = ()
+        self.folder = Path()
         shots = [*(Call(number) for number in range(1, 6)), Call(1, scene_id=2)]
         self.graph = cast(ContinuityMemoryGraph, type("Graph", (), {"shots": shots}))
         self._changed, self._cancelled = threading.Condition(), False
@@ -181,3 +184,23 @@ def test_what_cannot_be_drawn_stays_stale_until_a_call_draws_it(session: Rehears
     assert drawing.stale == {SHOTS[0]} and session.calls.count(f"shoot {SHOTS[0]}") == 1
     drawing.is_drawn(SHOTS[0])
     assert not drawing.stale
+
+
+def test_what_is_saved_in_blender_is_told_once_a_save_while_nothing_is_drawn(
+    session: Rehearsals, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(drawer, "LOOK", 0.01)
+    session.folder, told = tmp_path, queue.Queue[str]()
+    story = tmp_path / "story.blend"
+    silent: Callable[[Collection[str]], None] = lambda _: None  # noqa: E731
+    made = Drawer(cast(Session, session), lambda _: None, silent, lambda _: None, lambda: told.put("saved"))
+    try:
+        for save in (b"one", b"another"):
+            (tmp_path / "part").write_bytes(save)
+            os.utime(tmp_path / "part", (len(save), len(save)))
+            (tmp_path / "part").replace(story)
+            session.saved_in_blender = ("story.blend",)
+            assert told.get(timeout=60) == "saved"
+    finally:
+        made.close()
+    assert told.empty()
