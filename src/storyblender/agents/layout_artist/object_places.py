@@ -15,6 +15,7 @@ from storyblender.agents.layout_artist.nested_places import (
     place_in_hollow,
     place_outside,
 )
+from storyblender.agents.layout_artist.people_seats import is_seat_of_sitter_at
 from storyblender.agents.layout_artist.wall_places import hang, stand_against
 from storyblender.geometry.boxes import Box, footprint_gap, wrap_angle, yaw_along
 from storyblender.geometry.relations import BEARING, LayoutThing, slide_to_gap
@@ -260,7 +261,7 @@ def bearings_of(kind: str, anchor: Box, told: str | None = None) -> list[float]:
 
 def _place_beside(stage: LayoutStage, asset_id: str, spot: Spot, anchor: LayoutThing) -> None:
     """Place a thing on the roomiest of the allowed sides; touching for ``against``, a seat facing its table."""
-    kind = spot.relation
+    kind = "at" if spot.relation == "next_to" and is_seat_of_sitter_at(stage, asset_id, anchor) else spot.relation
     width, depth, _ = size_of(stage.measure(asset_id))
     usual = _PARKED if min(width, depth) > _CAR and min(anchor.box.width, anchor.box.depth) > _CAR else _BESIDE
     usual = {"against": 0.01, "facing": 0.9}.get(kind, usual)

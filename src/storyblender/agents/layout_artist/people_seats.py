@@ -23,6 +23,8 @@ _OPPOSITE, _ACROSS = ("facing", "in_front_of"), 1.6
 """Relations of a person who sits opposite another one, and the distance ahead of that one in metres."""
 _DRAWN_UP = 0.75
 """Most metres from a table to the front edge of a seat that stands at it."""
+_NEAR_TABLE = 1.2
+"""The same for a seat near it, which people take rather than the table itself."""
 _TAKEN = 0.45
 """Metres from a seat's edge within which a person occupies it."""
 _NEAR_SEATS = 3
@@ -74,6 +76,26 @@ def free_seats(stage: LayoutStage) -> list[Seat]:
     return _free_among(stage, _list_seats(stage, list(stage.things), ("seat",), asked=False))
 
 
+def is_seat_of_sitter_at(stage: LayoutStage, asset_id: str, table: LayoutThing) -> bool:
+    """Return whether a thing is a seat for one that is drawn up to a table, since somebody sits at that.
+
+    Args:
+        stage: What stands in the set; not changed.
+        asset_id: The thing.
+        table: What it is beside.
+    """
+    if table.name not in stage.assets or table.walks:
+        return False
+    seat, base = stage.measure(asset_id), stage.measure(stage.assets[table.name])
+    spots = (each.spot for each in (*stage.view.states, *stage.view.found_later) if each.posture == "sit")
+    return (
+        len(anchors_of(seat, "seat")) == 1
+        and bool(anchors_of(base, "top"))
+        and not anchors_of(base, "seat")
+        and any(spot is not None and spot.anchor_id == table.name for spot in spots)
+    )
+
+
 def put_on_seat(stage: LayoutStage, person: str, seat: Seat) -> None:
     """Place a person on a seat.
 
@@ -123,11 +145,12 @@ def _seat_point(stage: LayoutStage, seat: Seat) -> Vec2:
 
 
 def _seats_at_table(stage: LayoutStage, table: LayoutThing) -> list[Seat]:
-    """Return the seats that face a table without a seat of its own."""
+    """Return the seats drawn up to a table without a seat of its own, else those near it."""
     own = stage.measure(stage.assets[table.name])
     if any(anchor.kind in ("seat", "bed") for anchor in own.anchors) or not anchors_of(own, "top"):
         return []
     found: list[Seat] = []
+    near: list[Seat] = []
     for seat in _list_seats(stage, [name for name in stage.things if name != table.name], ("seat",), asked=False):
         base = stage.things[seat[0]].box
         x, y = _seat_point(stage, seat)
@@ -135,4 +158,6 @@ def _seats_at_table(stage: LayoutStage, table: LayoutThing) -> list[Seat]:
         away = distance_to_point(table.box, x, y)
         if away < _DRAWN_UP and distance_to_point(table.box, *ahead) < away:
             found.append(seat)
-    return found
+        elif away < _NEAR_TABLE:
+            near.append(seat)
+    return found or near

@@ -18,6 +18,8 @@ OWN_SEAT_DISTANCE = 2.0
 """Metres from their place in the layout within which people take their own seat."""
 TABLE_GAP = 0.75
 """Most metres from a table to the front edge of a seat that stands at it."""
+NEAR_TABLE = 1.2
+"""The same for a seat near it, which people take rather than the table itself."""
 
 
 class Seats:
@@ -105,19 +107,20 @@ class Seats:
         return self._choose_best(free or self.floor.free_seats(None, taken), person.place, person)
 
     def seats_at(self, name: str | None) -> list[SeatPlace]:
-        """Return the seats drawn up to a thing without a seat: the chairs of a table, the stools of a bar."""
+        """Return the seats drawn up to a thing without a seat, the chairs of a table, else those near it."""
         table = self.floor.thing(name)
         if table is None or table.anchors_of("seat", "bed") or not table.anchors_of("top"):
             return []
         seats = [seat for node in self.floor.things if node != table.node_id for seat in self.floor.seats(node)]
-        found = []
+        found, near = [], []
         for seat in seats:
-            point = table.nearest_edge(seat.edge)
-            away = math.dist(seat.edge, point)
+            away = math.dist(seat.edge, table.nearest_edge(seat.edge))
+            if away < NEAR_TABLE:
+                near.append(seat)
             x, y = seat.edge[0] + 0.3 * math.sin(seat.yaw), seat.edge[1] - 0.3 * math.cos(seat.yaw)
             if away < TABLE_GAP and math.dist((x, y), table.location[:2]) < math.dist(seat.edge, table.location[:2]):
                 found.append(seat)
-        return found
+        return found or near
 
     def _free(self, seats: Sequence[SeatPlace], taken: Sequence[Vec2]) -> list[SeatPlace]:
         """Return the seats that are more than 0.4 m from all taken floor points."""

@@ -24,6 +24,7 @@ from storyblender.agents.visual_effects_artist.furniture import (
     raise_to_new_tops,
     size_of_asset,
 )
+from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.prop_families import family_of
 from storyblender.catalog.props.prop_names import kind_named, prop_of
 from storyblender.catalog.set_plan import Furnishing, SetPlan
@@ -203,6 +204,7 @@ def _assign_furnishing_places(view: SetDresserView) -> dict[str, Asset]:
         for relation in view.setup.relations
         if relation.kind in ("on", "in", "inside", "under", "over") and relation.anchor_asset_id not in places
     }
+    floating |= _drawn_up_seats(view)
     ids = {asset.asset_id for asset in view.objects if not asset.fitted_part} - places
     waiting = [asset for asset in view.objects if asset.asset_id in ids - floating]
     waiting.sort(key=lambda asset: anchors.get(asset.asset_id) in ids)  # stable: anchors of others go first
@@ -216,6 +218,14 @@ def _assign_furnishing_places(view: SetDresserView) -> dict[str, Asset]:
             taken[found.node_id] = asset
             where[asset.asset_id] = found.location[:2]
     return taken
+
+
+def _drawn_up_seats(view: SetDresserView) -> set[str]:
+    """Return the ids of seats for one that are told beside a thing somebody is at: they are drawn up to it."""
+    used = {each.anchor_asset_id for each in view.setup.relations if each.kind == "at"}
+    beside = {each.asset_id for each in view.setup.relations if each.kind == "next_to" and each.anchor_asset_id in used}
+    seats = {asset.asset_id for asset in view.objects if (key := prop_of(asset)) in PROPS and PROPS[key].seats == 1}
+    return beside & seats
 
 
 def _written_prop(asset: Asset) -> str:

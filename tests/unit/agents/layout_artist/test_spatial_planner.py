@@ -15,7 +15,15 @@ from storyblender.catalog.sets import SETS, plan_of
 from storyblender.memory.asset_sheet import Anchor, Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.measure import AssetMeasure
-from storyblender.memory.scene_context import Environment, Layout, LayoutObject, Relation, SceneContext, SceneSetup
+from storyblender.memory.scene_context import (
+    Environment,
+    Layout,
+    LayoutObject,
+    Relation,
+    SceneContext,
+    SceneSetup,
+    Spot,
+)
 from storyblender.memory.shot_context import BodyState, CameraInstruction, CharacterAction, ShotContext
 from storyblender.reflection import Outcome, reflect
 
@@ -457,3 +465,19 @@ def test_a_place_before_furniture_has_a_backdrop_and_one_before_a_bare_wall_has_
     assert stage.backdrop(1.6, 0.0) > 0.3
     assert stage.backdrop(-1.6, 0.0) < 0.15
     assert stage.backdrop(1.6, 2.4) == 0.0, "it is before them there"
+
+
+def test_who_sits_at_a_table_sits_on_the_chair_beside_it_and_faces_it() -> None:
+    sitter = BodyState(asset_id="ana", posture="sit", spot=Spot(relation="at", anchor_id="table"))
+    at = solved(view_of(["table", "chair"], [("chair", "next_to", "table"), ("ana", "at", "table")], [sitter]))
+    ahead, to_table = forward(at["ana"]), [at["table"].location[i] - at["ana"].location[i] for i in (0, 1)]
+    assert at["ana"].anchor_asset_id == "chair"
+    assert ahead[0] * to_table[0] + ahead[1] * to_table[1] > 0.7 * math.hypot(*to_table)
+
+
+def test_who_sits_at_a_table_takes_a_seat_nearby_rather_than_its_edge() -> None:
+    table = LayoutObject(node_id="table", asset_id="table", location=(0, 1.5, 0), fixed=True)
+    chair = LayoutObject(node_id="chair", asset_id="chair", location=(1.6, 0.9, 0), rotation=(0, 0, 30), fixed=True)
+    sitter = BodyState(asset_id="ana", posture="sit", spot=Spot(relation="at", anchor_id="table"))
+    at = solved(view_of(relations=[("ana", "at", "table")], people=[sitter], dressed=(table, chair)))
+    assert at["ana"].anchor_asset_id == "chair"
