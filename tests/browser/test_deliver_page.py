@@ -50,11 +50,11 @@ def test_the_page_that_is_shown_lies_as_the_paper_does(deliver: Page) -> None:
 
     deliver.select_option("[data-field=paper]", "a4")
     deliver.select_option("[data-field=orientation]", "portrait")
-    expect(deliver.locator(".printed .paper")).to_have_attribute("style", re.compile("595"))
+    expect(deliver.locator(".printed .paper")).to_have_attribute("style", re.compile("aspect-ratio: 595"))
     assert abs(shape() - 595 / 842) < 0.01
     deliver.select_option("[data-field=orientation]", "landscape")
     deliver.select_option("[data-field=paper]", "letter")
-    expect(deliver.locator(".printed .paper")).to_have_attribute("style", re.compile("612"))
+    expect(deliver.locator(".printed .paper")).to_have_attribute("style", re.compile("aspect-ratio: 792"))
     assert abs(shape() - 792 / 612) < 0.01
 
 

@@ -157,11 +157,12 @@ def _items(session: Session) -> Iterator[Deliverable]:
         (CREDITS_FILE, "Credits", "whose models are in it"),
         ("timeline.otio", "Timeline (OTIO)", "for editing programs"),
     )
-    fresh = session.delivered
+    fresh, saved = session.delivered, session.saved_in_blender
     yield _item(session, "board", "Board (PDF)", "to print", ("board.pdf", "board_single.pdf"), fresh, "board")
     for name, title, words in by_itself:
         if name != CREDITS_FILE or (session.folder / name).exists():
-            yield _item(session, name, title, words, (name,), fresh, "all")
+            item = _item(session, name, title, words, (name,), fresh, "all")
+            yield item.model_copy(update={"state": "saved"}) if name in saved else item
     film = ("animatic.mp4", "animatic.srt")
     yield _item(session, "film", "Animatic", "the moving board with subtitles; takes some minutes", film, False, "film")
     exports: tuple[tuple[Written, str, str], ...] = (
@@ -181,8 +182,7 @@ def _item(
 ) -> Deliverable:
     files = tuple(_file(session.folder, name) for name in names if (session.folder / name).is_file())
     fresh = fresh or all(session.shows_story(each.name) for each in files if not each.name.endswith(".srt"))
-    saved = not set(names).isdisjoint(session.saved_in_blender)
-    state = "none" if not files else "saved" if saved else "fresh" if fresh else "old"
+    state = "none" if not files else "fresh" if fresh else "old"
     return Deliverable(what=what, title=title, words=words, files=files, state=state, write=write)
 
 
