@@ -87,7 +87,7 @@ def frames(stage: Stage, board: dict[str, Any]) -> dict[str, bytes]:
     return {name: (stage.folder / "frames" / f"{name}.png").read_bytes() for name in names}
 
 
-@pytest.mark.parametrize("gestures", [40, pytest.param(200, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("gestures", [40, pytest.param(200, marks=[pytest.mark.slow, pytest.mark.timeout(2400)])])
 def test_all_gestures_are_undone_and_redone(browser: Browser, stage: Stage, gestures: int) -> None:
     chance = random.Random(gestures)
     board = browser.is_drawn()
