@@ -213,8 +213,9 @@ def _tell_lengths(run: Run, before: Mapping[int, ShotContext], shots: Sequence[S
     fps = run.graph.format.fps
     for shot in shots:
         past = before[shot.shot_id]
-        if shot.duration != past.duration and not past.stale:
-            message = f"lasts {shot.duration / fps:.3g} s instead of {past.duration / fps:.3g} s: {_LONGER}"
+        now, then = (f"{each.duration / fps:.1f}" for each in (shot, past))
+        if now != then and not past.stale:
+            message = f"lasts {now} s instead of {then} s: {_LONGER}"
             subject = shot_name(shot.scene_id, shot.shot_id)
             run.tell(Event(kind="follow", role="animator", subject=subject, message=message))
 
