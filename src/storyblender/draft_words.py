@@ -1,4 +1,4 @@
-"""What a role proposes, and how a fault is mended, in words: few, with units, for who watches the crew at work."""
+"""What a role proposes, and how a fault is mended, in a few words with units, for the log of the crew at work."""
 
 from __future__ import annotations
 

@@ -118,7 +118,7 @@ class ScenePacker:
         self._played.clear()
 
     def solve(self, shot: ShotContext) -> SolvedShot:
-        """Find out who does what when in a shot."""
+        """Solve the timing of all motion of a shot; ``pose`` then bakes it."""
         solved = SolvedShot(self._planner.plan(shot), self._job.fps)
         self._played[shot.shot_id] = solved.played
         return solved

@@ -20,11 +20,11 @@ from storyblender.memory.jobs import PackRef, SceneJob
 ROUGHLY = 8
 """Frames between poses where nothing is looked at."""
 MOST_SCENES = 6
-"""Scenes that are kept; the one that was left longest ago is forgotten for one more, so that memory is bounded."""
+"""Scenes that are kept at most; the least recently used one is removed for another, so that memory is bounded."""
 
 
 class Rehearsals:
-    """The scenes in the open file, which they replace; who goes back to one finds it as it was.
+    """The rehearsed scenes of the open file, which they replace; each stays as it is while others are rehearsed.
 
     Args:
         store: The canonical assets.
@@ -126,7 +126,7 @@ class Rehearsal:
 
 
 _UNMOVED = {"blocking": (), "cues": (), "prop_states": (), "duration": 1}
-"""A shot in which nobody is anywhere."""
+"""Fields of a shot that may differ without building its scene anew, as they are without motion."""
 
 
 def _built_of(job: SceneJob) -> str:

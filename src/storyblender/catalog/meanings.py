@@ -16,4 +16,4 @@ WORDS_BY_AGE: Final[Mapping[Age, Mapping[str, str]]] = {
 }
 """Age -> word -> key of a prop. A set kit's own ``means`` takes precedence."""
 OVERHEAD_OUTDOORS: Final[Mapping[str, str]] = {"table_lamp": "lamppost", "floor_lamp": "lamppost"}
-"""Key of a prop -> the prop that it is outdoors where somebody or something is under it."""
+"""Key of a lamp -> the lamp that stands in its place outdoors, where a character or a thing is under it."""

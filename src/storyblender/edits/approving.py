@@ -1,4 +1,4 @@
-"""A shot is approved by what its frame shows: one that is not drawn, or shows the shot as it was, is refused."""
+"""Approval of a shot needs a frame that shows the shot as it is; a missing or stale frame is refused."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def refuse_undrawn(run: Run, names: Sequence[str]) -> None:
 
 
 def refuse_changed(names: Collection[str], effects: Iterable[Effect]) -> None:
-    """Refuse to approve shots that the same batch of edits changes, so that nobody has seen them.
+    """Refuse to approve shots that the same batch of edits changes: their new frames are not drawn yet.
 
     Args:
         names: Shots that the batch approves.

@@ -97,7 +97,7 @@ def _with_partner(decision: CameraDecision, shot: ShotContext, people: Collectio
         people: Ids of all characters.
 
     Raises:
-        InputError: Nobody else is in the place.
+        InputError: No other character is in the scene.
     """
     behind, now = decision.over_id, shot.camera_instruction.focus_on_ids
     if behind is None or decision.focus_on_ids or (now and behind not in now):

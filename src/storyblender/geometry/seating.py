@@ -10,6 +10,10 @@ from storyblender.memory.base import Vec3
 
 PERCHES, HIGHEST = (0.2, 0.95), 2.4
 """Metres: heights of what one sits on that is no seat, a parcel, a desk, and of what one climbs to sit on, a wall."""
+TABLE_GAP, NEAR_TABLE = 0.75, 1.2
+"""Most metres from a table to the front edge of a seat that stands at it, and of one near it, which is taken if there
+is no other: people sit on the table itself last. The layout and the animator must agree on them.
+"""
 _ROW_DISTANCE = 0.45
 """Metres between the rows of seats of a vehicle."""
 _WIDE, _RAIL = 0.25, 0.3

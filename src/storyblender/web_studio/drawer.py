@@ -76,7 +76,7 @@ class Drawer:
     def look_at(self, name: str) -> None:
         """Hear which shot a person looks at: its preview comes first, and Blender gets ready for edits of it.
 
-        Of the shots of other scenes no previews are drawn any more; their frames come when nobody edits.
+        Of the shots of other scenes no previews are drawn any more; their frames are drawn after a rest without edits.
         """
         with self._changed:
             self._looked_at, self._touched = name, time.monotonic()
@@ -227,7 +227,7 @@ class Drawer:
         return self._looked_at != self._ready_for
 
     def _has_work(self) -> bool:
-        """Whether there is something to do, and nobody edits; or nothing to do ever again."""
+        """Whether there is drawing to do and it is not paused, or the drawer was closed."""
         waits = self._waiting or self._unknown or self._delivering or self._is_asked()
         return self._ended or (bool(waits) and not self._paused)
 

@@ -88,7 +88,7 @@ def _is_looked_into(graph: ContinuityMemoryGraph, asset_id: str) -> bool:
 
 
 def _is_overhead(graph: ContinuityMemoryGraph, asset_id: str) -> bool:
-    """Return whether the script tells of somebody or something under a thing."""
+    """Return whether the script puts a character or a thing under another thing."""
     told = [(each.kind, each.anchor_asset_id) for scene in graph.scenes for each in scene.setup.relations]
     for shot in graph.shots:
         spots = (*shot.thing_spots.values(), *(state.spot for state in shot.states if state.spot is not None))

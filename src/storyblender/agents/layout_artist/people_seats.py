@@ -10,7 +10,7 @@ from storyblender.agents.layout_artist.layout_things import anchors_of, seat_box
 from storyblender.agents.layout_artist.people_stations import WantedPlace
 from storyblender.geometry.boxes import distance_to_point, yaw_along
 from storyblender.geometry.relations import LayoutThing
-from storyblender.geometry.seating import list_seats, select_seats
+from storyblender.geometry.seating import NEAR_TABLE, TABLE_GAP, list_seats, select_seats
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.base import Vec2
 from storyblender.memory.shot_context import BodyState
@@ -21,10 +21,6 @@ _SEAT_FOOT = 0.32
 """Metres: a seat with a higher lower edge lies on something else, and is not for sitting."""
 _OPPOSITE, _ACROSS = ("facing", "in_front_of"), 1.6
 """Relations of a person who sits opposite another one, and the distance ahead of that one in metres."""
-_DRAWN_UP = 0.75
-"""Most metres from a table to the front edge of a seat that stands at it."""
-_NEAR_TABLE = 1.2
-"""The same for a seat near it, which people take rather than the table itself."""
 _TAKEN = 0.45
 """Metres from a seat's edge within which a person occupies it."""
 _NEAR_SEATS = 3
@@ -77,7 +73,7 @@ def free_seats(stage: LayoutStage) -> list[Seat]:
 
 
 def is_seat_of_sitter_at(stage: LayoutStage, asset_id: str, table: LayoutThing) -> bool:
-    """Return whether a thing is a seat for one that is drawn up to a table, since somebody sits at that.
+    """Return whether a thing is a single seat beside a table that a character sits at, so that it faces the table.
 
     Args:
         stage: What stands in the set; not changed.
@@ -156,8 +152,8 @@ def _seats_at_table(stage: LayoutStage, table: LayoutThing) -> list[Seat]:
         x, y = _seat_point(stage, seat)
         ahead = base.to_world(*(seat[1].location[i] + 0.3 * seat[1].direction[i] for i in (0, 1)))
         away = distance_to_point(table.box, x, y)
-        if away < _DRAWN_UP and distance_to_point(table.box, *ahead) < away:
+        if away < TABLE_GAP and distance_to_point(table.box, *ahead) < away:
             found.append(seat)
-        elif away < _NEAR_TABLE:
+        elif away < NEAR_TABLE:
             near.append(seat)
     return found or near

@@ -9,17 +9,13 @@ from storyblender.agents.visual_effects_artist.floor import PERSONAL, Floor
 from storyblender.agents.visual_effects_artist.person import SEATED, StagedPerson
 from storyblender.agents.visual_effects_artist.placed_objects import SeatPlace
 from storyblender.geometry.paths import Vec2
-from storyblender.geometry.seating import select_seats
+from storyblender.geometry.seating import NEAR_TABLE, TABLE_GAP, select_seats
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import BodyState
 
 OWN_SEAT_DISTANCE = 2.0
 """Metres from their place in the layout within which people take their own seat."""
-TABLE_GAP = 0.75
-"""Most metres from a table to the front edge of a seat that stands at it."""
-NEAR_TABLE = 1.2
-"""The same for a seat near it, which people take rather than the table itself."""
 
 
 class Seats:

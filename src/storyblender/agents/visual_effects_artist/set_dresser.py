@@ -221,7 +221,7 @@ def _assign_furnishing_places(view: SetDresserView) -> dict[str, Asset]:
 
 
 def _drawn_up_seats(view: SetDresserView) -> set[str]:
-    """Return the ids of seats for one that are told beside a thing somebody is at: they are drawn up to it."""
+    """Return the ids of single seats beside a thing that a character is at: they face it, near enough to sit down."""
     used = {each.anchor_asset_id for each in view.setup.relations if each.kind == "at"}
     beside = {each.asset_id for each in view.setup.relations if each.kind == "next_to" and each.anchor_asset_id in used}
     seats = {asset.asset_id for asset in view.objects if (key := prop_of(asset)) in PROPS and PROPS[key].seats == 1}

@@ -60,7 +60,7 @@ def solve_shot(plan: StagePlan, fps: int) -> Performance:
 
 
 class SolvedShot:
-    """One shot of which it is known who does what when; poses are worked out at the frames that are asked for.
+    """A solved shot: the timing of all motion is known; poses are computed at the frames that are asked for.
 
     Everybody starts at their start mark (already sitting, already holding) and plays the cues in order of their start
     frames. Equal plans give equal performances.
