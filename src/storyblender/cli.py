@@ -101,12 +101,25 @@ Hdri = Annotated[
     Path | None, typer.Option(help="A panorama of high dynamic range (.hdr, .exr) that lights exteriors by day.")
 ]
 
+Motions = Annotated[
+    list[Path] | None, typer.Option(help="A folder of your own motion clips (.bvh, .fbx); may be given again.")
+]
+Services = Annotated[
+    str | None,
+    typer.Option(
+        help="Where assets may come from beside your folders and the built-in library, with commas: poly_haven, "
+        "sketchfab, an image model (openai, gemini) with what makes 3D models of images (hunyuan3d, trellis, meshy). "
+        "Off by default."
+    ),
+]
+
 
 @app.command(
     epilog=examples(
         "make my_film.fountain",
         "make my_film.fdx --look pencil --aspect 2.39",
         "make my_film.fountain --look fast --no-animatic",
+        "make my_film.fountain --services poly_haven",
     )
 )
 def make(
@@ -120,6 +133,8 @@ def make(
     shots_per_scene: Shots = None,
     models: Models = None,
     hdri: Hdri = None,
+    motions: Motions = None,
+    services: Services = None,
     animatic: Annotated[
         bool | None, typer.Option(help="Make the animatic too, a film of the moving board (on by default).")
     ] = None,
@@ -137,7 +152,7 @@ def make(
     settings: dict[str, Any] = dict(
         look=look, crew=crew, aspect=aspect, width=width, fps=fps, jobs=jobs, seed=seed,
         shots_per_scene=shots_per_scene, models=models or None, hdri=hdri, animatic=animatic,
-        slate=slate, paper=paper,
+        motions=motions or None, services=services, slate=slate, paper=paper,
     )  # fmt: skip
     with shown(quiet, json_lines) as terminal:
         project = out or _folder_of(script)

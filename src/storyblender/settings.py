@@ -19,6 +19,7 @@ from storyblender.memory.base import Frozen
 from storyblender.memory.board_layout import BoardLayout, Orientation, PanelsPerPage, Paper
 from storyblender.memory.jobs import Look
 from storyblender.memory.picture_format import LARGEST, Aspect, FormatDecision, SensorWidth
+from storyblender.service_setting import LicenceFilter, ServiceLimit, services_in
 from storyblender.settings_file import REMEMBERED, SettingsFile, short
 
 Lens = Annotated[float, Field(ge=4, le=1200)]
@@ -43,6 +44,11 @@ def _clock(value: str) -> str:
 
 def _players(value: str) -> str:
     players(value)
+    return value
+
+
+def _services(value: str) -> str:
+    services_in(value)
     return value
 
 
@@ -85,6 +91,16 @@ class Settings(Frozen):
     models: Annotated[tuple[Path, ...], BeforeValidator(_as_list), Field(max_length=20)] = ()
     """Folders of the user's own .glb, .gltf, .obj and .blend files, searched before the built-in library; of equal
     matches that in the earlier folder is taken. In ``storyblender.toml`` they are named from there, one or a list."""
+    services: Annotated[str, AfterValidator(_services)] = ""
+    """Where assets may come from beside the user's folders and the built-in library (``docs/services.md``)."""
+    licences: LicenceFilter = "any"
+    """Which licences the assets that services offer may have."""
+    service_limits: dict[ServiceLimit, Annotated[float, Field(gt=0)]] = {}
+    """The most that a run spends on services, where it is not ``service_setting.SERVICE_LIMITS``."""
+    library: bool = True
+    """Whether what earlier stories brought into the user's library is used again."""
+    motions: Annotated[tuple[Path, ...], BeforeValidator(_as_list), Field(max_length=20)] = ()
+    """Folders of the user's own .bvh and .fbx clips. In ``storyblender.toml`` they are named from there."""
     hdri: Annotated[Path | None, BeforeValidator(_unless_empty)] = None
     """A panorama, .hdr or .exr, that lights exteriors by day; ``""`` is none. In ``storyblender.toml`` it is named from
     there."""
@@ -125,8 +141,8 @@ class Settings(Frozen):
 
         Args:
             script: ``storyblender.toml`` is looked for in its folder.
-            project: The folder of a project. Where there is a script too, only the folders of models and the panorama
-                are taken from it.
+            project: The folder of a project. Where there is a script too, only the user's folders and the
+                panorama are taken from it.
             overrides: From the command line; None means not given.
 
         Raises:
@@ -138,11 +154,11 @@ class Settings(Frozen):
         elif project is not None:
             file = SettingsFile.read(project / REMEMBERED)
         values = dict(file.values) if file else {}
-        for name in ("models", "hdri", "build"):
+        for name in ("models", "motions", "hdri", "build"):
             if file and values.get(name):
                 values[name] = file.paths(name)
         made_with = SettingsFile.read(project / REMEMBERED) if script is not None and project is not None else None
-        for name in ("models", "hdri"):
+        for name in ("models", "motions", "hdri"):
             if made_with is not None and name not in values and name in made_with.values:
                 values[name] = made_with.paths(name)
         given = {key: value for key, value in overrides.items() if value is not None}
@@ -197,6 +213,10 @@ class Settings(Frozen):
             whole = path.resolve()
             return Path(os.path.relpath(whole, home)) if whole.is_relative_to(home.parent) else whole
 
-        update = {"models": tuple(map(named, self.models)), "hdri": self.hdri and named(self.hdri)}
+        update = {
+            "models": tuple(map(named, self.models)),
+            "motions": tuple(map(named, self.motions)),
+            "hdri": self.hdri and named(self.hdri),
+        }
         kept = self.model_copy(update=update)
         return kept.model_dump_json(exclude_defaults=True, exclude={"jobs"}, indent=1)

@@ -52,7 +52,7 @@ def test_every_setting_has_its_row_with_its_true_default() -> None:
     assert told.keys() == fields.keys()
     for name, row in told.items():
         default = fields[name].default
-        shown = {"aspect": round(Settings().aspect, 3), "lens_kit": [], "models": []}.get(name, default)
+        shown = {"aspect": round(Settings().aspect, 3), "lens_kit": [], "models": [], "motions": []}.get(name, default)
         assert row["default"] == (f"`{json.dumps(shown)}`" if default is not None else "none"), name
 
 
