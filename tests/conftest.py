@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import shutil
 import sys
+import tempfile
 from pathlib import Path
 
 import pytest
@@ -33,9 +35,24 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> FileByF
     return FileByFile(config, log)
 
 
+LIBRARY = pytest.StashKey[str]()
+"""The library of what is made once for several tests, in a folder of this process."""
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    config.stash[LIBRARY] = os.environ["STORYBLENDER_LIBRARY"] = tempfile.mkdtemp(prefix="storyblender-tests-")
+
+
+@pytest.fixture(autouse=True)
+def _own_library(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Give each test a library of its own, which is not there yet; never that of the user."""
+    monkeypatch.setenv("STORYBLENDER_LIBRARY", str(tmp_path_factory.getbasetemp() / f"library-{os.urandom(6).hex()}"))
+
+
 @pytest.hookimpl(trylast=True)
 def pytest_unconfigure(config: pytest.Config) -> None:
     """Bpy hangs at interpreter exit after some uses: end the process once the report is out."""
+    shutil.rmtree(config.stash[LIBRARY], ignore_errors=True)
     if "bpy" in sys.modules and not hasattr(config, "workerinput"):
         sys.stdout.flush()
         sys.stderr.flush()

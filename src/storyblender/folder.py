@@ -213,6 +213,20 @@ class Folder:
             return None
         return seen.st_mtime_ns, seen.st_size
 
+    def move(self, name: str, to: str) -> None:
+        """Rename a file or a folder that is on disk; nothing of the new name may be there.
+
+        Args:
+            name: Of the file or the folder.
+            to: Its new name; folders above it are made.
+
+        Raises:
+            InputError: As ``write``.
+        """
+        made, place = self.path(name), self._with_parent(to)
+        with _explained(place):
+            _take_place(made, place)
+
     def refuse_change(self, name: str, former: FileState | None) -> None:
         """Refuse to go on if a file was saved after its state was taken.
 
