@@ -69,6 +69,20 @@ class AnswerAwaited(StoryBlenderError):
         return cls(f"{first.problem}{more}", mend=first.mend, names=names)
 
 
+class ServiceFailure(StoryBlenderError):
+    """A service failed for good at what it was asked for; another source takes over.
+
+    Args:
+        problem: What is wrong, one clause, with no key in it.
+        mend: What to do about it, one clause.
+        uncertain: Whether what was asked for may have been done, and paid, all the same.
+    """
+
+    def __init__(self, problem: str, *, mend: str = "", uncertain: bool = False) -> None:
+        super().__init__(problem, mend=mend)
+        self.uncertain = uncertain
+
+
 class ProjectLocked(StoryBlenderError):
     """Another run is writing to the project folder."""
 

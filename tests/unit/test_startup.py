@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-CREW = {"anthropic", "google", "keyring", "openai", "opentelemetry", "pydantic_ai", "tenacity"}
-"""Packages of the extra ``crew``."""
+CREW = {"anthropic", "google", "httpx2", "keyring", "openai", "opentelemetry", "pydantic_ai", "tenacity"}
+"""Packages of the extras ``crew`` and ``services``."""
 MAKE = """
 import sys
 from storyblender import studio

@@ -3,18 +3,15 @@
 A provider's key is for its own servers only. A server with an address of its own has a key named after its host, so
 that a project from elsewhere, which remembers its crew, cannot send a key anywhere.
 """
-# pyright: reportMissingImports=false
-# the extra ``crew`` is not installed where nobody uses a model
 
 from __future__ import annotations
 
 import os
-import re
 from typing import Final
-from urllib.parse import urlsplit
 
 from storyblender.crew_setting import Player
 from storyblender.errors import InputError
+from storyblender.keys import key_name_of_host, known_key
 
 _KEYS: Final = {
     "anthropic": "ANTHROPIC_API_KEY", "google": "GOOGLE_API_KEY", "openai": "OPENAI_API_KEY",
@@ -40,24 +37,10 @@ def key_of(player: Player) -> str:
         InputError: It is missing.
     """
     if player.address:
-        host = re.sub(r"[^A-Z0-9]+", "_", urlsplit(player.address).netloc.upper())
-        return _known_key(f"STORYBLENDER_KEY_{host}")
+        return known_key(key_name_of_host(player.address))
     name = _KEYS.get(player.where)
-    key = _known_key(name) if name else ""
+    key = known_key(name) if name else ""
     if name and not key:
         mend = f"set {name} in the environment, or `keyring set storyblender {name}`"
         raise InputError(f"there is no key for {player.where}", mend=mend)
     return key
-
-
-def _known_key(name: str) -> str:
-    """Return a key from the environment, else from the keyring of the operating system; empty if neither has it."""
-    if os.environ.get(name):
-        return os.environ[name].strip()
-    import keyring
-    from keyring.errors import KeyringError
-
-    try:
-        return (keyring.get_password("storyblender", name) or "").strip()
-    except KeyringError:
-        return ""
