@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import base64
 import io
+import json
+import struct
+from collections.abc import Mapping
 from pathlib import Path
 
 from PIL import Image
@@ -37,3 +41,65 @@ def tile(number: int) -> bytes:
     png = io.BytesIO()
     Image.new("RGB", (64, 64), (40 * number, 0, 0)).save(png, "PNG")
     return png.getvalue()
+
+
+def box_gltf(size: tuple[float, float, float], colour: int = 3, name: str = "scene") -> dict[str, bytes]:
+    """Return the files of a textured box as glTF with its buffer and picture beside it.
+
+    Args:
+        size: Width, depth and height in metres; it stands on the ground.
+        colour: Number of its ``tile``.
+        name: Of the files.
+    """
+    x, y, z = size[0] / 2, size[1] / 2, size[2]
+    corners = [(sx * x, z * up, sy * y) for sx in (-1, 1) for sy in (-1, 1) for up in (0, 1)]  # Y is up in the file
+    triangles = [corner - 1 for a, b, c, d in _FACES for corner in (a, b, c, a, c, d)]
+    points = b"".join(struct.pack("<3f", *corner) for corner in corners)
+    spots = b"".join(struct.pack("<2f", corner[0] > 0, corner[1] > 0) for corner in corners)
+    buffer = points + spots + b"".join(struct.pack("<H", corner) for corner in triangles)
+    lengths = len(points), len(spots), 2 * len(triangles)
+    starts = 0, lengths[0], lengths[0] + lengths[1]
+    model = {
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0, "name": name}],
+        "meshes": [
+            {"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]},
+        ],
+        "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "metallicFactor": 0}}],
+        "textures": [{"source": 0}],
+        "images": [{"uri": f"textures/{name}_diff_1k.png"}],
+        "buffers": [{"uri": f"{name}.bin", "byteLength": len(buffer)}],
+        "bufferViews": [
+            {"buffer": 0, "byteOffset": start, "byteLength": length}
+            for start, length in zip(starts, lengths, strict=True)
+        ],
+        "accessors": [
+            {
+                "bufferView": 0, "componentType": 5126, "count": 8, "type": "VEC3",
+                "min": [-x, 0, -y], "max": [x, z, y],
+            },
+            {"bufferView": 1, "componentType": 5126, "count": 8, "type": "VEC2"},
+            {"bufferView": 2, "componentType": 5123, "count": len(triangles), "type": "SCALAR"},
+        ],
+    }  # fmt: skip
+    return {
+        f"{name}.gltf": json.dumps(model).encode(),
+        f"{name}.bin": buffer,
+        f"textures/{name}_diff_1k.png": tile(colour),
+    }
+
+
+def glb_of(files: Mapping[str, bytes]) -> bytes:
+    """Return the files of ``box_gltf`` as one .glb file, its picture as a data URI."""
+    model = json.loads(next(content for name, content in files.items() if name.endswith(".gltf")))
+    buffer = next(content for name, content in files.items() if name.endswith(".bin"))
+    picture = next(content for name, content in files.items() if name.endswith(".png"))
+    model["images"][0]["uri"] = "data:image/png;base64," + base64.b64encode(picture).decode()
+    del model["buffers"][0]["uri"]
+    chunks = b""
+    for kind, content, pad in ((0x4E4F534A, json.dumps(model).encode(), b" "), (0x004E4942, buffer, b"\0")):
+        content += pad * (-len(content) % 4)
+        chunks += struct.pack("<II", len(content), kind) + content
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks

@@ -75,12 +75,14 @@ class FetchedFiles:
         main: Name of the file that is opened, relative to the folder.
         digest: SHA-256 of that file.
         bytes: Of all files.
+        faces: Triangles of a model; 0 where it does not say.
         maps: Of a texture: its files by map, relative to the folder.
     """
 
     main: str
     digest: str
     bytes: int
+    faces: int = 0
     maps: Mapping[TextureMap, str] = field(default_factory=dict)
 
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 
 from storyblender.keys import service_key
-from storyblender.service_setting import ServiceChoice, ServiceName
+from storyblender.service_setting import LicenceFilter, ServiceChoice, ServiceName
 from storyblender.services.budget import ServiceBudget
 from storyblender.services.offers import Catalogue
+from storyblender.services.shelf import Shelf
 from storyblender.services.web import Patience, Web
 
 
@@ -20,13 +20,15 @@ class ServiceRun:
 
     Attributes:
         budget: What may be spent in all.
-        shelf: Folder of the user where a catalogue keeps its list between runs; None keeps none.
+        licences: Which licences works may have.
+        shelf: Where catalogues keep what they answered.
         patience: How long and how often each is asked.
         cancelled: Set when nobody waits any more.
     """
 
     budget: ServiceBudget = field(default_factory=ServiceBudget)
-    shelf: Path | None = None
+    licences: LicenceFilter = "any"
+    shelf: Shelf = field(default_factory=Shelf)
     patience: Patience = field(default_factory=Patience)
     cancelled: threading.Event = field(default_factory=threading.Event)
 
@@ -47,7 +49,19 @@ class ServiceRun:
 CatalogueFactory = Callable[[ServiceChoice, ServiceRun], Catalogue]
 
 
-CATALOGUES: dict[ServiceName, CatalogueFactory] = {}
+def _poly_haven(choice: ServiceChoice, run: ServiceRun) -> Catalogue:
+    from storyblender.services.poly_haven import PolyHaven
+
+    return PolyHaven(choice, run)
+
+
+def _sketchfab(choice: ServiceChoice, run: ServiceRun) -> Catalogue:
+    from storyblender.services.sketchfab import Sketchfab
+
+    return Sketchfab(choice, run)
+
+
+CATALOGUES: dict[ServiceName, CatalogueFactory] = {"poly_haven": _poly_haven, "sketchfab": _sketchfab}
 """Services that offer works."""
 
 

@@ -15,7 +15,7 @@ import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, NoReturn, TypeVar
 from urllib.parse import urljoin, urlsplit
@@ -27,6 +27,8 @@ from storyblender.services.budget import ServiceBudget
 from storyblender.services.hosts import is_near, refuse_address
 
 if TYPE_CHECKING:
+    import ssl
+
     import httpx2
     import tenacity
 
@@ -214,7 +216,7 @@ class Web:
         silence = self.patience.silence
         near = is_near(urlsplit(self.address).hostname or "")
         agent = {"user-agent": AGENT, "accept-encoding": "gzip"}
-        return httpx2.Client(timeout=httpx2.Timeout(silence), headers=agent, trust_env=not near)
+        return httpx2.Client(timeout=httpx2.Timeout(silence), headers=agent, trust_env=not near, verify=_trusted())
 
     def _ask(self, method: str, path: str, **more: Any) -> Answer:
         """Make a request once and read its answer."""
@@ -309,6 +311,14 @@ class Web:
             if time.monotonic() > deadline:
                 raise _Passing("its answer takes too long")
             yield chunk
+
+
+@cache
+def _trusted() -> ssl.SSLContext:
+    """Return the certificates that are trusted; reading them takes long enough to do it once."""
+    import httpx2
+
+    return httpx2.create_ssl_context()
 
 
 def _no_number(text: str) -> NoReturn:
