@@ -1,0 +1,243 @@
+"""Work that services are paid for: asked for once, noted at every step, kept in the user's library.
+
+A request is known by what is asked, of which service and model. What was made for it before is taken from the library;
+a job that was begun before goes on; one of which nobody knows whether it was begun is looked for at the service, and
+never begun again by itself.
+"""
+
+from __future__ import annotations
+
+import json
+import tempfile
+import time
+from collections.abc import Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor, as_completed
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from storyblender.errors import InputError, ServiceFailure
+from storyblender.library.shared.entries import EntryFacts, EntryKind, LibraryEntry
+from storyblender.library.shared.jobs import Job
+from storyblender.library.shared.shared_library import SharedLibrary
+from storyblender.memory.asset_sheet import Credit
+from storyblender.memory.base import content_hash
+from storyblender.model_content import CREDITS, credit_lines
+from storyblender.services.budget import ServiceBudget
+from storyblender.services.making import ImageModel, JobService, JobState, Maker, ModelMaker, Unusable
+
+LONGEST: Final = 24 * 3600.0
+"""Seconds from the beginning of a job to when a service has forgotten it."""
+_DRAWN_AT_ONCE: Final = 4
+_PROMPT: Final = "prompt.txt"
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What is to be made.
+
+    Attributes:
+        name: What the story calls it.
+        prompt: What it looks like, as it is sent to an image model.
+        category: For lists.
+    """
+
+    name: str
+    prompt: str
+    category: str = ""
+
+
+class Commissions:
+    """Asks services to make things, for a library.
+
+    Args:
+        library: Keeps what was made, and the ledger.
+        budget: Of the run.
+    """
+
+    def __init__(self, library: SharedLibrary, budget: ServiceBudget) -> None:
+        self._library, self._budget = library, budget
+
+    def pictures(self, model: ImageModel, wanted: Sequence[Wanted]) -> Mapping[str, LibraryEntry | ServiceFailure]:
+        """Draw pictures, several at the same time; what is paid for is kept, whatever becomes of the others.
+
+        Args:
+            model: Draws them.
+            wanted: What is in them.
+
+        Returns:
+            By prompt: the picture, or why there is none.
+        """
+        made: dict[str, LibraryEntry | ServiceFailure] = {}
+        drawing: dict[Future[bytes], tuple[Job, Wanted]] = {}
+        with ThreadPoolExecutor(_DRAWN_AT_ONCE) as pool:
+            for each in {each.prompt: each for each in wanted}.values():
+                try:
+                    found = self._begun("picture", model.maker, each.prompt)
+                except ServiceFailure as error:
+                    made[each.prompt] = error
+                    continue
+                if isinstance(found, Job):
+                    drawing[pool.submit(model.draw, each.prompt)] = found, each
+                else:
+                    made[each.prompt] = found
+            for future in as_completed(drawing):
+                job, each = drawing[future]
+                made[each.prompt] = self._drawn(future, model.maker, job, each)
+        return made
+
+    def model(self, maker: ModelMaker, picture: LibraryEntry) -> LibraryEntry | Job:
+        """Begin a model of a picture, or return what was made or begun of it before.
+
+        Args:
+            maker: Makes it.
+            picture: In the library.
+
+        Raises:
+            Busy: Other jobs have to end first.
+            ServiceFailure: The service will not, or nobody knows whether it was asked before.
+        """
+        try:
+            found = self._begun("model", maker.maker, picture.digest)
+        except ServiceFailure as error:
+            if not error.uncertain:
+                raise
+            return self._found_again(maker, picture, error)
+        if not isinstance(found, Job) or found.state != "begun":
+            return found
+        try:
+            data = self._library.path_of(picture).read_bytes()
+            return self._library.jobs.submitted(found, maker.begin(data, _mark(found)))
+        except (ServiceFailure, OSError) as error:
+            failure = error if isinstance(error, ServiceFailure) else ServiceFailure("the picture cannot be read")
+            job = self._looked_for(maker, found) if failure.uncertain else None
+            if job is not None and job.state == "submitted":
+                return job
+            certain = ServiceFailure(failure.problem, mend=failure.mend)
+            raise self._refused(found, maker.maker, failure if job is None else certain) from error
+
+    def look(self, maker: JobService, job: Job, wanted: Wanted) -> LibraryEntry | JobState:
+        """Return what a job made, once it is done, else how it stands; the ledger is told how it ended.
+
+        Args:
+            maker: Works on it.
+            job: Submitted.
+            wanted: What is made.
+
+        Raises:
+            ServiceFailure: The service cannot be asked now; the job goes on.
+            InputError: The disk cannot take what was made.
+        """
+        state = maker.poll(job.remote_id)
+        if state.status == "done":
+            try:
+                return self._fetched(maker, job, wanted)
+            except Unusable as error:
+                state = JobState("failed", reason=error.problem)
+        elif state.status != "failed" and time.time() - job.began > LONGEST:
+            state = JobState("failed", reason="it did not end within a day")
+        if state.status == "failed":
+            self._library.jobs.failed(job, state.reason)
+        return state
+
+    def _begun(self, kind: str, maker: Maker, asked: str) -> LibraryEntry | Job:
+        """Return what was made before, or a job: submitted before, or to be sent now. Raises ServiceFailure."""
+        request, jobs = content_hash(kind, maker.settings, asked), self._library.jobs
+        if (known := self._library.by_request(request)) is not None:
+            for job in jobs.unfinished():
+                if job.request == request:
+                    jobs.finished(job, known.digest)
+            return known
+        self._budget.spend("dollars", maker.price)
+        try:
+            job = jobs.begin(request, maker.service, maker.price)
+        except InputError as error:
+            self._budget.give_back("dollars", maker.price)
+            raise ServiceFailure(error.problem, mend=error.mend, uncertain=True) from error
+        if job.state != "begun":
+            self._budget.give_back("dollars", maker.price)
+        return job
+
+    def _refused(self, job: Job, maker: Maker, failure: ServiceFailure) -> ServiceFailure:
+        """Note that what was asked failed, and return why, with what to do where it may have been paid."""
+        if not failure.uncertain:
+            self._library.jobs.failed(job, failure.problem)
+            self._budget.give_back("dollars", maker.price)
+            return failure
+        again = f"`storyblender library jobs --ask-again {job.id}` does"
+        return ServiceFailure(
+            failure.problem, mend=f"it may be paid for, so it is not asked again; {again}", uncertain=True
+        )
+
+    def _found_again(self, maker: ModelMaker, picture: LibraryEntry, failure: ServiceFailure) -> LibraryEntry | Job:
+        """Go on with a job that was begun before and has no id, if the service can tell. Raises ServiceFailure."""
+        request = content_hash("model", maker.maker.settings, picture.digest)
+        lost = next((job for job in self._library.jobs.unfinished() if job.request == request), None)
+        if lost is None:
+            raise failure
+        job = self._looked_for(maker, lost)
+        if job is None:
+            raise failure
+        return job if job.state == "submitted" else self.model(maker, picture)
+
+    def _looked_for(self, maker: ModelMaker, lost: Job) -> Job | None:
+        """Return a job whose id got lost: with its id, or failed if it surely was not begun; None if nobody knows."""
+        jobs = self._library.jobs
+        known = [job.remote_id for job in jobs.all() if job.remote_id]
+        try:
+            remote_id = maker.lost_job(_mark(lost), lost.began, known)
+        except ServiceFailure:
+            return None
+        if remote_id is None:
+            return None
+        return jobs.submitted(lost, remote_id) if remote_id else jobs.failed(lost, "it never arrived at the service")
+
+    def _drawn(self, future: Future[bytes], maker: Maker, job: Job, wanted: Wanted) -> LibraryEntry | ServiceFailure:
+        """Keep a picture that was drawn, or note why it was not."""
+        try:
+            data = future.result()
+        except ServiceFailure as error:
+            return self._refused(job, maker, error)
+        try:
+            with tempfile.TemporaryDirectory() as name:
+                part = Path(name) / "picture.png"
+                part.write_bytes(data)
+                return self._kept("image", job, maker, wanted, part.parent, part.name)
+        except (InputError, OSError) as error:
+            return self._refused(job, maker, ServiceFailure(f"the picture cannot be kept ({error})", uncertain=True))
+
+    def _fetched(self, maker: JobService, job: Job, wanted: Wanted) -> LibraryEntry:
+        """Download what a job made and keep it. Raises ServiceFailure and InputError."""
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            return self._kept("model", job, maker.maker, wanted, folder, maker.fetch(job.remote_id, folder))
+
+    def _kept(self, kind: EntryKind, job: Job, maker: Maker, wanted: Wanted, folder: Path, main: str) -> LibraryEntry:
+        """Add what was made to the library, with its prompt and its terms beside it, and close the job."""
+        credit = Credit(**credit_lines({"author": f"{maker.service} ({maker.model})", "license": maker.licence}))
+        credit = credit.model_copy(update={"url": maker.url})
+        for name, text in ((CREDITS, _toml(credit)), (_PROMPT, f"{wanted.prompt}\n")):
+            part = folder / name
+            part.write_text(text, encoding="utf-8")
+        facts = EntryFacts(
+            kind=kind,
+            name=wanted.name[:200],
+            category=wanted.category,
+            main=main,
+            credit=credit,
+            source=maker.service,
+            source_id=job.remote_id,
+            request=job.request,
+        )
+        entry = self._library.add(facts, folder)
+        self._library.jobs.finished(job, entry.digest)
+        return entry
+
+
+def _mark(job: Job) -> str:
+    """Return the word by which a service can tell a job from others."""
+    return f"storyblender-{job.request}-{job.id}"
+
+
+def _toml(credit: Credit) -> str:
+    return "".join(f"{name} = {json.dumps(text)}\n" for name, text in credit if text)
