@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from storyblender.errors import InputError, ServiceFailure
+from storyblender.errors import Cancelled, InputError, ServiceFailure
 from storyblender.library.shared.entries import EntryFacts, EntryKind, LibraryEntry
 from storyblender.library.shared.jobs import Job
 from storyblender.library.shared.shared_library import SharedLibrary
@@ -95,6 +95,7 @@ class Commissions:
 
         Raises:
             Busy: Other jobs have to end first.
+            Cancelled: Before anything was sent.
             ServiceFailure: The service will not, or nobody knows whether it was asked before.
         """
         try:
@@ -108,6 +109,9 @@ class Commissions:
         try:
             data = self._library.path_of(picture).read_bytes()
             return self._library.jobs.submitted(found, maker.begin(data, _mark(found)))
+        except Cancelled:
+            self._refused(found, maker.maker, ServiceFailure("cancelled before it was sent"))
+            raise
         except (ServiceFailure, OSError) as error:
             failure = error if isinstance(error, ServiceFailure) else ServiceFailure("the picture cannot be read")
             job = self._looked_for(maker, found) if failure.uncertain else None
@@ -198,6 +202,8 @@ class Commissions:
             data = future.result()
         except ServiceFailure as error:
             return self._refused(job, maker, error)
+        except Cancelled:
+            return self._refused(job, maker, ServiceFailure("cancelled before it was sent"))
         try:
             with tempfile.TemporaryDirectory() as name:
                 part = Path(name) / "picture.png"

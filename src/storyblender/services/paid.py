@@ -25,7 +25,7 @@ def paid_answer(web: Web, path: str, body: Any = None, **more: Any) -> dict[str,
     try:
         said = answer.json
     except ServiceFailure as error:
-        raise ServiceFailure(f"{web.service}: {error.problem}", uncertain=True) from error
+        raise ServiceFailure(error.problem, uncertain=True) from error
     if not isinstance(said, dict):
         raise ServiceFailure(f"{web.service}: its answer is not of the form that it should have", uncertain=True)
     return said

@@ -92,6 +92,10 @@ class Downloaded:
     digest: str
 
 
+class Missing(ServiceFailure):
+    """A service does not have what it was asked for, or has it no more."""
+
+
 class _Passing(Exception):
     """A fault that may be over when the request is made again.
 
@@ -151,11 +155,11 @@ class Web:
 
         Raises:
             ServiceFailure: It failed for good; ``uncertain`` if it may have been done all the same.
-            Cancelled: Nobody waits for it any more.
+            Cancelled: Nobody waits for it any more; what costs was not sent then.
         """
         if body is not None:
             more["json"] = body
-        return self._again(lambda: self._ask("POST", path, **more), paid=paid)
+        return self._again(lambda: self._ask("POST", path, to_the_end=paid, **more), paid=paid)
 
     def download(self, url: str, part: Path, *, most: int, md5: str = "") -> Downloaded:
         """Download a file; a try that failed leaves nothing of use in it.
@@ -193,7 +197,8 @@ class Web:
         except ServiceFailure as failure:
             if failure.problem.startswith(f"{self.service}: "):
                 raise
-            self._fail(failure.problem, mend=str(failure)[len(failure.problem) + 2 :], uncertain=failure.uncertain)
+            problem = f"{self.service}: {failure.problem}"
+            raise type(failure)(problem, mend=failure.mend, uncertain=failure.uncertain) from failure
 
     def _pause(self, state: tenacity.RetryCallState) -> float:
         """Return the seconds to wait before the next try; what the service asks for counts if it is not too long."""
@@ -218,12 +223,15 @@ class Web:
         agent = {"user-agent": AGENT, "accept-encoding": "gzip"}
         return httpx2.Client(timeout=httpx2.Timeout(silence), headers=agent, trust_env=not near, verify=_trusted())
 
-    def _ask(self, method: str, path: str, **more: Any) -> Answer:
-        """Make a request once and read its answer."""
+    def _ask(self, method: str, path: str, *, to_the_end: bool = False, **more: Any) -> Answer:
+        """Make a request once and read its answer; what costs is waited for to the end."""
         whole = path if "://" in path else self.address.rstrip("/") + "/" + path.lstrip("/")
         deadline = time.monotonic() + self.patience.answer
         with self._opened(method, whole, **more) as response:
-            content = b"".join(self._chunks(response, MOST_ANSWER, deadline))
+            try:
+                content = b"".join(self._chunks(response, MOST_ANSWER, deadline, to_the_end))
+            except ServiceFailure as error:
+                raise ServiceFailure(error.problem, mend=error.mend, uncertain=True) from error
             return Answer(response.status_code, dict(response.headers), content, self.service)
 
     def _download(self, url: str, part: Path, most: int, md5: str) -> Downloaded:
@@ -263,7 +271,7 @@ class Web:
         except httpx2.TimeoutException as error:
             raise _Passing("it does not answer") from error
         except (httpx2.DecodingError, httpx2.UnsupportedProtocol, httpx2.InvalidURL, ValueError) as error:
-            raise ServiceFailure("its answer cannot be read") from error
+            raise ServiceFailure("its answer cannot be read", uncertain=True) from error
         except httpx2.HTTPError as error:
             raise _Passing("the connection ended before the answer did") from error
 
@@ -287,13 +295,17 @@ class Web:
             raise _Passing(problem, sent=status != 429, pause=pause)
         if status in (401, 403):
             raise ServiceFailure(f"it refuses the key or the request ({status})", mend="look at its key")
-        reasons = {402: "its account has no credit left", 404: "it does not have that", 410: "it does not have that"}
+        if status in (404, 410):
+            raise Missing("it does not have that")
+        reasons = {402: "its account has no credit left"}
         said = said_in(b"".join(self._chunks(response, _CHUNK, time.monotonic() + self.patience.silence)))
         for secret in self.headers.values():
             said = said.replace(secret.split()[-1], "…") if secret.strip() else said
         raise ServiceFailure(reasons.get(status, f"it refuses the request ({status})") + (f": {said}" if said else ""))
 
-    def _chunks(self, response: httpx2.Response, most: int, deadline: float) -> Iterator[bytes]:
+    def _chunks(
+        self, response: httpx2.Response, most: int, deadline: float, to_the_end: bool = False
+    ) -> Iterator[bytes]:
         """Yield an answer piece by piece, within its limits."""
         told = response.headers.get("content-length", "")
         if told.isdecimal():
@@ -306,7 +318,7 @@ class Web:
             if size > most:
                 raise ServiceFailure(f"its answer is larger than {most / _MEGABYTE:.0f} MB")
             self.budget.spend("megabytes", len(chunk) / _MEGABYTE)
-            if self.cancelled.is_set():
+            if self.cancelled.is_set() and not to_the_end:
                 raise Cancelled
             if time.monotonic() > deadline:
                 raise _Passing("its answer takes too long")
