@@ -23,6 +23,7 @@ TABLES = {
     "framing": ["-m", "benchmarks.framing_requests"],
     "recordings": ["-m", "benchmarks.recordings"],
     "feature": ["-m", "benchmarks.feature"],
+    "library": ["-m", "benchmarks.library_search"],
     "studio_preview": ["-m", "benchmarks.studio_preview"],
 }
 LONG = ("camera_servo", "framing", "feature", "layout_reflection", "recordings", "studio_preview")

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.props import PROPS
@@ -19,6 +20,8 @@ from storyblender.catalog.props.variants import TOY_WORDS, words_of
 from storyblender.catalog.recipe import EXACT, HEAD, LEAST, AssetQuery
 from storyblender.catalog.stand_ins import STAND_INS
 from storyblender.ports import Embedder
+
+Vectors = NDArray[np.float32]
 
 TAG, ODD_HEAD = 9.5, 5.0
 """Scores: another name for the thing; its head noun made into something else."""
@@ -82,25 +85,31 @@ class Likeness:
     def __init__(self, embedder: Callable[[], Embedder]) -> None:
         self._load = embedder
 
-    def with_likely(self, named: list[Match], query: AssetQuery, terms: tuple[Term, ...]) -> list[Match]:
+    def with_likely(
+        self, named: list[Match], query: AssetQuery, terms: tuple[Term, ...], vectors: Vectors | None = None
+    ) -> list[Match]:
         """Return the matches by words and those by meaning, best first; what words found odd stays odd.
 
         Args:
             named: The matches by words.
             query: The thing; its phrase and its description are compared.
             terms: Names of the entries that it may be.
+            vectors: Of the terms, (n, d), where they are known.
         """
         odd = {match.key for match in named}
-        likely = self._by_meaning(query.phrase, query.asset.description, terms) if terms else []
+        likely = self._by_meaning(query.phrase, query.asset.description, terms, vectors) if terms else []
         return best_of(named + [match for match in likely if match.key not in odd])
 
-    def _by_meaning(self, phrase: str, description: str, terms: tuple[Term, ...]) -> list[Match]:
+    def _by_meaning(
+        self, phrase: str, description: str, terms: tuple[Term, ...], vectors: Vectors | None
+    ) -> list[Match]:
         """Return entries by cosine with any of their names; a term that shares a modifier does not count."""
         words = kept_words(words_of(phrase)) or words_of(phrase)
         if not words:
             return []
         query = self._model.embed([" ".join(words), description or " ".join(words)])
-        vectors = self._model.embed([" ".join(term.words) for term in terms])
+        if vectors is None:
+            vectors = self._model.embed([" ".join(term.words) for term in terms])
         likeness = vectors @ query[0] + 0.02 * (vectors @ query[1])
         best: dict[str, Match] = {}
         for index in np.argsort(-likeness, kind="stable")[:40]:

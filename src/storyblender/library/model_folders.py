@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path, PurePath
+from pathlib import Path
 
-from storyblender.catalog.inflection import noun_key
-from storyblender.catalog.props.phrases import MODIFIERS, kept_words, noun_words
-from storyblender.catalog.props.variants import TOY_WORDS, words_of
-from storyblender.catalog.recipe import EXACT, AssetQuery, Recipe
+from storyblender.catalog.recipe import AssetQuery, Recipe
 from storyblender.errors import InputError
 from storyblender.folder import Folder
-from storyblender.library.file_names import words_of_file
-from storyblender.library.matching import Likeness, Match, Term, best_of, by_words
+from storyblender.library.matching import Likeness, Term
+from storyblender.library.named_models import named, terms_of
 from storyblender.memory.asset_sheet import Provenance
 from storyblender.model_content import content_of
 from storyblender.ports import Embedder
@@ -57,7 +54,7 @@ class ModelFolders:
     def search(self, query: AssetQuery, *, by_meaning: bool = False) -> Sequence[Recipe]:
         """Return the models that fit, best first."""
         files = self._known()
-        matches = _named(query.phrase, files.values(), self._terms)
+        matches = named(query.phrase, [(file.name, file.name, file.place) for file in files.values()], self._terms)
         if by_meaning:
             matches = self._likeness.with_likely(matches, query, self._terms)
         return [
@@ -98,7 +95,7 @@ class ModelFolders:
             self._files = {}
             for file in _model_files(self._folders):
                 self._files.setdefault(file.name, file)
-            self._terms = _terms_of(self._files)
+            self._terms = terms_of((name, name) for name in self._files)
         return self._files
 
 
@@ -108,33 +105,3 @@ def _model_files(folders: Sequence[Path]) -> Iterator[ModelFile]:
         for path in sorted(folder.rglob("*")):
             if path.suffix.lower() in MODEL_SUFFIXES and path.is_file():
                 yield ModelFile(path.relative_to(folder).as_posix(), path, content_of(path, folder), place)
-
-
-def _terms_of(names: Iterable[str]) -> tuple[Term, ...]:
-    """Return what models are called: all words of the file's name, those that describe it, and the folders' words."""
-    terms: list[Term] = []
-    for name in names:
-        own, named = words_of(PurePath(name).stem), list(words_of_file(name).words)
-        folders = words_of(PurePath(name).parent.as_posix())
-        called = (own, named, kept_words(named), kept_words([*folders, *named]))
-        terms += [Term(name, tuple(words), True) for words in called if words]
-    return tuple(dict.fromkeys(terms))
-
-
-def _named(phrase: str, files: Iterable[ModelFile], terms: tuple[Term, ...]) -> list[Match]:
-    """Return the models that a phrase names, best first.
-
-    A model whose name has the thing's noun and explains the words before it is the thing itself, in whatever order the
-    name has them; of several the one comes first that shares most words with the phrase and has fewest others.
-    """
-    said = {noun_key(word) for word in words_of(phrase)}
-    thing = [noun_key(word) for word in noun_words(phrase)]
-    meant: list[tuple[int, int, int, str]] = []
-    for file in files:
-        name = words_of_file(file.name)
-        own = {noun_key(word) for word in name.words}
-        unexplained = [word for word in thing[:-1] if word not in own | MODIFIERS | TOY_WORDS]
-        if thing and noun_key(name.noun) == thing[-1] and not unexplained:
-            meant.append((-len(own & said), len(own - said), file.place, file.name))
-    matches = [Match(name, EXACT, f"its name has the noun {thing[-1]!r}") for *_, name in sorted(meant)]
-    return best_of(matches + by_words(phrase, terms))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import PurePosixPath
 from typing import Annotated, Literal
 
@@ -10,8 +11,11 @@ from pydantic import AfterValidator, Field, StringConstraints
 from storyblender.memory.asset_sheet import Credit, Note
 from storyblender.memory.base import Digest, Frozen
 
+ADDED = "files"
+"""The source of what a person added."""
 EntryKind = Literal["model", "texture", "panorama", "motion", "image", "character"]
 _MOST_WORDS = 64
+_ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,63}")
 
 
 def _inside(name: str) -> str:
@@ -31,14 +35,14 @@ class EntryFacts(Frozen):
     name: Annotated[str, StringConstraints(min_length=1, max_length=200)]
     """What people call it; the end of it is the thing: ``Arm Chair 01``."""
     words: Annotated[tuple[Note, ...], Field(max_length=_MOST_WORDS)] = ()
-    """What else it is called, and what the story called it."""
+    """What else is said of it: further names where a person added it or a story had it made, the tags of a service."""
     category: Note = ""
     """For lists and figures: ``furniture``."""
     main: Annotated[str, StringConstraints(max_length=400), AfterValidator(_inside)]
     """Path of the file to read, within the bundle."""
     credit: Credit = Credit()
     source: Note = ""
-    """Where it came from: the name of a service, or ``files`` for what a person added."""
+    """Where it came from: the name of a service, or ``ADDED``."""
     source_id: Note = ""
     """What the source calls it."""
     request: Digest = ""
@@ -53,3 +57,20 @@ class LibraryEntry(EntryFacts):
     """SHA-256 over the names and contents of its files."""
     bytes: Annotated[int, Field(ge=0)]
     """Of all its files."""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What it is called; the tags of a service are none of its names."""
+        return (self.name, *self.words) if self.request or self.source == ADDED else (self.name,)
+
+    @property
+    def place(self) -> str:
+        """The folder of its files among the models that a project fetched: ``<source>/<id>``."""
+        if _ID.fullmatch(self.source) and _ID.fullmatch(self.source_id):
+            return f"{self.source}/{self.source_id}"
+        return f"library/{self.digest[:16]}"
+
+    @property
+    def key(self) -> str:
+        """What a recipe that is made of it has as its key."""
+        return f"{self.place}/{self.main}"

@@ -8,18 +8,19 @@ says is treated as missing. Nothing is made on disk, and SQLite is not loaded, b
 from __future__ import annotations
 
 import json
+import re
 import secrets
 import shutil
 import time
+from collections.abc import Iterable
 from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
 from pydantic import ValidationError
 
-from storyblender.catalog.inflection import noun_key
 from storyblender.errors import InputError
 from storyblender.folder import Folder
-from storyblender.library.file_names import words_of_file
+from storyblender.library.named_models import words_told
 from storyblender.library.shared.entries import EntryFacts, EntryKind, LibraryEntry
 from storyblender.library.shared.place import library_folder
 from storyblender.outputs import digest_of
@@ -100,10 +101,8 @@ class SharedLibrary:
                     values = (digest, entry.kind, entry.name, json.dumps(entry.words), entry.category, entry.source)
                     row = (*values, entry.model_dump_json(), time.time(), time.time())
                     db.execute("INSERT OR REPLACE INTO entries VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", row)
-                    nouns = {
-                        noun_key(word) for name in (entry.name, *entry.words) for word in words_of_file(name).words
-                    }
-                    db.executemany("INSERT OR IGNORE INTO nouns VALUES (?, ?)", [(noun, digest) for noun in nouns])
+                    nouns = {(word, digest) for name in entry.names for word in words_told(name)}
+                    db.executemany("INSERT OR IGNORE INTO nouns VALUES (?, ?)", nouns)
                 if facts.source_id:
                     origin = (facts.source, facts.source_id, digest)
                     db.execute("INSERT OR REPLACE INTO origins VALUES (?, ?, ?)", origin)
@@ -118,6 +117,10 @@ class SharedLibrary:
         entry = self._row(digest)
         return entry if entry is not None and self._is_whole(entry.digest) else None
 
+    def entries(self, digests: Iterable[str]) -> list[LibraryEntry]:
+        """Return the entries of some digests in that order; their files are not checked."""
+        return [entry for digest in digests if (entry := self._row(digest)) is not None]
+
     def by_source(self, source: str, source_id: str) -> LibraryEntry | None:
         """Return what came from a source, if it is here and whole.
 
@@ -130,6 +133,21 @@ class SharedLibrary:
     def by_request(self, request: str) -> LibraryEntry | None:
         """Return what was made for a request, by its digest, if it is here and whole."""
         return self._named("SELECT digest FROM requests WHERE request = ?", request)
+
+    def told(self, text: str) -> LibraryEntry | None:
+        """Return the entry that a person means, whole or not: by digest or its first digits, by key, or by name.
+
+        Args:
+            text: At least eight digits of a digest, ``<source>/<id>/<file>`` as in a story's credits, or a name.
+        """
+        first, second, *_ = [*PurePosixPath(text).parts, "", ""]
+        digits = second if first == "library" else text
+        if re.fullmatch(r"[0-9a-f]{8,64}", digits):
+            found = self._digests("SELECT digest FROM entries WHERE digest GLOB ?", f"{digits}*")
+        else:
+            found = self._digests("SELECT digest FROM origins WHERE source = ? AND source_id = ?", first, second)
+            found = found or self._digests("SELECT digest FROM entries WHERE name = ? COLLATE NOCASE", text)
+        return next(iter(self.entries(found)), None) if len(found) == 1 else None
 
     def find(self, words: str = "", kind: EntryKind | None = None, source: str = "") -> list[LibraryEntry]:
         """Return entries for a person to look at, the newest first; their files are not checked.
@@ -155,6 +173,13 @@ class SharedLibrary:
     def path_of(self, entry: LibraryEntry) -> Path:
         """Return where the main file of an entry lies."""
         return self.files.path(_bundle(entry.digest), entry.main)
+
+    def is_in(self, entry: LibraryEntry, files: Folder, name: str) -> bool:
+        """Return whether a project has the files of an entry, whole, in a folder; takes what ``put_into`` does."""
+        try:
+            return digest_of(files.path(name)) == entry.digest
+        except OSError:
+            return False
 
     def put_into(self, entry: LibraryEntry, files: Folder, name: str) -> str:
         """Copy the files of an entry into a project.
@@ -193,12 +218,15 @@ class SharedLibrary:
         self.files.delete(_bundle(entry.digest))
 
     def _named(self, query: str, *values: str) -> LibraryEntry | None:
+        found = self._digests(query, *values)
+        return self.get(found[0]) if found else None
+
+    def _digests(self, query: str, *values: str) -> list[str]:
         index = self.index()
         if index is None:
-            return None
+            return []
         with index.reading() as db:
-            row = db.execute(query, values).fetchone()
-        return None if row is None else self.get(row[0])
+            return [row[0] for row in db.execute(query, values)]
 
     def _row(self, digest: str) -> LibraryEntry | None:
         index = self.index()

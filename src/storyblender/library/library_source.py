@@ -1,0 +1,106 @@
+"""The user's library as an asset source: what earlier stories brought in is used again before anybody is asked."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Mapping, Sequence
+
+from storyblender.catalog.recipe import EXACT, AssetQuery, Recipe
+from storyblender.errors import InputError
+from storyblender.folder import Folder
+from storyblender.library.shared.entries import ADDED, LibraryEntry
+from storyblender.library.shared.search import LibrarySearch
+from storyblender.library.shared.shared_library import SharedLibrary
+from storyblender.memory.asset_sheet import Provenance
+from storyblender.memory.jobs import FETCHED
+from storyblender.model_content import content_of
+from storyblender.ports import Embedder
+from storyblender.service_setting import LicenceFilter
+from storyblender.services.licences import is_allowed, licence_of
+
+
+class LibrarySource:
+    """The library of a user.
+
+    Args:
+        library: Where the models are.
+        embedder: Loads the sentence model.
+        licences: Which licences a model from outside may have.
+    """
+
+    name = "library"
+
+    def __init__(
+        self, library: SharedLibrary, embedder: Callable[[], Embedder], licences: LicenceFilter = "any"
+    ) -> None:
+        self._library, self._licences = library, licences
+        self._search = LibrarySearch(library, embedder)
+        self._found: dict[str, LibraryEntry] = {}
+
+    def search(self, query: AssetQuery, *, by_meaning: bool = False) -> Sequence[Recipe]:
+        """Return the models that fit a thing that the script names, best first; none if the library cannot be read."""
+        if query.asset.origin == "dressing":
+            return ()
+        try:
+            found = self._search.matches(query, by_meaning=by_meaning)
+        except InputError:
+            return ()
+        offered = [(match, entry) for match, entry in found if may_be_used(entry, self._licences)]
+        self._found |= {entry.key: entry for _, entry in offered}
+        return [self._recipe(entry, match.score, match.reason, by_meaning=match.by_meaning) for match, entry in offered]
+
+    def inventory(self) -> Mapping[str, str]:
+        """Return nothing: what other stories bring in does not ask for another plan of this one."""
+        return {}
+
+    def fetch(self, recipe: Recipe, files: Folder) -> Recipe:
+        """Put the files of a model into the project.
+
+        Raises:
+            InputError: They are gone or damaged.
+        """
+        entry = self._found[recipe.key]
+        folder = f"{FETCHED}/{entry.place}"
+        if not self._library.is_in(entry, files, folder):
+            self._library.put_into(entry, files, folder)
+        path = files.path(folder, entry.main)
+        with path.open("rb") as file:
+            digest = hashlib.file_digest(file, "sha256").hexdigest()
+        provenance = Provenance(
+            source=entry.source or self.name, file=recipe.key, digest=digest, **entry.credit.model_dump()
+        )
+        params = {**recipe.params, "content": content_of(path, files.path(FETCHED))}
+        return recipe.model_copy(update={"provenance": provenance, "params": params})
+
+    def chosen(self, told: str) -> Recipe | None:
+        """Return the model that a person names by its key, its name, or eight or more digits of its digest.
+
+        Raises:
+            InputError: The library cannot be read.
+        """
+        entry = self._library.told(told)
+        if entry is None or entry.kind != "model":
+            return None
+        self._found[entry.key] = entry
+        return self._recipe(entry, EXACT, "a person chose it")
+
+    def _recipe(self, entry: LibraryEntry, score: float, reason: str, *, by_meaning: bool = False) -> Recipe:
+        provenance = Provenance(source=self.name, file=entry.key)
+        return Recipe(
+            source="file", key=entry.key, score=score, reason=reason, by_meaning=by_meaning, provenance=provenance
+        )
+
+
+def may_be_used(entry: LibraryEntry, wanted: LicenceFilter) -> bool:
+    """Return whether the licence of an entry passes the filter of the settings.
+
+    What a person added, or had made for them, is theirs; only a licence that is said to be another one counts.
+
+    Args:
+        entry: In the library.
+        wanted: By the settings.
+    """
+    said, own = entry.credit.license, entry.source == ADDED or bool(entry.request)
+    if own and (not said or wanted == "any"):
+        return True
+    return is_allowed(licence_of(said), wanted)
