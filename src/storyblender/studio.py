@@ -29,7 +29,7 @@ from storyblender.errors import InputError
 from storyblender.folder import Folder
 from storyblender.inspection import Inspection
 from storyblender.library.embedder import load_embedder
-from storyblender.library.sources import asset_sources
+from storyblender.library.sources import asset_sources, service_run
 from storyblender.look.looks import LOOKS
 from storyblender.memory.base import shot_name
 from storyblender.memory.edits import Edit
@@ -41,7 +41,7 @@ from storyblender.project import Project, read_project_graph
 from storyblender.results import Delivery
 from storyblender.session import Session
 from storyblender.settings import Settings
-from storyblender.trace import Listener, silent
+from storyblender.trace import Event, Listener, silent
 
 CATALOGS: dict[str, Mapping[str, Entry]] = {
     "props": PROPS,
@@ -251,6 +251,9 @@ class Studio:
             made = self._portrait(kinds[0], key, folder) if story is None else self._sample(story, key, folder)
             Folder(out.parent).write(out.name, made.read_bytes())
 
+    def _warn(self, sentence: str) -> None:
+        self._listener(Event(kind="warning", role="asset_retriever", message=sentence))
+
     def _portrait(self, kind: str, key: str, folder: Path) -> Path:
         with BlenderEngine(folder, jobs=1) as engine:
             engine.portrait(AssetJob(asset=samples.asset_of(kind, key)), "picture.png").result()
@@ -284,8 +287,9 @@ class Studio:
         def engine(listener: Listener) -> BlenderEngine:
             return BlenderEngine(folder, models, settings.jobs, build=build, ahead=ahead, listener=listener)
 
-        sources = asset_sources(settings, load_embedder)
-        crew, cancelled = rules_crew(settings, load_embedder, sources), Signal()
+        cancelled = Signal()
+        sources = asset_sources(settings, load_embedder, service_run(settings, cancelled), self._warn)
+        crew = rules_crew(settings, load_embedder, sources)
         if settings.language_roles:
             from storyblender.language.answerers import answerers
             from storyblender.language_crew import language_crew

@@ -79,6 +79,8 @@ def built_asset(run: Run, asset_id: str) -> Asset:
 def candidates_for(run: Run, asset_id: str, words: str) -> list[Asset]:
     """Return a thing as it would be if it were made from what the asset sources offer for it, best first.
 
+    What a service would have to send first is not among it: it cannot be shown.
+
     Args:
         run: Its sources offer.
         asset_id: The thing.
@@ -90,7 +92,8 @@ def candidates_for(run: Run, asset_id: str, words: str) -> list[Asset]:
         named = asset.model_copy(update={"name": words, "description": words, "tags": (), "kind": None})
         view = AssetRetrieverView(asset=named)
     found = RulesAssetRetriever(run.sources).candidates(view, by_meaning=True)
-    best = {(recipe.source, recipe.key): recipe for recipe in reversed(found)}
+    here = [recipe for recipe in found if recipe.source != "file" or "content" in recipe.params]
+    best = {(recipe.source, recipe.key): recipe for recipe in reversed(here)}
     recipes = sorted(best.values(), key=lambda recipe: -recipe.score)[:OFFERED]
     free = asset.model_copy(update={"dimension": None, "decision": None})
     return [free.model_copy(update={"canonical": recipe.canonical()}) for recipe in recipes]

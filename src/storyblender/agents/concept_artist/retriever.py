@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from storyblender.agents.concept_artist.asset_retriever_view import AssetRetrieverView
-from storyblender.catalog.recipe import HEAD, LEAST, Recipe
+from storyblender.catalog.recipe import EXACT, HEAD, LEAST, Recipe
 from storyblender.ports import AssetSource
 from storyblender.reflection import Critique
 
@@ -45,17 +45,23 @@ class RulesAssetRetriever:
             view: The object.
             count: Most matches to return; if nothing is found, one with the lowest score is returned.
         """
-        found = self.candidates(view, by_meaning=False)
+        found = self.candidates(view, by_meaning=False, enough=count == 1)
         if all(recipe.score < HEAD for recipe in found):
             found = self.candidates(view, by_meaning=True)
         return tuple(found[:count]) or (_NOTHING,)
 
-    def candidates(self, view: AssetRetrieverView, *, by_meaning: bool) -> list[Recipe]:
+    def candidates(self, view: AssetRetrieverView, *, by_meaning: bool, enough: bool = False) -> list[Recipe]:
         """Return all that the sources offer, best first, without what could not be built or fetched.
 
         Args:
             view: The object, and the keys of recipes that were rejected for it.
             by_meaning: Also return what is only similar in meaning.
+            enough: Ask no further source once one has the thing itself, which no other can better.
         """
-        offered = [recipe for source in self._sources for recipe in source.search(view, by_meaning=by_meaning)]
-        return sorted((each for each in offered if each.key not in view.rejected), key=lambda each: -each.score)
+        offered: list[Recipe] = []
+        for source in self._sources:
+            found = source.search(view, by_meaning=by_meaning)
+            offered += [recipe for recipe in found if recipe.key not in view.rejected]
+            if enough and any(recipe.score >= EXACT for recipe in offered):
+                break
+        return sorted(offered, key=lambda each: -each.score)
