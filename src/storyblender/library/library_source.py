@@ -33,7 +33,8 @@ class LibrarySource:
     def __init__(
         self, library: SharedLibrary, embedder: Callable[[], Embedder], licences: LicenceFilter = "any"
     ) -> None:
-        self._library, self._licences = library, licences
+        self._library = library
+        self._licences: LicenceFilter = licences
         self._search = LibrarySearch(library, embedder)
         self._found: dict[str, LibraryEntry] = {}
 
