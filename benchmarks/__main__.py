@@ -24,9 +24,10 @@ TABLES = {
     "recordings": ["-m", "benchmarks.recordings"],
     "feature": ["-m", "benchmarks.feature"],
     "library": ["-m", "benchmarks.library_search"],
+    "library_reuse": ["-m", "benchmarks.library_reuse"],
     "studio_preview": ["-m", "benchmarks.studio_preview"],
 }
-LONG = ("camera_servo", "framing", "feature", "layout_reflection", "recordings", "studio_preview")
+LONG = ("camera_servo", "framing", "feature", "layout_reflection", "library_reuse", "recordings", "studio_preview")
 """Run for minutes or an hour, or want a project: only when asked for by name."""
 
 

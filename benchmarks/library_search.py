@@ -48,7 +48,7 @@ def library_of(count: int, root: Path) -> SharedLibrary:
         for number, name in enumerate(itertools.islice(names, count)):
             facts = EntryFacts(kind="model", name=name, main="it.glb", source="museum", source_id=str(number))
             entry = LibraryEntry(**facts.model_dump(), digest=f"{number:064x}", bytes=1)
-            row = (entry.digest, "model", name, "[]", "", "museum", entry.model_dump_json(), time.time(), time.time())
+            row = (entry.digest, "model", name, "[]", "", "museum", entry.model_dump_json(), time.time(), "")
             db.execute("INSERT INTO entries VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", row)
             db.executemany("INSERT INTO nouns VALUES (?, ?)", [(word, entry.digest) for word in words_told(name)])
     return library

@@ -35,10 +35,11 @@ from storyblender.memory.jobs import (
     StoryJob,
     asset_suffixes,
 )
-from storyblender.memory.measure import AssetMeasure, CameraView, Collision, SubjectView, ViewRequest
+from storyblender.memory.measure import AssetMeasure, AssetRecord, CameraView, Collision, SubjectView, ViewRequest
 from storyblender.memory.paint import Paint
 from storyblender.memory.request import Picture
 from storyblender.memory.scene_context import Light
+from storyblender.outputs import digest_of
 from storyblender.trace import Event, Listener, silent
 
 Result = TypeVar("Result")
@@ -90,8 +91,10 @@ class StandInEngine:
         """An asset measures what the Concept Artist expects of it."""
         canonical = job.asset.canonical
         assert canonical is not None
-        for suffix in (*asset_suffixes(job.asset), ".json"):
-            self.files.write(f"{ASSETS}/{job.digest}{suffix}", f"{suffix} of {job.digest}")
+        digests: dict[str, str] = {}
+        for suffix in asset_suffixes(job.asset):
+            path = self.files.write(f"{ASSETS}/{job.digest}{suffix}", f"{suffix} of {job.digest}")
+            digests[suffix] = digest_of(path)
         measure = AssetMeasure(
             asset_id=job.asset.asset_id,
             digest=job.digest,
@@ -99,6 +102,8 @@ class StandInEngine:
             dimensions=canonical.dimensions,
             anchors=canonical.anchors,
         )
+        record = AssetRecord(measure=measure, files=digests)
+        self.files.write(f"{ASSETS}/{job.digest}.json", record.model_dump_json())
         return self._answer("build_asset", measure)
 
     def pack_scene(self, job: SceneJob) -> Future[PackRef]:

@@ -126,12 +126,13 @@ class Folder:
             yield room / PurePosixPath(name).name
 
     @contextmanager
-    def writing_tree(self, name: str, *, lone: bool = False) -> Iterator[Path]:
+    def writing_tree(self, name: str, *, lone: bool = False, flush: bool = True) -> Iterator[Path]:
         """Write a folder of files: yield a private folder that is renamed to ``name`` at the end.
 
         Args:
             name: Of the folder; an existing one is replaced.
             lone: Move only the file called like ``name`` out of the private folder, in place of the folder itself.
+            flush: False for what is checked by digest and can be made again: a power cut may damage it.
 
         Raises:
             InputError: The name leads out of the folder, or the disk cannot take the files.
@@ -144,7 +145,8 @@ class Folder:
             with _explained(place, body=True):
                 yield room
             with _explained(place):
-                _sync_tree(made)
+                if flush:
+                    _sync_tree(made)
                 if not lone and place.is_dir():
                     shutil.rmtree(place)
                 _take_place(made, place)

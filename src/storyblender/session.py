@@ -60,6 +60,7 @@ class Session(ViewedProject):
         from storyblender.pipeline.grounding import ground
         from storyblender.pipeline.materializing import materialize
         from storyblender.pipeline.restaging import make_stale_anew
+        from storyblender.pipeline.shared_assets import count_places
         from storyblender.pipeline.staging import stage
 
         with self._call() as run:
@@ -71,6 +72,7 @@ class Session(ViewedProject):
             materialize(run)
             stage(run)
             make_stale_anew(run)
+            count_places(run)
             pack_scenes(run)
             film(run)
             files, reviews = draw_shots(run, run.graph.cut)

@@ -25,9 +25,9 @@ from storyblender.catalog.wardrobe import person_seed
 from storyblender.errors import InputError
 from storyblender.folder import Folder
 from storyblender.memory.asset_sheet import Asset, CharacterLook, ModelPose
-from storyblender.memory.base import Frozen, content_hash, seed_of
+from storyblender.memory.base import content_hash, seed_of
 from storyblender.memory.jobs import ADOPTED, ASSETS, FETCHED, AssetJob, asset_suffixes
-from storyblender.memory.measure import AssetMeasure
+from storyblender.memory.measure import AssetMeasure, AssetRecord
 from storyblender.model_content import content_of
 from storyblender.outputs import digest_of
 
@@ -45,14 +45,6 @@ class CastMember:
     armature: bpy.types.Object
     meshes: list[bpy.types.Object]
     body: RiggedBody
-
-
-class AssetRecord(Frozen):
-    """The record beside a built asset; it is written last."""
-
-    measure: AssetMeasure
-    files: dict[str, str]
-    """Digest by suffix of the files with its geometry."""
 
 
 class AssetStore:
@@ -100,6 +92,7 @@ class AssetStore:
         mesh = objects[0].data
         for obj in objects:
             bpy.data.objects.remove(obj)
+        mesh.name = asset.asset_id  # it may have been built for another story
         return mesh
 
     def append_person(self, asset: Asset) -> CastMember:

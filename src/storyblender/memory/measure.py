@@ -26,6 +26,14 @@ class AssetMeasure(Frozen):
     """Of a model from a file."""
 
 
+class AssetRecord(Frozen):
+    """The record beside a built asset; it is written last."""
+
+    measure: AssetMeasure
+    files: dict[str, str]
+    """Digest by suffix of the files with its geometry."""
+
+
 class AssetViews(Frozen):
     """What an object looks like."""
 

@@ -19,6 +19,7 @@ from storyblender.memory.measure import AssetMeasure, AssetViews
 from storyblender.pipeline.asset_files import assets_to_build, note_asset
 from storyblender.pipeline.asset_views import asset_views
 from storyblender.pipeline.run import Run
+from storyblender.pipeline.shared_assets import SharedBuilding
 from storyblender.trace import Event
 
 
@@ -32,16 +33,18 @@ def materialize(run: Run, assets: Sequence[Asset] | None = None) -> None:
     missing = assets_to_build(run, run.graph.assets if assets is None else assets)
     if not missing:
         return
-    draw = asset_views(run)
+    draw, building = asset_views(run), SharedBuilding(run)
     concept = ConceptArtist(run, draw)
     decided = _sized(run, concept.all_formatted(concept.all_decided(missing)), draw)
-    waiting = [(asset, run.engine.build_asset(AssetJob(asset=asset))) for asset in decided]
+    building.prepare(decided)
+    waiting = [(asset, building.build(asset)) for asset in decided]
     built: list[Asset] = []
     for step, (asset, future) in enumerate(waiting):
         run.progress("materialize", step, len(waiting), asset.asset_id)
         built.append(_built(run, concept, asset, future))
         note_asset(run, built[-1])
     run.progress("materialize", len(waiting), len(waiting))
+    building.give(built)
     run.commit("asset_formatter", f"{len(built)} asset{'s' * (len(built) != 1)} built", *_with_prompts(run, built))
 
 

@@ -8,10 +8,10 @@ from datetime import datetime
 from functools import cached_property
 from pathlib import Path
 from threading import Event as Signal
-from typing import ParamSpec, TypeVar
+from typing import TYPE_CHECKING, ParamSpec, TypeVar
 
 from storyblender.crew import Crew
-from storyblender.errors import Cancelled, Rejected
+from storyblender.errors import Cancelled, InputError, Rejected
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Item, replace
 from storyblender.memory.jobs import Look, PackRef
@@ -22,6 +22,9 @@ from storyblender.project import Project
 from storyblender.reflection import Outcome, Role, reflect
 from storyblender.settings import REMEMBERED, Settings
 from storyblender.trace import Event, Listener
+
+if TYPE_CHECKING:
+    from storyblender.library.shared.shared_library import SharedLibrary
 
 Given = ParamSpec("Given")
 View = TypeVar("View")
@@ -87,6 +90,24 @@ class Run:
         from storyblender.library.panorama_file import read_panorama
 
         return read_panorama(self.settings.hdri)
+
+    @cached_property
+    def library(self) -> SharedLibrary | None:
+        """The user's library; None where the settings turn it off."""
+        if not self.settings.library:
+            return None
+        from storyblender.library.shared.shared_library import SharedLibrary
+
+        return SharedLibrary.open()
+
+    @contextmanager
+    def without_library(self) -> Iterator[None]:
+        """Go on without the library where the block cannot use it, and say so."""
+        try:
+            yield
+        except InputError as error:
+            self.library = None
+            self.tell(Event(kind="warning", role="library", message=f"{error}; this run goes on without it"))
 
     @property
     def outputs(self) -> Outputs:

@@ -11,6 +11,7 @@ from storyblender.memory.shot_context import ShotContext
 from storyblender.memory.thing_states import Condition
 from storyblender.pipeline.asset_files import files_whole, note_asset
 from storyblender.pipeline.run import Run
+from storyblender.pipeline.shared_assets import SharedBuilding
 
 
 def assets_in_states(
@@ -56,10 +57,13 @@ def build_states(run: Run, jobs: Iterable[SceneJob]) -> None:
     """
     wanted = {each.asset.canonical.digest: each.asset for job in jobs for each in job.in_states if each.asset.canonical}
     missing = [asset for asset in wanted.values() if not files_whole(run, asset)]
-    waiting = [(asset, run.engine.build_asset(AssetJob(asset=asset))) for asset in missing]
+    building = SharedBuilding(run)
+    building.prepare(missing)
+    waiting = [(asset, building.build(asset)) for asset in missing]
     for asset, future in waiting:
         future.result()
         note_asset(run, asset)
+    building.give_geometry(missing)
 
 
 def _conditions(shots: Sequence[ShotContext], found: Mapping[str, Condition]) -> Iterator[tuple[str, Condition]]:

@@ -17,7 +17,8 @@ PATIENCE = 60.0
 _TABLES = """
 CREATE TABLE IF NOT EXISTS entries (
   digest TEXT PRIMARY KEY, kind TEXT NOT NULL, name TEXT NOT NULL, words TEXT NOT NULL, category TEXT NOT NULL,
-  source TEXT NOT NULL, facts TEXT NOT NULL, added REAL NOT NULL, used REAL NOT NULL);
+  source TEXT NOT NULL, facts TEXT NOT NULL, added REAL NOT NULL, main_digest TEXT NOT NULL);
+CREATE INDEX IF NOT EXISTS entries_by_main ON entries (main_digest);
 CREATE TABLE IF NOT EXISTS origins (
   source TEXT NOT NULL, source_id TEXT NOT NULL, digest TEXT NOT NULL, PRIMARY KEY (source, source_id));
 CREATE TABLE IF NOT EXISTS requests (request TEXT PRIMARY KEY, digest TEXT NOT NULL);
@@ -27,7 +28,7 @@ CREATE TABLE IF NOT EXISTS vectors (
   PRIMARY KEY (digest, width));
 CREATE TABLE IF NOT EXISTS uses (
   project TEXT NOT NULL, asset TEXT NOT NULL, model TEXT NOT NULL, name TEXT NOT NULL, category TEXT NOT NULL,
-  how TEXT NOT NULL, uses INTEGER NOT NULL, entry TEXT NOT NULL, noted REAL NOT NULL,
+  origin TEXT NOT NULL, entry TEXT NOT NULL, places INTEGER NOT NULL, noted REAL NOT NULL,
   PRIMARY KEY (project, asset, model));
 CREATE TABLE IF NOT EXISTS jobs (
   id INTEGER PRIMARY KEY AUTOINCREMENT, request TEXT NOT NULL, service TEXT NOT NULL, price REAL NOT NULL,
@@ -35,8 +36,7 @@ CREATE TABLE IF NOT EXISTS jobs (
   reason TEXT NOT NULL DEFAULT '', began REAL NOT NULL, changed REAL NOT NULL);
 CREATE INDEX IF NOT EXISTS jobs_by_request ON jobs (request, service);
 CREATE TABLE IF NOT EXISTS geometry (
-  digest TEXT NOT NULL, builder TEXT NOT NULL, files TEXT NOT NULL, bytes INTEGER NOT NULL, used REAL NOT NULL,
-  PRIMARY KEY (digest, builder));
+  key TEXT PRIMARY KEY, place TEXT NOT NULL, content TEXT NOT NULL, bytes INTEGER NOT NULL, used REAL NOT NULL);
 """
 
 

@@ -26,8 +26,10 @@ from storyblender.library.shared.place import library_folder
 from storyblender.outputs import digest_of
 
 if TYPE_CHECKING:
+    from storyblender.library.shared.built_geometry import BuiltGeometry
     from storyblender.library.shared.index import Index
     from storyblender.library.shared.jobs import JobLedger
+    from storyblender.library.shared.uses import Uses
 
 INDEX = "index.sqlite"
 _FILES, _INCOMING = "files", "incoming"
@@ -72,6 +74,20 @@ class SharedLibrary:
 
         return JobLedger(self.index)
 
+    @property
+    def uses(self) -> Uses:
+        """What stories asked for, and how they got it."""
+        from storyblender.library.shared.uses import Uses
+
+        return Uses(self.index)
+
+    @property
+    def geometry(self) -> BuiltGeometry:
+        """What was built for stories."""
+        from storyblender.library.shared.built_geometry import BuiltGeometry
+
+        return BuiltGeometry(self)
+
     def add(self, facts: EntryFacts, folder: Path) -> LibraryEntry:
         """Keep a bundle of files; if it is there already, return what is known of it.
 
@@ -90,6 +106,7 @@ class SharedLibrary:
             with self.files.writing_tree(incoming) as part:
                 shutil.copytree(folder, part, symlinks=True, dirs_exist_ok=True)
                 digest, size = _digest(part), sum(path.stat().st_size for path in part.rglob("*") if path.is_file())
+                main_digest = digest_of(part / facts.main)
             entry = LibraryEntry(**facts.model_dump(), digest=digest, bytes=size)
             with index.writing() as db:
                 known = self._row(digest)
@@ -99,7 +116,7 @@ class SharedLibrary:
                 if known is None:
                     self.files.write(_record(digest), entry.model_dump_json(indent=1))
                     values = (digest, entry.kind, entry.name, json.dumps(entry.words), entry.category, entry.source)
-                    row = (*values, entry.model_dump_json(), time.time(), time.time())
+                    row = (*values, entry.model_dump_json(), time.time(), main_digest)
                     db.execute("INSERT OR REPLACE INTO entries VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", row)
                     nouns = {(word, digest) for name in entry.names for word in words_told(name)}
                     db.executemany("INSERT OR IGNORE INTO nouns VALUES (?, ?)", nouns)
@@ -133,6 +150,18 @@ class SharedLibrary:
     def by_request(self, request: str) -> LibraryEntry | None:
         """Return what was made for a request, by its digest, if it is here and whole."""
         return self._named("SELECT digest FROM requests WHERE request = ?", request)
+
+    def by_main(self, digest: str) -> LibraryEntry | None:
+        """Return the entry whose main file has a digest, SHA-256, if it is whole."""
+        return self._named("SELECT digest FROM entries WHERE main_digest = ?", digest) if digest else None
+
+    def has_since(self, entry: LibraryEntry) -> float:
+        """Return when an entry came into the library, in seconds since 1970."""
+        index = self.index()
+        assert index is not None, "it has the entry"
+        with index.reading() as db:
+            row = db.execute("SELECT added FROM entries WHERE digest = ?", (entry.digest,)).fetchone()
+        return row[0] if row else 0.0
 
     def told(self, text: str) -> LibraryEntry | None:
         """Return the entry that a person means, whole or not: by digest or its first digits, by key, or by name.
