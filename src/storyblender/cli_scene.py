@@ -32,6 +32,7 @@ def add_to(app: typer.Typer) -> None:
         epilog=examples(
             "set my_film.storyboard SC010 --kit kitchen --period classic",
             "set my_film.storyboard SC010 --walls brick --ground parquet",
+            "set my_film.storyboard SC010 --wall-texture textures/red_brick --texture-width 1.5",
             "set my_film.storyboard SC020 --snow --option trees --without fence",
         ),
     )(set_command)
@@ -85,6 +86,11 @@ def set_command(
     walls: Annotated[str | None, typer.Option(help="Finish or material of the walls: brick, plaster_green ...")] = None,
     ground: Annotated[str | None, typer.Option(help="The same of the floor or the ground: parquet, gravel ...")] = None,
     period: Annotated[str | None, typer.Option(help="When it was furnished: past, classic, modern.")] = None,
+    wall_texture: Annotated[
+        str | None, typer.Option(help="A colour picture, or a folder with its maps, for the walls; none takes it off.")
+    ] = None,
+    ground_texture: Annotated[str | None, typer.Option(help="The same for the floor or the ground.")] = None,
+    texture_width: Annotated[float | None, typer.Option(help="Metres that such a picture shows, else 2.")] = None,
     snow: Annotated[bool | None, typer.Option("--snow/--no-snow", help="Whether snow lies on the ground.")] = None,
     option: Annotated[list[str] | None, typer.Option(help="What of the kit is there; may be repeated.")] = None,
     without: Annotated[list[str] | None, typer.Option(help="What of the kit is not there; may be repeated.")] = None,
@@ -106,6 +112,13 @@ def set_command(
         "height": height, "options": {**dict.fromkeys(option or (), True), **dict.fromkeys(without or (), False)},
     }  # fmt: skip
     with shown(quiet, json_lines) as terminal:
+        pictures = {"wall_texture": wall_texture, "ground_texture": ground_texture}
+        files = {name: Path(file) for name, file in pictures.items() if file not in (None, "none")}
+        said |= pictures
+        if files:
+            with open_studio(terminal, project=folder).open(folder) as session:
+                taken = {name: session.take_in_texture(file, texture_width) for name, file in files.items()}
+            said |= {name: texture.model_dump() for name, texture in taken.items()}
         edits = _decided("set", scene, said)
         edit_and_draw(context, terminal, folder, edits, draw=draw, look=look, jobs=jobs)
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import hashlib
+import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import NOTE_LENGTH, Credit
 
 MOST_BYTES = 256 << 20
@@ -34,6 +36,28 @@ def credit_lines(values: Mapping[str, Any]) -> dict[str, str]:
     texts = {name: values.get(name) for name in Credit.model_fields}
     lines = {name: " ".join(text.split())[:NOTE_LENGTH] for name, text in texts.items() if isinstance(text, str)}
     return {name: "".join(filter(str.isprintable, line)) for name, line in lines.items() if line}
+
+
+def credit_beside(path: Path) -> dict[str, str]:
+    """Return what the credits files beside a file of the user say of it, the nearest first.
+
+    Args:
+        path: ``NAME.credits.toml`` beside it says whose work it is, or ``credits.toml``.
+
+    Raises:
+        InputError: One cannot be read.
+    """
+    told: dict[str, str] = {}
+    for file in credit_files(path, path.parent):
+        try:
+            with file.open("rb") as opened:
+                content = opened.read(MOST_CREDIT_BYTES + 1)
+            if len(content) > MOST_CREDIT_BYTES:
+                raise ValueError("too long")
+            told = {**credit_lines(tomllib.loads(content.decode("utf-8-sig"))), **told}
+        except (OSError, ValueError, RecursionError) as error:
+            raise InputError("cannot be read as credits", mend="mend or delete it", path=file) from error
+    return told
 
 
 def content_of(path: Path, folder: Path) -> str:

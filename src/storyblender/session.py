@@ -20,6 +20,7 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import TRIAL, Commit
 from storyblender.memory.panorama import Panorama
 from storyblender.memory.plain_words import names_of, plain
+from storyblender.memory.texture import Texture
 from storyblender.pipeline.compiling import story_files
 from storyblender.pipeline.drawing import draw_frames, draw_shots
 from storyblender.pipeline.filming import cuts_made_wrong, film
@@ -29,6 +30,7 @@ from storyblender.pipeline.shooting import (
     undrawn_shots,
 )
 from storyblender.pipeline.shown import note_shown
+from storyblender.pipeline.textures import keep_textures, take_in_texture
 from storyblender.pipeline.updating import bring_up_to_date
 from storyblender.results import Delivery
 from storyblender.settings import REMEMBERED, Settings
@@ -69,6 +71,7 @@ class Session(ViewedProject):
             ground(run, script, reading)
             run.project.files.write(REMEMBERED, self._settings.remembered(self.folder))
             keep_panoramas(run)
+            keep_textures(run)
             materialize(run)
             stage(run)
             make_stale_anew(run)
@@ -257,6 +260,19 @@ class Session(ViewedProject):
         """
         with self._call() as run:
             return take_in_panorama(run, file)
+
+    def take_in_texture(self, path: Path, metres: float | None = None) -> Texture:
+        """Keep the pictures of a user's surface in the project, and return what an edit of a set names it by.
+
+        Args:
+            path: A colour picture, or a folder with the maps of one surface.
+            metres: Width of the picture on the wall; None for the usual.
+
+        Raises:
+            InputError: It is missing, broken, or no surface.
+        """
+        with self._call() as run:
+            return take_in_texture(run, path, metres)
 
     def export(self, kinds: Sequence[str]) -> Delivery:
         """Write scenes as glTF or USD, the timeline as EDL or FCPXML.

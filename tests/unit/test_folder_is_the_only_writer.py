@@ -37,6 +37,7 @@ ELSEWHERE = {
     ("shell.py", "open"): "nowhere: who read what we say is gone",
     ("deliver/board.py", "save"): "the canvas has its path already",
     ("pipeline/prints.py", "save"): "into memory",
+    ("library/texture_file.py", "save"): "into memory",
     ("blender/models/blend_reader.py", "save"): "into a temporary folder, by a process that reads a user's model",
     ("blender/models/blend_reader.py", "write_text"): "into that temporary folder",
     ("blender/models/plain.py", "savez"): "into that temporary folder",

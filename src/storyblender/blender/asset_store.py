@@ -56,7 +56,7 @@ class AssetStore:
     """
 
     def __init__(self, files: Folder, models: Sequence[Path] = ()) -> None:
-        self._files, self._models = files, models
+        self.files, self._models = files, models
 
     def measure(self, job: AssetJob) -> AssetMeasure:
         """Return the measure of an asset; build it into the store first if it is missing or damaged.
@@ -74,7 +74,7 @@ class AssetStore:
         bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
         measure = self._build(job)
         known = AssetRecord(measure=measure, files=self._digests(job.digest, suffixes))
-        self._files.write(self._files.name_of(record), known.model_dump_json())
+        self.files.write(self.files.name_of(record), known.model_dump_json())
         return measure
 
     def draft(self, job: AssetJob) -> PropBuild:
@@ -109,7 +109,7 @@ class AssetStore:
 
     def _path(self, digest: str, suffix: str) -> Path:
         """Return the path of a file of an asset."""
-        return self._files.path(ASSETS, f"{digest}{suffix}")
+        return self.files.path(ASSETS, f"{digest}{suffix}")
 
     def _digests(self, digest: str, suffixes: Sequence[str]) -> dict[str, str]:
         """Return the digests of an asset's files by suffix."""
@@ -130,7 +130,7 @@ class AssetStore:
             measure = self._build_person(asset, digest, collection)
         else:
             measure = self._build_object(asset, digest, collection)
-        with self._files.writing(f"{ASSETS}/{digest}.blend") as part:
+        with self.files.writing(f"{ASSETS}/{digest}.blend") as part:
             bpy.data.libraries.write(str(part), {collection}, compress=True, fake_user=True)
         return measure
 
@@ -144,7 +144,7 @@ class AssetStore:
         for obj in (build.armature, *build.meshes):
             collection.objects.link(obj) if obj.name not in collection.objects else None
             obj.data["digest"] = digest
-        with self._files.writing(f"{ASSETS}/{digest}.npz") as part:
+        with self.files.writing(f"{ASSETS}/{digest}.npz") as part:
             build.body.save(part)
         hashes = [geometry_hash(obj.data) for obj in build.meshes]
         width = float(build.body.vertices[:, 0].max() - build.body.vertices[:, 0].min())
@@ -200,7 +200,7 @@ class AssetStore:
         """
         mend = "restore it, or run `storyblender make` with --models FOLDER"
         found: Path | None = None
-        for folder in (*self._models, self._files.path(FETCHED), self._files.path(ADOPTED)):
+        for folder in (*self._models, self.files.path(FETCHED), self.files.path(ADOPTED)):
             path = folder / name
             if not path.resolve().is_relative_to(folder.resolve()):
                 raise InputError(f"the model {name!r} is outside the folder of models")

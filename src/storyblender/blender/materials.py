@@ -61,15 +61,20 @@ def _make(name: str, entry: MaterialEntry, color: Color) -> bpy.types.Material:
         if texture is not None:
             tree.links.new(texture.outputs["Color"], shader.inputs["Emission Color"])
     if entry.wet:
-        _add_puddles(tree, shader)
+        add_puddles(tree, shader)
     block.diffuse_color = (*mean, 1)
     block.roughness, block.metallic = entry.roughness, 0.3 * entry.metallic  # Workbench blackens full metal
     block["key"], block["tile"], block["emit"], block["grain"] = entry.key, entry.tile, entry.emission, entry.grain
     return block
 
 
-def _add_puddles(tree: bpy.types.NodeTree, shader: bpy.types.Node) -> None:
-    """Vary roughness with low noise over the world, so that water lies in patches (notes: sets and light, 1.8)."""
+def add_puddles(tree: bpy.types.NodeTree, shader: bpy.types.Node) -> None:
+    """Vary roughness with low noise over the world, so that water lies in patches (notes: sets and light, 1.8).
+
+    Args:
+        tree: Of the material.
+        shader: Its shader.
+    """
     place = tree.nodes.new("ShaderNodeNewGeometry")
     noise = tree.nodes.new("ShaderNodeTexNoise")
     noise.inputs["Scale"].default_value, noise.inputs["Detail"].default_value = 0.55, 3

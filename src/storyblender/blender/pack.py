@@ -25,6 +25,7 @@ from storyblender.blender.painting import paint_objects
 from storyblender.blender.progress import Report, ignore
 from storyblender.blender.sections import split_sections, with_sections
 from storyblender.blender.sets.build import build_set
+from storyblender.blender.sets.textured import load_textures
 from storyblender.blender.staging import StagePlanner, moved_assets
 from storyblender.blender.state_parts import StateParts
 from storyblender.blender.tags import surface_of, tag
@@ -87,6 +88,7 @@ class ScenePacker:
         environment = self._job.scene.environment
         assert environment is not None, "the Environment Designer comes before the pack"
         self._plan = plan_of(environment)
+        load_textures(self._plan, self._store.files)
         self._set = build_set(self._plan, scene, self._collection("set"))
         self._place_objects()
         self._states = StateParts(self._job, self._store, self._nodes)

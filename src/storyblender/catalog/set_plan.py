@@ -9,9 +9,12 @@ from __future__ import annotations
 
 from typing import Literal
 
+from pydantic import Field
+
 from storyblender.catalog.registry import ParamValue
-from storyblender.memory.base import Frozen, Identifier, Vec2, Vec3
+from storyblender.memory.base import Frozen, Identifier, Vec2, Vec3, is_none
 from storyblender.memory.scene_context import Light, SceneSize
+from storyblender.memory.texture import Texture
 
 
 class Opening(Frozen):
@@ -41,6 +44,8 @@ class Wall(Frozen):
     """Height of its foot above the floor."""
     thickness: float = 0.15
     material: Identifier
+    texture: Texture | None = Field(default=None, exclude_if=is_none)
+    """Pictures that it is made of, in place of the material."""
     dado: Identifier | None = None
     dado_height: float = 1.0
     openings: tuple[Opening, ...] = ()
@@ -64,6 +69,8 @@ class Slab(Frozen):
     """Top surface for floor, ground, patch and block; bottom surface for ceiling."""
     thickness: float = 0.0
     material: Identifier
+    texture: Texture | None = Field(default=None, exclude_if=is_none)
+    """As of a wall."""
     wet: bool = False
     beams: int = 0
     """ceiling: number of beams across."""
@@ -79,6 +86,8 @@ class Piece(Frozen):
     yaw: float = 0.0
     scale: float = 1.0
     params: dict[str, ParamValue] = {}
+    texture: Texture | None = Field(default=None, exclude_if=is_none)
+    """Pictures in place of the finish that its parameter ``material`` names."""
     solid: bool = True
     """People walk around it."""
     footprint: Vec2 | None = None
@@ -135,6 +144,12 @@ class SetPlan(Frozen):
     lamps: tuple[Light, ...] = ()
     """The place's own lamps at their night strength; the Lighting Arranger switches and tints them."""
     marks: tuple[PlanMark, ...] = ()
+
+    @property
+    def textures(self) -> tuple[Texture, ...]:
+        """All pictures that its parts are made of; each once."""
+        parts = (*self.walls, *self.slabs, *self.pieces)
+        return tuple({part.texture: None for part in parts if part.texture is not None})
 
     @property
     def under_the_sky(self) -> bool:

@@ -1,4 +1,4 @@
-"""``credits.md``: the models and the panorama from outside in a storyboard, with author, licence and origin."""
+"""``credits.md``: the models, surfaces and panoramas from outside in a storyboard, with author, licence and origin."""
 
 from __future__ import annotations
 
@@ -16,11 +16,16 @@ _NOT_SAID = "not stated"
 
 
 def credited_works(graph: ContinuityMemoryGraph) -> dict[Provenance, list[str]]:
-    """Return every work from outside with the names of what shows it: assets as in the asset sheet, then the sky."""
+    """Return every work from outside with the names of what shows it: assets as in the asset sheet, sets, the sky."""
     shown: dict[Provenance, list[str]] = {}
     for asset in graph.assets:
         if asset.canonical is not None and asset.canonical.provenance is not None:
             shown.setdefault(asset.canonical.provenance, []).append(asset.name or asset.asset_id)
+    for environment in (scene.environment for scene in graph.scenes):
+        textures = (environment.wall_texture, environment.ground_texture) if environment is not None else (None, None)
+        for texture, name in zip(textures, ("walls", "ground"), strict=True):
+            if texture is not None and name not in shown.setdefault(texture.provenance, []):
+                shown[texture.provenance].append(name)
     lit = _panoramas_seen(graph)
     for panorama in graph.panoramas:
         if panorama.provenance.digest in lit:
@@ -39,7 +44,7 @@ def write_credits(graph: ContinuityMemoryGraph, part: Path) -> None:
     for model, names in credited_works(graph).items():
         told = (", ".join(names), model.file, model.author, model.license, model.copyright, model.url)
         rows.append((*(_cell(text) for text in told), model.digest[:16]))
-    kind = "Works" if _panoramas_seen(graph) else "Models"
+    kind = "Works" if _panoramas_seen(graph) or graph.textures else "Models"
     lines = ["# Credits", "", f"{kind} in “{_cell(graph.title)}” that are not part of StoryBlender.", ""]
     part.write_text("\n".join([*lines, *(f"| {' | '.join(row)} |" for row in rows), ""]), encoding="utf-8")
 

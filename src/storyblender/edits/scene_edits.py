@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from storyblender.agents.visual_effects_artist.decided import with_surfaces
 from storyblender.agents.visual_effects_artist.lighting_arranger_view import MOST_LIGHTS
 from storyblender.catalog.light_recipes import HOURS
 from storyblender.catalog.materials import MATERIALS
@@ -79,8 +80,7 @@ def set_effects(graph: ContinuityMemoryGraph, edit: SetEdit) -> list[Effect]:
         decided = (each.set_decision or SetDecision()).then(decision)
         words = f"set: {decision.words}"
         if decision.only_finishes and each.environment is not None:
-            finishes = {name: value for name in ("walls", "ground") if (value := getattr(decision, name))}
-            made = each.environment.model_copy(update=finishes)
+            made = with_surfaces(each.environment, decision)
             effects.append(scene_effect(graph, each, words, "set", (), environment=made, set_decision=decided))
         else:
             refuse_locked_staging(graph, each)
@@ -148,9 +148,9 @@ def _refuse_unknown(scene: SceneContext, decision: SetDecision) -> None:
     if scene.environment is None or scene.environment.kit not in SETS or decision.kit is not None:
         return
     plan = plan_of(scene.environment)
-    if decision.walls is not None and not has_walls(plan):
+    if (decision.walls or decision.wall_texture) and not has_walls(plan):
         raise InputError(f"the set of {name_of(scene)} has no walls", mend="choose a kit that has, or a ground")
-    if decision.ground is not None and not has_ground(plan):
+    if (decision.ground or decision.ground_texture) and not has_ground(plan):
         raise InputError(f"the set of {name_of(scene)} has no ground that can be of another material")
     for node_id, prop in decision.furniture.items():
         refuse_other(node_id, f"furniture of {name_of(scene)}", [item.node_id for item in plan.furnishings])

@@ -8,7 +8,6 @@ from __future__ import annotations
 import hashlib
 import io
 import struct
-import tomllib
 from pathlib import Path
 
 import av
@@ -21,7 +20,7 @@ from storyblender.look.irradiance import irradiance_of, panorama_directions, sol
 from storyblender.look.raster import Image, luminance
 from storyblender.memory.asset_sheet import Provenance
 from storyblender.memory.panorama import Panorama
-from storyblender.model_content import MOST_CREDIT_BYTES, credit_files, credit_lines
+from storyblender.model_content import credit_beside
 
 WIDEST = 2048
 """Pixels across the prepared picture; a wider one is scaled down."""
@@ -73,7 +72,7 @@ def read_panorama(path: Path) -> tuple[Panorama, bytes]:
     coefficients = irradiance_of(_resized(radiance, min(radiance.shape[1], _SMALL)))
     rounded = [[float(f"{value:.6g}") for value in row] for row in coefficients]
     provenance = Provenance(
-        source="panorama", file=path.name, digest=hashlib.sha256(data).hexdigest(), **_credit_beside(path)
+        source="panorama", file=path.name, digest=hashlib.sha256(data).hexdigest(), **credit_beside(path)
     )
     known = Panorama.model_validate({"provenance": provenance, "irradiance": rounded, "sun": sun})
     return known, radiance_file(radiance)
@@ -177,18 +176,3 @@ def _without_sun(radiance: Image) -> tuple[Image, tuple[float, float, float] | N
         return dimmed.astype(np.float32), None
     x, y, z = (round(float(part), 4) for part in toward / length)
     return dimmed.astype(np.float32), (x, y, z)
-
-
-def _credit_beside(path: Path) -> dict[str, str]:
-    """Return what the credits files beside a panorama say of it, the nearest first."""
-    told: dict[str, str] = {}
-    for file in credit_files(path, path.parent):
-        try:
-            with file.open("rb") as opened:
-                content = opened.read(MOST_CREDIT_BYTES + 1)
-            if len(content) > MOST_CREDIT_BYTES:
-                raise ValueError("too long")
-            told = {**credit_lines(tomllib.loads(content.decode("utf-8-sig"))), **told}
-        except (OSError, ValueError, RecursionError) as error:
-            raise InputError("cannot be read as credits", mend="mend or delete it", path=file) from error
-    return told

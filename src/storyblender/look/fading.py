@@ -49,7 +49,7 @@ def fade_repeats(
     rows, columns = np.divmod(at, view.width)
     made, away = material.take(at), depth.take(at)
     # A repeat covers fewer pixels the more its surface is turned away: by the root, as one direction keeps its size.
-    toward = _cosine(normal.reshape(-1, 3)[at].astype(np.float32), rows, columns, view)
+    toward = cosine(normal.reshape(-1, 3)[at].astype(np.float32), rows, columns, view)
     covered = repeats[made] * np.float32(focus) / away * np.sqrt(np.maximum(toward, np.float32(_STEEPEST)))
     kept = _LEFT + (1 - _LEFT) * np.clip((covered - _GONE) / (_WHOLE - _GONE), 0, 1)
     flat = albedo.reshape(-1, 3)
@@ -57,7 +57,7 @@ def fade_repeats(
     flat[at] = mean + (flat[at] - mean) * kept[:, None]
 
 
-def _cosine(
+def cosine(
     normal: NDArray[np.float32], rows: NDArray[np.intp], columns: NDArray[np.intp], view: View
 ) -> NDArray[np.float32]:
     """Return how much surfaces with (n, 3) normals face the eye, at these pixels."""

@@ -71,6 +71,12 @@ class Window:
         )
 
 
+def window_around(mask: Mask) -> Window:
+    """Return the smallest window with all that is true of an (h, w) mask; something is."""
+    rows, columns = np.flatnonzero(mask.any(axis=1)), np.flatnonzero(mask.any(axis=0))
+    return Window(int(rows[0]), int(columns[0]), int(rows[-1]) + 1, int(columns[-1]) + 1)
+
+
 def windows_round(mask: Mask, room: int, gap: int = 0) -> list[Window]:
     """Return rectangles round all that is set, with some room on every side, that do not overlap.
 

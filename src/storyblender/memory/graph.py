@@ -15,6 +15,7 @@ from storyblender.memory.panorama import Panorama
 from storyblender.memory.picture_format import FormatDecision
 from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.shot_context import ShotContext
+from storyblender.memory.texture import Texture
 from storyblender.memory.vocabulary import Age
 
 SCHEMA_VERSION = 8
@@ -138,6 +139,12 @@ class ContinuityMemoryGraph(Frozen):
         chosen = (scene.light_decision.panorama for scene in self.scenes if scene.light_decision is not None)
         found = [self.panorama, *(each for each in chosen if each != "none")]
         return tuple({each.provenance.digest: each for each in found if each is not None}.values())
+
+    @property
+    def textures(self) -> tuple[Texture, ...]:
+        """The pictures that sets are made of; each once."""
+        found = (each for scene in self.scenes if scene.environment is not None for each in scene.environment.textures)
+        return tuple({each.provenance.digest: each for each in found}.values())
 
     @property
     def cut(self) -> tuple[ShotContext, ...]:

@@ -12,6 +12,7 @@ from storyblender.memory.kept_takes import LayoutTakes
 from storyblender.memory.locks import SceneLock, StaleWork
 from storyblender.memory.panorama import PanoramaLight
 from storyblender.memory.scene_decision import LayoutDecision, LightDecision, SetDecision
+from storyblender.memory.texture import Texture
 from storyblender.memory.thing_states import Condition
 from storyblender.memory.vocabulary import (
     Crowd,
@@ -128,13 +129,22 @@ class Environment(Frozen):
     """Finish or material that a person gave the walls; None leaves those of the kit."""
     ground: Identifier | None = Field(default=None, exclude_if=is_none)
     """The same of the floor or the ground."""
+    wall_texture: Texture | None = Field(default=None, exclude_if=is_none)
+    """Pictures that the walls are made of, in place of their finish."""
+    ground_texture: Texture | None = Field(default=None, exclude_if=is_none)
+    """The same of the floor or the ground."""
     furniture: dict[Identifier, AssetDecision | None] = Field(default={}, exclude_if=lambda value: not value)
     """Prop that a person put in place of a piece of the kit's furniture, by node id; None where they took it away."""
 
     @property
     def decided(self) -> bool:
-        """Whether a person decided about its surfaces or its furniture."""
-        return bool(self.walls or self.ground or self.furniture)
+        """Whether its surfaces or its furniture are other than the kit has them."""
+        return bool(self.walls or self.ground or self.furniture or self.textures)
+
+    @property
+    def textures(self) -> tuple[Texture, ...]:
+        """The pictures of its surfaces."""
+        return tuple(each for each in (self.wall_texture, self.ground_texture) if each is not None)
 
 
 class Light(Frozen):

@@ -5,13 +5,14 @@ A field left out is the crew's to choose. A later decision lies over an earlier 
 
 from __future__ import annotations
 
-from typing import Annotated, Literal, Self
+from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
 from storyblender.memory.asset_sheet import AssetDecision
 from storyblender.memory.base import Coordinate, Described, Identifier, Vec2, Vec3, is_none
 from storyblender.memory.panorama import Panorama
+from storyblender.memory.texture import Texture
 from storyblender.memory.vocabulary import LightQuality, Period, TimeOfDay, Weather
 
 LampKind = Literal["POINT", "SPOT", "AREA", "SUN"]
@@ -24,6 +25,9 @@ SetMaterial = Identifier
 class _Decision(Described):
     """Fields that a person decided; None where they did not."""
 
+    _ends: ClassVar[tuple[tuple[str, str], ...]] = ()
+    """Field that puts an end to what was decided of another one before."""
+
     @property
     def words(self) -> str:
         """The decision as a person reads it, e.g. ``time of day dusk, warmth +1``."""
@@ -35,7 +39,8 @@ class _Decision(Described):
         merged = {
             name: _merged(getattr(self, name), value) for name, value in update.items() if isinstance(value, dict)
         }
-        return self.model_copy(update={**update, **merged})
+        ended = {gone: None for name, gone in self._ends if name in update}
+        return self.model_copy(update={**ended, **update, **merged})
 
 
 class LampDecision(_Decision):
@@ -94,8 +99,14 @@ class LightDecision(_Decision):
     """What each lamp is, by name; None takes it away; a name that the crew has not, with a kind, adds one."""
 
 
+SURFACES = ("walls", "ground", "wall_texture", "ground_texture")
+"""Fields of a decision about a set that need no other staging."""
+
+
 class SetDecision(_Decision):
     """What a person decided about the set of a place; scenes in the same place share it."""
+
+    _ends = (("walls", "wall_texture"), ("ground", "ground_texture"))
 
     kit: Identifier | None = None
     """Key of a set kit: ``kitchen``."""
@@ -115,6 +126,10 @@ class SetDecision(_Decision):
     """Finish or material of the walls: ``brick``, ``plaster_green``."""
     ground: SetMaterial | None = None
     """Finish or material of the floor or the ground: ``parquet``, ``gravel``."""
+    wall_texture: Texture | Literal["none"] | None = Field(default=None, exclude_if=is_none)
+    """Pictures that the walls are made of; ``none`` is the finish."""
+    ground_texture: Texture | Literal["none"] | None = Field(default=None, exclude_if=is_none)
+    """The same of the floor or the ground."""
 
     furniture: dict[Identifier, AssetDecision | None] = Field(default={}, exclude_if=lambda value: not value)
     """What stands in place of a piece of the kit's furniture, by its node id; None: nothing does."""
@@ -122,7 +137,7 @@ class SetDecision(_Decision):
     @property
     def only_finishes(self) -> bool:
         """Whether it decides about materials alone, which need no other staging."""
-        return not any(value not in (None, {}) for name, value in self if name not in ("walls", "ground"))
+        return not any(value not in (None, {}) for name, value in self if name not in SURFACES)
 
 
 class FloorPlace(Described):
@@ -331,7 +346,7 @@ def _told(value: object) -> str:
         return "on" if value else "off"
     if isinstance(value, AssetDecision):
         return value.words
-    if isinstance(value, Panorama):
+    if isinstance(value, Panorama | Texture):
         return value.provenance.file
     if isinstance(value, ThingPlace | LampDecision):
         return value.words

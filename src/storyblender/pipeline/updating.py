@@ -6,6 +6,7 @@ from storyblender.pipeline.asset_files import assets_to_build
 from storyblender.pipeline.packing import pack_scenes
 from storyblender.pipeline.panorama import keep_panoramas
 from storyblender.pipeline.run import Run
+from storyblender.pipeline.textures import keep_textures
 from storyblender.settings import REMEMBERED
 from storyblender.trace import Event
 
@@ -22,6 +23,7 @@ def bring_up_to_date(run: Run) -> None:
         message = f"{REMEMBERED} is missing; look, width and lenses are the defaults"
         run.tell(Event(kind="warning", role="project", subject=folder.name, message=message))
     keep_panoramas(run)
+    keep_textures(run)
     if assets_to_build(run, run.graph.assets):
         from storyblender.pipeline.materializing import materialize
 

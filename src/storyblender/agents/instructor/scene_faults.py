@@ -12,6 +12,7 @@ from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.finishes import FINISHES
 from storyblender.memory.edits import AssetEdit, Edit, LayoutEdit, LightEdit, PlaceEdit, SetEdit
 from storyblender.memory.scene_decision import SetDecision
+from storyblender.memory.texture import Texture
 from storyblender.reflection import UNUSABLE, Fault
 
 
@@ -45,6 +46,8 @@ def _set_faults(decision: SetDecision, scene: SceneNow) -> Iterator[Fault]:
         finish = getattr(decision, surface)
         if finish is not None and finish not in FINISHES and finish not in MATERIALS:
             yield _fault(finish, f"there is no material {finish!r}; take one of `materials`")
+    if isinstance(decision.wall_texture, Texture) or isinstance(decision.ground_texture, Texture):
+        yield _fault("texture", "pictures of a surface are taken in by the person who has the files")
     if decision.furniture:
         yield _fault("furniture", "furniture is changed by edits of kind `asset`")
 

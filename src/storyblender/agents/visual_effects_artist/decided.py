@@ -41,14 +41,28 @@ def decided_environment(draft: Environment, view: EnvironmentDesignerView, decis
     params |= {} if decision.period is None else {"period": decision.period}
     params |= {} if decision.snow is None else {"snow": decision.snow}
     params |= {} if decision.height is None else {"height": kit.height.clamp(decision.height)}
-    told = {name: value for name in ("walls", "ground") if (value := getattr(decision, name)) is not None}
     furniture = {**draft.furniture, **decision.furniture}
-    made = draft.model_copy(update={"params": params, "furniture": furniture, **told})
+    made = with_surfaces(draft.model_copy(update={"params": params, "furniture": furniture}), decision)
     if decision.width is None and decision.depth is None:
         return made
     usual = {"width": kit.width.usual, "depth": kit.depth.usual}
     width, depth = (getattr(decision, name) or float(params.get(name, usual[name])) for name in ("width", "depth"))
     return with_size(made, width, depth)
+
+
+def with_surfaces(environment: Environment, decision: SetDecision) -> Environment:
+    """Return a set with the finishes and pictures that were decided; a finish takes the place of pictures.
+
+    Args:
+        environment: The set.
+        decision: What a person decided.
+    """
+    update: dict[str, object] = {}
+    for name, pictured in (("walls", "wall_texture"), ("ground", "ground_texture")):
+        finish, texture = getattr(decision, name), getattr(decision, pictured)
+        update |= {} if finish is None else {name: finish, pictured: None}
+        update |= {} if texture is None else {pictured: None if texture == "none" else texture}
+    return environment.model_copy(update=update)
 
 
 def decided_light(draft: Lighting, decision: LightDecision | None) -> Lighting:

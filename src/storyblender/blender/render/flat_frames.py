@@ -11,15 +11,18 @@ from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from itertools import repeat
 
+import bpy
 import numpy as np
 
 from storyblender.blender.hiding import out_of_picture
+from storyblender.blender.render.coarser import in_coarser_pictures
 from storyblender.blender.render.complexion import told_in_shades
 from storyblender.blender.render.exr import Channels, color
 from storyblender.blender.render.glow import Told, render_glow, told_by_number
 from storyblender.blender.render.movement import Movement
 from storyblender.blender.render.passes import flat_workbench, has_painted_skin
 from storyblender.blender.render.session import DRAWN, RenderSession, changed
+from storyblender.look.far_textures import HALVINGS
 from storyblender.look.gbuffer import FAR, View
 from storyblender.look.moving_light import FlatFrame
 from storyblender.look.raster import Image, Mask, Window, windows_round
@@ -176,6 +179,7 @@ def animatic_workbench(session: RenderSession, movement: Movement) -> Iterator[T
         told = stack.enter_context(told_by_number())
         stack.enter_context(flat_workbench(session.scene))
         stack.enter_context(changed(session.scene.display.shading, {"light": "FLAT", "color_type": "TEXTURE"}))
+        stack.enter_context(in_coarser_pictures(list(bpy.data.materials), HALVINGS[0]))
         for obj in session.scene.objects:
             if obj not in unseen and has_painted_skin(obj):
                 stack.enter_context(told_in_shades(obj))

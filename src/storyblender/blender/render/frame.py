@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import nullcontext
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -11,6 +12,7 @@ import bpy
 import numpy as np
 from numpy.typing import NDArray
 
+from storyblender.blender.render.coarser import in_coarser_pictures
 from storyblender.blender.render.cycles import render_cycles
 from storyblender.blender.render.lamps import PanoramaImage, lit
 from storyblender.blender.render.meter import SetLight, balanced
@@ -29,6 +31,7 @@ from storyblender.blender.render.smoke import puffs_of
 from storyblender.errors import InputError
 from storyblender.look.atmosphere import add_fog, add_halos, add_rain, transmittance
 from storyblender.look.exposure import Face, bright_half, find_faces, shadow_lift, trim, with_shadows_raised
+from storyblender.look.far_textures import HALVINGS
 from storyblender.look.gbuffer import GBuffer
 from storyblender.look.grade import display_of, to_bytes, to_display
 from storyblender.look.illumination import sky_light
@@ -245,7 +248,9 @@ def _relit(
     panorama = None
     if shot.plan.panorama is not None and request.panorama is not None:
         panorama = PanoramaImage(shot.plan.panorama, request.panorama, seen=look.light == "final")
-    with lit(session.scene, shot.set_lights + shot.lights, shot.plan.sky, cast, panorama):
+    # Light at low resolution is taken from what the coarse albedo shows.
+    copies = in_coarser_pictures(list(bpy.data.materials), HALVINGS[0]) if look.light == "cycles" else nullcontext()
+    with copies, lit(session.scene, shot.set_lights + shot.lights, shot.plan.sky, cast, panorama):
         traced = render_cycles(
             session,
             request.width // look.light_step,

@@ -13,6 +13,7 @@ import bpy
 import numpy as np
 from numpy.typing import NDArray
 
+from storyblender.blender.render.coarser import draw_far_textures
 from storyblender.blender.render.exr import Channels, color
 from storyblender.blender.render.relief import normals_in_maps, turns_of, with_normal_maps
 from storyblender.blender.render.session import RenderSession, changed
@@ -20,7 +21,7 @@ from storyblender.blender.render.turning import told_in_blue, turned_and_made, t
 from storyblender.catalog.materials import MATERIALS, MaterialEntry
 from storyblender.look.fading import fade_repeats
 from storyblender.look.gbuffer import FAR, GBuffer
-from storyblender.look.raster import Window
+from storyblender.look.raster import window_around
 from storyblender.look.surface import PERSON, Surface
 
 _HAS_SKIN_COLORS = 16
@@ -79,7 +80,7 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
         with shading(session.scene, light="FLAT", color_type="TEXTURE"):
             colored = session.exr_read_aside(aside, _half_color, width, height)
         ids, surface, depth, skin_colored = identified.result()
-        window = _around(skin_colored) if skin_colored.any() else None
+        window = window_around(skin_colored) if skin_colored.any() else None
         if window is not None:
             with shading(session.scene, light="FLAT", color_type="VERTEX"):
                 (skin,) = session.exr_frames([session.scene.frame_current], width, height, window=window)
@@ -88,16 +89,30 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
         (normal, material), albedo = turned.result(), colored.result()
         material[material > len(materials)] = 0
         material[ids == 0] = 0
-        relief = _relief(session, objects, materials, ids, material, normal)
+        with shading(session.scene, light="FLAT", color_type="TEXTURE"):
+            near = draw_far_textures(session, albedo, material, depth, normal, view, materials)
+        relief = _relief(session, objects, materials, ids, material, normal, near)
     normal[ids == 0] = 0
     albedo[ids == 0] = 0
     entries = [MATERIALS.get(str(made.get("key", ""))) for made in materials]
     fade_repeats(albedo, material, depth, normal, view, *_patterns_of(materials, entries))
     glow_color, glow_gain = glow_of(materials)
     roughness = np.array([1.0, *(m.roughness for m in materials)], np.float32)
-    patchy = np.array([0.0, *(entry.patchy if entry else 0.0 for entry in entries)], np.float32)
+    patches = (_patchiness(made, entry) for made, entry in zip(materials, entries, strict=True))
+    patchy = np.array([0.0, *patches], np.float32)
     gbuffer = GBuffer(
-        view, ids, surface, material, depth, normal, albedo, glow_color, glow_gain, roughness, patchy, relief
+        view,
+        ids,
+        surface,
+        material,
+        depth,
+        normal,
+        albedo,
+        glow_color,
+        glow_gain,
+        roughness,
+        patchy,
+        relief,
     )
     return Passes(gbuffer, nodes)
 
@@ -109,18 +124,25 @@ def _relief(
     ids: NDArray[np.uint16],
     material: NDArray[np.uint16],
     normal: NDArray[np.float16],
+    near: NDArray[np.float32] | None,
 ) -> NDArray[np.float16] | None:
-    """Return the (h, w, 3) normals by the normal maps in view, 0 where there is none; None where there are none."""
+    """Return the (h, w, 3) normals by the normal maps in view, 0 where there is none; None where there are none.
+
+    Of what is ``near`` by less than one, only that share of the relief is left.
+    """
     mapped = with_normal_maps(materials)[material]
     if not mapped.any():
         return None
-    window = _around(mapped)
+    window = window_around(mapped)
     there = mapped[window.cut]
     turns = turns_of(objects, _gids(objects))[ids[window.cut][there]]
     smooth = normal[window.cut][there].astype(np.float32)
     height, width = ids.shape
     found = np.zeros(normal.shape, np.float16)
-    found[window.cut][there] = normals_in_maps(session, (width, height), window, there, turns, smooth, materials)
+    rough = normals_in_maps(session, (width, height), window, there, turns, smooth, materials)
+    if near is not None:
+        rough = smooth + (rough - smooth) * near[window.cut][there][:, None]
+    found[window.cut][there] = rough
     return found
 
 
@@ -218,18 +240,17 @@ def material_indices(materials: Sequence[bpy.types.Material]) -> Iterator[None]:
         yield
 
 
-def _around(mask: NDArray[np.bool_]) -> Window:
-    """Return the smallest window with all that is true."""
-    rows, columns = np.flatnonzero(mask.any(axis=1)), np.flatnonzero(mask.any(axis=0))
-    return Window(int(rows[0]), int(columns[0]), int(rows[-1]) + 1, int(columns[-1]) + 1)
-
-
 def _levels(channel: NDArray[np.float32]) -> NDArray[np.uint8]:
     return (channel * 255 + 0.5).astype(np.uint8)
 
 
 def _number(low: NDArray[np.uint8], high: NDArray[np.uint8]) -> NDArray[np.uint16]:
     return low.astype(np.uint16) | (high.astype(np.uint16) << np.uint16(8))
+
+
+def _patchiness(made: bpy.types.Material, entry: MaterialEntry | None) -> float:
+    """Return how much ground of a material varies over metres."""
+    return entry.patchy if entry is not None else float(made.get("patchy", 0.0))
 
 
 def _patterns_of(

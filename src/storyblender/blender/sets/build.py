@@ -5,16 +5,19 @@ from __future__ import annotations
 import math
 
 import bpy
+import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
 from storyblender.blender.sets.backdrops import backdrop_mesh
 from storyblender.blender.sets.finish import finish, view_outside
 from storyblender.blender.sets.pieces import piece_mesh
+from storyblender.blender.sets.textured import lies_across, skin_of, with_tangents
 from storyblender.blender.sets.walls import leaf_meshes, wall_mesh
 from storyblender.blender.tags import Surface, tag
 from storyblender.catalog.materials import MATERIALS
 from storyblender.catalog.set_plan import SetPlan, Slab, Wall
 from storyblender.catalog.sets.finishes import finish_of
+from storyblender.memory.texture import Texture
 
 
 def build_set(plan: SetPlan, scene: bpy.types.Scene, collection: bpy.types.Collection) -> list[bpy.types.Object]:
@@ -25,7 +28,7 @@ def build_set(plan: SetPlan, scene: bpy.types.Scene, collection: bpy.types.Colle
     custom property ``open_sky`` tells the viewfinder whether emptiness above the horizon is sky.
 
     Args:
-        plan: What to build.
+        plan: What to build; the pictures of its surfaces are in the open file (``textured.load_textures``).
         scene: Whose daylight the lit windows follow.
         collection: Receives the objects.
 
@@ -52,7 +55,7 @@ def build_set(plan: SetPlan, scene: bpy.types.Scene, collection: bpy.types.Colle
 
 def _object(mesh: bpy.types.Mesh, node_id: str, surface: Surface, name: str = "") -> bpy.types.Object:
     """Return a tagged object of the set; it is named after its node unless ``name`` is given."""
-    obj = bpy.data.objects.new(name or node_id, mesh)
+    obj = bpy.data.objects.new(name or node_id, with_tangents(mesh))
     return tag(obj, kind="set", node_id=node_id, surface=surface)
 
 
@@ -85,14 +88,17 @@ def swing_door(leaf: bpy.types.Object, state: str) -> None:
 def _slab(slab: Slab, scene: bpy.types.Scene) -> bpy.types.Object:
     """Return a floor, ceiling or block, with its beams."""
     builder = MeshBuilder(slab.node_id)
-    skin = _outside(slab.material, scene) if slab.role == "patch" and slab.z < 0 else finish(slab.material)
+    outside = slab.role == "patch" and slab.z < 0
+    skin = _outside(slab.material, scene) if outside else skin_of(slab.material, slab.texture, wet=slab.wet)
     if slab.role == "block":
         builder.extrude(skin, slab.polygon, slab.thickness, base=slab.z - slab.thickness)
     elif slab.role == "ceiling":
         builder.polygon(skin, [(x, y, slab.z) for x, y in reversed(slab.polygon)])
         _beams(builder, slab)
     else:
-        builder.polygon(skin, [(x, y, slab.z) for x, y in slab.polygon])
+        corners = [(x, y, slab.z) for x, y in slab.polygon]
+        laid = [(y, -x) for x, y in slab.polygon] if lies_across(slab.texture, slab.polygon) else None
+        builder.polygon(skin, corners, uv=None if laid is None else np.array(laid) / skin["tile"])
     return _object(builder.mesh(), slab.node_id, Surface.WET if slab.wet else Surface.SET)
 
 
@@ -113,10 +119,10 @@ def _beams(builder: MeshBuilder, slab: Slab) -> None:
 
 def _pieces(plan: SetPlan, scene: bpy.types.Scene) -> list[bpy.types.Object]:
     """Return the pieces of a plan; those that look alike share a mesh."""
-    meshes: dict[tuple[str, str], tuple[bpy.types.Mesh, Surface]] = {}
+    meshes: dict[tuple[str, str, Texture | None], tuple[bpy.types.Mesh, Surface]] = {}
     objects = []
     for piece in plan.pieces:
-        key = (piece.part, repr(sorted(piece.params.items())))
+        key = (piece.part, repr(sorted(piece.params.items())), piece.texture)
         if key not in meshes:
             meshes[key] = piece_mesh(piece, scene)
         mesh, surface = meshes[key]

@@ -10,6 +10,7 @@ import bpy
 from storyblender.blender.mesh_builder import MeshBuilder
 from storyblender.blender.sets.finish import finish
 from storyblender.blender.sets.joinery import door_leaf, dress_opening
+from storyblender.blender.sets.textured import skin_of
 from storyblender.catalog.openings import PAIR
 from storyblender.catalog.set_plan import Opening, Wall
 
@@ -50,7 +51,7 @@ def wall_mesh(wall: Wall, *, indoor: bool) -> bpy.types.Mesh:
     inner = indoor and not any(opening.kind == "window" for opening in wall.openings)
     for opening in wall.openings:
         with builder.at((opening.x, 0.0, opening.sill)):
-            dress_opening(builder, opening, wall.thickness, trim=trim, wall=finish(wall.material))
+            dress_opening(builder, opening, wall.thickness, trim=trim, wall=skin_of(wall.material, wall.texture))
             if inner and opening.kind in ("door", "arch"):
                 _vestibule(builder, opening, wall.thickness)
     return builder.mesh()
@@ -87,7 +88,7 @@ def leaf_meshes(wall: Wall) -> list[tuple[Opening, bpy.types.Mesh, float, float]
 
 def _faces(builder: MeshBuilder, wall: Wall, length: float) -> None:
     """Add both faces around the openings, the top and the ends."""
-    skin, depth = finish(wall.material), -wall.thickness
+    skin, depth = skin_of(wall.material, wall.texture), -wall.thickness
     dado = finish(wall.dado) if wall.dado else skin
     edge = min(wall.dado_height, wall.height) if wall.dado else 0.0
     xs = sorted({0.0, length, *(o.x for o in wall.openings), *(o.x + o.width for o in wall.openings)})
@@ -113,7 +114,7 @@ def _inside(opening: Opening, x: float, z: float) -> bool:
 
 def _reveals(builder: MeshBuilder, wall: Wall) -> None:
     """Add the inner faces of the openings, through the thickness of the wall."""
-    skin, back = finish(wall.material), -wall.thickness
+    skin, back = skin_of(wall.material, wall.texture), -wall.thickness
     for opening in wall.openings:
         x0, x1, z0, z1 = opening.x, opening.x + opening.width, opening.sill, opening.sill + opening.height
         builder.quad(skin, (x0, back, z0), (x0, 0, z0), (x0, 0, z1), (x0, back, z1))

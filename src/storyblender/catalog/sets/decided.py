@@ -9,6 +9,7 @@ from storyblender.catalog.set_plan import Furnishing, Piece, SetPlan, Slab
 from storyblender.memory.asset_sheet import AssetDecision
 from storyblender.memory.base import Vec2
 from storyblender.memory.scene_context import Environment
+from storyblender.memory.texture import Texture
 
 _ON_IT = 0.12
 """Metres between the top of a piece of furniture and the underside of what stands on it."""
@@ -20,14 +21,12 @@ def with_decisions(plan: SetPlan, environment: Environment) -> SetPlan:
 
     Args:
         plan: As the kit draws it.
-        environment: Its walls, ground and furniture are what was decided.
+        environment: Its walls, ground, their pictures and furniture are what was decided.
     """
     update: dict[str, object] = {}
-    if environment.walls is not None:
-        finish = {"material": environment.walls, "dado": None}
-        update["walls"] = tuple(wall.model_copy(update=finish) for wall in plan.walls)
-    if environment.ground is not None:
-        ground = {"material": environment.ground}
+    if walls := _surface(environment.walls, environment.wall_texture):
+        update["walls"] = tuple(wall.model_copy(update={**walls, "dado": None}) for wall in plan.walls)
+    if ground := _surface(environment.ground, environment.ground_texture):
         update["slabs"] = tuple(
             slab.model_copy(update=ground) if is_ground(slab, plan) else slab for slab in plan.slabs
         )
@@ -35,6 +34,11 @@ def with_decisions(plan: SetPlan, environment: Environment) -> SetPlan:
     if environment.furniture:
         update["furnishings"] = _refurnished(plan.furnishings, environment.furniture)
     return plan.model_copy(update=update)
+
+
+def _surface(finish: str | None, texture: Texture | None) -> dict[str, object]:
+    """Return the fields of a wall or a slab that its surface is told by; those that nobody decided are left out."""
+    return {name: value for name, value in (("material", finish), ("texture", texture)) if value is not None}
 
 
 def has_walls(plan: SetPlan) -> bool:
@@ -58,8 +62,13 @@ def _is_facade(piece: Piece) -> bool:
 
 def _finished(piece: Piece, environment: Environment) -> Piece:
     """Return a facade, or terrain, in the material that was decided."""
-    finish = environment.walls if _is_facade(piece) else environment.ground if piece.part == _TERRAIN else None
-    return piece if finish is None else piece.model_copy(update={"params": {**piece.params, "material": finish}})
+    if _is_facade(piece):
+        surface = _surface(environment.walls, environment.wall_texture)
+    else:
+        surface = _surface(environment.ground, environment.ground_texture) if piece.part == _TERRAIN else {}
+    if "material" in surface:
+        surface["params"] = {**piece.params, "material": surface.pop("material")}
+    return piece.model_copy(update=surface) if surface else piece
 
 
 def _refurnished(

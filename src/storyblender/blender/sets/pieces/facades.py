@@ -34,6 +34,7 @@ def facade(builder: MeshBuilder, spec: PieceSpec) -> None:
         height=height,
         thickness=0.35,
         material=spec.word("material", "brick"),
+        texture=spec.texture,
         openings=openings,
     )
     trim = finish("stone_light" if spec.rng.random() < 0.5 else "paint_cream")

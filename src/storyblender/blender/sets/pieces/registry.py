@@ -13,9 +13,11 @@ import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
 from storyblender.blender.sets.finish import finish, painted, pane
+from storyblender.blender.sets.textured import skin_of
 from storyblender.blender.tags import Surface
 from storyblender.catalog.registry import ParamValue
 from storyblender.catalog.set_plan import Piece
+from storyblender.memory.texture import Texture
 
 PieceBuilder = Callable[[MeshBuilder, "PieceSpec"], None]
 """A recipe: adds the parts of a set piece to the mesh builder, in the piece's frame, as the spec wants it."""
@@ -32,11 +34,13 @@ class PieceSpec:
         params: As the kit gave them.
         scene: Whose daylight its lit windows follow.
         rng: For what varies; the same parameters give the same piece.
+        texture: Pictures in place of the finish of the parameter ``material``.
     """
 
     params: dict[str, ParamValue]
     scene: bpy.types.Scene
     rng: np.random.Generator
+    texture: Texture | None = None
 
     def number(self, name: str, default: float) -> float:
         """Return the length, angle or count ``name``; ``default`` if the kit does not give it."""
@@ -52,7 +56,7 @@ class PieceSpec:
 
     def finish(self, name: str, default: str) -> bpy.types.Material:
         """Return the material of the finish that the parameter ``name``, or else ``default``, is the key of."""
-        return finish(str(self.params.get(name, default)))
+        return skin_of(str(self.params.get(name, default)), self.texture if name == "material" else None)
 
     def leaf(self, key: str) -> bpy.types.Material:
         """Return the material of leaves, or of the snow on them where it lies."""
@@ -112,5 +116,5 @@ def piece_mesh(plan: Piece, scene: bpy.types.Scene) -> tuple[bpy.types.Mesh, Sur
     builder, surface = PIECES[plan.part]
     seed = int(float(plan.params.get("seed", plan.params.get("variant", 0.0))))
     mesh = MeshBuilder(plan.part)
-    builder(mesh, PieceSpec(plan.params, scene, np.random.default_rng(seed)))
+    builder(mesh, PieceSpec(plan.params, scene, np.random.default_rng(seed), plan.texture))
     return mesh.mesh(), surface
