@@ -145,6 +145,14 @@ def make(
     paper: Paper = None,
     jobs: Jobs = None,
     seed: Seed = None,
+    dry_run: Annotated[
+        bool,
+        typer.Option(
+            "--dry-run",
+            help="Only say what each thing would be made from: what --services would fetch, under which licence and of "
+            "which size, and what would be made for how many dollars. Catalogues are searched, nothing else is done.",
+        ),
+    ] = False,
     quiet: Quiet = False,
     json_lines: Json = False,
 ) -> None:
@@ -157,6 +165,9 @@ def make(
     with shown(quiet, json_lines) as terminal:
         project = out or _folder_of(script)
         studio = open_studio(terminal, script, project, **settings)
+        if dry_run:
+            terminal.expected(studio.estimate(script, reading))
+            return
         delivery = studio.make(script, project, reading)
         terminal.files(delivery.folder, delivery.files)
 

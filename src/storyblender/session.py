@@ -38,6 +38,7 @@ from storyblender.trace import Event
 from storyblender.viewed_project import ViewedProject
 
 if TYPE_CHECKING:
+    from storyblender.pipeline.estimating import ExpectedAsset
     from storyblender.pipeline.script_changes import ScriptChanges
 
 
@@ -56,6 +57,14 @@ class Session(ViewedProject):
                 export_reading(run, script, export)
             reasons = explain(run, script) if why else []
             return Delivery(self.folder, ["graph.json"], run.graph, reasons)
+
+    def estimate(self) -> list[ExpectedAsset]:
+        """Return what the things of the planned story would be made from, and what that takes; nothing is fetched."""
+        from storyblender.library.sources import service_run
+        from storyblender.pipeline.estimating import expected_assets
+
+        with self._call() as run:
+            return expected_assets(run, service_run(self._settings, self._cancelled))
 
     def make(self, script: Path, reading: Path | None = None) -> Delivery:
         """Turn a script into everything, as ``Studio.make``; of a changed script only what changed is made anew."""

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from threading import Event as Signal
+from typing import TYPE_CHECKING
 
 from storyblender import samples
 from storyblender.build_folder import check_build_folder
@@ -42,6 +43,9 @@ from storyblender.results import Delivery
 from storyblender.session import Session
 from storyblender.settings import Settings
 from storyblender.trace import Event, Listener, silent
+
+if TYPE_CHECKING:
+    from storyblender.pipeline.estimating import ExpectedAsset
 
 CATALOGS: dict[str, Mapping[str, Entry]] = {
     "props": PROPS,
@@ -98,6 +102,26 @@ class Studio:
         """
         with self.start(script, folder) as session:
             return session.make(script, reading)
+
+    def estimate(self, script: Path, reading: Path | None = None) -> list[ExpectedAsset]:
+        """Return what the things of a script would be made from, and what that takes; nothing is fetched or made.
+
+        The script is read by the rules, whoever else the crew has: a language model would have to be asked.
+
+        Args:
+            script: The script.
+            reading: A corrected reading of the script.
+
+        Raises:
+            InputError: The script or the reading cannot be used.
+        """
+        settings = self._settings.model_copy(update={"crew": "rules", "build": None})
+        with (
+            TemporaryDirectory() as room,
+            Studio(settings, self._listener).start(script, Path(room) / "plan") as session,
+        ):
+            session.plan(script, reading, why=False)
+            return session.estimate()
 
     def start(self, script: Path, folder: Path) -> Session:
         """Open the project of a script, a new one if there is none, for as many calls as you like.

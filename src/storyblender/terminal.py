@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from storyblender.memory.base import Frozen
     from storyblender.memory.graph import ContinuityMemoryGraph
     from storyblender.memory.history import Commit
+    from storyblender.pipeline.estimating import ExpectedAsset
     from storyblender.pipeline.reviewing import FrameReview
     from storyblender.pipeline.script_changes import ScriptChanges
     from storyblender.pipeline.shot_reasons import ShotReasons
@@ -218,6 +219,26 @@ class Terminal:
         for value in values:
             table.add_row(*(plain(read(value)) for read in columns.values()))
         self._results.print(table)
+
+    def expected(self, assets: Sequence[ExpectedAsset]) -> None:
+        """Print what the things of a story would be made from, and what that takes in all."""
+        self._progress.stop()
+        megabytes, dollars = sum(each.megabytes for each in assets), sum(each.dollars for each in assets)
+        if self._json:
+            told = [each.model_dump(mode="json", exclude_defaults=True) for each in assets]
+            self._write({"expected": told, "megabytes": round(megabytes, 3), "dollars": round(dollars, 3)})
+        table = Table("thing", "how", "from", "what", "licence", "MB", "$", "", box=None)
+        for each in assets:
+            size, price = f"{each.megabytes:.1f}" * (each.megabytes > 0), f"{each.dollars:.2f}" * (each.dollars > 0)
+            texts = (each.name, each.how, each.source, each.what, each.licence, size, price, each.note)
+            table.add_row(*map(plain, texts))
+        self._results.print(table)
+        counts = {how: sum(each.how == how for each in assets) for how in ("fetched", "made", "here")}
+        said = f"{counts['fetched']} would be fetched, {megabytes:.1f} MB; {counts['made']} would be made, "
+        said += f"${dollars:.2f} at most; {counts['here']} are here"
+        self._results.print(said, soft_wrap=True)
+        if any(each.source == "poly_haven" for each in assets):
+            self._results.print("Powered by Poly Haven", soft_wrap=True)
 
     def stagings(self, found: Mapping[int, str]) -> None:
         """Print the stagings that stand to choose, each with what is elsewhere in it."""

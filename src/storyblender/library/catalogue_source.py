@@ -114,17 +114,21 @@ class CatalogueSource:
         params = {**recipe.params, "content": content_of(path, files.path(FETCHED))}
         return recipe.model_copy(update={"provenance": provenance, "params": params})
 
-    def planned(self, recipe: Recipe) -> tuple[Offer, int] | None:
-        """Return the work that a recipe is of and the bytes that fetching it would take; None if it is here already.
+    def offer_of(self, recipe: Recipe) -> Offer:
+        """Return the work that a recipe of this source is of."""
+        return self._known[recipe.key][0]
+
+    def bytes_to_fetch(self, recipe: Recipe) -> int | None:
+        """Return what fetching a work takes, 0 if that is not known before; None if the library has it already.
 
         Raises:
             ServiceFailure: The service cannot be asked.
         """
         offer, need = self._known[recipe.key]
-        place = self._place(offer.id, need).partition("/")[2]
-        if self._library is not None and self._library.by_source(self.name, place) is not None:
+        id = self._place(offer.id, need).partition("/")[2]
+        if self._library is not None and self._library.by_source(self.name, id) is not None:
             return None
-        return offer, self._catalogue.size_of(offer, need)
+        return self._catalogue.size_of(offer, need)
 
     def _place(self, id: str, need: Need) -> str:
         return f"{self.name}/{id}-{need.pixels // 1024}k"

@@ -1,0 +1,96 @@
+"""What the things of a planned story would be made from, and what that takes: nothing is fetched, made or built."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Literal
+
+from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD, nothing_drawn
+from storyblender.catalog.meanings import WORDS_BY_AGE
+from storyblender.catalog.recipe import Recipe
+from storyblender.errors import ServiceFailure
+from storyblender.library.catalogue_source import CatalogueSource
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.base import Frozen
+from storyblender.pipeline.run import Run
+from storyblender.reflection import reflect
+from storyblender.service_setting import services_in
+from storyblender.services.making import Maker
+from storyblender.services.register import IMAGE_MODELS, MODEL_MAKERS, ServiceRun
+from storyblender.trace import Event
+
+
+class ExpectedAsset(Frozen):
+    """Where one thing of a story would come from."""
+
+    asset_id: str
+    name: str
+    """What the script calls it."""
+    how: Literal["here", "fetched", "made"]
+    """From this machine, from a catalogue, or made by services; what is made costs at most ``dollars``."""
+    source: str
+    """Name of the asset source or of the services."""
+    what: str
+    """The work, the file or the entry of the library."""
+    licence: str = ""
+    url: str = ""
+    megabytes: float = 0.0
+    """Of the download."""
+    dollars: float = 0.0
+    note: str = ""
+    """Why the figures are not known."""
+
+
+def expected_assets(run: Run, services: ServiceRun | None) -> list[ExpectedAsset]:
+    """Return where the things that the script names would come from, in the order of the asset sheet.
+
+    Args:
+        run: On a planned project.
+        services: What the run gives services.
+    """
+    makers = _makers(run, services) if services is not None else ()
+    means = WORDS_BY_AGE.get(run.graph.age or "today", {})
+    things = [each for each in run.graph.assets if each.asset_type == "object" and not each.fitted_part]
+    return [_expected(run, asset, means, makers) for asset in things if asset.canonical is None]
+
+
+def _makers(run: Run, services: ServiceRun) -> tuple[Maker, ...]:
+    """Return the image model and the maker of models that things would be made by; none if there are not both."""
+    choices = services_in(run.settings.services)
+    found: list[Maker] = []
+    for register in (IMAGE_MODELS, MODEL_MAKERS):
+        for choice in (each for each in choices if each.name in register):
+            try:
+                found.append(register[choice.name](choice, services).maker)
+                break
+            except ServiceFailure as failure:
+                run.tell(Event(kind="warning", role="asset_generator", message=str(failure)))
+    return tuple(found) if len(found) == 2 and run.settings.licences != "free" else ()
+
+
+def _expected(run: Run, asset: Asset, means: Mapping[str, str], makers: tuple[Maker, ...]) -> ExpectedAsset:
+    """Return where one thing would come from."""
+    role = run.crew.asset_retriever
+    view = role.project(run.graph, asset, means, frozenset(asset.turned_down), nothing_drawn)
+    recipe = reflect(role, asset.asset_id, view).draft
+    source = recipe.provenance.source if recipe.provenance else "built_in"
+    name = asset.name or asset.asset_id
+    here = ExpectedAsset(asset_id=asset.asset_id, name=name, how="here", source=source, what=recipe.key)
+    if recipe.score < RETRIEVAL_THRESHOLD and asset.origin != "dressing" and makers:
+        told = {"source": " + ".join(maker.settings for maker in makers), "what": f"a model of {name}"}
+        terms = {"licence": makers[-1].licence, "url": makers[-1].url}
+        price = round(sum(maker.price for maker in makers), 3)
+        return here.model_copy(update={**told, **terms, "how": "made", "dollars": price})
+    catalogue = next((each for each in run.sources if isinstance(each, CatalogueSource) and each.name == source), None)
+    return here if catalogue is None else here.model_copy(update=_offered(catalogue, recipe))
+
+
+def _offered(catalogue: CatalogueSource, recipe: Recipe) -> dict[str, Any]:
+    """Return what is known of a work that a catalogue offers, by the fields of ``ExpectedAsset``."""
+    offer = catalogue.offer_of(recipe)
+    told = {"what": offer.name, "licence": offer.licence.name, "url": offer.url}
+    try:
+        size = catalogue.bytes_to_fetch(recipe)
+    except ServiceFailure as failure:
+        return {**told, "how": "fetched", "note": str(failure)}
+    return {**told, "how": "here" if size is None else "fetched", "megabytes": round((size or 0) / 1e6, 3)}
