@@ -36,6 +36,7 @@ def add_to(app: typer.Typer) -> None:
             'cast my_film.storyboard rick --wear "red coat" --take-off tie',
             "cast my_film.storyboard ilsa --hair bob --hair-color black --age 30",
             "cast my_film.storyboard ilsa --face 2",
+            "cast my_film.storyboard rick --file models/knight.glb",
         )
     )(cast)
 
@@ -61,6 +62,13 @@ def cast(
     build: Annotated[str | None, typer.Option(help="slim, average, athletic, stocky or heavy.")] = None,
     height: Annotated[float | None, typer.Option(help="Metres.")] = None,
     face: Annotated[int | None, typer.Option(help="Another number, another face.")] = None,
+    file: Annotated[
+        str | None, typer.Option(help="A humanoid model in your folders of models, by its path there.")
+    ] = None,
+    front: Annotated[
+        str | None, typer.Option(help="Which side of that model is its front: front, back, left, right.")
+    ] = None,
+    top: Annotated[str | None, typer.Option(help="Which is its top, likewise.")] = None,
     revision: Revision = None,
     draw: Draw = True,
     look: LookOption = None,
@@ -79,6 +87,7 @@ def cast(
     }  # fmt: skip
     with shown(quiet, json_lines) as terminal:
         from storyblender.edits.look_words import look_edit
+        from storyblender.edits.words import edits_of
 
         if person is None:
             from storyblender.project import read_project_graph
@@ -87,5 +96,11 @@ def cast(
             people = [card for card in cards_of(read_project_graph(folder)) if card.sort == "person"]
             terminal.listed("cast", people, _COLUMNS)
             return
-        edit = look_edit(person, said, wear or (), take_off or ())
-        edit_and_draw(context, terminal, folder, [edit], revision, draw=draw, look=look, jobs=jobs)
+        about = {"kind": "asset", "thing": person}
+        model: list[dict[str, object]] = [{**about, "action": "replace", "file": file}] if file else []
+        pose = {side: given for side, given in (("front", front), ("top", top)) if given}
+        model += [{**about, "action": "turn", "pose": {"top": "top", **pose}}] if pose else []
+        edits = list(edits_of(model))
+        if not edits or wear or take_off or any(value is not None for value in said.values()):
+            edits.append(look_edit(person, said, wear or (), take_off or ()))
+        edit_and_draw(context, terminal, folder, edits, revision, draw=draw, look=look, jobs=jobs)

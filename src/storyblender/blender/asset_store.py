@@ -16,7 +16,7 @@ from storyblender.blender.measure.hashing import geometry_hash
 from storyblender.blender.measure.surfaces import find_tops
 from storyblender.blender.people.body import RiggedBody
 from storyblender.blender.people.drape import drape_seated
-from storyblender.blender.people.person import build_person
+from storyblender.blender.people.person import PersonBuild, build_person
 from storyblender.blender.props.build import PropBuild, build_prop
 from storyblender.blender.props.imported import build_from_file
 from storyblender.blender.props.stand_in import build_stand_in
@@ -24,7 +24,7 @@ from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.wardrobe import person_seed
 from storyblender.errors import InputError
 from storyblender.folder import Folder
-from storyblender.memory.asset_sheet import Asset, CharacterLook, ModelPose
+from storyblender.memory.asset_sheet import Asset, CharacterLook, Credit, ModelPose
 from storyblender.memory.base import content_hash, seed_of
 from storyblender.memory.jobs import ADOPTED, ASSETS, FETCHED, AssetJob, asset_suffixes
 from storyblender.memory.measure import AssetMeasure, AssetRecord
@@ -136,11 +136,7 @@ class AssetStore:
 
     def _build_person(self, asset: Asset, digest: str, collection: bpy.types.Collection) -> AssetMeasure:
         """Build a person with seated clothes into a collection; return its measure."""
-        look = asset.decided_look or CharacterLook()
-        if asset.dimension is not None and asset.dimension.height is not None:
-            look = look.model_copy(update={"stature": min(2.4, max(0.4, asset.dimension.height))})
-        build = build_person(asset.asset_id, look, seed=person_seed(asset))
-        drape_seated(build)
+        build, notes, credit = self._make_person(asset)
         for obj in (build.armature, *build.meshes):
             collection.objects.link(obj) if obj.name not in collection.objects else None
             obj.data["digest"] = digest
@@ -155,7 +151,26 @@ class AssetStore:
             geometry_hash=content_hash(list(hashes)),
             dimensions=(min(width, 0.55 * build.body.stature / 1.7), depth, build.body.stature),
             faces=sum(len(obj.data.polygons) for obj in build.meshes),
+            notes=notes,
+            credit=credit,
         )
+
+    def _make_person(self, asset: Asset) -> tuple[PersonBuild, tuple[str, ...], Credit]:
+        """Return a person in the open file, with notes and the credit of the model they are made from, if any."""
+        canonical = asset.canonical
+        if canonical is not None and canonical.source == "file":
+            from storyblender.blender.cast.character import character_from_file
+
+            path, folder = self._model_path(canonical.key, str(canonical.params.get("content", "")))
+            told, pose = canonical.params.get("told") is True, ModelPose.of(canonical.params)
+            made = character_from_file(asset.asset_id, path, folder, asset.dimension, told=told, pose=pose)
+            return made.person, made.notes, made.credit
+        look = asset.decided_look or CharacterLook()
+        if asset.dimension is not None and asset.dimension.height is not None:
+            look = look.model_copy(update={"stature": min(2.4, max(0.4, asset.dimension.height))})
+        build = build_person(asset.asset_id, look, seed=person_seed(asset))
+        drape_seated(build)
+        return build, (), Credit()
 
     def _build_object(self, asset: Asset, digest: str, collection: bpy.types.Collection) -> AssetMeasure:
         """Build an object into a collection; return its measure."""

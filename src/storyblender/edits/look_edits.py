@@ -49,6 +49,11 @@ def look_effects(graph: ContinuityMemoryGraph, edit: LookEdit) -> list[Effect]:
 def look_given_back(graph: ContinuityMemoryGraph, asset: Asset) -> list[Effect]:
     """Return what unlocking a person does: they look as the script says again."""
     freed = asset.model_copy(update={"locked": False})
+    if asset.decision is not None:
+        update = {"look_decision": None, "decision": None, "canonical": None, "dimension": None}
+        own = Effect(freed.model_copy(update=update), asset.asset_id, "unlocked", frozenset({"asset"}))
+        scenes = [scene for scene in graph.scenes if asset.asset_id in scene.setup.asset_ids]
+        return [own, *(scene_effect(graph, scene, "unlocked", "layout", ("motion",)) for scene in scenes)]
     if asset.look_decision is None:
         return [Effect(freed, asset.asset_id, "unlocked", frozenset({"asset"}))]
     return _looks(graph, freed, None, "unlocked")
@@ -66,6 +71,8 @@ def _looks(graph: ContinuityMemoryGraph, asset: Asset, decision: LookDecision | 
     scenes = [scene for scene in graph.scenes if asset.asset_id in scene.setup.asset_ids]
     stale = tuple(name for scene in scenes for name in shot_names(graph, scene.scene_id))
     own = Effect(changed.model_copy(update=update), asset.asset_id, words, frozenset({"asset"}), stale)
+    if asset.decision is not None and decision is not None and decision.told.keys() - {"stature"}:
+        own = own.warned((f"{asset.asset_id} is made from {asset.decision.file}, which keeps its own looks",))
     if not grown:
         return [own.warned(tuple(_approved(graph, scenes)))]
     for scene in scenes:

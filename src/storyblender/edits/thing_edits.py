@@ -30,6 +30,8 @@ def thing_effects(graph: ContinuityMemoryGraph, asset: Asset, edit: AssetEdit) -
     Raises:
         InputError: It cannot be, or something is locked.
     """
+    if asset.asset_type == "character":
+        return _recast(graph, asset, edit)
     _refuse_person(asset)
     match edit.action:
         case "resize":
@@ -43,6 +45,20 @@ def thing_effects(graph: ContinuityMemoryGraph, asset: Asset, edit: AssetEdit) -
         case _:
             assert edit.file is not None, "the edit is whole"
             return made_anew(graph, asset, AssetDecision(file=edit.file), edit.file)
+
+
+def _recast(graph: ContinuityMemoryGraph, asset: Asset, edit: AssetEdit) -> list[Effect]:
+    """Return what a character does that is made from a model, or whose model has another front."""
+    if asset.locked:
+        raise InputError(f"{asset.asset_id} is locked", mend="unlock it first")
+    if edit.action == "turn" and edit.pose is not None:
+        return _turned(graph, asset, edit.pose)
+    if edit.file is None:
+        raise InputError(f"{asset.asset_id} is a person", mend="people are changed with `storyblender cast`")
+    words = f"is made from {edit.file}"
+    warnings = (f"what {asset.asset_id} wears no longer shows",) if asset.look_decision is not None else ()
+    own = Effect(made_from(asset, AssetDecision(file=edit.file)), asset.asset_id, words, frozenset({"asset"}))
+    return [own.warned(warnings), *_staged_again(graph, asset.asset_id, words)]
 
 
 def made_anew(graph: ContinuityMemoryGraph, asset: Asset, decision: AssetDecision, said: str) -> list[Effect]:

@@ -7,12 +7,14 @@ as often as last.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 from pathlib import PurePath
 
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import words_of
+from storyblender.memory.asset_sheet import Asset
 
 _SAYS_NOTHING: frozenset[str] = frozenset(
     ("object", "obj", "model", "prop", "asset", "mesh", "item", "sm", "geo", "low", "poly", "lowpoly", "lod", "final",
@@ -20,6 +22,10 @@ _SAYS_NOTHING: frozenset[str] = frozenset(
 )  # fmt: skip
 _COUNTED = re.compile(r"v?\d+|[a-z]")
 _SEAM = re.compile(r"(?<=[a-z])(?=[A-Z])|(?<=[A-Za-z])(?=\d)")
+
+
+CAST_FOLDERS = frozenset(("cast", "characters", "people"))
+"""Folders in which models are characters, whatever they are called."""
 
 
 @dataclass(frozen=True)
@@ -41,6 +47,23 @@ def words_of_file(path: str) -> FileName:
     if len(told) == 2 and (whole := "".join(told)) in _things():
         return FileName((whole,), whole)
     return FileName(tuple(told), _noun(told))
+
+
+def character_file(asset: Asset, names: Iterable[str]) -> str:
+    """Return the model that is called like a character: ``anna.glb``; empty where there is none.
+
+    A name that is a thing's counts only in a folder of characters: ``rose.glb`` is a flower, ``cast/rose.glb`` is Rose.
+
+    Args:
+        asset: The character.
+        names: Paths of models in the user's folders.
+    """
+    called = {tuple(words_of(words)) for words in (asset.name, asset.asset_id.replace("_", " ")) if words}
+    for name in names:
+        words = words_of_file(name).words
+        if words in called and (CAST_FOLDERS & {*PurePath(name).parts[:-1]} or not set(words) & _things()):
+            return name
+    return ""
 
 
 def _noun(words: list[str]) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future
+from functools import cached_property
 
 from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD
 from storyblender.agents.layout_artist.dimension_estimator import RulesDimensionEstimator
@@ -13,6 +14,7 @@ from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.recipe import EXACT, Recipe
 from storyblender.errors import AnswerAwaited, EngineError, InputError, StoryBlenderError
+from storyblender.library.file_names import character_file
 from storyblender.memory.asset_sheet import Asset, AssetDecision, AssetDimension, CanonicalAsset, ModelPose, Provenance
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure, AssetViews
@@ -104,9 +106,10 @@ def _with_size(asset: Asset, dimension: AssetDimension, *, sure: bool) -> Asset:
     """
     canonical = asset.canonical
     if canonical is not None and canonical.source == "file":
-        if sure or asset.stated_size.measure is not None:
+        decided = asset.look_decision is not None and asset.look_decision.stature is not None
+        if sure or decided or asset.stated_size.measure is not None:
             canonical = canonical.model_copy(update={"params": {**canonical.params, "told": True}})
-        elif prop_of(asset) not in PROPS:
+        elif asset.asset_type == "object" and prop_of(asset) not in PROPS:
             return asset
     return asset.model_copy(update={"dimension": dimension, "canonical": canonical})
 
@@ -142,7 +145,8 @@ class ConceptArtist:
         Raises:
             AnswerAwaited: An answer has to come from outside first.
         """
-        message = f"{error}; something else stands in for it"
+        person = asset.asset_type == "character"
+        message = f"{error}; {'they are built from their look' if person else 'something else stands in for it'}"
         self._run.tell(Event(kind="warning", role="asset_formatter", subject=asset.asset_id, message=message))
         self._rejected.add(key)
         return self.decided(asset.model_copy(update={"canonical": None}))
@@ -165,6 +169,8 @@ class ConceptArtist:
 
     def _formatted(self, asset: Asset) -> Asset:
         made = asset.canonical
+        if asset.asset_type == "character":  # whose front its shape shows
+            return asset
         if made is None or made.source != "file" or made.geometry_hash or ModelPose.of(made.params).top is not None:
             return asset
         model = (made.key, made.params.get("content"))
@@ -179,8 +185,7 @@ class ConceptArtist:
         if asset.canonical is not None:
             return asset
         if asset.asset_type == "character":
-            canonical = CanonicalAsset(source="person", key="person", dimensions=(0.5, 0.4, 1.7), digest="")
-            return asset.model_copy(update={"canonical": canonical})
+            return self._cast(asset)
         if asset.fitted_part:
             recipe = Recipe(source="catalog", key=PART_PROPS[asset.fitted_part], score=10.0, reason="a vehicle's part")
             return asset.model_copy(update={"canonical": recipe.canonical()})
@@ -205,6 +210,19 @@ class ConceptArtist:
         recipe = recipe.written(asset.writing)
         return asset.model_copy(update={"canonical": recipe.canonical()})
 
+    @cached_property
+    def _models(self) -> tuple[str, ...]:
+        """Names of the models that the sources have."""
+        return tuple(name for source in self._run.sources for name in source.inventory())
+
+    def _cast(self, asset: Asset) -> Asset:
+        """Return a character: from the model that a person chose or that is called like them, else built by casting."""
+        file = asset.decision.file if asset.decision is not None else character_file(asset, self._models)
+        if file and file not in self._rejected and file not in asset.turned_down:
+            return self._own_model(asset, asset.decision or AssetDecision(file=file))
+        canonical = CanonicalAsset(source="person", key="person", dimensions=(0.5, 0.4, 1.7), digest="")
+        return asset.model_copy(update={"canonical": canonical})
+
     def _own_model(self, asset: Asset, decision: AssetDecision) -> Asset:
         """Return an asset that a person had made from a model of theirs; where that is gone, from something else."""
         for source in self._run.sources:
@@ -215,7 +233,7 @@ class ConceptArtist:
                     key=decision.file,
                     params={"content": content, **decision.params},
                     score=EXACT,
-                    reason="a person chose it",
+                    reason="a person chose it" if asset.decision is not None else "it is called like the character",
                     provenance=Provenance(source=source.name, file=decision.file),
                 )
                 return asset.model_copy(update={"canonical": self._fetched(recipe).canonical()})

@@ -170,7 +170,7 @@ def _card(asset: Asset) -> AssetCard:
 
 
 def _told(asset: Asset) -> str:
-    if asset.asset_type != "character":
+    if asset.asset_type != "character" or (asset.canonical is not None and asset.canonical.source == "file"):
         return _source(asset)
     look = asset.decided_look or CharacterLook()
     worn = [each.key.replace("_", " ") for each in worn_by(asset)]

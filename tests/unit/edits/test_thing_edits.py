@@ -90,6 +90,19 @@ def test_a_thing_is_made_from_a_file_of_the_user_and_turned(with_models: Session
     assert session.graph.model_dump_json() == before.model_dump_json()
 
 
+def test_a_character_is_made_from_a_file_of_the_user_until_given_back(with_models: Session) -> None:
+    session, before = with_models, with_models.graph.asset("tom")
+    applied = session.apply(edits_of([thing("replace", "tom", file="radio.obj")]))
+    session.draw(applied)
+    made = session.graph.asset("tom").canonical
+    assert made is not None and (made.source, made.key) == ("file", "radio.obj")
+    apply(session, thing("turn", "tom", pose={"front": "right", "top": "top"}))
+    made = session.graph.asset("tom").canonical
+    assert made is not None and made.params["front"] == "right"
+    apply(session, {"kind": "unlock", "target": "tom"})
+    assert session.graph.asset("tom") == before
+
+
 def test_where_a_file_is_gone_something_else_stands_in(with_models: Session) -> None:
     apply(with_models, thing("replace", file="gone.glb"))
     made = letter(with_models).canonical

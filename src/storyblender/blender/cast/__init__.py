@@ -1,0 +1,1 @@
+"""Characters from the user's files: a humanoid mesh is fitted with our body and bound to our skeleton."""

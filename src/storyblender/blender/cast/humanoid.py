@@ -1,0 +1,126 @@
+"""A user's mesh as a body: fitted, bound and brought to the rest pose of our skeleton. No bpy."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from storyblender.blender.cast.binding import weights_for
+from storyblender.blender.cast.fitting import Fit, Fitter, sampled
+from storyblender.blender.cast.stance import TURN_OF, stance_of
+from storyblender.blender.cast.template import Template
+from storyblender.catalog.skeleton import SKELETON
+from storyblender.errors import InputError
+from storyblender.geometry.solids import Floats
+
+Ints = NDArray[np.int64]
+
+SAMPLES = 6000
+"""Points of the mesh that the fit looks at."""
+MISFIT, STRAIN = 0.036, 0.42
+"""From which mean distance from a body, as a share of the stature, and from how odd proportions on a mesh is none."""
+HIPS_Y = -0.014
+"""y of the hips of a person of 1.70 m who stands at the origin, metres."""
+
+
+@dataclass(frozen=True, eq=False)
+class BoundMesh:
+    """A mesh that our skeleton moves, at rest: A-pose, soles at z = 0, facing -Y, metres.
+
+    Attributes:
+        points: (V, 3).
+        weights: (V, B) columns as in ``SKELETON``.
+        heads: (B, 3) joints.
+        tails: (B, 3).
+        stature: Height of the crown without hat and hair.
+        turned: Whether it faced the other way.
+        misfit: Mean distance of the fitted body from the mesh, as a share of the stature.
+    """
+
+    points: Floats
+    weights: Floats
+    heads: Floats
+    tails: Floats
+    stature: float
+    turned: bool
+    misfit: float
+
+    @property
+    def joints(self) -> dict[str, Floats]:
+        """The joints by the names of the body data."""
+        ends = {bone.tail: tail for bone, tail in zip(SKELETON, self.tails, strict=True)}
+        return ends | {bone.head: head for bone, head in zip(SKELETON, self.heads, strict=True)}
+
+
+def bound_mesh(
+    points: Floats, normals: Floats, triangles: Ints, template: Template, *, front_known: bool = False
+) -> BoundMesh:
+    """Bind a mesh to the skeleton.
+
+    Args:
+        points: (V, 3) metres, Z up.
+        normals: (V, 3) of the vertices.
+        triangles: (T, 3).
+        template: The body that is fitted into it.
+        front_known: Whether it is sure that it faces -Y; else it may also face +Y.
+
+    Raises:
+        InputError: It is no human figure.
+    """
+    low, high = points.min(0), points.max(0)
+    points = points - [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]]
+    fit = _fitted(points, triangles, template, front_known)
+    if fit.back:
+        points, normals = points * (-1, -1, 1), normals * (-1, -1, 1)
+    stance = stance_of(template, fit.values[None])
+    body = stance.points(template.points, template.weights)[0]
+    facing = np.einsum("nb,bij,nj->ni", template.weights, stance.turns[0], template.normals)
+    scale = float(body[:, 2].max()) / 1.7
+    weights = weights_for(points, normals, triangles, body, facing, template.weights, scale)
+    return _at_rest(points, weights, template, fit)
+
+
+def _fitted(points: Floats, triangles: Ints, template: Template, front_known: bool) -> Fit:
+    """Return the fit. Raises InputError where it is no human figure."""
+    width, depth, height = np.ptp(points, axis=0)
+    if height < 0.5 * max(width, depth):
+        raise InputError("it is no human figure: it is wider than high", mend="give a figure that stands upright")
+    fit = Fitter(template, sampled(points, triangles, SAMPLES)).best((False,) if front_known else (False, True))
+    if fit.misfit > MISFIT or fit.strain > STRAIN:
+        mend = "give a figure with a head, two arms and two legs that stands upright with its arms at its sides or out"
+        raise InputError("it is no human figure", mend=mend)
+    return fit
+
+
+def _at_rest(points: Floats, weights: Floats, template: Template, fit: Fit) -> BoundMesh:
+    """Return the mesh with its arms as the template has them; the legs stay as they stand.
+
+    What moves it there is the inverse of the skinning, so that the pose of the file comes out as it was.
+    """
+    values = fit.values.copy()
+    for name, columns in TURN_OF.items():
+        if name.startswith(("upper_arm", "forearm", "hand")):
+            values[columns] = 0
+    there, here = stance_of(template, fit.values[None]), stance_of(template, values[None])
+    turns = there.turns[0] @ here.turns[0].transpose(0, 2, 1)  # from rest to the file's pose
+    shifts = there.heads[0] - np.einsum("bij,bj->bi", turns, here.heads[0])
+    blended = np.einsum("vb,bij->vij", weights, turns)
+    moved = points - weights @ shifts
+    rest = np.einsum("vij,vj->vi", np.linalg.inv(blended), moved)
+    skin = here.points(template.points, template.weights)[0]
+    tails = np.einsum("bij,bj->bi", here.linear[0], template.tails) + here.shift[0]
+    sole = float(rest[:, 2].min())
+    scale = (float(skin[:, 2].max()) - sole) / 1.7
+    hips = here.heads[0][0]
+    origin = np.array((hips[0], hips[1] - HIPS_Y * scale, sole))
+    return BoundMesh(
+        points=rest - origin,
+        weights=weights,
+        heads=here.heads[0] - origin,
+        tails=tails - origin,
+        stature=float(skin[:, 2].max()) - sole,
+        turned=fit.back,
+        misfit=fit.misfit,
+    )

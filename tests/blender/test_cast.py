@@ -1,0 +1,85 @@
+"""Humanoid models of users are bound to our skeleton, whatever their topology, pose and proportions."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+pytestmark = pytest.mark.blender
+bpy = pytest.importorskip("bpy")
+
+from benchmarks.humanoids import figure, write_glb, write_humanoid, write_prop  # noqa: E402
+
+from storyblender.blender.asset_store import AssetStore  # noqa: E402
+from storyblender.blender.cast.character import CharacterBuild, character_from_file  # noqa: E402
+from storyblender.blender.people.body import RiggedBody  # noqa: E402
+from storyblender.catalog.skeleton import BONE_INDEX  # noqa: E402
+from storyblender.errors import InputError  # noqa: E402
+from storyblender.folder import Folder  # noqa: E402
+from storyblender.memory.asset_sheet import Asset, AssetDimension, CanonicalAsset, CharacterLook, ModelPose  # noqa: E402
+from storyblender.memory.jobs import AssetJob  # noqa: E402
+
+ADULT = AssetDimension(height=1.75)
+
+
+@pytest.fixture(autouse=True)
+def empty_file() -> None:
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+
+
+def _cast(path: Path, height: AssetDimension = ADULT, *, told: bool = False) -> CharacterBuild:
+    return character_from_file("rick", path, path.parent, height, told=told, pose=ModelPose())
+
+
+def _joint(body: RiggedBody, bone: str) -> np.ndarray:
+    return body.heads[body.bone_names.index(bone)]
+
+
+def test_joints_are_found_in_a_figure_with_raised_arms_that_faces_away(tmp_path: Path) -> None:
+    suit, joints = figure(45, gender="male", age=40.0)
+    points, triangles, color = suit
+    path = write_glb(tmp_path / "rick.glb", [(100 * points * (-1, -1, 1), triangles, color)])
+    built = _cast(path)
+    body = built.person.body
+    assert body.stature == pytest.approx(points[:, 2].max(), abs=0.03)
+    assert [note for note in built.notes if "180 degrees" in note] and [n for n in built.notes if "centimetres" in n]
+    names = ("thigh.L", "shin.L", "foot.L", "upper_arm.L", "forearm.L", "hand.L", "neck", "head")
+    shift = _joint(body, "foot.L") - joints[BONE_INDEX["foot.L"]]
+    for bone in names[:4] + names[6:]:
+        apart = _joint(body, bone) - joints[BONE_INDEX[bone]] - shift
+        assert np.linalg.norm(apart) < 0.05, bone
+    arm = np.linalg.norm(joints[BONE_INDEX["hand.L"]] - joints[BONE_INDEX["forearm.L"]])
+    assert np.linalg.norm(_joint(body, "hand.L") - _joint(body, "forearm.L")) == pytest.approx(arm, abs=0.03)
+    assert _joint(body, "hand.L")[2] < _joint(body, "upper_arm.L")[2] - 0.2, "at rest the arms are as everybody's"
+    assert body.vertices[:, 2].min() == pytest.approx(0, abs=1e-4)
+    assert np.allclose(body.weights.sum(1), 1)
+
+
+def test_a_story_tells_how_tall_a_character_is(tmp_path: Path) -> None:
+    path = write_humanoid("robot", tmp_path)
+    assert _cast(path, AssetDimension(height=1.2), told=True).person.body.stature == pytest.approx(1.2, abs=0.001)
+
+
+@pytest.mark.parametrize("key", ["chair", "ladder", "dog"])
+def test_what_is_no_human_figure_is_refused(tmp_path: Path, key: str) -> None:
+    with pytest.raises(InputError, match="no human figure"):
+        _cast(write_prop(key, tmp_path))
+
+
+def test_a_character_of_a_model_is_built_once_and_comes_as_a_rig_with_its_mesh(tmp_path: Path) -> None:
+    models = tmp_path / "models"
+    models.mkdir()
+    write_humanoid("robot", models)
+    made = CanonicalAsset(source="file", key="robot.glb", dimensions=(1, 1, 1), digest="")
+    asset = Asset(asset_id="rick", asset_type="character", description="", look=CharacterLook(), canonical=made)
+    store = AssetStore(Folder(tmp_path / "film"), [models])
+    measure = store.measure(AssetJob(asset=asset))
+    assert measure.dimensions[2] == pytest.approx(1.82, abs=0.06)
+    built = asset.model_copy(update={"canonical": made.model_copy(update={"digest": measure.digest})})
+    member = store.append_person(built)
+    assert len(member.armature.data.bones) == len(member.body.bone_names)
+    (mesh,) = member.meshes
+    assert mesh["kind"] == "character" and mesh.modifiers[0].object == member.armature
+    assert {group.name for group in mesh.vertex_groups} <= {bone.name for bone in member.armature.data.bones}
