@@ -24,10 +24,12 @@ from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.wardrobe import person_seed
 from storyblender.errors import InputError
 from storyblender.folder import Folder
+from storyblender.geometry.mocap import MocapPoses
 from storyblender.memory.asset_sheet import Asset, CharacterLook, Credit, ModelPose
 from storyblender.memory.base import content_hash, seed_of
 from storyblender.memory.jobs import ADOPTED, ASSETS, FETCHED, AssetJob, asset_suffixes
 from storyblender.memory.measure import AssetMeasure, AssetRecord
+from storyblender.memory.mocap import mocap_file
 from storyblender.model_content import content_of
 from storyblender.outputs import digest_of
 
@@ -106,6 +108,14 @@ class AssetStore:
     def body(self, digest: str) -> RiggedBody:
         """Return the measured body of a person by the digest of their asset."""
         return RiggedBody.load(self._path(digest, ".npz"))
+
+    def mocap(self, digest: str) -> MocapPoses | None:
+        """Return a recorded motion that the project keeps; None where its file is gone, or was changed."""
+        try:
+            poses = MocapPoses.load(self.files.path(mocap_file(digest)).read_bytes())
+        except (OSError, ValueError, InputError):
+            return None
+        return poses if poses.digest == digest else None
 
     def _path(self, digest: str, suffix: str) -> Path:
         """Return the path of a file of an asset."""

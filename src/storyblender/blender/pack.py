@@ -159,7 +159,8 @@ class ScenePacker:
         )
 
     def _new_planner(self) -> StagePlanner:
-        return StagePlanner(self._job, self._plan, {asset_id: member.body for asset_id, member in self._cast.items()})
+        bodies = {asset_id: member.body for asset_id, member in self._cast.items()}
+        return StagePlanner(self._job, self._plan, bodies, self._store.mocap)
 
     def _collection(self, part: str) -> bpy.types.Collection:
         """Create and link the collection of a part of the scene."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from storyblender.catalog.footprints import piece_boxes, wall_boxes
 from storyblender.catalog.garments import worn_open
 from storyblender.catalog.openings import OpeningPlace, openings_of
 from storyblender.catalog.set_plan import SetPlan
+from storyblender.geometry.mocap import MocapPoses
 from storyblender.geometry.solids import transform
 from storyblender.memory.asset_sheet import Anchor, Asset
 from storyblender.memory.base import content_hash
@@ -32,11 +34,18 @@ class StagePlanner:
         job: The scene.
         plan: Its set.
         bodies: Measured body by asset id of the person.
+        mocap: Returns a recorded motion by its digest; None for one that cannot be read.
     """
 
-    def __init__(self, job: SceneJob, plan: SetPlan, bodies: dict[str, RiggedBody]) -> None:
+    def __init__(
+        self,
+        job: SceneJob,
+        plan: SetPlan,
+        bodies: dict[str, RiggedBody],
+        mocap: Callable[[str], MocapPoses | None] = lambda digest: None,
+    ) -> None:
         assert job.scene.layout is not None, "a scene is laid out before it is packed"
-        self._job, self._bodies = job, bodies
+        self._job, self._bodies, self._mocap = job, bodies, mocap
         self._assets = {asset.asset_id: asset for asset in job.assets}
         self._objects = [
             item for item in job.scene.layout.objects if self._assets[item.asset_id].asset_type == "object"
@@ -61,6 +70,7 @@ class StagePlanner:
             for blocking in shot.blocking
             if blocking.start.asset_id in self._bodies
         }
+        named = {cue.mocap: self._mocap(cue.mocap) for cue in shot.cues if cue.mocap is not None}
         return StagePlan(
             people=people,
             frames=shot.duration,
@@ -70,6 +80,7 @@ class StagePlanner:
             obstacles=self._obstacles,
             bounds=self._bounds,
             seed=int(content_hash(shot.scene_id, shot.shot_id)[:8], 16),
+            mocap={digest: poses for digest, poses in named.items() if poses is not None},
         )
 
     def _of_whole(self, cue: Cue) -> Cue:

@@ -11,6 +11,7 @@ from pydantic import Field, model_validator
 
 from storyblender.memory.asset_sheet import AssetDecision
 from storyblender.memory.base import Coordinate, Described, Identifier, Vec2, Vec3, is_none
+from storyblender.memory.mocap import MocapClip
 from storyblender.memory.panorama import Panorama
 from storyblender.memory.texture import Texture
 from storyblender.memory.vocabulary import LightQuality, Period, TimeOfDay, Weather
@@ -230,12 +231,15 @@ class DecidedMotion(_Decision):
     """Of a motion that is added: the person or the thing that it is aimed at."""
     prop: Identifier | None = None
     """Of a motion that is added: the thing in hand."""
+    mocap: MocapClip | None = Field(default=None, exclude_if=is_none)
+    """The motion of the user's own that it is; the program fills it in from the name of a clip."""
 
     @property
     def words(self) -> str:
         """The decision as a person reads it, e.g. ``at 1.5 s, for 2 s, to ilsa``."""
         said = {"at": f"at {self.at} s", "seconds": f"for {self.seconds} s"}
         said |= {"target": f"to {self.target}", "prop": f"with {self.prop}"}
+        said |= {"mocap": f"as in {self.mocap.file}" if self.mocap is not None else ""}
         return ", ".join(words for name, words in said.items() if getattr(self, name) is not None)
 
 

@@ -24,6 +24,7 @@ from storyblender.memory.camera_decision import CameraDecision, CameraInstructio
 from storyblender.memory.covers import Covers
 from storyblender.memory.kept_takes import BlockingTakes
 from storyblender.memory.locks import ShotLock
+from storyblender.memory.mocap import MocapClip
 from storyblender.memory.notes import Note
 from storyblender.memory.scene_context import Light, Lighting, Spot
 from storyblender.memory.scene_decision import BlockingDecision
@@ -87,6 +88,8 @@ class CharacterAction(Frozen):
     """Of an animal: whether it is off the ground."""
     line_index: int | None = None
     """Index into the shot's lines, where the action belongs to one (speech)."""
+    mocap: MocapClip | None = Field(default=None, exclude_if=is_none)
+    """The motion of the user's own that plays it."""
 
 
 class BodyState(Frozen):
@@ -184,6 +187,8 @@ class Cue(Frozen):
     """For the clip ``face``: the facial expression from this cue on."""
     lasting: bool = False
     """Whether the motion continues underneath other cues until the shot ends."""
+    mocap: Digest | None = Field(default=None, exclude_if=is_none)
+    """The recorded motion that plays it in place of the clip."""
 
 
 class PropState(Frozen):

@@ -17,6 +17,7 @@ from storyblender.blender.motion.channel import Channel, Floats, TargetOf, clamp
 from storyblender.blender.motion.gait import Gait
 from storyblender.blender.motion.liveliness import angles_of, lid_at, moments_of, mouth_at
 from storyblender.blender.motion.measures import measure
+from storyblender.blender.motion.overlay import Overlay, lay_over
 from storyblender.blender.motion.skeleton import IDENTITY, SIDES, Skeleton, about, frame, sign
 from storyblender.blender.people.body import RiggedBody
 from storyblender.catalog.expressions import FACE, values_of
@@ -85,6 +86,8 @@ class Performer:
         self.feet = {side: Channel(self.plant(side, (0, 0), 0)) for side in SIDES}
         self.hands = {side: Channel((0,) * 15) for side in SIDES}
         self.gaits: list[Gait] = []
+        self.overlays: list[Overlay] = []
+        """Recorded motions that lie over trunk and head."""
         self.speeches: list[tuple[float, float, float, float]] = []
         """Start, end, opening of the mouth, syllables per second."""
         self.blinks = moments_of(self.rng, 0.8, 2.0, 5.5)
@@ -276,6 +279,7 @@ class Performer:
             bend += swing * (10 if gait.running else gait.stoop)
         for bone, share in (("spine", 0.32), ("chest", 0.36), ("upper_chest", 0.32)):
             self.bones.rotate(bone, x=(bend + breath) * share, y=(side + 1.6 * sway) * share, z=twist * share)
+        lay_over(self.bones, self.overlays, ("spine", "chest", "upper_chest"), t)
 
     def needed_drop(self, t: float) -> float:
         """Return the metres by which the pelvis must sink at ``t`` seconds for both legs to reach their feet."""
@@ -367,6 +371,7 @@ class Performer:
         bones.turn["neck"] = about("Z", 0.4 * yaw) @ about("X", 0.3 * nod - 0.35 * pitch) @ about("Y", 0.3 * roll)
         turned = about("Z", 0.6 * yaw + shake) @ about("X", 0.7 * nod - 0.65 * pitch)
         bones.turn["head"] = turned @ about("Y", 0.7 * roll)
+        lay_over(bones, self.overlays, ("neck", "head"), t)
         bones.update("neck", "head")
         head_back = bones.orient["head"].transposed()
         newest = bisect_right(self.glances, t, key=lambda each: each[0]) - 1

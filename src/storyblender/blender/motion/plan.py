@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.blender.people.body import RiggedBody
+from storyblender.geometry.mocap import MocapPoses
 from storyblender.geometry.solids import Floats
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.shot_context import Blocking, Cue, PropState
@@ -95,6 +97,7 @@ class StagePlan:
         frames: Length of the shot.
         bounds: The playing area in metres: x min, y min, x max, y max.
         seed: For sways, blinks and gestures.
+        mocap: Recorded motions that cues name, by digest; those that cannot be read are missing.
     """
 
     people: dict[str, StagePerson]
@@ -105,6 +108,7 @@ class StagePlan:
     obstacles: tuple[Obstacle, ...] = ()
     bounds: tuple[float, float, float, float] = (-50.0, -50.0, 50.0, 50.0)
     seed: int = 0
+    mocap: Mapping[str, MocapPoses] = field(default_factory=dict[str, MocapPoses])
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from storyblender.blender.motion.clips import CLIPS, play
 from storyblender.blender.motion.clips.floor import crouch, kneel, lie_down, sleep
 from storyblender.blender.motion.clips.handling import take_in_hand
 from storyblender.blender.motion.clips.postures import float_, hang, on_all_fours, ride, upside_down
+from storyblender.blender.motion.clips.recorded import play_recording
 from storyblender.blender.motion.clips.registry import Play
 from storyblender.blender.motion.clips.seat import return_hands, sit, stand_up
 from storyblender.blender.motion.clips.support import lean
@@ -192,6 +193,12 @@ def _perform(stage: MotionStage, cue: Cue, index: int) -> float | None:
     )
     if cue.lasting or (cue.clip == "face" and cue.start == 0):
         return _play_lasting(stage, who, cue, staged)
+    poses = stage.plan.mocap.get(cue.mocap or "")
+    if cue.mocap is not None and poses is None:
+        message = f"{cue.asset_id} does not {cue.clip} as recorded: the file {cue.mocap[:8]} is gone or damaged"
+        stage.problems.append(Problem("missing", cue.asset_id, cue.start, message))
+    if poses is not None:
+        return play_recording(stage, who, cue.clip, staged, poses)
     allowed = MOTIONS[cue.clip].before
     if allowed and who.posture not in allowed and "stand" in allowed:
         ready = stand_up(stage, who, max(start, who.free["body"]))
