@@ -32,9 +32,9 @@ CONVENTIONS: Mapping[str, Mapping[str, str]] = {
     },
     "rigify": {
         "hips": "DEF-spine", "spine": "DEF-spine.001", "chest": "DEF-spine.002", "upper_chest": "DEF-spine.003",
-        "neck": "DEF-spine.004", "head": "DEF-spine.006", "shoulder": "DEF-shoulder.{}", "upper_arm": "DEF-upper_arm.{}",
-        "forearm": "DEF-forearm.{}", "hand": "DEF-hand.{}", "thigh": "DEF-thigh.{}", "shin": "DEF-shin.{}",
-        "foot": "DEF-foot.{}", "toe": "DEF-toe.{}",
+        "neck": "DEF-spine.004", "head": "DEF-spine.006",
+        **{bone: f"DEF-{bone}.{{}}" for bone in ("shoulder", "upper_arm", "forearm", "hand", "thigh", "shin", "foot")},
+        "toe": "DEF-toe.{}",
     },
     "vrm": {
         "hips": "J_Bip_C_Hips", "spine": "J_Bip_C_Spine", "chest": "J_Bip_C_Chest",
@@ -66,11 +66,14 @@ SIDE_WORDS = {
     "cmu": ("l", "r"), "nameless": ("a", "b"),
 }  # fmt: skip
 """Words for the sides by convention; L and R where none are given."""
+_ABOVE = {
+    "shoulder": "upper_chest", "upper_arm": "shoulder", "forearm": "upper_arm", "hand": "forearm", "index1": "hand",
+    "fingers1": "hand", "thumb": "hand", "thigh": "hips", "shin": "thigh", "foot": "shin", "toe": "foot",
+}  # fmt: skip
 PARENTS = {
     "spine": "hips", "chest": "spine", "upper_chest": "chest", "neck": "upper_chest", "head": "neck",
-    **{f"{low}.{side}": f"{high}.{side}" if high not in ("upper_chest", "hips") else high for side in "LR"
-       for low, high in (("shoulder", "upper_chest"), ("upper_arm", "shoulder"), ("forearm", "upper_arm"),
-                         ("hand", "forearm"), ("index1", "hand"), ("fingers1", "hand"), ("thumb", "hand"), ("thigh", "hips"), ("shin", "thigh"), ("foot", "shin"), ("toe", "foot"))},
+    **{f"{low}.{side}": high if high in ("upper_chest", "hips") else f"{high}.{side}"
+       for side in "LR" for low, high in _ABOVE.items()},
 }  # fmt: skip
 DEPTH_FIRST = (
     "hips", "spine", "chest", "upper_chest", "neck", "head",
@@ -190,7 +193,9 @@ def _still(walker: Walker, pose: str) -> dict[str, Floats]:
             way = walker.rest[f"{ends[above]}.{side}"] - walker.rest[f"{above}.{side}"]
             still[bone] = shortest_arc(way, out)
         if pose == "along" and (below := _below(bone)) is not None:
-            still[bone] = axes_along([1, 0, 0], [0, 0, 1]) @ axes_along(walker.rest[below] - walker.rest[bone], [0.1, -1, 0.2]).T
+            still[bone] = (
+                axes_along([1, 0, 0], [0, 0, 1]) @ axes_along(walker.rest[below] - walker.rest[bone], [0.1, -1, 0.2]).T
+            )
     return still
 
 
@@ -220,7 +225,9 @@ def _eulers(turns: Floats, order: str) -> Floats:
     return np.stack([first, second, third], axis=1)
 
 
-def a_person(rate: float = 24.0, seconds: float = 3.0, does: Callable[[float], Mapping[str, Floats]] | None = None) -> Walker:
+def a_person(
+    rate: float = 24.0, seconds: float = 3.0, does: Callable[[float], Mapping[str, Floats]] | None = None
+) -> Walker:
     """Somebody of 1.7 m in a T-pose that moves as a function says: own turns of bones by second."""
     rest = {
         "hips": (0, 0, 0.95), "spine": (0, 0, 1.05), "chest": (0, 0, 1.15), "upper_chest": (0, 0, 1.28),

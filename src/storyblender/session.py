@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from storyblender.edits.approving import approved_by, refuse_undrawn
 from storyblender.edits.dispatcher import Applied, apply_edits
+from storyblender.edits.own_motions import with_own_motions
 from storyblender.edits.pull_conflicts import waiting
 from storyblender.edits.pulling import UNDECIDED, Choice, Pulled, pull
 from storyblender.edits.targets import shots_named
@@ -112,6 +113,7 @@ class Session(ViewedProject):
             if names := approved_by(edits):
                 with self._call() as run:
                     refuse_undrawn(run, names)
+            edits = with_own_motions(self._project, self._settings.motions, edits)
             applied = apply_edits(self._project, edits, revision)
             self._tell(Event(kind="commit", role="user", message=applied.words, turn=self._project.revision))
             return applied
@@ -125,6 +127,7 @@ class Session(ViewedProject):
         """
         with self._alone():
             before = self._project.revision
+            edits = with_own_motions(self._project, self._settings.motions, edits)
             apply_edits(self._project, edits, author=TRIAL)
             try:
                 yield

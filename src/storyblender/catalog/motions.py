@@ -187,6 +187,9 @@ FIELDS: dict[str, str] = {
 FIRST_STRESS = 1.1
 """Seconds into a speech at which a picture shows it: hands raised, mouth open; half of a short speech."""
 
+MOCAP = "idle"
+"""The motion under a recorded one that the catalogue has nothing like."""
+
 STANDING: frozenset[str] = frozenset({"idle", "stand"})
 """Motions that show no action; on ``stand`` who sits or lies gets up first."""
 

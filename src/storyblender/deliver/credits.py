@@ -1,12 +1,15 @@
-"""``credits.md``: the models, surfaces and panoramas from outside in a storyboard, with author, licence and origin."""
+"""``credits.md``: models, surfaces, motions and panoramas from outside, with author, licence and origin."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 from storyblender.memory.asset_sheet import Provenance
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.mocap import MocapClip
+from storyblender.memory.shot_context import ShotContext
 
 CREDITS_FILE = "credits.md"
 _COLUMNS = ("Shown as", "File", "Author", "Licence", "Copyright", "Origin", "SHA-256")
@@ -26,6 +29,11 @@ def credited_works(graph: ContinuityMemoryGraph) -> dict[Provenance, list[str]]:
         for texture, name in zip(textures, ("walls", "ground"), strict=True):
             if texture is not None and name not in shown.setdefault(texture.provenance, []):
                 shown[texture.provenance].append(name)
+    for shot in graph.shots:
+        for name, clip in _clips_in(shot):
+            shown.setdefault(clip.provenance, [])
+            if name not in shown[clip.provenance]:
+                shown[clip.provenance].append(name)
     lit = _panoramas_seen(graph)
     for panorama in graph.panoramas:
         if panorama.provenance.digest in lit:
@@ -44,9 +52,19 @@ def write_credits(graph: ContinuityMemoryGraph, part: Path) -> None:
     for model, names in credited_works(graph).items():
         told = (", ".join(names), model.file, model.author, model.license, model.copyright, model.url)
         rows.append((*(_cell(text) for text in told), model.digest[:16]))
-    kind = "Works" if _panoramas_seen(graph) or graph.textures else "Models"
+    moves = any(True for shot in graph.shots for _ in _clips_in(shot))
+    kind = "Works" if moves or _panoramas_seen(graph) or graph.textures else "Models"
     lines = ["# Credits", "", f"{kind} in “{_cell(graph.title)}” that are not part of StoryBlender.", ""]
     part.write_text("\n".join([*lines, *(f"| {' | '.join(row)} |" for row in rows), ""]), encoding="utf-8")
+
+
+def _clips_in(shot: ShotContext) -> Iterator[tuple[str, MocapClip]]:
+    """Yield the motion clips from outside that are played in a shot, with what shows them."""
+    played = {cue.mocap for cue in shot.cues}
+    decided = shot.blocking_decision.people if shot.blocking_decision is not None else {}
+    clips = [each.mocap for each in shot.character_actions]
+    clips += [each.mocap for marks in decided.values() for each in marks.motions.values() if each is not None]
+    yield from ((f"motion {clip.name}", clip) for clip in clips if clip is not None and clip.digest in played)
 
 
 def _panoramas_seen(graph: ContinuityMemoryGraph) -> set[str]:

@@ -26,7 +26,7 @@ def as_moved(
         graph: The story.
         shot: The shot.
         person: Asset id.
-        motions: By key; None for one that is taken away.
+        motions: By key; None for one that is taken away; a clip of the user's own says which.
 
     Raises:
         InputError: There is no such motion, person or thing, or it is the script's, or a posture.
@@ -67,9 +67,12 @@ def merged_motions(before: Motions, now: Motions) -> dict[str, DecidedMotion | N
 
 def _refuse(name: str, person: str, key: str, motion: DecidedMotion | None, own: set[str]) -> None:
     """Refuse a motion that is unknown, that is not there to be taken away, or that something else decides."""
-    if key not in MOTIONS:
+    if motion is not None and motion.mocap is not None and key not in MOTIONS:
+        return
+    if key not in MOTIONS and key not in own:
         near = get_close_matches(key, MOTIONS, n=3, cutoff=0.5)
-        mend = f"did you mean {', '.join(near)}?" if near else "`storyblender catalog motions` lists them"
+        listed = "`storyblender catalog motions` lists them; your own clips lie in the folder that --motions names"
+        mend = f"did you mean {', '.join(near)}?" if near else listed
         raise InputError(f"there is no motion {key!r}", mend=mend)
     if motion is None and key not in own:
         does = ", ".join(sorted(own)) or "nothing"

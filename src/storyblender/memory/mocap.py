@@ -6,6 +6,7 @@ from typing import Annotated
 
 from pydantic import Field, StringConstraints
 
+from storyblender.memory.asset_sheet import Provenance
 from storyblender.memory.base import Described, Digest
 
 
@@ -28,8 +29,8 @@ class MocapClip(Described):
     """Whether it is done on a seat."""
     loops: bool = False
     """Whether it may begin again where it ends."""
-    file: Annotated[str, StringConstraints(max_length=300)] = ""
-    """Its path in the folder of motions."""
+    provenance: Provenance
+    """The file in the folder of motions, and whose work it is."""
     reason: Annotated[str, StringConstraints(max_length=200)] = ""
     """Why it was chosen."""
 

@@ -239,7 +239,7 @@ class DecidedMotion(_Decision):
         """The decision as a person reads it, e.g. ``at 1.5 s, for 2 s, to ilsa``."""
         said = {"at": f"at {self.at} s", "seconds": f"for {self.seconds} s"}
         said |= {"target": f"to {self.target}", "prop": f"with {self.prop}"}
-        said |= {"mocap": f"as in {self.mocap.file}" if self.mocap is not None else ""}
+        said |= {"mocap": f"as in {self.mocap.provenance.file}" if self.mocap is not None else ""}
         return ", ".join(words for name, words in said.items() if getattr(self, name) is not None)
 
 

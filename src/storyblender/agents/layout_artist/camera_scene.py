@@ -12,7 +12,7 @@ from storyblender.agents.layout_artist.camera_operator import Operator, operate,
 from storyblender.agents.layout_artist.camera_operator_view import CameraOperatorView, Moment, too_far_to_frame
 from storyblender.agents.layout_artist.kept_camera import keep_camera
 from storyblender.agents.layout_artist.layout_things import size_of
-from storyblender.agents.layout_artist.story_moment import AT_REST, board_frame
+from storyblender.agents.layout_artist.story_moment import board_frame, is_at_rest
 from storyblender.agents.layout_artist.vehicle_panels import open_doors, panel_boxes
 from storyblender.agents.story_lines import lines_of_shot
 from storyblender.catalog.motions import MOTIONS
@@ -48,7 +48,7 @@ def props_put_away(shot: ShotContext, frame: int) -> set[str]:
     for cue in sorted(shot.cues, key=lambda cue: cue.start):
         if cue.prop_id is not None and cue.start <= frame:
             gone = gone - {cue.prop_id} | ({cue.prop_id} if cue.clip in _RELEASING_CLIPS else set())
-    busy = [cue for cue in shot.cues if cue.start <= frame and cue.clip not in AT_REST]
+    busy = [cue for cue in shot.cues if cue.start <= frame and not is_at_rest(cue)]
     last: dict[str, Cue] = {}
     for cue in sorted(busy, key=lambda cue: cue.start):
         # Both people of an embrace are busy with it, whatever their hands did before.

@@ -58,7 +58,7 @@ def story_moment(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> int:
     moment = None if shot.moment_line is not None and others else shot.moment
     if moment == "start":
         return min(_OPENING, last)
-    done = [cue for cue in shot.cues if cue.start < last and cue.clip not in AT_REST]
+    done = [cue for cue in shot.cues if cue.start < last and not is_at_rest(cue)]
     cues = [cue for cue in done if cue.asset_id in focus] or [cue for cue in done if cue.asset_id in shot.on_stage]
     if not cues:
         return last if moment == "end" else round(last * _REST)
@@ -78,10 +78,15 @@ def story_moment(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> int:
     return min(last, start + (min(told, round(FIRST_STRESS * _FPS)) if cue.clip in _SPOKEN else told))
 
 
+def is_at_rest(cue: Cue) -> bool:
+    """Return whether a cue shows no action; a recorded one does."""
+    return cue.clip in AT_REST and cue.mocap is None
+
+
 def _named_moment(shot: ShotContext, played: Sequence[PlayedCue]) -> int | None:
     """Return the frame of the action that the script names the moment of; None if it names none that is played."""
     named = [action for action in shot.character_actions if action.line_index == shot.moment_line]
-    cues = [cue for action in named for cue in cues_of(action, shot) if cue.clip not in AT_REST]
+    cues = [cue for action in named for cue in cues_of(action, shot) if not is_at_rest(cue)]
     if shot.moment is None or shot.moment_line is None or not cues:
         return None
     if shot.moment == "middle":
@@ -105,7 +110,7 @@ def cues_of(action: CharacterAction, shot: ShotContext) -> list[Cue]:
         shot: The staged shot.
     """
     own = [cue for cue in shot.cues if cue.asset_id == action.asset_id]
-    done = [cue for cue in own if cue.clip not in (*AT_REST, *_SPOKEN)]
+    done = [cue for cue in own if not is_at_rest(cue) and cue.clip not in _SPOKEN]
     about = {action.prop_id, action.target_id} - {None, action.asset_id}
     played = [cue for cue in own if cue.clip == action.motion]
     played = played or [cue for cue in done if about & {cue.prop_id, cue.target_id}]
@@ -159,6 +164,8 @@ def _cue_rank(cue: Cue, shot: ShotContext) -> int:
     An activity that goes on since before the shot, such as reading, counts as words.
     """
     motion = MOTIONS[cue.clip]
+    if cue.mocap is not None:
+        return 2
     if motion.speed is not None:
         return 0
     if cue.clip == "shout":

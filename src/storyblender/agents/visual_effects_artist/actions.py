@@ -14,6 +14,7 @@ from storyblender.agents.visual_effects_artist.interactions import Interactions
 from storyblender.agents.visual_effects_artist.on_the_floor import find_room_on_floor
 from storyblender.agents.visual_effects_artist.person import SEATED, StagedPerson
 from storyblender.agents.visual_effects_artist.placed_objects import SeatPlace
+from storyblender.agents.visual_effects_artist.recorded_actions import play_recorded
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN
 from storyblender.agents.visual_effects_artist.stage_state import StageState
 from storyblender.agents.visual_effects_artist.vehicle_doors import boarding_station, leaving_station
@@ -59,6 +60,8 @@ class Actions:
             person: The person who does it.
             later: Actions of the shot after this one.
         """
+        if action.mocap is not None and play_recorded(self.stage, self.sheet, action, person, self.ends):
+            return
         prop = self.resolver.prop_of(action, person)
         motion, partner = self.resolver.find_partner(action, person, prop)
         if person.entering and not person.acted and self.stage.opens_set_door(action):

@@ -8,8 +8,8 @@ from storyblender.agents.visual_effects_artist.actions import Actions
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN
 from storyblender.agents.visual_effects_artist.stage_state import StageState
-from storyblender.catalog.motions import MOTIONS
-from storyblender.memory.scene_decision import DecidedLine, PersonMarks
+from storyblender.catalog.motions import MOCAP, MOTIONS
+from storyblender.memory.scene_decision import DecidedLine, DecidedMotion, PersonMarks
 from storyblender.memory.shot_context import BodyState, CharacterAction, Flaw
 
 _LATE = 2.0
@@ -79,10 +79,18 @@ def do_added(
                 continue
             latest = sheet.clock
             sheet.clock = latest if motion.at is None else motion.at
-            said = {"asset_id": asset_id, "action_description": MOTIONS[key].name, "motion": key}
+            said = {"asset_id": asset_id, "action_description": _called(key, motion), "motion": key}
+            if motion.mocap is not None:
+                length = motion.seconds or motion.mocap.seconds
+                said |= {"motion": MOCAP, "mocap": motion.mocap.model_copy(update={"seconds": length})}
             action = CharacterAction.model_validate({**said, "target_id": motion.target, "prop_id": motion.prop})
             actions.add_action(action, person, ())
             sheet.clock = max(sheet.clock, latest)
+
+
+def _called(key: str, motion: DecidedMotion) -> str:
+    """Return what a motion is called."""
+    return f"move as in {motion.mocap.name}" if motion.mocap is not None else MOTIONS[key].name
 
 
 def stretch(sheet: CueSheet, marks: Mapping[str, PersonMarks]) -> None:
@@ -108,11 +116,17 @@ def missed_motions(sheet: CueSheet, marks: Mapping[str, PersonMarks]) -> Iterato
     """
     for asset_id, mark in marks.items():
         for key, motion in mark.motions.items():
-            begins = [cue.start / sheet.fps for cue in sheet.cues if (cue.asset_id, cue.clip) == (asset_id, key)]
+            played = MOCAP if motion is not None and motion.mocap is not None else key
+            own = motion.mocap.digest if motion is not None and motion.mocap is not None else None
+            begins = [
+                cue.start / sheet.fps
+                for cue in sheet.cues
+                if (cue.asset_id, cue.clip) == (asset_id, played) and own in (None, cue.mocap)
+            ]
             if motion is None or (begins and (motion.at is None or min(begins) <= motion.at + _LATE)):
                 continue
             late = f" before {min(begins):.1f} s" if begins else ""
-            message = f"{asset_id} does not {MOTIONS[key].name}{late}, as a person decided"
+            message = f"{asset_id} does not {_called(key, motion)}{late}, as a person decided"
             yield Flaw(kind="mark", subject=asset_id, weight=1.0, message=message)
         said = [cue.start / sheet.fps for cue in sheet.cues if cue.asset_id == asset_id and cue.clip in SPOKEN]
         for number, line in mark.lines.items():

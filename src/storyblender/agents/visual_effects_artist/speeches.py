@@ -72,7 +72,8 @@ class Speeches:
         elif partner is not None and person.upright:  # the speech begins on the way: the speaker turns on arrival
             turned = self.sheet.turn_to_person(person, partner, walking)
         target = partner.asset_id if partner else None
-        end = self.sheet.add_cue(person, action.motion, start, seconds, target_id=target, mood=action.mood)
+        recorded = {"mocap": action.mocap.digest} if action.mocap is not None else {}
+        end = self.sheet.add_cue(person, action.motion, start, seconds, target_id=target, mood=action.mood, **recorded)
         for listener in others:
             if listener.busy <= start + 0.3:
                 if math.dist(listener.place, person.place) < 6:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Final
 
 from storyblender.errors import InputError
@@ -33,8 +34,9 @@ FINGERS: Final = {
 }  # fmt: skip
 _LEFT, _RIGHT = frozenset(("left", "l", "lft")), frozenset(("right", "r", "rgt"))
 _ODD: Final = frozenset(
-    "twist roll ik fk pole target ctrl control mch tweak helper effector adjust share corrective vis".split()
-)
+    ("twist", "roll", "ik", "fk", "pole", "target", "ctrl", "control", "mch", "tweak", "helper", "effector",
+     "adjust", "share", "corrective", "vis")
+)  # fmt: skip
 _PREFIXES: Final = re.compile(r"^(mixamorig\d*|bip\d*|valvebiped|def|org|jnt|joint|j|cc|b|rig|skel|sk|bone|c|base)$")
 _PARTS: Final = re.compile(r"[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+|\d+")
 
@@ -157,7 +159,7 @@ def _is_chain(motion: SourceMotion, found: dict[str, int], side: str) -> bool:
         there = [found[name] for name in names if name in found]
         if any(name not in found for name in names if not name.startswith(("toe", "shoulder"))):
             return False
-        if any(above not in motion.chain(below)[1:] for above, below in zip(there, there[1:], strict=False)):
+        if any(above not in motion.chain(below)[1:] for above, below in pairwise(there)):
             return False
     return True
 

@@ -114,7 +114,7 @@ def _is_straight(places: Floats, roles: Roles) -> bool:
 
 
 def _bends(motion: SourceMotion, roles: Roles, own: Floats) -> dict[str, Floats]:
-    """Return the axis of each knee and elbow in the first frame, by bone above it, from the frame where it bends most."""
+    """Return the axis of each knee and elbow in the first frame, by the bone above: as where it bends most."""
     found: dict[str, Floats] = {}
     for upper, lower, end in (("thigh", "shin", "foot"), ("upper_arm", "forearm", "hand")):
         for side in "LR":

@@ -113,7 +113,11 @@ def _turns(seen: Floats, roles: Roles, reference: Reference) -> Floats:
     """Return the orientations (N, B, 3, 3) of our bones, from the T-pose."""
     trunk = [seen[:, joint] for joint in (roles.hips, *roles.spine)]
     chest = trunk[-1]
-    above = [chest, *(seen[:, joint] for joint in roles.neck), *([seen[:, roles.head]] if roles.head is not None else [])]
+    above = [
+        chest,
+        *(seen[:, joint] for joint in roles.neck),
+        *([seen[:, roles.head]] if roles.head is not None else []),
+    ]
     found = {"hips": trunk[0], "spine": _along(trunk, 1 / 3), "chest": _along(trunk, 2 / 3), "upper_chest": chest}
     found |= {"neck": _along(above, 0.5), "head": above[-1]}
     for name in BONES[len(found) :]:

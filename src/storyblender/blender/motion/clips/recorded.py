@@ -62,9 +62,7 @@ def play_recording(stage: MotionStage, who: Performer, key: str, cue: StagedCue,
     return end
 
 
-def _play(
-    stage: MotionStage, who: Performer, poses: MocapPoses, span: tuple[float, float], cue: StagedCue
-) -> None:
+def _play(stage: MotionStage, who: Performer, poses: MocapPoses, span: tuple[float, float], cue: StagedCue) -> None:
     start, end = span
     pace = 1.0 if poses.loops else min(FASTEST, max(SLOWEST, poses.seconds / (end - start)))
     cut = end > stage.seconds - 0.3  # the shot ends in the midst of it
@@ -119,9 +117,7 @@ def _move(who: Performer, layer: MocapLayer, way: MocapWay, span: tuple[float, f
 
 def _step_in(who: Performer, way: MocapWay, start: float) -> Sequence[str]:
     """Return the feet that have to step to where the recording has them, the farther one first."""
-    far = {
-        side: math.dist(who.feet[side](start)[:2], way.feet[index, 0, :2]) for index, side in enumerate(SIDES)
-    }
+    far = {side: math.dist(who.feet[side](start)[:2], way.feet[index, 0, :2]) for index, side in enumerate(SIDES)}
     return sorted((side for side in SIDES if far[side] > 0.02 * who.scale), key=lambda side: -far[side])
 
 
