@@ -237,7 +237,7 @@ def a_person(
         rest |= {
             f"shoulder.{side}": (0.03 * s, 0, 1.40), f"upper_arm.{side}": (0.17 * s, 0, 1.40),
             f"forearm.{side}": (0.45 * s, 0, 1.40), f"hand.{side}": (0.70 * s, 0, 1.40),
-            f"index1.{side}": (0.79 * s, -0.03, 1.40), f"fingers1.{side}": (0.79 * s, 0.01, 1.40),
+            f"index1.{side}": (0.79 * s, -0.02, 1.40), f"fingers1.{side}": (0.79 * s, 0.02, 1.40),
             f"thumb.{side}": (0.72 * s, -0.03, 1.39),
             f"thigh.{side}": (0.09 * s, 0, 0.90), f"shin.{side}": (0.09 * s, 0, 0.49),
             f"foot.{side}": (0.09 * s, 0, 0.08), f"toe.{side}": (0.09 * s, -0.14, 0.02),
@@ -246,7 +246,7 @@ def a_person(
     tips = {"head": np.array([0, 0, 1.7])}
     for side, s in (("L", 1), ("R", -1)):
         tips |= {f"{name}.{side}": np.array([0.88 * s, y, 1.4])
-                 for name, y in (("hand", 0), ("index1", -0.03), ("fingers1", 0.01), ("thumb", -0.06))}  # fmt: skip
+                 for name, y in (("hand", 0), ("index1", -0.02), ("fingers1", 0.02), ("thumb", -0.06))}  # fmt: skip
         tips |= {f"toe.{side}": np.array([0.09 * s, -0.2, 0.02])}
     times = np.arange(round(rate * seconds) + 1) / rate
     own = [does(float(t)) if does is not None else {} for t in times]

@@ -196,6 +196,8 @@ class Terminal:
             self._write(reasons.model_dump(mode="json"))
         for decided in reasons.decided:
             self._results.print(f"[bold]you decided[/] {plain(decided)}", soft_wrap=True)
+        for clip in reasons.clips:
+            self._results.print(f"[bold]a clip of yours[/] {plain(clip)}", soft_wrap=True)
         table = Table("role", "of", "by", "score", "turns", "what its critic said", box=None)
         for role in reasons.roles:
             score = "" if role.score is None else f"{role.score:.1f}"

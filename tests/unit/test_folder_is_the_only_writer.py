@@ -32,6 +32,8 @@ ELSEWHERE = {
     ("library/body_data.py", "NamedTemporaryFile"): "data of the program, in no project",
     ("library/body_data.py", "replace"): "data of the program, in no project",
     ("library/body_data.py", "savez"): "into memory",
+    ("geometry/mocap.py", "savez_compressed"): "into memory",
+    ("library/mocap/folders.py", "save"): "into memory",
     ("blender/server.py", "fdopen"): "the pipe to the client",
     ("engine/worker.py", "FileIO"): "nowhere: the disk has no room for the log",
     ("shell.py", "open"): "nowhere: who read what we say is gone",

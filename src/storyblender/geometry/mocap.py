@@ -14,7 +14,6 @@ from typing import Final, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.geometry.rotations import continuous
 from storyblender.geometry.solids import Floats
 
 BONES: Final[tuple[str, ...]] = (
@@ -110,6 +109,9 @@ class MocapPoses:
             raise ValueError("it has numbers that cannot be")
         turns = arrays["turns"]
         lengths = np.linalg.norm(turns, axis=-1, keepdims=True)
-        if lengths.min() < 0.9 * _FINE or max(np.abs(arrays[name]).max() for name in ("root", "hips")) > _LARGEST:
+        if (
+            np.abs(lengths / _FINE - 1).max() > 0.01
+            or max(np.abs(arrays[name]).max() for name in ("root", "hips")) > _LARGEST
+        ):
             raise ValueError("it has numbers that cannot be")
-        return cls(**arrays | {"turns": continuous(turns / lengths), "stands": arrays["stands"] > 0}, loops=loops)
+        return cls(**arrays | {"turns": turns / _FINE, "stands": arrays["stands"] > 0}, loops=loops)

@@ -72,6 +72,8 @@ class ShotReasons(Frozen):
     """Its lines of the script, verbatim."""
     words: tuple[WordsRead, ...]
     """What the rules took from these lines; nothing where a model or a person read the script."""
+    clips: tuple[str, ...] = ()
+    """Which motions of the user's own are played, and why those."""
 
 
 def shot_reasons(run: Run, shot: ShotContext) -> ShotReasons:
@@ -101,7 +103,16 @@ def shot_reasons(run: Run, shot: ShotContext) -> ShotReasons:
         ),
         lines=tuple(line.text for line in outline.lines),
         words=tuple(_words_of(outline, _rules_read(run))),
+        clips=tuple(plain(each, names) for each in _clips_of(shot)),
     )
+
+
+def _clips_of(shot: ShotContext) -> Iterator[str]:
+    """Yield which clips the script's actions are played by; those that a person asked for are decisions."""
+    for action in shot.character_actions:
+        if (clip := action.mocap) is not None:
+            moves = f"{action.asset_id} {action.action_description}"
+            yield f"{moves} as in {clip.provenance.file}: {clip.reason}"
 
 
 def _in_words(reason: RoleReason, names: Mapping[str, str]) -> RoleReason:

@@ -37,6 +37,7 @@ from storyblender.memory.scene_context import Environment, Layout, Lighting, Sce
 from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.light_preview import LightPreview
 from storyblender.pipeline.materializing import materialize
+from storyblender.pipeline.own_motions import give_own_motions
 from storyblender.pipeline.run import Run
 from storyblender.reflection import Outcome
 from storyblender.trace import Event
@@ -122,6 +123,7 @@ def act_in_layout(run: Run, scene: SceneContext, left_out: Collection[str] | Non
         left_out: Asset ids of things without a place; None where they are those that were left out before.
     """
     name, before = scene_name(scene.scene_id), {shot.shot_id: shot for shot in run.graph.shots_of(scene.scene_id)}
+    give_own_motions(run, scene.scene_id)
     shots = _animate(run, scene.scene_id)
     if scene.lighting is not None:
         shots = tuple(_with_camera_to_set(shot, before[shot.shot_id], scene) for shot in shots)

@@ -59,7 +59,7 @@ class MocapLayer:
         return low, low + 1, row - low
 
     def orient(self, bone: str, t: float) -> Matrix:
-        """Return the recorded orientation of a bone at ``t`` seconds: 3x3, in the frame of the root, from the T-pose."""
+        """Return the recorded 3x3 orientation of a bone at ``t`` seconds, in the frame of the root, from the T-pose."""
         low, high, share = self.at(t)
         index = BONES.index(bone)
         return self._turns[low][index].slerp(self._turns[high][index], share).to_matrix()

@@ -32,6 +32,8 @@ UPRIGHT: Final = 0.75
 """Legs over the ankles at which hips are those of somebody who stands."""
 LEG: Final = 0.86
 """Metres at a stature of 1.7 m."""
+FURTHEST: Final = 100.0
+"""Metres."""
 _SHEET_BYTES: Final = 1 << 20
 _SEATED: Final = frozenset(("sit", "sits", "sitting", "seated"))
 Needs = Literal["person", "thing"]
@@ -151,7 +153,9 @@ class MotionFolders:
         if not path.is_file():
             return {}
         try:
-            if path.stat().st_size > _SHEET_BYTES:
+            if path.stat().st_size > FURTHEST: Final = 100.0
+"""Metres."""
+_SHEET_BYTES:
                 raise ValueError("too long")
             return tomllib.loads(path.read_bytes().decode("utf-8-sig"))
         except (OSError, ValueError, RecursionError) as error:
@@ -200,6 +204,8 @@ def _clip(file: MotionFile, poses: MocapPoses, provenance: Provenance, reason: s
     if not seated and (low[0] or low[-1]):
         where = "begins" if low[0] else "ends"
         raise InputError(f"it {where} on the floor or on a seat", mend='say posture = "sit" in motions.toml, or cut it')
+    if poses.travel * LEG > FURTHEST:
+        raise InputError(f"it travels {poses.travel * LEG:.0f} m, which is farther than a set is wide")
     x, y = poses.root[-1, :2]
     return MocapClip(
         digest=poses.digest,

@@ -180,7 +180,8 @@ def _hand(motion: SourceMotion, places: Floats, roles: Roles, side: str, fore: F
     """
     hand, out = roles.limbs[f"hand.{side}"], LEFT if side == "L" else -LEFT
     index, others, thumb = (list(roles.fingers.get(f"{name}.{side}", ())) for name in ("index", "fingers", "thumb"))
-    tips = [*index, *others] or [joint for joint in motion.children(hand) if joint not in thumb]
+    below = [joint for joint in motion.children(hand) if joint not in thumb]
+    tips = [*index, *others] or sorted(below, key=lambda joint: -unit(places[joint] - places[hand]) @ (fore @ out))[:1]
     along = places[tips].mean(axis=0) - places[hand] if tips else np.zeros(3)
     if np.linalg.norm(along) < 1e-6 or unit(along) @ (fore @ out) < STRAIGHT:
         return fore

@@ -33,8 +33,8 @@ _STILL: Final = 0.06
 """Radians a second, in the mean of all bones, or legs a second of hips and hands, below which nobody moves."""
 _LEFT_STILL: Final = 0.2
 """Seconds of stillness that are kept at either end."""
-_JUMP: Final = np.radians(20.0)
-"""Mean turn of the bones between the first two frames of a file that begins with its rest."""
+_JUMP: Final = np.radians(8.0)
+"""Mean turn of the joints between the first two frames of a file that begins with its rest."""
 RELAXED: Final = (16.0, 22.0, 0.0)
 """Degrees of the fingers of a skeleton that has none."""
 
@@ -51,7 +51,7 @@ def retarget(motion: SourceMotion) -> MocapPoses:
     motion = motion.checked()
     roles = find_roles(motion)
     reference = reference_of(motion, roles)
-    motion = motion.resampled()
+    motion = _without_rest(motion).resampled()
     places = motion.places @ reference.upright.T
     leg = _leg_of(motion, roles)
     if not leg > 1e-6:
@@ -76,6 +76,17 @@ def retarget(motion: SourceMotion) -> MocapPoses:
         stands=find_stands(ankles, toes),
     )
     return _from_origin(trimmed(poses))
+
+
+def _without_rest(motion: SourceMotion) -> SourceMotion:
+    """Return a motion without a first frame that is only the rest."""
+    if len(motion.places) < 6:
+        return motion
+    traces = np.trace(np.swapaxes(motion.turns[:5], -1, -2) @ motion.turns[1:6], axis1=-2, axis2=-1)
+    steps = np.arccos(np.clip((traces - 1) / 2, -1, 1)).mean(axis=1)
+    if steps[0] < _JUMP or steps[0] < 5 * np.median(steps[1:]):
+        return motion
+    return replace(motion, turns=motion.turns[1:], places=motion.places[1:])
 
 
 def _leg_of(motion: SourceMotion, roles: Roles) -> float:
@@ -182,14 +193,12 @@ def _curls(seen: Floats, roles: Roles, side: str) -> Floats:
 
 
 def trimmed(poses: MocapPoses) -> MocapPoses:
-    """Return a motion without a first frame that is the rest, and without stillness at its ends.
+    """Return a motion without stillness at its ends.
 
     Args:
         poses: Of a whole file.
     """
     steps = 2 * np.arccos(np.clip(np.abs(np.sum(poses.turns[1:] * poses.turns[:-1], axis=-1)), 0, 1)).mean(axis=1)
-    if len(steps) > 4 and steps[0] > _JUMP and steps[0] > 5 * np.median(steps[1:]):
-        return trimmed(_cut(poses, slice(1, None)))
     places = np.c_[poses.root[:, :2] + poses.hips[:, :2], poses.hips[:, 2]]
     speeds = np.maximum(steps, np.linalg.norm(np.diff(places, axis=0), axis=1)) * RATE
     moving = np.flatnonzero(_mean_of_3(speeds) > _STILL)
