@@ -153,9 +153,7 @@ class MotionFolders:
         if not path.is_file():
             return {}
         try:
-            if path.stat().st_size > FURTHEST: Final = 100.0
-"""Metres."""
-_SHEET_BYTES:
+            if path.stat().st_size > _SHEET_BYTES:
                 raise ValueError("too long")
             return tomllib.loads(path.read_bytes().decode("utf-8-sig"))
         except (OSError, ValueError, RecursionError) as error:
