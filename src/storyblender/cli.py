@@ -18,6 +18,7 @@ from storyblender import (
     cli_edits,
     cli_format,
     cli_lamp,
+    cli_library,
     cli_mcp,
     cli_paint,
     cli_pose,
@@ -240,6 +241,7 @@ cli_paint.add_to(app)
 cli_format.add_to(app)
 cli_asset.add_to(app)
 app.add_typer(cli_shots.app, name="shot")
+app.add_typer(cli_library.app, name="library")
 cli_crew.add_to(app)
 cli_deliver.add_to(app)
 cli_mcp.add_to(app)

@@ -26,12 +26,15 @@ from storyblender.crew import rules_crew
 from storyblender.edits.dispatcher import Applied
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.engine.worker import Worker
-from storyblender.errors import InputError
+from storyblender.errors import EngineError, InputError
 from storyblender.folder import Folder
 from storyblender.inspection import Inspection
 from storyblender.library.embedder import load_embedder
+from storyblender.library.shared.entries import LibraryEntry
+from storyblender.library.shared.shared_library import SharedLibrary
 from storyblender.library.sources import asset_sources, service_run
 from storyblender.look.looks import LOOKS
+from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.base import shot_name
 from storyblender.memory.edits import Edit
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -277,6 +280,43 @@ class Studio:
 
     def _warn(self, sentence: str) -> None:
         self._listener(Event(kind="warning", role="asset_retriever", message=sentence))
+
+    def draw_entry(self, library: SharedLibrary, entry: LibraryEntry) -> Path:
+        """Return the picture of a model of the user's library, drawn if it is not there yet.
+
+        Args:
+            library: Has the entry.
+            entry: A model.
+
+        Raises:
+            InputError: It is no model.
+            EngineError: It cannot be read.
+        """
+        if entry.kind not in ("model", "character"):
+            raise InputError(f"no picture is made of a {entry.kind}", mend="name a model")
+        picture = library.thumbnail_of(entry)
+        if not picture.is_file():
+            folder = library.bundle_of(entry)
+            made = CanonicalAsset(source="file", key=entry.main, dimensions=(1, 1, 1), digest="")
+            thing = Asset(asset_id="it", asset_type="object", description="", name=entry.name, canonical=made)
+            with TemporaryDirectory() as name, BlenderEngine(Path(name), [folder], jobs=1) as engine:
+                engine.portrait(AssetJob(asset=thing), "picture.png").result()
+                library.files.write(library.files.name_of(picture), (Path(name) / "picture.png").read_bytes())
+        return picture
+
+    def draw_entries(self, library: SharedLibrary, entries: Sequence[LibraryEntry]) -> None:
+        """Draw the pictures of models; of one that cannot be drawn a warning is told.
+
+        Args:
+            library: Has the entries.
+            entries: Others than models are left out.
+        """
+        for entry in entries:
+            try:
+                if entry.kind == "model":
+                    self.draw_entry(library, entry)
+            except EngineError as error:
+                self._listener(Event(kind="warning", role="library", subject=entry.name, message=str(error)))
 
     def _portrait(self, kind: str, key: str, folder: Path) -> Path:
         with BlenderEngine(folder, jobs=1) as engine:

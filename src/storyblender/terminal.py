@@ -242,6 +242,16 @@ class Terminal:
         if any(each.source == "poly_haven" for each in assets):
             self._results.print("Powered by Poly Haven", soft_wrap=True)
 
+    def facts(self, what: str, values: Mapping[str, str]) -> None:
+        """Print named facts, one a line."""
+        self._progress.stop()
+        if self._json:
+            self._write({what: dict(values)})
+        table = Table("", "", box=None, show_header=False)
+        for name, value in values.items():
+            table.add_row(plain(name), plain(value))
+        self._results.print(table)
+
     def stagings(self, found: Mapping[int, str]) -> None:
         """Print the stagings that stand to choose, each with what is elsewhere in it."""
         self._progress.stop()

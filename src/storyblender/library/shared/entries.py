@@ -59,6 +59,11 @@ class LibraryEntry(EntryFacts):
     """Of all its files."""
 
     @property
+    def facts(self) -> EntryFacts:
+        """What was told about it."""
+        return EntryFacts.model_validate(self.model_dump(exclude={"digest", "bytes"}))
+
+    @property
     def names(self) -> tuple[str, ...]:
         """What it is called; the tags of a service are none of its names."""
         return (self.name, *self.words) if self.request or self.source == ADDED else (self.name,)

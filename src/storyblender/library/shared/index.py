@@ -40,6 +40,10 @@ CREATE TABLE IF NOT EXISTS geometry (
 """
 
 
+class DamagedIndex(InputError):
+    """The index is no database that can be read."""
+
+
 class Index:
     """An open index. Safe to use from several threads and processes.
 
@@ -104,4 +108,4 @@ class Index:
             raise InputError(f"the library cannot be used ({error})", mend=mend, path=self._path) from error
         except sqlite3.DatabaseError as error:
             mend = "`storyblender library clean` makes it anew from the files of the library"
-            raise InputError(f"the library's index is damaged ({error})", mend=mend, path=self._path) from error
+            raise DamagedIndex(f"the library's index is damaged ({error})", mend=mend, path=self._path) from error

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from storyblender.library.shared.uses import Uses
 
 INDEX = "index.sqlite"
-_FILES, _INCOMING = "files", "incoming"
+FILES, INCOMING, THUMBNAILS = "files", "incoming", "thumbnails"
 
 
 class SharedLibrary:
@@ -63,7 +63,7 @@ class SharedLibrary:
                 return None
             from storyblender.library.shared.index import Index
 
-            self.files.make_folder(_FILES)
+            self.files.make_folder(FILES)
             self._opened = Index(path)
         return self._opened
 
@@ -100,7 +100,7 @@ class SharedLibrary:
         """
         if not (folder / facts.main).is_file():
             raise InputError(f"has no file {facts.main!r}", path=folder)
-        index, incoming = self.index(make=True), f"{_INCOMING}/{secrets.token_hex(8)}"
+        index, incoming = self.index(make=True), f"{INCOMING}/{secrets.token_hex(8)}"
         assert index is not None, "made where there was none"
         try:
             with self.files.writing_tree(incoming) as part:
@@ -197,11 +197,19 @@ class SharedLibrary:
             query, values = f"{query} AND instr(lower(facts), lower(?))", [*values, json.dumps(word)[1:-1]]
         with index.reading() as db:
             rows = db.execute(f"{query} ORDER BY added DESC, digest", values).fetchall()
-        return [entry for (facts,) in rows if (entry := _read(facts)) is not None]
+        return [entry for (facts,) in rows if (entry := read_entry(facts)) is not None]
 
     def path_of(self, entry: LibraryEntry) -> Path:
         """Return where the main file of an entry lies."""
         return self.files.path(_bundle(entry.digest), entry.main)
+
+    def bundle_of(self, entry: LibraryEntry) -> Path:
+        """Return the folder with the files of an entry."""
+        return self.files.path(_bundle(entry.digest))
+
+    def thumbnail_of(self, entry: LibraryEntry) -> Path:
+        """Return where the picture of an entry lies once it is drawn."""
+        return self.files.path(THUMBNAILS, f"{entry.digest}.png")
 
     def is_in(self, entry: LibraryEntry, files: Folder, name: str) -> bool:
         """Return whether a project has the files of an entry, whole, in a folder; takes what ``put_into`` does."""
@@ -243,8 +251,8 @@ class SharedLibrary:
         with index.writing() as db:
             for table in ("entries", "origins", "requests", "nouns", "vectors"):
                 db.execute(f"DELETE FROM {table} WHERE digest = ?", (entry.digest,))
-        self.files.delete(_record(entry.digest))
-        self.files.delete(_bundle(entry.digest))
+        for name in (_record(entry.digest), _bundle(entry.digest), f"{THUMBNAILS}/{entry.digest}.png"):
+            self.files.delete(name)
 
     def _named(self, query: str, *values: str) -> LibraryEntry | None:
         found = self._digests(query, *values)
@@ -263,7 +271,7 @@ class SharedLibrary:
             return None
         with index.reading() as db:
             row = db.execute("SELECT facts FROM entries WHERE digest = ?", (digest,)).fetchone()
-        return None if row is None else _read(row[0])
+        return None if row is None else read_entry(row[0])
 
     def _is_whole(self, digest: str) -> bool:
         """Return whether the files of a bundle are as its digest says."""
@@ -274,7 +282,7 @@ class SharedLibrary:
 
 
 def _bundle(digest: str) -> str:
-    return f"{_FILES}/{digest[:2]}/{digest}"
+    return f"{FILES}/{digest[:2]}/{digest}"
 
 
 def _record(digest: str) -> str:
@@ -289,8 +297,8 @@ def _digest(folder: Path) -> str:
         raise InputError("a bundle has plain files only, no links", mend="copy the files themselves") from error
 
 
-def _read(facts: str) -> LibraryEntry | None:
-    """Return an entry as its row has it; None for a row that is damaged."""
+def read_entry(facts: str) -> LibraryEntry | None:
+    """Return an entry as its row or its record has it; None where that is damaged."""
     try:
         return LibraryEntry.model_validate_json(facts)
     except (ValidationError, TypeError):

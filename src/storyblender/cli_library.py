@@ -1,0 +1,235 @@
+"""``storyblender library``: what stories brought in is listed, added to, cleaned, carried elsewhere, and counted."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from storyblender.cli_options import Json, examples, open_studio
+from storyblender.errors import InputError
+from storyblender.shell import shown
+
+if TYPE_CHECKING:
+    from storyblender.library.shared.entries import LibraryEntry
+    from storyblender.library.shared.shared_library import SharedLibrary
+
+Named = Annotated[
+    str, typer.Argument(metavar="ENTRY", help="Its name, its path as credits.md has it, or eight digits of its digest.")
+]
+Words = Annotated[str, typer.Argument(metavar="[WORDS]", help="All of them are in name, tags, author or licence.")]
+Kind = Annotated[str | None, typer.Option(help="model, texture, panorama, motion, image or character.")]
+Source = Annotated[str, typer.Option(help="Where it came from: poly_haven, meshy ..., files for what you added.")]
+_COLUMNS: dict[str, Callable[[Any], str]] = {
+    "entry": lambda entry: entry.digest[:8],
+    "kind": lambda entry: entry.kind,
+    "name": lambda entry: entry.name,
+    "from": lambda entry: entry.source,
+    "author": lambda entry: entry.credit.author,
+    "licence": lambda entry: entry.credit.license or "not stated",
+    "MB": lambda entry: f"{entry.bytes / 1e6:.1f}",
+}
+_JOB_COLUMNS: dict[str, Callable[[Any], str]] = {
+    "job": lambda job: str(job.id),
+    "service": lambda job: job.service,
+    "state": lambda job: "sent, not known" if job.state == "begun" else job.state,
+    "$": lambda job: f"{job.price:.2f}",
+    "of the service": lambda job: job.remote_id,
+    "": lambda job: job.reason,
+}
+app = typer.Typer(
+    no_args_is_help=True,
+    rich_markup_mode="rich",
+    help="Your library: what stories brought in or you added, shared by all your projects.",
+)
+
+
+@app.command(name="list", epilog=examples("library list", "library list armchair", "library list --kind panorama"))
+def list_entries(words: Words = "", kind: Kind = None, source: Source = "", json_lines: Json = False) -> None:
+    """List what is in the library, the newest first."""
+    with shown(quiet=False, json_lines=json_lines) as terminal:
+        terminal.listed("entries", _found(words, kind, source), _COLUMNS)
+
+
+@app.command(epilog=examples("library show 'Arm Chair 01'", "library show 3f9a11c0 --picture chair.png"))
+def show(
+    entry: Named,
+    picture: Annotated[Path | None, typer.Option(help="Also write a picture of it, a PNG, here.")] = None,
+    json_lines: Json = False,
+) -> None:
+    """Show all that is known of an entry: licence, origin, file, and which stories it is used in."""
+    with shown(quiet=False, json_lines=json_lines) as terminal:
+        library = _library()
+        found = _entry(library, entry)
+        facts = {name: str(value) for name, value in found.model_dump(exclude={"credit"}).items() if value}
+        facts |= {name: text for name, text in found.credit if text}
+        facts |= {"whole": "yes" if library.get(found.digest) is not None else "no: its files are missing or changed"}
+        used = library.uses.of_entry(found.digest)
+        facts |= {f"used in {Path(story).name}": name for story, name in used}
+        terminal.facts("entry", facts | {"file": str(library.path_of(found))})
+        if picture is not None:
+            from storyblender.folder import Folder
+
+            drawn = open_studio(terminal).draw_entry(library, found)
+            Folder(picture.parent).write(picture.name, drawn.read_bytes())
+
+
+@app.command(
+    epilog=examples("library add chairs/", "library add throne.glb --author 'Ann Example' --license CC-BY-4.0")
+)
+def add(
+    paths: Annotated[list[Path], typer.Argument(metavar="PATH...", help="Models, panoramas, or folders of them.")],
+    also: Annotated[list[str] | None, typer.Option(help="What else it is called; may be given again.")] = None,
+    author: Annotated[str, typer.Option(help="Whose work it is.")] = "",
+    license: Annotated[str, typer.Option(help="CC0-1.0, CC-BY-4.0 ...")] = "",
+    url: Annotated[str, typer.Option(help="Its address.")] = "",
+    picture: Annotated[bool, typer.Option("--picture/--no-picture", help="Draw a picture of each model.")] = True,
+    json_lines: Json = False,
+) -> None:
+    """Add models and panoramas with the files that they name; a story finds them by the words of their file's name.
+
+    Whose work they are is read from the options, then from `chair.credits.toml` or `credits.toml` beside them. Without
+    a licence they count as your own.
+    """
+    with shown(quiet=False, json_lines=json_lines) as terminal:
+        from storyblender.library.embedder import load_embedder
+        from storyblender.library.shared.adding import add_work, works_in
+        from storyblender.library.shared.search import LibrarySearch
+        from storyblender.memory.asset_sheet import Credit
+        from storyblender.model_content import credit_lines
+
+        library = _library()
+        credit = Credit.model_validate(credit_lines({"author": author, "license": license, "url": url}))
+        works = [(work, path if path.is_dir() else path.parent) for path in paths for work in works_in(path)]
+        added = [add_work(library, work, top, credit, tuple(also or ())) for work, top in works]
+        LibrarySearch(library, load_embedder).know()
+        if picture:
+            open_studio(terminal).draw_entries(library, added)
+        terminal.listed("entries", added, _COLUMNS)
+
+
+@app.command(epilog=examples("library remove 'Arm Chair 01'"))
+def remove(entries: Annotated[list[str], typer.Argument(metavar="ENTRY...")], json_lines: Json = False) -> None:
+    """Remove entries with their files. Finished projects keep theirs; the figures keep what was used."""
+    with shown(quiet=False, json_lines=json_lines) as terminal:
+        library = _library()
+        found = [_entry(library, entry) for entry in entries]
+        for entry in found:
+            library.remove(entry)
+        terminal.listed("removed", found, _COLUMNS)
+
+
+@app.command(epilog=examples("library figures"))
+def figures(json_lines: Json = False) -> None:
+    """Tell how much was used again over all stories, as the paper counts it.
+
+    A request is one thing of one story. It is avoided if nothing was built, downloaded or made for it: the library had
+    it, or another thing of the story is the same.
+    """
+    with shown(quiet=False, json_lines=json_lines) as terminal:
+        told = _library().uses.figures()
+        rows = {
+            "stories": str(told.stories),
+            "raw model requests": str(told.requests),
+            "globally unique models": str(told.unique),
+            "builds or downloads avoided": str(told.avoided),
+            "of these in one story": str(told.avoided_in_story),
+            "of these downloads": str(told.downloads_avoided),
+            "reduction": f"{told.reduction:.2f} %",
+            "references per model": f"{told.references:.3f}",
+        }
+        terminal.facts("figures", rows | {name: f"{count} models" for name, count in told.categories.items()})
+
+
+@app.command(epilog=examples("library jobs", "library jobs --ask-again 12"))
+def jobs(
+    ask_again: Annotated[
+        int | None, typer.Option(metavar="JOB", help="Give it up, so that it is asked for, and paid for, again.")
+    ] = None,
+    json_lines: Json = False,
+) -> None:
+    """List work that services were paid for, with what is not finished.
+
+    A job that was sent when its run was ended, so that nobody knows what became of it, is never sent again unasked.
+    """
+    with shown(quiet=False, json_lines=json_lines) as terminal:
+        ledger = _library().jobs
+        if ask_again is not None:
+            ledger.ask_again(ask_again)
+        terminal.listed("jobs", ledger.all(), _JOB_COLUMNS)
+
+
+@app.command(epilog=examples("library clean --dry-run", "library clean"))
+def clean(
+    dry_run: Annotated[bool, typer.Option("--dry-run", help="Only say what would go.")] = False,
+    json_lines: Json = False,
+) -> None:
+    """Forget entries whose files are damaged, delete files that belong to nothing, make a damaged index anew."""
+    with shown(quiet=False, json_lines=json_lines) as terminal:
+        from storyblender.library.shared.cleaning import collect_garbage, rebuilt_index
+        from storyblender.library.shared.index import DamagedIndex
+
+        library, rows = _library(), {}
+        try:
+            library.index()
+        except DamagedIndex:
+            if dry_run:
+                raise
+            rows["entries of the new index"] = str(rebuilt_index(library))
+        found = collect_garbage(library, dry_run=dry_run)
+        rows |= {"damaged entries": str(len(found.damaged)), "files of nothing": str(found.files)}
+        rows |= {f"damaged {entry.digest[:8]}": entry.name for entry in found.damaged}
+        terminal.facts("clean", rows | {"MB that would go" if dry_run else "MB freed": f"{found.bytes / 1e6:.1f}"})
+
+
+@app.command(epilog=examples("library pack mine.zip", "library pack chairs.zip chair"))
+def pack(
+    out: Annotated[Path, typer.Argument(metavar="OUT.zip")],
+    words: Words = "",
+    kind: Kind = None,
+    source: Source = "",
+    json_lines: Json = False,
+) -> None:
+    """Write entries with their files, licences and origins into one .zip, for another library."""
+    with shown(quiet=False, json_lines=json_lines) as terminal:
+        from storyblender.library.shared.packs import pack as write_pack
+
+        count = write_pack(_library(), _found(words, kind, source), out)
+        terminal.facts("packed", {"file": str(out), "entries": str(count)})
+
+
+@app.command(epilog=examples("library unpack mine.zip"))
+def unpack(archive: Annotated[Path, typer.Argument(metavar="FILE.zip")], json_lines: Json = False) -> None:
+    """Add what a pack holds; a pack that is damaged or would write elsewhere is refused whole."""
+    with shown(quiet=False, json_lines=json_lines) as terminal:
+        from storyblender.library.shared.packs import unpack as read_pack
+
+        terminal.listed("entries", read_pack(_library(), archive), _COLUMNS)
+
+
+def _library() -> SharedLibrary:
+    from storyblender.library.shared.shared_library import SharedLibrary
+
+    return SharedLibrary.open()
+
+
+def _found(words: str, kind: str | None, source: str) -> list[LibraryEntry]:
+    from typing import get_args
+
+    from storyblender.library.shared.entries import EntryKind
+
+    known = next((each for each in get_args(EntryKind) if each == kind), None)
+    if kind is not None and known is None:
+        raise InputError(f"there is no kind {kind!r}", mend=f"it is one of {', '.join(get_args(EntryKind))}")
+    return _library().find(words, known, source)
+
+
+def _entry(library: SharedLibrary, told: str) -> LibraryEntry:
+    """Return the entry that a person means. Raises InputError."""
+    entry = library.told(told)
+    if entry is None:
+        mend = "see `storyblender library list`; eight digits tell which of several is meant"
+        raise InputError(f"the library has no one entry {told!r}", mend=mend)
+    return entry
