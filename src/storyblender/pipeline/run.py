@@ -24,11 +24,8 @@ from storyblender.settings import REMEMBERED, Settings
 from storyblender.trace import Event, Listener
 
 if TYPE_CHECKING:
-<<<<<<< HEAD
-    from storyblender.library.shared.shared_library import SharedLibrary
-=======
     from storyblender.library.mocap.folders import MotionFolders
->>>>>>> 1056d129 (mocap: motion clips of one's own (BVH) play actions, by name, meaning or by hand)
+    from storyblender.library.shared.shared_library import SharedLibrary
 
 Given = ParamSpec("Given")
 View = TypeVar("View")
@@ -96,7 +93,6 @@ class Run:
         return read_panorama(self.settings.hdri)
 
     @cached_property
-<<<<<<< HEAD
     def library(self) -> SharedLibrary | None:
         """The user's library; None where the settings turn it off."""
         if not self.settings.library:
@@ -113,13 +109,13 @@ class Run:
         except InputError as error:
             self.library = None
             self.tell(Event(kind="warning", role="library", message=f"{error}; this run goes on without it"))
-=======
+
+    @cached_property
     def own_motions(self) -> MotionFolders:
         """The user's folders of motion clips, as they are now."""
         from storyblender.library.mocap.folders import MotionFolders
 
         return MotionFolders(self.settings.motions)
->>>>>>> 1056d129 (mocap: motion clips of one's own (BVH) play actions, by name, meaning or by hand)
 
     @property
     def outputs(self) -> Outputs:
