@@ -12,10 +12,11 @@ import tempfile
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from importlib.util import find_spec
 from io import BytesIO
 from pathlib import Path
 from threading import Event as Signal
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, get_args
 
 from pydantic import BaseModel
 
@@ -24,9 +25,11 @@ from storyblender.catalog.bodies import body_pack_path
 from storyblender.crew_setting import Player, players
 from storyblender.deliver.fonts import font_file
 from storyblender.errors import InputError, NoAnswer
+from storyblender.keys import key_names, known_key
 from storyblender.language.answerers import provider_class
 from storyblender.language.budget import Budget
 from storyblender.memory.request import Picture
+from storyblender.service_setting import ServiceName
 
 if TYPE_CHECKING:
     from storyblender.language.provider import Provider
@@ -78,7 +81,7 @@ def examine(folder: Path | None = None) -> list[Finding]:
     if libraries.healthy:
         findings.append(check_blender())
         findings.append(check_drawing())
-    return [*findings, check_people(), check_fonts(), check_disk(folder or Path.cwd())]
+    return [*findings, check_people(), check_fonts(), check_disk(folder or Path.cwd()), check_services()]
 
 
 def examine_crew(setting: str) -> list[Finding]:
@@ -210,6 +213,22 @@ def check_people() -> Finding:
     if pack.is_file():
         return Finding("Body data", True, str(pack))
     return Finding("Body data", False, "not fetched yet", f"{sys.executable} -m storyblender.library.body_data")
+
+
+def check_services(key: Callable[[str], str] = known_key) -> Finding:
+    """Which services could be asked for assets: what they need is installed and their keys are known; none is asked.
+
+    Args:
+        key: Returns a key by its name, empty if there is none.
+    """
+    if find_spec("httpx2") is None or find_spec("tenacity") is None:
+        mend = 'pip install "storyblender[services]"'
+        return Finding("Services", True, "what services need is not installed", mend)
+    missing = {name: [each for each in key_names(name) if not key(each)] for name in get_args(ServiceName)}
+    ready = [name for name, keys in missing.items() if not keys and name != "trellis"]
+    lacks = [f"{name} ({', '.join(keys)})" for name, keys in missing.items() if keys]
+    says = f"{', '.join(ready)} can be asked" + f"; there is no key for {', '.join(lacks)}" * bool(lacks)
+    return Finding("Services", True, f"{says}; trellis and servers of your own need their address")
 
 
 def check_fonts() -> Finding:

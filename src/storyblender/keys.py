@@ -20,6 +20,8 @@ SERVICE_KEYS: Final[dict[ServiceName, str]] = {
     "meshy": "MESHY_API_KEY",
 }  # fmt: skip
 """Service -> the environment variable of its key, and the name under which the keyring has it."""
+TENCENT_KEYS: Final = ("TENCENTCLOUD_SECRET_ID", "TENCENTCLOUD_SECRET_KEY")
+"""Names of the two halves of the key of ``hunyuan3d``."""
 
 
 def known_key(name: str) -> str:
@@ -53,6 +55,11 @@ def key_name_of_host(address: str) -> str:
 def service_key_name(choice: ServiceChoice) -> str:
     """Return the name of the key that a service may have; empty where it needs none."""
     return key_name_of_host(choice.address) if choice.address else SERVICE_KEYS.get(choice.name, "")
+
+
+def key_names(name: ServiceName) -> tuple[str, ...]:
+    """Return the names of the keys that a service's own servers ask for; none where they ask for none."""
+    return TENCENT_KEYS if name == "hunyuan3d" else tuple(filter(None, (SERVICE_KEYS.get(name, ""),)))
 
 
 def service_key(choice: ServiceChoice) -> str:

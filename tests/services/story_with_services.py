@@ -87,10 +87,10 @@ def downloads(haven: Site, fab: Site) -> dict[str, int]:
 
 
 class Killer:
-    """Kills the process that makes a request, when the given number of requests has come."""
+    """Kills the process that makes a request, when the given number of requests has come; ``last`` is its path."""
 
     def __init__(self, sites: tuple[Site, Site], number: int) -> None:
-        self.left, self.process = number, 0
+        self.left, self.process, self.last = number, 0, ""
         for site in sites:
             site.pages = {path: self._watched(page) for path, page in site.pages.items()}
 
@@ -98,6 +98,7 @@ class Killer:
         def answer(hit: Hit) -> Act:
             self.left -= 1
             if self.left == 0:
+                self.last = hit.path
                 os.kill(self.process, signal.SIGKILL)
             act = page(hit) if callable(page) else page
             assert not isinstance(act, tuple | list)

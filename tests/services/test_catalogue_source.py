@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 from pathlib import Path
+from threading import Event
 from typing import Any
 
 import pytest
@@ -16,7 +17,7 @@ from storyblender.errors import InputError
 from storyblender.folder import Folder
 from storyblender.library.catalogue_source import CatalogueSource
 from storyblender.library.shared.shared_library import SharedLibrary
-from storyblender.library.sources import asset_sources
+from storyblender.library.sources import asset_sources, service_run
 from storyblender.memory.jobs import FETCHED
 from storyblender.model_content import content_of
 from storyblender.ports import AssetSource
@@ -161,3 +162,10 @@ def test_a_credit_from_outside_cannot_break_its_file(site: Site, tmp_path: Path)
     told = tomllib.loads(files.path(FETCHED, recipe.key).with_name("credits.toml").read_text(encoding="utf-8"))
     assert told["license"] == "CC0-1.0" and set(told) == {"author", "license", "url"}
     assert json.loads(json.dumps(told))["author"].startswith('A" [x] license = "MIT, B\\')
+
+
+def test_services_whose_packages_are_missing_are_refused_in_one_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("storyblender.library.sources.find_spec", lambda name: None)
+    with pytest.raises(InputError, match=r"extra `services`; pip install"):
+        service_run(Settings(services="poly_haven"), Event())
+    assert service_run(Settings(), Event()) is None

@@ -49,3 +49,10 @@ def test_a_probe_that_draws_nothing_is_bad(monkeypatch: pytest.MonkeyPatch) -> N
 def test_a_real_probe_imports_and_draws(tmp_path: Path) -> None:
     assert doctor.check_blender().says.startswith("bpy ")
     assert doctor.check_drawing().healthy
+
+
+def test_services_without_a_key_are_told_and_are_no_fault() -> None:
+    found = doctor.check_services({"SKETCHFAB_API_TOKEN": "secret", "TENCENTCLOUD_SECRET_ID": "half"}.get)
+    can, _, lacks = found.says.partition(" can be asked")
+    assert found.healthy and {*can.split(", ")} == {"poly_haven", "sketchfab"}
+    assert "openai (OPENAI_API_KEY)" in lacks and "(TENCENTCLOUD_SECRET_KEY)" in lacks and "secret" not in found.says

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from importlib.util import find_spec
 from threading import Event as Signal
 from typing import TYPE_CHECKING
 
+from storyblender.errors import InputError
 from storyblender.folder import Folder
 from storyblender.library.built_in import BuiltInLibrary
 from storyblender.library.library_source import LibrarySource
@@ -56,9 +58,14 @@ def service_run(settings: Settings, cancelled: Signal) -> ServiceRun | None:
     Args:
         settings: Name the services, and the limits on them.
         cancelled: Set when nobody waits any more.
+
+    Raises:
+        InputError: The extra ``services`` is not installed.
     """
     if not settings.services:
         return None
+    if any(find_spec(name) is None for name in ("httpx2", "tenacity")):
+        raise InputError("services need the extra `services`", mend='pip install "storyblender[services]"')
     from storyblender.services.budget import ServiceBudget
     from storyblender.services.register import ServiceRun
     from storyblender.services.shelf import Shelf

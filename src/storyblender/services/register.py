@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from urllib.parse import urlsplit
 
 from storyblender.errors import ServiceFailure
-from storyblender.keys import known_key, service_key, service_key_name
+from storyblender.keys import TENCENT_KEYS, known_key, service_key, service_key_name
 from storyblender.service_setting import LicenceFilter, ServiceChoice, ServiceName
 from storyblender.services.budget import ServiceBudget
 from storyblender.services.making import ImageModel, ModelMaker
@@ -99,10 +99,9 @@ def _hunyuan3d(choice: ServiceChoice, run: ServiceRun) -> ModelMaker:
         return Hunyuan3DServer(run.web(choice, choice.address, "Authorization", "Bearer"), choice.model)
     from storyblender.services.tencent_signature import TencentKey
 
-    names = ("TENCENTCLOUD_SECRET_ID", "TENCENTCLOUD_SECRET_KEY")
-    secret_id, secret_key = (known_key(name) for name in names)
+    secret_id, secret_key = map(known_key, TENCENT_KEYS)
     if not secret_id or not secret_key:
-        raise ServiceFailure("there is no key for hunyuan3d", mend=f"set {' and '.join(names)}")
+        raise ServiceFailure("there is no key for hunyuan3d", mend=f"set {' and '.join(TENCENT_KEYS)}")
     return Hunyuan3DCloud(run.web(choice, ADDRESS), TencentKey(secret_id, secret_key), choice.model)
 
 
