@@ -6,7 +6,7 @@ The pipeline names a role and never constructs a policy, so that another crew ne
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 from storyblender.agents.concept_artist.asset_formatter import (
@@ -28,6 +28,14 @@ from storyblender.agents.concept_artist.image_prompt import (
     ImagePromptView,
     RulesImagePrompts,
     image_prompt_view,
+)
+from storyblender.agents.concept_artist.reference_picture import (
+    MOST_PICTURES,
+    PaintedByPrompt,
+    ReferencePicture,
+    ReferencePictureCritic,
+    ReferencePictureView,
+    reference_picture_view,
 )
 from storyblender.agents.concept_artist.retriever import RulesAssetRetriever
 from storyblender.agents.director.director import (
@@ -119,6 +127,8 @@ class Crew:
     camera_operator: Operator
     instructor: Role[[ContinuityMemoryGraph, str], InstructorView, Instruction]
     """Turns a person's words into edits."""
+    reference_picture: Role[[Asset, str, Callable[[str], bytes]], ReferencePictureView, ReferencePicture]
+    """The Asset Generator again: has a picture drawn that is sound enough to make a model of."""
 
 
 def rules_crew(settings: Settings, embedder: Callable[[], Embedder], sources: Sequence[AssetSource]) -> Crew:
@@ -146,6 +156,8 @@ def rules_crew(settings: Settings, embedder: Callable[[], Embedder], sources: Se
     retrievers = (RulesAssetRetriever(sources), RulesAssetGenerator(embedder))
     dimensions = dict[str, AssetDimension]
     camera = settings.reflection("camera_operator", CAMERA_THRESHOLD, CAMERA_HORIZON)
+    painters, examiner = [PaintedByPrompt()], ReferencePictureCritic()
+    painter = role("asset_generator", reference_picture_view, painters, examiner, ReferencePicture)
     return Crew(
         role("director", _as_it_is, [RulesDirector(embedder)], DirectorCritic(), Reading),
         role("shot_director", ShotDirectorView, [RulesShotDirector()], ShotDirectorCritic(), Storyboard),
@@ -171,6 +183,7 @@ def rules_crew(settings: Settings, embedder: Callable[[], Embedder], sources: Se
         ),
         lambda viewfinder: rules_operator(viewfinder, *camera),
         role("instructor", instructor_view, [RulesInstructor()], InstructorCritic(), Instruction),
+        replace(painter, horizon=min(painter.horizon, MOST_PICTURES - 1)),
     )  # fmt: skip
 
 

@@ -15,6 +15,7 @@ from storyblender.agents.concept_artist.asset_critic import AssetCriticNotes, wi
 from storyblender.agents.concept_artist.language_asset_formatter import PoseNotes, language_asset_formatter
 from storyblender.agents.concept_artist.language_asset_retriever import ChoiceNotes, language_asset_retriever
 from storyblender.agents.concept_artist.language_image_prompt import ImagePromptNotes, language_image_prompts
+from storyblender.agents.concept_artist.reference_picture import with_picture_critic
 from storyblender.agents.director.annotation import SceneNotes
 from storyblender.agents.director.director import RulesDirector, RulesShotDirector
 from storyblender.agents.director.language_director import LanguageDirector
@@ -110,6 +111,7 @@ def language_crew(
             played[name] = replace(role, policies=(make(answerer, embedder), *role.policies))
     if (answerer := answerers.get("asset_critic")) is not None:
         played["asset_retriever"] = with_asset_critic(answerer, played.get("asset_retriever", crew.asset_retriever))
+        played["reference_picture"] = with_picture_critic(answerer, crew.reference_picture)
     if (answerer := answerers.get("layout_critic")) is not None:
         played["spatial_planner"] = with_layout_critic(answerer, played.get("spatial_planner", crew.spatial_planner))
     if (answerer := answerers.get("light_critic")) is not None:

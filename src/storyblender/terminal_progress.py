@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 _CONTROLS = {code: "\N{REPLACEMENT CHARACTER}" for code in (*range(32), *range(127, 160)) if chr(code) not in "\t\n"}
 LABELS = {
     "ground": "Reading the script",
+    "generate": "Having things made",
     "materialize": "Building people and props",
     "stage": "Laying out the scenes",
     "pack": "Building the scenes",

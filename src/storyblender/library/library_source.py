@@ -60,18 +60,7 @@ class LibrarySource:
         Raises:
             InputError: They are gone or damaged.
         """
-        entry = self._found[recipe.key]
-        folder = f"{FETCHED}/{entry.place}"
-        if not self._library.is_in(entry, files, folder):
-            self._library.put_into(entry, files, folder)
-        path = files.path(folder, entry.main)
-        with path.open("rb") as file:
-            digest = hashlib.file_digest(file, "sha256").hexdigest()
-        provenance = Provenance(
-            source=entry.source or self.name, file=recipe.key, digest=digest, **entry.credit.model_dump()
-        )
-        params = {**recipe.params, "content": content_of(path, files.path(FETCHED))}
-        return recipe.model_copy(update={"provenance": provenance, "params": params})
+        return placed_model(self._library, self._found[recipe.key], recipe, files)
 
     def chosen(self, told: str) -> Recipe | None:
         """Return the model that a person names by its key, its name, or eight or more digits of its digest.
@@ -92,16 +81,43 @@ class LibrarySource:
         )
 
 
+def placed_model(library: SharedLibrary, entry: LibraryEntry, recipe: Recipe, files: Folder) -> Recipe:
+    """Put the files of a model into a project, and return its recipe with what is known of them.
+
+    Args:
+        library: Where it is.
+        entry: The model.
+        recipe: With its key.
+        files: The project folder.
+
+    Raises:
+        InputError: They are gone or damaged.
+    """
+    folder = f"{FETCHED}/{entry.place}"
+    if not library.is_in(entry, files, folder):
+        library.put_into(entry, files, folder)
+    path = files.path(folder, entry.main)
+    with path.open("rb") as file:
+        digest = hashlib.file_digest(file, "sha256").hexdigest()
+    source = entry.source or LibrarySource.name
+    provenance = Provenance(source=source, file=recipe.key, digest=digest, **entry.credit.model_dump())
+    params = {**recipe.params, "content": content_of(path, files.path(FETCHED))}
+    return recipe.model_copy(update={"provenance": provenance, "params": params})
+
+
 def may_be_used(entry: LibraryEntry, wanted: LicenceFilter) -> bool:
     """Return whether the licence of an entry passes the filter of the settings.
 
-    What a person added, or had made for them, is theirs; only a licence that is said to be another one counts.
+    What a person added is theirs; only a licence that is said to be another one counts. What services made for them is
+    theirs by the terms of all of these, but not given to the public domain.
 
     Args:
         entry: In the library.
         wanted: By the settings.
     """
-    said, own = entry.credit.license, entry.source == ADDED or bool(entry.request)
+    said, own = entry.credit.license, entry.source == ADDED
+    if entry.request:
+        return wanted != "free"
     if own and (not said or wanted == "any"):
         return True
     return is_allowed(licence_of(said), wanted)

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD
+from storyblender.agents.concept_artist.image_prompt import ImagePrompts
 from storyblender.agents.layout_artist.dimension_estimator import RulesDimensionEstimator
 from storyblender.catalog.meanings import WORDS_BY_AGE
 from storyblender.catalog.parts import PART_PROPS
@@ -24,6 +26,9 @@ from storyblender.pipeline.run import Run
 from storyblender.pipeline.shared_assets import SharedBuilding
 from storyblender.trace import Event
 
+if TYPE_CHECKING:
+    from storyblender.pipeline.generating import Workshop
+
 
 def materialize(run: Run, assets: Sequence[Asset] | None = None) -> None:
     """Decide, size, build and measure every asset that is not built yet or whose files are damaged; one commit.
@@ -37,7 +42,10 @@ def materialize(run: Run, assets: Sequence[Asset] | None = None) -> None:
         return
     draw, building = asset_views(run), SharedBuilding(run)
     concept = ConceptArtist(run, draw)
-    decided = _sized(run, concept.all_formatted(concept.all_decided(missing)), draw)
+    found, prompts = concept.all_decided(missing), ImagePrompts()
+    if concept.workshop is not None:
+        found, prompts = concept.all_made(found)
+    decided = _sized(run, concept.all_formatted(found), draw)
     building.prepare(decided)
     waiting = [(asset, building.build(asset)) for asset in decided]
     built: list[Asset] = []
@@ -47,14 +55,21 @@ def materialize(run: Run, assets: Sequence[Asset] | None = None) -> None:
         note_asset(run, built[-1])
     run.progress("materialize", len(waiting), len(waiting))
     building.give(built)
-    run.commit("asset_formatter", f"{len(built)} asset{'s' * (len(built) != 1)} built", *_with_prompts(run, built))
+    told = f"{len(built)} asset{'s' * (len(built) != 1)} built"
+    run.commit("asset_formatter", told, *_with_prompts(run, built, prompts))
 
 
-def _with_prompts(run: Run, assets: Sequence[Asset]) -> list[Asset]:
+def _with_prompts(run: Run, assets: Sequence[Asset], known: ImagePrompts) -> list[Asset]:
     """Return the assets, those that something stands in for with a text-to-image prompt, the others with none."""
     wanted = [asset for asset in assets if _is_stood_in_for(asset)]
-    prompts = run.reflect(run.crew.asset_generator, "assets", run.graph, wanted).draft if wanted else {}
-    return [asset.model_copy(update={"image_prompt": prompts.get(asset.asset_id, "")}) for asset in assets]
+    prompts = known | _prompts(run, [asset for asset in wanted if asset.asset_id not in known])
+    given = {asset.asset_id: prompts.get(asset.asset_id, "") for asset in wanted}
+    return [asset.model_copy(update={"image_prompt": given.get(asset.asset_id, "")}) for asset in assets]
+
+
+def _prompts(run: Run, assets: Sequence[Asset]) -> ImagePrompts:
+    """Return the text-to-image prompts of things that something stands in for."""
+    return run.reflect(run.crew.asset_generator, "assets", run.graph, assets).draft if assets else {}
 
 
 def _is_stood_in_for(asset: Asset) -> bool:
@@ -133,6 +148,25 @@ class ConceptArtist:
         }
         """Of the model files whose front and top are decided, by name and content."""
         self._means = WORDS_BY_AGE.get(run.graph.age or "today", {})
+        self.workshop = workshop_of(run)
+        """Makes things that no source has; None where the settings name no services that do."""
+        self._standing_in: dict[str, Event] = {}
+        """What is to be said of things that something stands in for, once nothing was made for them, by asset id."""
+
+    def all_made(self, assets: Sequence[Asset]) -> tuple[list[Asset], ImagePrompts]:
+        """Return the assets, stand-ins replaced by models that services made, and the prompts of the pictures.
+
+        Raises:
+            AnswerAwaited: Answers have to come from outside first; what is paid for is kept.
+        """
+        workshop, self.workshop = self.workshop, None
+        wanted = [asset for asset in assets if _is_stood_in_for(asset)]
+        prompts = _prompts(self._run, wanted)
+        made = workshop.made(wanted, prompts) if workshop is not None and wanted else {}
+        for asset_id, event in self._standing_in.items():
+            if asset_id not in made:
+                self._run.tell(event)
+        return [made.get(asset.asset_id, asset) for asset in assets], prompts
 
     def give_up(self, asset: Asset, key: str, error: StoryBlenderError) -> Asset:
         """Return the asset with something else to be made from than a model that cannot be used, and say so.
@@ -205,7 +239,11 @@ class ConceptArtist:
             message = (
                 f"the library has no {asset.name or asset.asset_id}; the {name} stands in for it ({recipe.reason})"
             )
-            self._run.tell(Event(kind="warning", role="asset_generator", subject=asset.asset_id, message=message))
+            event = Event(kind="warning", role="asset_generator", subject=asset.asset_id, message=message)
+            if self.workshop is None:
+                self._run.tell(event)
+            else:
+                self._standing_in[asset.asset_id] = event
         recipe = recipe.in_state(outcome.view.state).filled_with(asset.liquid).with_caller(asset.description)
         recipe = recipe.written(asset.writing)
         return asset.model_copy(update={"canonical": recipe.canonical()})
@@ -245,6 +283,15 @@ class ConceptArtist:
         origin = recipe.provenance.source if recipe.provenance else None
         source = next((each for each in self._run.sources if each.name == origin), None)
         return recipe if source is None else source.fetch(recipe, self._run.project.files)
+
+
+def workshop_of(run: Run) -> Workshop | None:
+    """Return what makes things for a run; None where the settings name no services that do."""
+    if run.services is None:
+        return None
+    from storyblender.pipeline.generating import Workshop
+
+    return Workshop.of(run, run.services)
 
 
 def _each(decide: Callable[[Asset], Asset], assets: Sequence[Asset]) -> list[Asset]:

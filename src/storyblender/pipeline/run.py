@@ -26,6 +26,7 @@ from storyblender.trace import Event, Listener
 if TYPE_CHECKING:
     from storyblender.library.mocap.folders import MotionFolders
     from storyblender.library.shared.shared_library import SharedLibrary
+    from storyblender.services.register import ServiceRun
 
 Given = ParamSpec("Given")
 View = TypeVar("View")
@@ -43,6 +44,7 @@ class Run:
         listener: Hears every event.
         sources: Where assets come from.
         cancelled: Set from any thread to stop the run before its next step or job.
+        services: What the run gives the services that it asks; None if it asks none.
 
     Attributes:
         packs: Scene id to the pack in use, as the staging made them.
@@ -58,8 +60,9 @@ class Run:
         listener: Listener,
         sources: Sequence[AssetSource] = (),
         cancelled: Signal | None = None,
+        services: ServiceRun | None = None,
     ) -> None:
-        self.sources = sources
+        self.sources, self.services = sources, services
         self.project, self.crew, self.settings, self.listener = project, crew, settings, listener
         self._engine, self._cancelled = engine, cancelled or Signal()
         self.packs: dict[int, PackRef] = {}
@@ -68,7 +71,7 @@ class Run:
     def in_front(self) -> Run:
         """Return a run of the same call whose engine is for what a person waits for."""
         parts = self.project, self.engine.front, self.crew, self.settings, self.listener, self.sources, self._cancelled
-        return Run(*parts)
+        return Run(*parts, self.services)
 
     @property
     def engine(self) -> Engine:

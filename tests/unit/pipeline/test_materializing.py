@@ -70,6 +70,7 @@ def quick_run(
     run = SimpleNamespace(
         graph=graph,
         settings=settings,
+        services=None,
         engine=Builder(broken, notes),
         outputs=SimpleNamespace(note=lambda name: None),
         tell=told.append,
