@@ -14,7 +14,7 @@ from pathlib import Path
 from threading import Event as Signal
 from threading import Lock, RLock
 from types import TracebackType
-from typing import Self
+from typing import TYPE_CHECKING, Self
 
 from storyblender.crew import Crew
 from storyblender.errors import Cancelled, InputError, StoryBlenderError
@@ -29,6 +29,9 @@ from storyblender.ports import AssetSource, Engine
 from storyblender.project import Project
 from storyblender.settings import Settings
 from storyblender.trace import Event, Listener
+
+if TYPE_CHECKING:
+    from storyblender.services.register import ServiceRun
 
 EngineMaker = Callable[[Listener], AbstractContextManager[Engine]]
 """Opens the engine; the listener hears the progress of its jobs."""
@@ -45,6 +48,7 @@ class OpenProject:
         settings: Of every call.
         listener: Hears every event, on the thread that causes it; one at a time.
         cancelled: Set by ``cancel``, for what a role waits for outside of Blender.
+        services: What calls give the services that they ask; None if they ask none.
     """
 
     def __init__(
@@ -56,7 +60,9 @@ class OpenProject:
         settings: Settings,
         listener: Listener,
         cancelled: Signal | None = None,
+        services: ServiceRun | None = None,
     ) -> None:
+        self._services = services
         self._project, self._crew, self._sources, self._settings = project, crew, sources, settings
         self._make_engine = make_engine
         self._listeners = [listener]
@@ -146,7 +152,7 @@ class OpenProject:
             self._cancelled.clear()
             first = "_engine" not in self.__dict__
             parts = self._project, self._engine, self._crew, self._settings, self._tell, self._sources
-            run = Run(*parts, self._cancelled)
+            run = Run(*parts, self._cancelled, self._services)
             if first:
                 adopt_earlier_outputs(run)
             try:

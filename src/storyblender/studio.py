@@ -352,7 +352,8 @@ class Studio:
             return BlenderEngine(folder, models, settings.jobs, build=build, ahead=ahead, listener=listener)
 
         cancelled = Signal()
-        sources = asset_sources(settings, load_embedder, service_run(settings, cancelled), self._warn)
+        services = service_run(settings, cancelled)
+        sources = asset_sources(settings, load_embedder, services, self._warn)
         crew = rules_crew(settings, load_embedder, sources)
         if settings.language_roles:
             from storyblender.language.answerers import answerers
@@ -360,4 +361,4 @@ class Studio:
 
             by_role = answerers(settings.crew, folder, settings.limits, cancelled, self._listener)
             crew = language_crew(crew, by_role, load_embedder, sources)
-        return Session(Project(folder, build), engine, crew, sources, settings, self._listener, cancelled)
+        return Session(Project(folder, build), engine, crew, sources, settings, self._listener, cancelled, services)

@@ -30,6 +30,9 @@ LONGEST: Final = 24 * 3600.0
 """Seconds from the beginning of a job to when a service has forgotten it."""
 _DRAWN_AT_ONCE: Final = 4
 _PROMPT: Final = "prompt.txt"
+_ASK_AGAIN: Final = (
+    "it may be paid for, so it is not asked again; `storyblender library jobs` lists it, `--ask-again` gives it up"
+)
 
 
 @dataclass(frozen=True)
@@ -157,7 +160,7 @@ class Commissions:
             job = jobs.begin(request, maker.service, maker.price)
         except InputError as error:
             self._budget.give_back("dollars", maker.price)
-            raise ServiceFailure(error.problem, mend=error.mend, uncertain=True) from error
+            raise ServiceFailure(error.problem, mend=_ASK_AGAIN, uncertain=True) from error
         if job.state != "begun":
             self._budget.give_back("dollars", maker.price)
         return job
@@ -168,10 +171,7 @@ class Commissions:
             self._library.jobs.failed(job, failure.problem)
             self._budget.give_back("dollars", maker.price)
             return failure
-        again = f"`storyblender library jobs --ask-again {job.id}` does"
-        return ServiceFailure(
-            failure.problem, mend=f"it may be paid for, so it is not asked again; {again}", uncertain=True
-        )
+        return ServiceFailure(failure.problem, mend=_ASK_AGAIN, uncertain=True)
 
     def _found_again(self, maker: ModelMaker, picture: LibraryEntry, failure: ServiceFailure) -> LibraryEntry | Job:
         """Go on with a job that was begun before and has no id, if the service can tell. Raises ServiceFailure."""
