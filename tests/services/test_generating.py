@@ -107,6 +107,7 @@ def made(
         ),
         settings=settings,
         services=services,
+        library=None,
         engine=SimpleNamespace(build_asset=built),
         outputs=SimpleNamespace(note=lambda name: None),
         tell=tell,
