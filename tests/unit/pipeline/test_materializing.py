@@ -71,6 +71,7 @@ def quick_run(
         graph=graph,
         settings=settings,
         services=None,
+        library=None,
         engine=Builder(broken, notes),
         outputs=SimpleNamespace(note=lambda name: None),
         tell=told.append,
