@@ -26,8 +26,12 @@ TABLES = {
     "library": ["-m", "benchmarks.library_search"],
     "library_reuse": ["-m", "benchmarks.library_reuse"],
     "studio_preview": ["-m", "benchmarks.studio_preview"],
+    "outside_models": ["-m", "benchmarks.outside_models"],
 }
-LONG = ("camera_servo", "framing", "feature", "layout_reflection", "library_reuse", "recordings", "studio_preview")
+LONG = (
+    "camera_servo", "framing", "feature", "layout_reflection", "library_reuse", "outside_models", "recordings",
+    "studio_preview",
+)  # fmt: skip
 """Run for minutes or an hour, or want a project: only when asked for by name."""
 
 

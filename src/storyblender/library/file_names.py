@@ -20,7 +20,7 @@ _SAYS_NOTHING: frozenset[str] = frozenset(
     ("object", "obj", "model", "prop", "asset", "mesh", "item", "sm", "geo", "low", "poly", "lowpoly", "lod", "final",
      "export", "exported", "copy", "untitled", "rigged", "free", "game", "ready", "cc", "glb", "gltf", "blend")
 )  # fmt: skip
-_COUNTED = re.compile(r"v?\d+|[a-z]")
+_COUNTED = re.compile(r"v?\d+[a-z]?|[a-z]")
 _SEAM = re.compile(r"(?<=[a-z])(?=[A-Z])|(?<=[A-Za-z])(?=\d)")
 
 

@@ -48,6 +48,11 @@ def prop_named(name: str) -> PropEntry | None:
     return next((_names()[form] for form in forms if form in _names()), None)
 
 
+def prop_called(words: Iterable[str]) -> PropEntry | None:
+    """Return the prop that has exactly these lower-case words for a name."""
+    return _names().get(tuple(words))
+
+
 @cache
 def _names() -> dict[tuple[str, ...], PropEntry]:
     """Return every prop by its names, also in the singular; names go before other names, and both before singulars."""

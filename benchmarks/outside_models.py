@@ -1,0 +1,232 @@
+"""Models of another program, imported as the pipeline imports a user's: upright, front, size; people sit and lie on them.
+
+``python -m benchmarks outside_models FOLDER`` wants a folder with the catalogues of Sweet Home 3D (``.sh3f``, and
+``sweethome3d.jar`` with its own). Two samples of 48 are drawn by seed: mechanisms were mended on the first one, and the
+second one is held out. A model is known by its file's name only. What it became is compared with its file in the 24
+right-angled poses: it is right if no other pose fits better than the catalogue's. Its size is right within 1.25 times.
+What the catalogue calls a seat or a bed must have one, and a man of 1.78 m must come to rest on each without sinking in.
+``--sheet FILE`` draws all of them with the person; ``--tipped`` turns and tips every file at random first.
+"""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import permutations, product
+from pathlib import Path
+
+import bpy
+import numpy as np
+from benchmarks.furniture_catalogues import STRATA, TrueModel, read_catalogues, samples
+from benchmarks.people_on_models import Rested, rest_on, stand_beside, tile_sheet
+from mathutils import Vector
+from mathutils.bvhtree import BVHTree
+
+from storyblender.agents.layout_artist.dimension_estimator import estimate_dimension
+from storyblender.blender.props.build import PropBuild
+from storyblender.blender.props.imported import build_from_file
+from storyblender.catalog.props import PROPS
+from storyblender.catalog.props.prop_names import kind_named
+from storyblender.errors import InputError
+from storyblender.library.file_names import words_of_file
+from storyblender.memory.asset_sheet import Asset
+
+SEEDS = {"first": 16, "held out": 1616}
+FACTOR = 1.25
+SEATS = frozenset(("chair", "armchair", "sofa", "couch", "stool", "bench", "settee", "throne", "toilet"))
+BEDS = frozenset(("bed",))
+_CLOSER = 0.002
+"""Mean distance, in largest extents, by which another pose must fit better to be the right one."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of one model: ``upright`` and ``front`` as is right, ``factor`` of the true size."""
+
+    model: TrueModel
+    kind: str
+    upright: bool
+    front: bool
+    factor: float
+    rests: tuple[Rested, ...]
+    wanted: str
+    seconds: float
+    faces: int
+    notes: tuple[str, ...]
+
+    @property
+    def is_sized(self) -> bool:
+        """Whether its size is right."""
+        return 1 / FACTOR <= self.factor <= FACTOR
+
+    @property
+    def is_used(self) -> bool:
+        """Whether people rest on it, if it is there for that."""
+        fits = not self.wanted or any(rest.kind == self.wanted for rest in self.rests)
+        return fits and all(rest.is_good for rest in self.rests)
+
+    @property
+    def is_right(self) -> bool:
+        """Whether all is."""
+        return self.upright and self.front and self.is_sized and self.is_used
+
+
+def _rotations() -> list[np.ndarray]:
+    """Return the 24 right-angled rotations: the identity first, then those that keep +Z up."""
+    found = [
+        np.array(
+            [[sign if column == axis else 0 for column in range(3)] for axis, sign in zip(order, signs, strict=True)]
+        )
+        for order in permutations(range(3))
+        for signs in product((1, -1), repeat=3)
+    ]
+    turns = [turn for turn in found if np.linalg.det(turn) > 0]
+    return sorted(turns, key=lambda turn: (not np.array_equal(turn, np.eye(3)), turn[2, 2] != 1))
+
+
+def import_model(path: Path) -> tuple[PropBuild, str]:
+    """Return what the pipeline would make of a file that a script's words found, and what it takes it for."""
+    kind = kind_named(" ".join(words_of_file(path.name).words)) or kind_named(words_of_file(path.name).noun)
+    asset = Asset(asset_id="thing", asset_type="object", description="", kind=kind)
+    return build_from_file(path, estimate_dimension(asset) if kind in PROPS else None, prop=kind), kind
+
+
+def judge(model: TrueModel, path: Path, sheet: list[Path] | None) -> Outcome:
+    """Import a model and compare it with what is true of it; draw it with a person for the sheet."""
+    points, triangles = _read(path)
+    true = points @ _TIPS.get(model.stem, np.eye(3)) @ model.rotation.T  # Y is up
+    true = np.stack([true[:, 0], -true[:, 2], true[:, 1]], axis=1)
+    started = time.process_time()
+    build, kind = import_model(path)
+    seconds = time.process_time() - started
+    upright, front = _fit(build.mesh, true, triangles)
+    factor = float(np.prod(build.dimensions) / np.prod(np.maximum(model.size, 1e-3))) ** (1 / 3)
+    rests = tuple(rest_on(build))
+    words = model.name.lower().split()
+    wanted = "bed" if BEDS & set(words) else "seat" if SEATS & set(words) else ""
+    if sheet is not None:
+        sheet.append(stand_beside(build, rests, path.with_suffix(".sheet.png")))
+    faces = len(build.mesh.polygons)
+    return Outcome(model, kind, upright, front, factor, rests, wanted, seconds, faces, build.notes)
+
+
+def _fit(mesh: bpy.types.Mesh, true: np.ndarray, triangles: np.ndarray) -> tuple[bool, bool]:
+    """Return whether no pose with another top, and none with another front, fits the file better than the true one."""
+    sample = np.array([vertex.co[:] for vertex in mesh.vertices])
+    low, extent = sample.min(axis=0), np.ptp(sample, axis=0)
+    sample = (sample[:: max(1, len(sample) // 700)] - low - extent / 2) / extent.max()
+    middle = (true[triangles].reshape(-1, 3).min(axis=0) + true[triangles].reshape(-1, 3).max(axis=0)) / 2
+    file = (true - middle) / np.ptp(true[triangles].reshape(-1, 3), axis=0).max()
+    tree = BVHTree.FromPolygons([Vector(each) for each in file], triangles.tolist())
+    costs = [np.mean([tree.find_nearest(Vector(each))[3] for each in sample @ turn]) for turn in _rotations()]
+    best = min(costs)
+    return min(costs[:4]) < best + _CLOSER, costs[0] < min(costs[:4]) + _CLOSER
+
+
+def _read(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    """Return points and triangles of an .obj, as simply as can be."""
+    points, triangles = [], []
+    for line in path.read_text("latin-1").splitlines():
+        word, *rest = line.split() or [""]
+        if word == "v":
+            points.append([float(value) for value in rest[:3]])
+        elif word == "f":
+            numbers = [int(corner.split("/")[0]) for corner in rest]
+            face = [number - 1 if number > 0 else len(points) + number for number in numbers]
+            triangles += [(face[0], *pair) for pair in zip(face[1:], face[2:], strict=False)]
+    return np.array(points), np.array(triangles)
+
+
+_TIPS: dict[str, np.ndarray] = {}
+
+
+def _tip(path: Path, rng: np.random.Generator) -> None:
+    """Turn and tip an .obj at random: any quarter about its up axis, and lying on its back half of the time."""
+    quarter, tips = int(rng.integers(4)), int(rng.integers(2))
+    spin = np.linalg.matrix_power(np.array([[0.0, 0, 1], [0, 1, 0], [-1, 0, 0]]), quarter)
+    turn = np.linalg.matrix_power(np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]]), tips) @ spin
+    _TIPS[path.stem] = turn
+    lines = []
+    for line in path.read_text("latin-1").splitlines():
+        if line.startswith("v "):
+            line = "v " + " ".join(f"{value:.6f}" for value in turn @ [float(value) for value in line.split()[1:4]])
+        lines.append(line)
+    path.write_text("\n".join(lines), "latin-1")
+
+
+def outcomes(models: Sequence[TrueModel], sheet: list[Path] | None, folder: Path, tip: bool) -> Iterator[Outcome]:
+    """Import the models one after another and say so as it goes."""
+    rng = np.random.default_rng(5)
+    for number, model in enumerate(models):
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+        place = folder / f"{number:02}"
+        place.mkdir()
+        path = model.unpack(place)
+        if tip:
+            _tip(path, rng)
+        try:
+            found = judge(model, path, sheet)
+        except InputError as error:
+            print(f"{model.stem:28} refused: {error}")
+            continue
+        _print(found)
+        yield found
+
+
+def _print(found: Outcome) -> None:
+    marks = [found.upright, found.front, found.is_sized, found.is_used]
+    shown = " ".join("yes" if mark else " NO" for mark in marks)
+    rests = ", ".join(str(rest) for rest in found.rests) or (f"no {found.wanted}" if found.wanted else "")
+    print(
+        f"{found.model.stem[:26]:26} {found.model.name[:20]:20} {found.kind[:14]:14} {shown} {found.factor:6.2f} "
+        f"{found.faces:7} {found.seconds:5.1f} s  {rests}",
+        flush=True,
+    )
+
+
+def main() -> None:
+    """Print a table for each sample, and its summary."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks outside_models", description=__doc__)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--sample", choices=(*SEEDS, "both"), default="both")
+    parser.add_argument("--tipped", action="store_true")
+    parser.add_argument("--sheet", type=Path)
+    parser.add_argument("--only", default="", help="part of the file's name")
+    options = parser.parse_args()
+    models = read_catalogues(options.folder)
+    drawn = dict(zip(SEEDS, samples(models, list(SEEDS.values())), strict=True))
+    for name, sample in drawn.items():
+        if options.sample not in (name, "both"):
+            continue
+        print(
+            f"\n{name}: {sum(STRATA.values())} of {len(models)} models; upright, front, size, used, factor of the size"
+        )
+        with tempfile.TemporaryDirectory() as folder:
+            sheet = [] if options.sheet else None
+            asked = [model for model in sample if options.only in model.stem]
+            done = list(outcomes(asked, sheet, Path(folder), options.tipped))
+            if sheet:
+                tile_sheet(sheet, [each.model.stem for each in done], options.sheet)
+        _summarize(done, len(asked))
+
+
+def _summarize(done: list[Outcome], total: int) -> None:
+    counts = {
+        "upright": sum(each.upright for each in done),
+        "front": sum(each.front and each.upright for each in done),
+        "size": sum(each.is_sized for each in done),
+        "all three": sum(each.upright and each.front and each.is_sized for each in done),
+        "used": sum(each.is_used for each in done),
+        "all right": sum(each.is_right for each in done),
+    }
+    rests = [rest for each in done for rest in each.rests]
+    print(", ".join(f"{name} {count}/{total}" for name, count in counts.items()))
+    print(f"{sum(rest.is_good for rest in rests)}/{len(rests)} seats and beds hold a person; "
+          f"{np.median([each.seconds for each in done]):.2f} s a model (median), {max(each.seconds for each in done):.1f} s at most")  # fmt: skip
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,117 @@
+"""Finds the unit of an imported model: what its file says, how large such a thing usually is, and which units are usual.
+
+A model in metres, centimetres, millimetres or inches is left in its own proportions and its own size. Only where no
+unit is likely it becomes as large as such a thing usually is. Pure numpy.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from storyblender.memory.asset_sheet import AssetDimension
+from storyblender.memory.base import Vec3
+
+Floats = NDArray[np.float64]
+
+UNITS: tuple[tuple[str, float, float], ...] = (
+    ("metres", 1.0, 0.42),
+    ("centimetres", 0.01, 0.42),
+    ("millimetres", 0.001, 0.06),
+    ("inches", 0.0254, 0.02),
+)
+"""Name, metres, and how likely a file is in it that does not say so."""
+_NO_UNIT = 0.1
+"""How likely a file is in none of them."""
+_SCALES = np.linspace(np.log(1e-5), np.log(1e3), 1800)
+"""Natural logarithms of the scales among which a file without a unit may be."""
+PLAUSIBLE_RATIO = 2.5
+"""Largest ratio of a thing's size to the usual one, either way, at which a file known to be in metres is left alone."""
+FIRM, LOOSE = (0.17, 0.4), (0.45, 0.6)
+"""Spread of the logarithm of size, above the usual and below it."""
+_LIKELY = (0.9, 1.6)
+"""Metres of the largest extent of a thing of which nothing is known, and the spread of its logarithm."""
+
+
+@dataclass(frozen=True)
+class UsualSize:
+    """How large such a thing usually is.
+
+    Attributes:
+        size: Width, depth and height in metres.
+        firm: Whether things of this kind hardly differ in size, above all in height, because people use them.
+    """
+
+    size: Vec3
+    firm: bool = False
+
+    def offsets(self, extent: Floats) -> tuple[float, float, float]:
+        """Return the logarithm of the scale that gives an extent this size, and its spread below and above.
+
+        Args:
+            extent: (3,) width, depth and height in any unit; width and depth may be exchanged.
+        """
+        weights = np.array((0.2, 0.2, 0.6)) if self.firm else np.full(3, 1 / 3)
+        usual, found = (np.log(np.maximum([*sorted(each[:2]), each[2]], 1e-9)) for each in (self.size, extent))
+        differences = usual - found
+        near = np.abs(differences - np.median(differences)) < 1.0  # a thin side says nothing of the others
+        middle = float(np.average(differences[near], weights=weights[near]))
+        larger, smaller = FIRM if self.firm else LOOSE
+        doubt = 0.5 * float(differences.std())  # of what has other proportions it is not sure that it is such a thing
+        return middle, float(np.hypot(larger, doubt)), float(np.hypot(smaller, doubt))
+
+
+def find_scale(
+    extent: Floats,
+    usual: UsualSize | None,
+    dimension: AssetDimension | None = None,
+    *,
+    told: bool = False,
+    unit: float | None = None,
+) -> tuple[float, str]:
+    """Return the scale from a model's unit to metres, and the reason for it; the reason is empty where the scale is 1.
+
+    Args:
+        extent: (3,) width, depth, height in the file's units.
+        usual: How large such a thing usually is, if known.
+        dimension: One measure of the thing in metres, if known.
+        told: Whether the script states that measure; it then overrides the size of the file.
+        unit: Metres of the unit that the file or its format states, if any.
+    """
+    wanted = _wanted(extent, dimension)
+    if told and wanted is not None:
+        return wanted, "" if abs(wanted - 1) < 0.02 else "the script says how large it is"
+    goal = (wanted if usual is None else float(np.exp(usual.offsets(extent)[0]))) if wanted or usual else None
+    if unit is not None and (goal is None or 1 / PLAUSIBLE_RATIO <= goal / unit <= PLAUSIBLE_RATIO):
+        return unit, "" if unit == 1 else "its file says its unit"
+    scores = [(np.log(share) + _fit(extent, metres, usual, wanted), name, metres) for name, metres, share in UNITS]
+    score, name, best = max(scores)
+    loose = [_fit(extent, float(np.exp(each)), usual, wanted) for each in _SCALES] if goal is not None else [-np.inf]
+    if goal is not None and np.log(_NO_UNIT * np.mean(np.exp(loose))) > score:
+        return goal, "it is far from the usual size of such a thing"
+    return best, "" if best == 1 else f"it is taken to be in {name}"
+
+
+def _fit(extent: Floats, scale: float, usual: UsualSize | None, wanted: float | None) -> float:
+    """Return the logarithm of how likely a scale is by the size that it gives, per unit of its own logarithm."""
+    if usual is not None:
+        middle, larger, smaller = usual.offsets(extent)
+    elif wanted is not None:
+        middle, larger, smaller = float(np.log(wanted)), 0.4, 0.5
+    else:
+        middle, larger, smaller = float(np.log(_LIKELY[0] / max(extent.max(), 1e-9))), *(_LIKELY[1],) * 2
+    off = float(np.log(scale)) - middle
+    spread = larger if off > 0 else smaller
+    return -0.5 * (off / spread) ** 2 - float(np.log(0.5 * (larger + smaller)))
+
+
+def _wanted(extent: Floats, dimension: AssetDimension | None) -> float | None:
+    """Return the scale that gives a dimension; of width and depth the larger stands for either."""
+    if dimension is None:
+        return None
+    if dimension.height is not None:
+        return dimension.height / max(float(extent[2]), 1e-9)
+    side = dimension.width if dimension.width is not None else dimension.depth
+    return None if side is None else side / max(float(extent[:2].max()), 1e-9)
