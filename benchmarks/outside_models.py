@@ -1,10 +1,10 @@
-"""Models of another program, imported as the pipeline imports a user's: upright, front, size; people sit and lie on them.
+"""Models of another program, imported as a user's are: upright, front, size, and people who sit and lie on them.
 
 ``python -m benchmarks outside_models FOLDER`` wants a folder with the catalogues of Sweet Home 3D (``.sh3f``, and
 ``sweethome3d.jar`` with its own). Two samples of 48 are drawn by seed: mechanisms were mended on the first one, and the
 second one is held out. A model is known by its file's name only. What it became is compared with its file in the 24
 right-angled poses: it is right if no other pose fits better than the catalogue's. Its size is right within 1.25 times.
-What the catalogue calls a seat or a bed must have one, and a man of 1.78 m must come to rest on each without sinking in.
+What the catalogue calls a seat or a bed must have one, and a man must come to rest on each without sinking in.
 ``--sheet FILE`` draws all of them with the person; ``--tipped`` turns and tips every file at random first.
 """
 
@@ -15,7 +15,7 @@ import tempfile
 import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import permutations, product
+from itertools import pairwise, permutations, product
 from pathlib import Path
 
 import bpy
@@ -136,7 +136,7 @@ def _read(path: Path) -> tuple[np.ndarray, np.ndarray]:
         elif word == "f":
             numbers = [int(corner.split("/")[0]) for corner in rest]
             face = [number - 1 if number > 0 else len(points) + number for number in numbers]
-            triangles += [(face[0], *pair) for pair in zip(face[1:], face[2:], strict=False)]
+            triangles += [(face[0], *pair) for pair in pairwise(face[1:])]
     return np.array(points), np.array(triangles)
 
 
@@ -224,8 +224,10 @@ def _summarize(done: list[Outcome], total: int) -> None:
     }
     rests = [rest for each in done for rest in each.rests]
     print(", ".join(f"{name} {count}/{total}" for name, count in counts.items()))
-    print(f"{sum(rest.is_good for rest in rests)}/{len(rests)} seats and beds hold a person; "
-          f"{np.median([each.seconds for each in done]):.2f} s a model (median), {max(each.seconds for each in done):.1f} s at most")  # fmt: skip
+    held = sum(rest.is_good for rest in rests)
+    seconds = [each.seconds for each in done]
+    print(f"{held}/{len(rests)} seats and beds hold a person")
+    print(f"{np.median(seconds):.2f} s a model (median), {max(seconds):.1f} s at most")
 
 
 if __name__ == "__main__":

@@ -31,7 +31,7 @@ _TILE = 260
 
 @dataclass(frozen=True)
 class Rested:
-    """A person on one anchor: metres of the lowest flesh over the surface under it, and of the back behind a backrest."""
+    """A person on one anchor: metres of the lowest flesh over what is under it, and of the back behind a backrest."""
 
     kind: str
     height: float
@@ -119,7 +119,7 @@ def stand_beside(build: PropBuild, rests: Sequence[Rested], path: Path) -> Path:
     scene.collection.objects.link(thing)
     body = build_bodies("man")["man"]
     width, depth, height = build.dimensions
-    people = [body.vertices + (-(width / 2 + 0.5), -depth / 2, 0), *(rest.skin for rest in rests[:3])]
+    people = [body.vertices + np.array((-(width / 2 + 0.5), -depth / 2, 0)), *(rest.skin for rest in rests[:3])]
     for points in people:
         cloud = bpy.data.meshes.new("person")
         cloud.from_pydata(*_cubes(points[::5]))
@@ -161,7 +161,8 @@ def _cubes(points: np.ndarray) -> tuple[list[tuple[float, ...]], list[object], l
     """Return small tetrahedra in place of points, which Workbench does not draw."""
     corners = 0.012 * np.array([(1, 1, 1), (-1, -1, 1), (-1, 1, -1), (1, -1, -1)])
     vertices = (points[:, None] + corners).reshape(-1, 3)
-    faces = [(4 * n + a, 4 * n + b, 4 * n + c) for n in range(len(points)) for a, b, c in ((0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2))]  # fmt: skip
+    sides = ((0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2))
+    faces = [(4 * n + a, 4 * n + b, 4 * n + c) for n in range(len(points)) for a, b, c in sides]
     return [tuple(each) for each in vertices.tolist()], [], faces
 
 

@@ -107,7 +107,7 @@ def shown_color(material):
 )
 def test_the_front_and_the_top_of_a_model_may_be_decided(tmp_path, front, top, dimensions, place):
     """The rules see nothing in a cabinet that tells its front."""
-    found = build_from_file(write_cabinet(tmp_path), pose=ModelPose(front=front, top=top))
+    found = build_from_file(write_cabinet(tmp_path, "thing"), pose=ModelPose(front=front, top=top))
     assert found.dimensions == pytest.approx(dimensions)
     assert dial(found.mesh) == pytest.approx(place, abs=0.04)
 

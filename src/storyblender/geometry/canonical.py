@@ -1,4 +1,4 @@
-"""Finds the upright rotation and the unit of an imported model. Pure numpy.
+"""Finds the upright rotation of an imported model. Pure numpy.
 
 The paper's Asset Formatter asks a vision model, which decides where a language crew has one. A file format says most of
 it as well: glTF and Blender know up and front and are in metres, so their pose and size are kept as long as they are
@@ -10,7 +10,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.memory.asset_sheet import AssetDimension, ModelPose
+from storyblender.memory.asset_sheet import ModelPose
+from storyblender.memory.base import Vec3
 
 Floats = NDArray[np.float64]
 Triangles = NDArray[np.int64]
@@ -26,16 +27,6 @@ _WAYS = {
 """Where the sides of a model point to."""
 UPRIGHT_MARGIN = 2.1
 """Least difference of ``measure_stability`` by which another up axis must beat the file's own."""
-UNITS: tuple[tuple[str, float], ...] = (
-    ("metres", 1.0),
-    ("centimetres", 0.01),
-    ("millimetres", 0.001),
-    ("inches", 0.0254),
-)
-LIKELY_EXTENTS = ((0.02, 32.0), (0.1, 8.0), (0.1, 8.0))
-"""Least and most metres of the largest extent, for a file in metres, centimetres, millimetres."""
-PLAUSIBLE_RATIO = 2.5
-"""Largest ratio of a thing's size to the usual one, either way, at which it keeps its own size."""
 
 
 def find_upright_rotation(vertices: Floats, triangles: Triangles) -> Floats:
@@ -50,6 +41,42 @@ def find_upright_rotation(vertices: Floats, triangles: Triangles) -> Floats:
     scores = np.array([measure_stability(vertices @ turn.T, triangles) for turn in candidates])
     best = int(scores.argmax())
     return candidates[best] if scores[best] > scores[0] + UPRIGHT_MARGIN else candidates[0]
+
+
+TIPS = tuple(np.linalg.matrix_power(np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]]), turns) for turns in (0, 1, 3, 2))
+"""Ways to stand a model up by tipping it: as it is, as if it were Z up already, and their opposites."""
+_PROPORTION_MARGIN, _LIKE = 0.5, 0.45
+"""By how much another way up must fit the usual proportions better, and how well at least, to be taken."""
+
+
+_STEADIER = 0.3
+"""By how much a model must stand better on its head, by ``measure_stability``."""
+
+
+def find_likely_tip(vertices: Floats, triangles: Triangles, usual: Vec3) -> Floats | None:
+    """Return the (3, 3) rotation that stands a model up in the usual proportions of such a thing.
+
+    Args:
+        vertices: (n, 3), Z up as its importer gives it.
+        triangles: (m, 3) vertex indices.
+        usual: Width, depth and height of such a thing, in any unit.
+
+    Returns:
+        None if it has them as it is, or in no way, so that they say nothing.
+    """
+    errors = [proportion_error(np.ptp(vertices @ turn.T, axis=0), usual) for turn in TIPS]
+    if min(errors) > _LIKE or errors[0] - min(errors) < _PROPORTION_MARGIN:
+        return None
+    first, *others = [turn for turn, error in zip(TIPS, errors, strict=True) if error < min(errors) + 1e-6]
+    stands = measure_stability(vertices @ first.T, triangles) + _STEADIER
+    return next((turn for turn in others if measure_stability(vertices @ turn.T, triangles) > stands), first)
+
+
+def proportion_error(extent: Floats, usual: Vec3) -> float:
+    """Return how much the proportions differ: mean of the logarithms' differences; width and depth may be exchanged."""
+    usual_sides, sides = (np.log(np.maximum([*sorted(each[:2]), each[2]], 1e-9)) for each in (usual, extent))
+    differences = sides - usual_sides
+    return float(np.abs(differences - np.median(differences)).mean())
 
 
 def rotation_of(pose: ModelPose) -> Floats:
@@ -127,45 +154,3 @@ def _triangle_centres_and_areas(vertices: Floats, triangles: Triangles) -> tuple
     corners = vertices[triangles]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     return corners.mean(axis=1), np.maximum(np.linalg.norm(normal, axis=1) / 2, 1e-12)
-
-
-def find_scale(extent: Floats, dimension: AssetDimension | None, *, told: bool) -> tuple[float, str]:
-    """Return the scale from a model's unit to metres, and the reason for it; the reason is empty where the scale is 1.
-
-    Args:
-        extent: (3,) width, depth, height in the file's units.
-        dimension: Usual measure of the thing in metres, if known.
-        told: Whether the script states that measure; it then overrides the size of the file.
-    """
-    wanted = _usual_measure(extent, dimension)
-    if wanted is None:
-        name, unit = _likely_unit(float(extent.max()))
-        return unit, "" if unit == 1 else f"it is taken to be in {name}"
-    measured, goal = wanted
-    ratio = goal / max(measured, 1e-9)
-    if told:
-        return ratio, "" if abs(ratio - 1) < 0.02 else "the script says how large it is"
-    if 1 / PLAUSIBLE_RATIO <= ratio <= PLAUSIBLE_RATIO:
-        return 1.0, ""
-    name, unit = min(UNITS, key=lambda each: abs(np.log(ratio / each[1])))
-    if 1 / PLAUSIBLE_RATIO <= ratio / unit <= PLAUSIBLE_RATIO:
-        return unit, f"it is taken to be in {name}"
-    return ratio, "it is far from the usual size of such a thing"
-
-
-def _usual_measure(extent: Floats, dimension: AssetDimension | None) -> tuple[float, float] | None:
-    """Return the extent that a dimension is about and its metres; of width and depth the larger stands for either."""
-    if dimension is None:
-        return None
-    if dimension.height is not None:
-        return float(extent[2]), dimension.height
-    side = dimension.width if dimension.width is not None else dimension.depth
-    return None if side is None else (float(extent[:2].max()), side)
-
-
-def _likely_unit(largest: float) -> tuple[str, float]:
-    """Return the unit under which the largest extent is likely; metres where they are."""
-    for (name, metres), (least, most) in zip(UNITS, LIKELY_EXTENTS, strict=False):
-        if least <= largest * metres <= most:
-            return name, metres
-    return UNITS[0]

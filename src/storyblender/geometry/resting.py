@@ -33,6 +33,10 @@ _SEAT_AREA = 0.045
 """Square metres of the smallest seat."""
 _SEAT_UNEVENNESS, _SOFT_BED = 0.09, 0.2
 """Metres that one seat or bed may vary in height: cushions, blankets and pillows."""
+_SEAT_HEIGHT = 0.45
+"""Metres: the usual height of a seat."""
+_MOST_LEVELS = 5
+"""Levels of a thing that are looked at for a seat."""
 _SITTER_WIDTH = 0.52
 """Metres of width for each of several sitters."""
 _MAX_SEAT_DEPTH = 0.6
@@ -121,15 +125,23 @@ def find_seats(field: LevelGrid, use: Use, *, faces_front: bool = False) -> Plac
     """
     if use not in SEAT_HEIGHTS:
         return Places()
-    rest = _largest_level(field, SEAT_HEIGHTS[use], _MIN_HEADROOM, _SEAT_UNEVENNESS)
-    if rest is None or min(rest.size) < _SEAT_LEAST or math.prod(rest.size) < _SEAT_AREA:
+    levels = _levels(field, SEAT_HEIGHTS[use], _MIN_HEADROOM, _SEAT_UNEVENNESS)
+    large = [each for each in levels if min(each.size) >= _SEAT_LEAST and math.prod(each.size) >= _SEAT_AREA]
+    if not large:
         return Places()
+    rest = large[0] if faces_front else max(large, key=_seat_likeness)
     back = 3 if faces_front else rest.behind()
     if back is None and use != "seat":
         return Places()
     if back is None:
         return Places(tuple(_seat_row(rest, 3 if rest.size[0] >= 0.7 * rest.size[1] else 0)))
     return Places(tuple(_seat_row(rest, back)), backed=not faces_front)
+
+
+def _seat_likeness(rest: Rest) -> float:
+    """Return how much a level is like a seat: large, with a back, as high as knees; the top of a back is none of it."""
+    height = math.exp(-(((rest.z - _SEAT_HEIGHT) / 0.2) ** 2))
+    return math.prod(rest.size) * (0.1 + height) * (1.0 if rest.behind() is None else 3.0)
 
 
 def _seat_row(rest: Rest, back: int) -> Iterator[Anchor]:
@@ -207,18 +219,30 @@ def _bed_anchors(rest: Rest, head: int) -> Iterator[Anchor]:
 
 def _largest_level(field: LevelGrid, heights: tuple[float, float], room: float, soft: float) -> Rest | None:
     """Return the largest rectangle of the fullest level within the heights, if there is any."""
-    fits = (field.z >= heights[0]) & (field.z <= heights[1]) & (field.room >= room)
-    if not fits.any():
-        return None
-    z = np.sort(field.z[fits])
-    last = np.searchsorted(z, z + soft, side="right")
-    first = int(np.argmax(last - np.arange(len(z))))
-    level = fits & (field.z >= z[first]) & (field.z <= z[last[first] - 1])
+    return next(_levels(field, heights, room, soft), None)
+
+
+def _levels(field: LevelGrid, heights: tuple[float, float], room: float, soft: float) -> Iterator[Rest]:
+    """Yield the largest rectangle of each level within the heights, the fullest level first."""
+    left = (field.z >= heights[0]) & (field.z <= heights[1]) & (field.room >= room)
+    for _ in range(_MOST_LEVELS):
+        if not left.any():
+            return
+        z = np.sort(field.z[left])
+        last = np.searchsorted(z, z + soft, side="right")
+        first = int(np.argmax(last - np.arange(len(z))))
+        level = left & (field.z >= z[first]) & (field.z <= z[last[first] - 1])
+        left &= ~level
+        yield _rest_of(field, level, float(z[last[first] - 1]))
+
+
+def _rest_of(field: LevelGrid, level: NDArray[np.bool_], upper: float) -> Rest:
+    """Return the largest rectangle of a level, whose highest place is at ``upper``."""
     free = np.zeros(field.top.shape, bool)
     free[field.row[level], field.column[level]] = True
     heights_of = np.full(field.top.shape, np.nan)
     heights_of[field.row[level], field.column[level]] = field.z[level]
-    free |= close_seams(free, field.cell, _MAX_SEAM) & (field.top < z[last[first] - 1] + 0.12)
+    free |= close_seams(free, field.cell, _MAX_SEAM) & (field.top < upper + 0.12)
     row, column, rows, columns = largest_rectangle(free)
     part = np.s_[row : row + rows, column : column + columns]
     low = field.origin + np.array([column, row]) * field.cell

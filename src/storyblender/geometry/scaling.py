@@ -1,4 +1,4 @@
-"""Finds the unit of an imported model: what its file says, how large such a thing usually is, and which units are usual.
+"""Finds the unit of an imported model: by its file, by the usual size of such a thing, and by which units are usual.
 
 A model in metres, centimetres, millimetres or inches is left in its own proportions and its own size. Only where no
 unit is likely it becomes as large as such a thing usually is. Pure numpy.

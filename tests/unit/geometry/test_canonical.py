@@ -1,4 +1,4 @@
-"""A model keeps the size and pose that its file gives it, unless they cannot be meant."""
+"""A model keeps the pose that its file gives it, unless it cannot be meant."""
 
 from __future__ import annotations
 
@@ -8,41 +8,13 @@ import numpy as np
 import pytest
 
 from storyblender.geometry import solids
-from storyblender.geometry.canonical import find_scale, find_upright_rotation, rotation_of
-from storyblender.memory.asset_sheet import AssetDimension, ModelPose, ModelSide
+from storyblender.geometry.canonical import find_likely_tip, find_upright_rotation, rotation_of
+from storyblender.memory.asset_sheet import ModelPose, ModelSide
 
 
 def box(size: tuple[float, float, float]) -> tuple[np.ndarray, np.ndarray]:
     points, faces = solids.box(size)
     return points, np.array([(face[0], face[i], face[i + 1]) for face in faces for i in (1, 2)])
-
-
-def test_a_plausible_size_is_kept_and_nothing_is_said() -> None:
-    desk = np.array([1.40, 0.65, 0.75])
-    assert find_scale(desk, AssetDimension(width=1.6), told=False) == (1.0, "")
-    assert find_scale(desk[[1, 0, 2]], AssetDimension(width=1.6), told=False) == (1.0, ""), "whichever way it lies"
-
-
-@pytest.mark.parametrize(("unit", "name"), [(100.0, "centimetres"), (1000.0, "millimetres"), (39.37, "inches")])
-def test_another_unit_is_told_by_what_the_thing_is(unit: float, name: str) -> None:
-    scale, reason = find_scale(np.array([1.4, 0.65, 0.75]) * unit, AssetDimension(width=1.6), told=False)
-    assert scale * unit == pytest.approx(1.0, rel=0.01) and name in reason
-
-
-def test_without_a_name_only_what_cannot_be_metres_is_scaled() -> None:
-    assert find_scale(np.array([3.0, 3.0, 3.0]), None, told=False) == (1.0, "")
-    scale, reason = find_scale(np.array([40.0, 40.0, 90.0]), None, told=False)
-    assert scale == 0.01 and "centimetres" in reason
-
-
-def test_what_the_script_tells_counts() -> None:
-    scale, reason = find_scale(np.array([0.2, 0.2, 0.5]), AssetDimension(height=1.0), told=True)
-    assert scale == pytest.approx(2.0) and "script" in reason
-
-
-def test_what_is_absurd_in_every_unit_gets_the_usual_size() -> None:
-    scale, reason = find_scale(np.array([5e5, 5e5, 5e5]), AssetDimension(height=0.5), told=False)
-    assert scale * 5e5 == pytest.approx(0.5) and "usual" in reason
 
 
 def test_what_stands_on_two_wheels_is_left_standing() -> None:
@@ -70,3 +42,18 @@ def test_the_sides_that_are_front_and_top_become_so(front: ModelSide | None, top
         assert np.allclose(turn @ ways[front], ways["front"])
     elif top == "top":
         assert np.allclose(turn, np.eye(3))
+
+
+@pytest.mark.parametrize("size", [(1.2, 0.6, 2.0), (0.9, 0.1, 2.05), (0.5, 0.5, 1.6)])
+def test_what_lies_on_its_back_stands_up_in_its_usual_proportions(size: tuple[float, float, float]) -> None:
+    points, triangles = box(size)
+    usual = (1.1 * size[0], 0.9 * size[1], size[2])
+    assert find_likely_tip(points, triangles, usual) is None
+    lying = points[:, [0, 2, 1]] * (1, -1, 1)
+    turn = find_likely_tip(lying, triangles, usual)
+    assert turn is not None and np.ptp(lying @ turn.T, axis=0) == pytest.approx(size)
+
+
+def test_proportions_that_are_those_of_no_such_thing_say_nothing() -> None:
+    points, triangles = box((3.0, 1.0, 0.2))
+    assert find_likely_tip(points, triangles, (1.0, 1.0, 1.0)) is None

@@ -66,7 +66,7 @@ def read_scene(path: Path, folder: Path) -> PlainModel:
         parts += _parts(obj, mesh, np.array(instance.matrix_world), shelf)
         obj.to_mesh_clear()
     model = checked(joined(parts)).with_materials(tuple(shelf.materials), tuple(dict.fromkeys(shelf.notes)))
-    return replace(model, credit=credit)
+    return replace(model, credit=credit, unit=1.0)
 
 
 def _credit(path: Path) -> Credit:

@@ -61,7 +61,7 @@ def read_gltf(path: Path, folder: Path) -> PlainModel:
         within_bounds(vertices, faces)
         parts.append(part)
     model = joined(parts).with_materials(materials, tuple(dict.fromkeys(notes)))
-    return replace(model, credit=credit_in_gltf(document.json.get("asset")))
+    return replace(model, credit=credit_in_gltf(document.json.get("asset")), unit=1.0)
 
 
 def _unpacked(document: Document, path: Path, folder: Path) -> PlainModel:

@@ -1,11 +1,13 @@
 """Reads the surface of an .obj and the colours and pictures of its .mtl, line by line.
 
-An .obj says neither its unit nor what is up; Y up and front +Z are assumed.
+An .obj does not say what is up, and its unit only in a comment of some programs; Y up and front +Z are assumed.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +27,15 @@ _MOST_CORNERS = 4096
 _OPTIONS = {"-s": 3, "-o": 3, "-t": 3, "-mm": 2, "-bm": 1, "-blendu": 1, "-blendv": 1, "-boost": 1, "-cc": 1,
             "-clamp": 1, "-texres": 1, "-imfchan": 1, "-type": 1, "-colorspace": 1}  # fmt: skip
 """Options of a texture statement, with the most values of each."""
+
+
+_UNIT = re.compile(rb"^\s*#.*\bunits?\b\s*[:=]?\s*(?:is\s+|are\s+|in\s+)?(?P<name>[a-z]+)", re.IGNORECASE)
+"""A comment that states the unit, as ``# File units = inches``."""
+_UNITS = {"m": 1.0, "meter": 1.0, "metre": 1.0, "cm": 0.01, "centimeter": 0.01, "centimetre": 0.01, "mm": 0.001,
+          "millimeter": 0.001, "millimetre": 0.001, "in": 0.0254, "inch": 0.0254, "inches": 0.0254, "ft": 0.3048,
+          "foot": 0.3048, "feet": 0.3048}  # fmt: skip
+_HEAD = 4096
+"""Bytes at the beginning in which the unit may be stated."""
 
 
 class _Surface:
@@ -109,7 +120,19 @@ def read_obj(path: Path, folder: Path) -> PlainModel:
     materials = tuple(known.get(name, PlainMaterial(name=name)) for name in surface.names)
     with np.errstate(over="ignore"):  # what becomes infinite is refused
         model = _model(surface)
-    return checked(model).with_materials(materials, tuple(dict.fromkeys(notes)))
+    model = replace(checked(model), unit=_stated_unit(path))
+    return model.with_materials(materials, tuple(dict.fromkeys(notes)))
+
+
+def _stated_unit(path: Path) -> float | None:
+    """Return the metres of the unit that a comment at the beginning states, if any."""
+    with path.open("rb") as file:
+        names = (
+            found["name"].decode().lower().rstrip("s")
+            for line in file.read(_HEAD).splitlines()
+            if (found := _UNIT.match(line))
+        )
+        return next((_UNITS[name] for name in names if name in _UNITS), None)
 
 
 def _model(surface: _Surface) -> PlainModel:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.errors import InputError
+from storyblender.geometry.mesh_repair import Surface, find_foreign, find_inside_out
 from storyblender.memory.asset_sheet import Credit
 from storyblender.memory.base import Color
 
@@ -83,6 +84,7 @@ class PlainModel:
         materials: Of the faces.
         notes: Sentences about what was left out.
         credit: Whose work it is, as the file says.
+        unit: Metres of the unit that the file or its format states; None if it states none.
     """
 
     vertices: Floats
@@ -95,10 +97,40 @@ class PlainModel:
     materials: tuple[PlainMaterial, ...] = ()
     notes: tuple[str, ...] = field(default=())
     credit: Credit = field(default_factory=Credit)
+    unit: float | None = None
 
     def with_materials(self, materials: tuple[PlainMaterial, ...], notes: tuple[str, ...]) -> PlainModel:
         """Return the same surface with materials and further notes."""
         return replace(self, materials=materials, notes=(*self.notes, *notes))
+
+    def repaired(self) -> PlainModel:
+        """Return the surface without what is none of the thing, all closed parts of it with their outer side out."""
+        foreign, notes = find_foreign(self._surface())
+        model = self._with(np.repeat(~foreign, self.sizes), ~foreign) if foreign.any() else self
+        inverted = find_inside_out(model._surface())
+        if inverted.any():
+            starts = np.repeat(np.cumsum(model.sizes) - model.sizes, model.sizes)
+            ends = starts + np.repeat(model.sizes, model.sizes) - 1
+            at = np.arange(len(model.corners))
+            model = model._with(np.where(np.repeat(inverted, model.sizes), starts + ends - at, at), slice(None))
+        used, corners = np.unique(model.corners, return_inverse=True)
+        vertices, corners = model.vertices[used], corners.ravel().astype(np.int32)
+        return replace(model, vertices=vertices, corners=corners, notes=(*self.notes, *notes))
+
+    def _surface(self) -> Surface:
+        return Surface(self.vertices.astype(float), self.corners.astype(np.int64), self.sizes.astype(np.int64))
+
+    def _with(self, corners: NDArray[np.bool_] | NDArray[np.int64], faces: NDArray[np.bool_] | slice) -> PlainModel:
+        """Return the model with these corners, in this order, and these faces."""
+        return replace(
+            self,
+            corners=self.corners[corners],
+            sizes=self.sizes[faces],
+            slots=self.slots[faces],
+            smooth=self.smooth[faces],
+            layers=self.layers[:, corners],
+            paint=self.paint[corners] if len(self.paint) else self.paint,
+        )
 
 
 _ARRAYS = ("vertices", "corners", "sizes", "slots", "smooth", "layers", "paint")
@@ -113,7 +145,7 @@ def save(model: PlainModel, folder: Path) -> None:
             (folder / f"{index}.{name}").write_bytes(getattr(material, name))
         materials.append({key: value for key, value in vars(material).items() if key not in MAPS})
     (folder / "model.json").write_text(
-        json.dumps({"materials": materials, "notes": model.notes, "credit": dict(model.credit)})
+        json.dumps({"materials": materials, "notes": model.notes, "credit": dict(model.credit), "unit": model.unit})
     )
 
 
@@ -134,7 +166,7 @@ def load(folder: Path) -> PlainModel:
         credit = Credit(**record["credit"])
     except (OSError, ValueError, KeyError, EOFError) as error:
         raise InputError("what was read of it is not whole") from error
-    return PlainModel(**arrays, materials=materials, notes=tuple(record["notes"]), credit=credit)
+    return PlainModel(**arrays, materials=materials, notes=tuple(record["notes"]), credit=credit, unit=record["unit"])
 
 
 def _tuples(fields: dict[str, Any]) -> dict[str, Any]:

@@ -22,10 +22,14 @@ from storyblender.blender.props.anchors import Anchors, grip
 from storyblender.blender.props.build import PropBuild, settle
 from storyblender.catalog.props import PROPS, PropEntry
 from storyblender.catalog.props.prop_names import kind_named
+from storyblender.catalog.usual_sizes import usual_size
 from storyblender.errors import InputError
-from storyblender.geometry.canonical import find_scale, find_upright_rotation, rotation_of
+from storyblender.geometry.canonical import TIPS, find_likely_tip, find_upright_rotation, proportion_error, rotation_of
+from storyblender.geometry.facing import crosswise, drives_backwards, quarters_to_hollow_front
 from storyblender.geometry.holding import Hold, find_hold
 from storyblender.geometry.resting import Places, Use, find_bed, find_seats
+from storyblender.geometry.scaling import UsualSize, find_scale
+from storyblender.library.file_names import words_of_file
 from storyblender.memory.asset_sheet import AssetDimension, ModelPose
 from storyblender.memory.base import Vec3
 
@@ -41,8 +45,15 @@ _LAIN_ON, _SAT_ON = ("cradle", "stretcher"), ("toilet",)
 """Props that one lies or sits on though their names do not say so."""
 _LARGE = 12.0
 """Metres: no seat is looked for on a larger model."""
-_Z_UP = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
-"""Undoes the turn of an .obj that was Z up already."""
+_REST_HEIGHTS = (0.25, 0.62)
+"""Metres of most seats and beds; higher on what is higher than a metre."""
+_FLAT_BACKED = frozenset(
+    ("wardrobe", "dresser", "bookshelf", "cabinet", "filing_cabinet", "locker", "safe", "chest", "nightstand",
+     "dressing_table", "piano", "fridge", "fireplace", "washing_machine", "printer", "sink",
+     "wood_stove", "water_cooler", "glass_case", "slot_machine", "store_shelf")
+)  # fmt: skip
+"""Props that stand with a flat back against a wall."""
+_LIKE_CARS = ("car", "taxi", "police_car", "jeep", "convertible")
 
 
 AS_ITS_SHAPE_SAYS = ModelPose()
@@ -73,24 +84,28 @@ def build_from_file(
     Raises:
         InputError: The file cannot be read or holds no mesh.
     """
-    model = read_model(path, folder or path.parent)
+    model = read_model(path, folder or path.parent).repaired()
     mesh = build_mesh(model, path.stem[:40])
     entry, notes = PROPS.get(kind_named(path.stem) if prop is None else prop), list(model.notes)
+    usual = _usual_size(path, entry, dimension)
     credit = with_files(model.credit, path, folder or path.parent, notes)
     if pose.top is not None:
         _transform(mesh, rotation_of(pose))
     elif path.suffix.lower() == ".obj":
-        _stand(mesh, entry, dimension, notes)
+        _stand(mesh, entry, usual, notes)
     extent = np.ptp(_points(mesh), axis=0)
-    scale, reason = find_scale(extent, dimension, told=told)
+    scale, reason = find_scale(extent, usual, dimension, told=told, unit=model.unit)
     _transform(mesh, np.eye(3) * scale)
+    _ground(mesh)
     if reason:
         notes.append(f"{_size(extent)} becomes {_size(extent * scale)} ({scale:.4g} times): {reason}")
     places = _places(mesh, entry)
-    turn = 0 if pose.front is not None else _turn_to_front(mesh, places)
-    if turn:
+    if pose.front is None and (
+        quarters := _quarters_to_front(mesh, entry, usual, places, decided=pose.top is not None)
+    ):
+        _transform(mesh, _quarter_turns(quarters))
         places = _places(mesh, entry)
-        notes.append(f"it is turned by {turn} degrees to face the front")
+        notes.append(f"it is turned by {90 * min(quarters, 4 - quarters)} degrees to face the front")
     build = settle(mesh, places.anchors)
     if not build.anchors:
         build = replace(build, anchors=_grips(find_hold(_points(mesh), _triangles(mesh))))
@@ -125,6 +140,22 @@ def read_model(path: Path, folder: Path) -> PlainModel:
         raise InputError(problem, mend="export it again as .glb", path=path) from error
 
 
+def _usual_size(path: Path, entry: PropEntry | None, dimension: AssetDimension | None) -> UsualSize | None:
+    """Return how large a thing usually is: as its file's name says more closely, else as the catalog says.
+
+    A dimension that differs from the catalog's, as of a small table, makes all of it smaller.
+    """
+    size = usual_size(words_of_file(path.name).words) or (entry.size if entry is not None else None)
+    if size is None:
+        return None
+    share = 1.0
+    if entry is not None and dimension is not None:
+        side = next(side for side in ("width", "depth", "height") if getattr(dimension, side) is not None)
+        share = getattr(dimension, side) / entry.size[("width", "depth", "height").index(side)]
+    width, depth, height = (share * each for each in size)
+    return UsualSize((width, depth, height), firm=entry is not None and entry.category == "furniture")
+
+
 def _use(entry: PropEntry | None) -> Use:
     """Return what a thing is for, by what it is called."""
     if entry is None:
@@ -145,35 +176,76 @@ def _places(mesh: bpy.types.Mesh, entry: PropEntry | None) -> Places:
     return bed if bed.anchors else find_seats(field, use, faces_front=faces_front)
 
 
-def _turn_to_front(mesh: bpy.types.Mesh, places: Places) -> int:
-    """Turn a mesh so that its seat faces -Y, or its bed's head is at +Y; return by how many degrees."""
-    if not places.backed:
+def _quarters_to_front(
+    mesh: bpy.types.Mesh, entry: PropEntry | None, usual: UsualSize | None, places: Places, *, decided: bool
+) -> int:
+    """Return by how many quarters, counter-clockwise from above, a mesh turns to have its front at -Y.
+
+    A back or a headboard tells it, else proportions, a flat back, and the bonnet of a car; not where somebody looked
+    and saw no front.
+    """
+    if places.backed:
+        x, y = (round(value) for value in places.anchors[0].direction[:2])
+        return {(0, -1): 0, (1, 0): 3, (0, 1): 2, (-1, 0): 1}[(x, y)]
+    if entry is None or usual is None or decided or _use(entry) == "bed":
         return 0
-    x, y = (round(value) for value in places.anchors[0].direction[:2])
-    degrees = {(0, -1): 0, (1, 0): -90, (0, 1): 180, (-1, 0): 90}[(x, y)]
-    angle = np.radians(degrees)
-    turn = np.array([[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]]).round(12)
-    _transform(mesh, turn)
-    return abs(degrees)
+    points, triangles = _points(mesh), _triangles(mesh)
+    across = crosswise(np.ptp(points, axis=0), usual.size)
+    if entry.key in _LIKE_CARS:
+        turned = points @ _quarter_turns(int(across)).T
+        return int(across) + 2 * drives_backwards(turned, triangles)
+    if entry.key in _FLAT_BACKED:
+        allowed = (1, 3) if across else (0, 1, 2, 3) if max(usual.size[:2]) < 1.3 * min(usual.size[:2]) else (0, 2)
+        return quarters_to_hollow_front(points, triangles, allowed)
+    return int(across)
 
 
-def _stand(mesh: bpy.types.Mesh, entry: PropEntry | None, dimension: AssetDimension | None, notes: list[str]) -> None:
-    """Put an .obj on its feet, which may be Z up: as one can sit or lie on it, else as it does not fall over."""
-    turn = find_upright_rotation(_points(mesh), _triangles(mesh))
-    if _use(entry) in ("seat", "bed"):
-        for candidate in (np.eye(3), _Z_UP):
-            trial = mesh.copy()
-            _transform(trial, candidate)
-            scale, _ = find_scale(np.ptp(_points(trial), axis=0), dimension, told=False)
-            _transform(trial, np.eye(3) * scale)
-            found = _places(trial, entry).anchors
-            bpy.data.meshes.remove(trial)
-            if found:
-                turn = candidate
-                break
+def _quarter_turns(quarters: int) -> np.ndarray:
+    """Return the (3, 3) rotation about Z, counter-clockwise from above."""
+    return np.linalg.matrix_power(np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]]), quarters)
+
+
+def _stand(mesh: bpy.types.Mesh, entry: PropEntry | None, usual: UsualSize | None, notes: list[str]) -> None:
+    """Put an .obj on its feet: as one sits or lies on it, else in its usual proportions, else as it does not fall."""
+    points, triangles = _points(mesh), _triangles(mesh)
+    turn = find_likely_tip(points, triangles, usual.size) if usual is not None else None
+    if _use(entry) in ("seat", "bed") and usual is not None:
+        turn = _tip_to_rest_on(mesh, entry, usual)
+    if turn is None:
+        turn = find_upright_rotation(points, triangles)
     if not np.array_equal(turn, np.eye(3)):
         _transform(mesh, turn)
         notes.append("it is tipped up to stand on its feet")
+
+
+def _tip_to_rest_on(mesh: bpy.types.Mesh, entry: PropEntry | None, usual: UsualSize) -> np.ndarray | None:
+    """Return the tip after which one sits with a back behind one, or lies, as high as usual; None if there is none."""
+    best, chosen = 0.0, None
+    for turn, doubt in zip(TIPS, (0.0, 0.2, 0.5, 0.5), strict=True):
+        found = _places_when(mesh, turn, entry, usual)
+        if not found.anchors:
+            continue
+        height = found.anchors[0].location[2]
+        fits = _REST_HEIGHTS[0] < height < _REST_HEIGHTS[1] * max(1.0, usual.size[2])
+        error = proportion_error(np.ptp(_points(mesh) @ turn.T, axis=0), usual.size)
+        score = 1.0 + found.backed + fits - error - doubt
+        if score > best:
+            best, chosen = score, turn
+        if found.backed and fits and not doubt:
+            break
+    return chosen
+
+
+def _places_when(mesh: bpy.types.Mesh, turn: np.ndarray, entry: PropEntry | None, usual: UsualSize | None) -> Places:
+    """Return where one could sit or lie if a mesh stood in another way."""
+    trial = mesh.copy()
+    _transform(trial, turn)
+    scale, _ = find_scale(np.ptp(_points(trial), axis=0), usual)
+    _transform(trial, np.eye(3) * scale)
+    _ground(trial)
+    found = _places(trial, entry)
+    bpy.data.meshes.remove(trial)
+    return found
 
 
 def _grips(hold: Hold | None) -> Anchors:
@@ -212,6 +284,14 @@ def _triangles(mesh: bpy.types.Mesh) -> np.ndarray:
 
 def _transform(mesh: bpy.types.Mesh, matrix: np.ndarray) -> None:
     mesh.vertices.foreach_set("co", (_points(mesh) @ matrix.T).astype(np.float32).ravel())
+    mesh.update()
+
+
+def _ground(mesh: bpy.types.Mesh) -> None:
+    """Move a mesh to the middle of the floor, wherever its file has it."""
+    points = _points(mesh)
+    low, high = points.min(axis=0), points.max(axis=0)
+    mesh.vertices.foreach_set("co", (points - (*(low + high)[:2] / 2, low[2])).astype(np.float32).ravel())
     mesh.update()
 
 
