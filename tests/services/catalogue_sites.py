@@ -49,6 +49,8 @@ def record_of(asset: Haven) -> dict[str, Any]:
         "category": "Furniture/Seating",
         "tags": list(asset.tags),
         "attributes": {"material": ["wood"]},
+        "polycount": 5626,
+        "dimensions": [848, 766, 1065],
         "max_resolution": [8192, 8192],
         "thumbnail_url": f"https://cdn.polyhaven.com/asset_img/thumbs/{asset.id}.png?width=256&height=256",
     }

@@ -36,6 +36,10 @@ def best(phrase: str, *titles: str, by_meaning: bool = False, words: tuple[str, 
         ("typewriter", ["Vintage Typewriter - Low Poly", "Typewriter key"], "Vintage Typewriter - Low Poly"),
         ("red telephone", ["Telephone", "Red Telephone 3D scan"], "Red Telephone 3D scan"),
         ("vase", ["Broken vase", "Ceramic Vase 03"], "Ceramic Vase 03"),
+        ("bookshelf", ["Shelf 01", "Wooden Bookshelf Worn"], "Wooden Bookshelf Worn"),
+        ("coffee table", ["Coffee Cart 01", "Coffee Table Round 01"], "Coffee Table Round 01"),
+        ("rocking chair", ["School Chair 01", "Rockingchair 01"], "Rockingchair 01"),
+        ("oil lamp", ["Industrial Wall Lamp", "Vintage Oil Lamp"], "Vintage Oil Lamp"),
     ],
 )
 def test_the_thing_itself_is_taken(phrase: str, titles: list[str], taken: str) -> None:

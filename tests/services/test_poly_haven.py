@@ -51,6 +51,7 @@ def test_an_offer_says_what_the_list_says(site: Site) -> None:
     (offer,) = opened(site).find("chair", "model")
     assert (offer.id, offer.name, offer.author) == ("ArmChair_01", "Arm Chair 01", "Rico Cilliers, Greg Zaal")
     assert offer.words == ("armchair", "seat", "leather", "furniture", "seating")
+    assert offer.faces == 5626 and offer.size == (0.848, 0.766, 1.065)
     assert offer.licence.name == "CC0-1.0" and offer.url == "https://polyhaven.com/a/ArmChair_01"
 
 

@@ -9,15 +9,16 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Final
 
 from storyblender.catalog.inflection import noun_key
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.phrases import before_details, kept_words, noun_words
 from storyblender.catalog.props.variants import TOY_WORDS, words_of
-from storyblender.catalog.recipe import HEAD, AssetQuery
+from storyblender.catalog.recipe import EXACT, HEAD, AssetQuery
 from storyblender.library.built_in import CATALOG_TERMS
-from storyblender.library.matching import ODD_HEAD, TAG, Likeness, Match, Term, best_of, by_words
+from storyblender.library.matching import ODD_HEAD, Likeness, Match, Term, best_of
 from storyblender.library.named_models import named, terms_of
 from storyblender.services.offers import Need, Offer
 
@@ -35,6 +36,12 @@ _PRAISE = frozenset(
      "optimized")
 )  # fmt: skip
 """Words that say how a model is made."""
+_AFTER = frozenset(
+    ("round", "square", "tall", "low", "worn", "old", "new", "small", "medium", "large", "long", "short", "open",
+     "closed", "dirty", "clean", "rusty", "broken", "destroyed", "burnt", "damaged", "modern", "vintage", "antique",
+     "simple")
+)  # fmt: skip
+"""Words that titles put behind the thing: ``Side Table Tall 01``."""
 _SPOILT = frozenset(("broken", "destroyed", "ruined", "burnt", "burned", "damaged", "smashed", "wrecked", "abandoned"))
 """Words for a state that a thing is in only if the story says so."""
 
@@ -67,11 +74,13 @@ def search_words(phrase: str) -> str:
 
 
 def title_words(title: str) -> str:
-    """Return the words of a title that name the thing, lower-case."""
+    """Return the words of a title that name the thing, lower-case and the noun last: ``Bookshelf Worn`` is worn."""
     head = next((part for part in _SEAM.split(title) if words_of(part)), "")
     words = words_of(_HUMP.sub(" ", head))
     words = [word for word in words if word not in _PRAISE and not _NUMBER.fullmatch(word)]
-    return " ".join(before_details(words)) if words else ""
+    words = before_details(words) if words else []
+    described = next((n for n, word in enumerate(reversed(words)) if word not in _AFTER), 0)
+    return " ".join([*words[len(words) - described :], *words[: len(words) - described]])
 
 
 def ranked(query: AssetQuery, offers: Offers, likeness: Likeness, *, by_meaning: bool) -> list[Match]:
@@ -84,12 +93,21 @@ def ranked(query: AssetQuery, offers: Offers, likeness: Likeness, *, by_meaning:
         by_meaning: Whether also those whose tags or meaning are like it.
     """
     models = [(id, name, place) for place, (id, name) in enumerate(offers.names.items())]
-    matches = [_weighed(match, query.phrase, offers) for match in named(query.phrase, models, offers.terms)]
+    found = [*_written_together(query.phrase, offers), *named(query.phrase, models, offers.terms)]
+    matches = [_weighed(match, query.phrase, offers) for match in found]
     if by_meaning:
         known = {match.key for match in matches}
         matches += [match for match in _tagged(query.phrase, offers) if match.key not in known]
         matches = likeness.with_likely(matches, query, offers.terms)
     return best_of(matches)
+
+
+def _written_together(phrase: str, offers: Offers) -> list[Match]:
+    """Return the works whose name has the thing as one word: a ``Rockingchair``."""
+    thing = noun_words(phrase)
+    word, reason = "".join(thing), f"its name has {' '.join(thing)!r}"
+    together = [id for id, name in offers.names.items() if len(thing) > 1 and name.rpartition(" ")[2] == word]
+    return [Match(id, EXACT, reason) for id in together]
 
 
 def _weighed(match: Match, phrase: str, offers: Offers) -> Match:
@@ -106,9 +124,15 @@ def _weighed(match: Match, phrase: str, offers: Offers) -> Match:
 
 def _prop_called(phrase: str) -> str:
     """Return the key of the prop of the built-in library that is called so; empty if none is."""
-    words = kept_words(words_of(phrase)) if words_of(phrase) else []
-    found = by_words(" ".join(words), CATALOG_TERMS) if words else []
-    return found[0].key if found and found[0].score >= TAG - 0.1 else ""
+    words = words_of(phrase)
+    return _props().get(tuple(noun_key(word) for word in kept_words(words)), "") if words else ""
+
+
+@cache
+def _props() -> dict[tuple[str, ...], str]:
+    """Return the keys of the built-in library's props by the words of their names; a name goes before a further one."""
+    terms = sorted(CATALOG_TERMS, key=lambda term: term.is_name)
+    return {tuple(noun_key(word) for word in term.words): term.key for term in terms}
 
 
 def _tagged(phrase: str, offers: Offers) -> list[Match]:

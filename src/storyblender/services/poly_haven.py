@@ -154,7 +154,7 @@ def _records(listed: Any) -> dict[str, Any]:
     """Return what is used of a list of assets. Raises ServiceFailure."""
     if not isinstance(listed, dict):
         raise ServiceFailure("poly_haven: its list of assets is none")
-    used = ("name", "authors", "categories", "category", "tags", "dimensions", "thumbnail_url")
+    used = ("name", "authors", "categories", "category", "tags", "dimensions", "polycount", "thumbnail_url")
     return {
         id: {name: record[name] for name in used if name in record}
         for id, record in list(listed.items())[:_MOST_ASSETS]
@@ -179,6 +179,7 @@ def _offers(records: Any, kind: OfferKind) -> Iterator[Offer]:
             author=line_of(", ".join(line_of(each, 60) for each in _dict(record.get("authors")))),
             licence=CC0,
             url=f"{_PAGE}{id}",
+            faces=count_in(record.get("polycount")),
             thumbnail=thumbnail if thumbnail.startswith("https://") else "",
             size=_size(record.get("dimensions")),
         )
