@@ -17,6 +17,7 @@ from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.recipe import EXACT, Recipe
 from storyblender.errors import AnswerAwaited, EngineError, InputError, StoryBlenderError
 from storyblender.library.file_names import character_file
+from storyblender.library.library_source import LibrarySource
 from storyblender.memory.asset_sheet import Asset, AssetDecision, AssetDimension, CanonicalAsset, ModelPose, Provenance
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure, AssetViews
@@ -275,7 +276,15 @@ class ConceptArtist:
                     provenance=Provenance(source=source.name, file=decision.file),
                 )
                 return asset.model_copy(update={"canonical": self._fetched(recipe).canonical()})
-        error = InputError(f"no folder of models has {decision.file!r}", mend="name the folder with --models")
+        try:
+            chosen = [each.chosen(decision.file) for each in self._run.sources if isinstance(each, LibrarySource)]
+            for recipe in filter(None, chosen):
+                fetched = self._fetched(recipe.model_copy(update={"params": decision.params}))
+                return asset.model_copy(update={"canonical": fetched.canonical()})
+        except InputError as error:
+            return self.give_up(asset, decision.file, error)
+        mend = "name the folder with --models, or see `storyblender library list`"
+        error = InputError(f"no folder of models and no library has {decision.file!r}", mend=mend)
         return self.give_up(asset, decision.file, error)
 
     def _fetched(self, recipe: Recipe) -> Recipe:

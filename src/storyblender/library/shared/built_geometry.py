@@ -148,7 +148,7 @@ def key_of(job: AssetJob) -> str:
         if not (pack := body_pack()):
             return ""
         parts += [pack, asset.reference_character or ""]
-    elif made is not None and made.source == "file":
+    if made is not None and made.source == "file":
         content = str(made.params.get("content", ""))
         if not _CONTENT.fullmatch(content):
             return ""
