@@ -61,11 +61,10 @@ class Session(ViewedProject):
 
     def estimate(self) -> list[ExpectedAsset]:
         """Return what the things of the planned story would be made from, and what that takes; nothing is fetched."""
-        from storyblender.library.sources import service_run
         from storyblender.pipeline.estimating import expected_assets
 
         with self._call() as run:
-            return expected_assets(run, service_run(self._settings, self._cancelled))
+            return expected_assets(run)
 
     def make(self, script: Path, reading: Path | None = None) -> Delivery:
         """Turn a script into everything, as ``Studio.make``; of a changed script only what changed is made anew."""

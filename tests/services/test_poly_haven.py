@@ -123,6 +123,11 @@ def test_a_damaged_list_is_asked_for_anew(site: Site, tmp_path: Path) -> None:
     assert opened(site, tmp_path).find("", "model") == first and site.count("/assets") == 2
 
 
+def test_a_shelf_that_cannot_be_written_is_no_fault(site: Site, tmp_path: Path) -> None:
+    (tmp_path / "shelf").write_text("a file")
+    assert opened(site, tmp_path / "shelf").find("", "model")
+
+
 FAULTS = {
     "too many requests": Reply(status=429), "an error": Reply(status=500), "no answer": Late(3), "cut": Cut(),
     "a web page": Reply(b"<html>", kind="text/html"), "too large": Endless(), "not there": Reply(status=404),

@@ -107,7 +107,7 @@ def test_nothing_is_asked_without_services(
 ) -> None:
     make(script, tmp_path / "p", "", monkeypatch)
     assert not models_in(read_project_graph(tmp_path / "p")) and not sites[0].hits and not sites[1].hits
-    assert not Path(os.environ["STORYBLENDER_LIBRARY"]).exists()
+    assert not (Path(os.environ["STORYBLENDER_LIBRARY"]) / "answers").exists()
 
 
 ASSETS, CHAIR = "/assets", "/dl/1k/ArmChair_01/scene.bin"

@@ -156,7 +156,7 @@ class CatalogueSource:
             if not self._library.is_in(entry, files, folder):
                 self._library.put_into(entry, files, folder)
             return
-        if not files.path(folder, CREDITS).is_file():
+        if not all(files.path(folder, name).is_file() for name in (MODEL, CREDITS)):
             self._download(offer, need, files, folder)
         if self._library is not None:
             facts = EntryFacts(

@@ -41,14 +41,13 @@ class ExpectedAsset(Frozen):
     """Why the figures are not known."""
 
 
-def expected_assets(run: Run, services: ServiceRun | None) -> list[ExpectedAsset]:
+def expected_assets(run: Run) -> list[ExpectedAsset]:
     """Return where the things that the script names would come from, in the order of the asset sheet.
 
     Args:
         run: On a planned project.
-        services: What the run gives services.
     """
-    makers = _makers(run, services) if services is not None else ()
+    makers = _makers(run, run.services) if run.services is not None else ()
     means = WORDS_BY_AGE.get(run.graph.age or "today", {})
     things = [each for each in run.graph.assets if each.asset_type == "object" and not each.fitted_part]
     return [_expected(run, asset, means, makers) for asset in things if asset.canonical is None]

@@ -6,9 +6,11 @@ import hashlib
 import json
 import re
 import time
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, Final
 
+from storyblender.errors import InputError
 from storyblender.folder import Folder
 
 DAY: Final = 86400.0
@@ -61,17 +63,16 @@ class Shelf:
             return None
 
     def keep(self, value: Any, *name: str, etag: str = "") -> None:
-        """Keep an answer.
+        """Keep an answer; where the disk cannot take it, it is asked for again.
 
         Args:
             value: What JSON can hold.
             name: As for ``recall``.
             etag: What the service calls this state of it.
-
-        Raises:
-            InputError: The disk cannot take it.
         """
-        if self.folder is not None:
+        if self.folder is None:
+            return
+        with suppress(InputError):
             self.folder.write(_file(name), json.dumps({"asked": time.time(), "etag": etag, "value": value}))
 
 
