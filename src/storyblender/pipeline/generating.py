@@ -181,7 +181,8 @@ class Workshop:
                 faults = "; ".join(fault.message for fault in critique.faults)
                 self._failed[asset.asset_id] = f"its picture is only {critique.score:.0f} of 10 ({faults})"
                 continue
-            score = min(_SEEN, critique.score) if critique.remarks else _UNSEEN
+            seen = any(" gives " in remark for remark in critique.remarks)
+            score = min(_SEEN, critique.score) if seen else _UNSEEN
             orders.append(_Order(asset, each, picture, score, deque(self._makers)))
         if awaited:
             raise AnswerAwaited.of(awaited)
