@@ -35,7 +35,7 @@ from storyblender.pipeline.run import Run
 from storyblender.reflection import reflect
 from storyblender.settings import Settings
 from storyblender.trace import Event
-from tests.services.makers import HunyuanWire, MeshyWire, TrellisWire, openai_draws
+from tests.services.makers import SECRET, HunyuanWire, MeshyWire, TrellisWire, openai_draws
 from tests.services.site import QUICK, Reply, Site, said, serving
 
 THINGS = ("zoetrope", "orrery", "theremin")
@@ -239,6 +239,25 @@ def test_a_limit_that_is_reached_is_one_warning(site: Site, tmp_path: Path) -> N
     (warning,) = warnings_in(told, "nothing was made")
     assert "limit of 0.02 minutes" in warning
     assert len(SharedLibrary.open().jobs.unfinished()) == 1, "it works on one at a time"
+
+
+def test_a_job_that_was_paid_for_is_not_given_to_another(
+    site: Site, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    wire = MeshyWire(site)
+    wire.open()
+    host = site.address.removeprefix("http://").replace(".", "_").replace(":", "_")
+    monkeypatch.setenv(f"STORYBLENDER_KEY_{host}", SECRET)
+    for number in (1, 2, 3):
+        site.pages[f"/v1/image-to-3d/meshy-{number}"] = Reply(status=503)
+    site.pages[wire.begin_path] = [said({"result": f"meshy-{number}"}, 202) for number in (1, 2, 3)]
+    told: list[Event] = []
+    graph = made(tmp_path, settings_of(site, "openai@{0},meshy@{0},hunyuan3d@{0}"), told)
+    assert "file" not in sources_of(graph)
+    assert site.count("/send") == 0, "it is paid for already"
+    (text,) = warnings_in(told, "nothing was made for the zoetrope, the orrery and the theremin")
+    assert "goes on there" in text
+    assert len(SharedLibrary.open().jobs.unfinished()) == 3
 
 
 def test_a_run_that_was_cancelled_goes_on_with_its_jobs(site: Site, tmp_path: Path) -> None:

@@ -228,11 +228,15 @@ class Workshop:
                 if found is None or found.status != "failed":
                     return None
                 reason = f"{maker.maker.service}: {found.reason}"
-            except (ServiceFailure, InputError) as error:
-                order.misses += order.job is not None and isinstance(error, ServiceFailure)
+            except ServiceFailure as error:
+                order.misses += order.job is not None
                 if 0 < order.misses < _MISSES:
                     return None
+                if order.misses and maker.maker.price:
+                    return self._refused(order, f"{error}; what it was paid for goes on there")
                 reason = str(error)
+            except InputError as error:
+                return self._refused(order, str(error))
             order.makers.popleft()
             order.job, order.misses, order.percent = None, 0, 0
             self._failed[order.asset.asset_id] = reason
