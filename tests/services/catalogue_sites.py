@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from tests.model_files import box_gltf
+from tests.model_files import box_gltf, tile
 from tests.services.site import Hit, Reply, Site, said
 
 Size = tuple[float, float, float]
@@ -85,7 +85,7 @@ def _tree(site: Site, asset: Haven) -> dict[str, Any]:
     if asset.kind == "textures":
         return {
             name: {
-                size: {"png": _file(site, f"/dl/{asset.id}_{name}_{size}.png", f"{name} {size}".encode())}
+                size: {"png": _file(site, f"/dl/{asset.id}_{name}_{size}.png", tile(len(name + size)))}
                 for size in ("1k", "2k", "8k")
             }
             for name in ("Diffuse", "nor_gl", "nor_dx", "Rough", "AO")

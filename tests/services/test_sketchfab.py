@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import struct
+import zlib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -151,6 +153,14 @@ def test_every_fault_is_a_sentence_without_the_key(site: Site, tmp_path: Path, w
     assert TOKEN not in str(failure.value)
 
 
+def huge_png() -> bytes:
+    """Return a PNG that says it is 60 000 pixels a side."""
+    png = bytearray(LAMP.files["textures/scene_diff_1k.png"])
+    png[16:24] = struct.pack(">II", 60_000, 60_000)
+    png[29:33] = struct.pack(">I", zlib.crc32(bytes(png[12:29])))
+    return bytes(png)
+
+
 def _text(**changes: Any) -> Mapping[str, bytes]:
     model = json.loads(LAMP.files["scene.gltf"])
     return {**LAMP.files, "scene.gltf": json.dumps({**model, **changes}).encode()}
@@ -163,6 +173,8 @@ MALICIOUS: dict[str, Mapping[str, bytes]] = {
     "no model": {"evil.png": b"x"},
     "a model elsewhere": _text(buffers=[{"uri": "../../../../etc/passwd", "byteLength": 4}]),
     "a picture of the web": _text(images=[{"uri": "https://evil.example/a.png"}]),
+    "a picture that is none": {**LAMP.files, "textures/scene_diff_1k.png": b"<script>"},
+    "a picture that is a bomb": {**LAMP.files, "textures/scene_diff_1k.png": huge_png()},
     "a model that is none": {"scene.gltf": b"MZ"},
     "another version": _text(asset={"version": "1.0"}),
     "a glb that lies": {"scene.glb": glb_of(LAMP.files)[:-8]},

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import struct
+import warnings
 from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
 from typing import Any, Final
@@ -17,6 +18,8 @@ MODEL: Final = "model.gltf"
 _BUFFER = "model.bin"
 _MOST_TEXT = 64 << 20
 """Bytes of the text of a model."""
+_MOST_PIXELS = 8192
+"""Along a side of a picture."""
 _HEADER, _CHUNK = struct.Struct("<4sII"), struct.Struct("<II")
 _JSON, _BIN = 0x4E4F534A, 0x004E4942
 
@@ -34,12 +37,28 @@ def check_gltf(path: Path) -> int:
         ServiceFailure: It is no glTF 2 model, or it names what is not beside it.
     """
     model = _read(path)
-    for uri in _uris(model):
+    for place, uri in _uris(model):
         if not uri.startswith("data:"):
-            name = inside_name(unquote(uri))
-            if not (path.parent / name).is_file():
+            beside = path.parent / inside_name(unquote(uri))
+            if not beside.is_file():
                 raise ServiceFailure("the model names a file that did not come with it")
+            if place == "images":
+                check_picture(beside)
     return _triangles(model)
+
+
+def check_picture(path: Path) -> None:
+    """Check that a file is a picture, and none that unpacks to far more than it should. Raises ServiceFailure."""
+    from PIL import Image
+
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+            with Image.open(path, formats=("PNG", "JPEG", "WEBP")) as picture:
+                if max(picture.size) > _MOST_PIXELS:
+                    raise ServiceFailure(f"a picture has {picture.width} x {picture.height} pixels")
+    except (OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
+        raise ServiceFailure("a picture of the download is none") from error
 
 
 def unpack_glb(path: Path, folder: Path) -> None:
@@ -102,13 +121,14 @@ def _parsed(content: bytes) -> dict[str, Any]:
     return model
 
 
-def _uris(model: dict[str, Any]) -> Iterator[str]:
+def _uris(model: dict[str, Any]) -> Iterator[tuple[str, str]]:
+    """Yield ``buffers`` or ``images``, and what is named there."""
     for place in ("buffers", "images"):
         listed = model.get(place)
         for each in listed if isinstance(listed, list) else []:
             uri = each.get("uri") if isinstance(each, dict) else None
             if isinstance(uri, str):
-                yield uri
+                yield place, uri
 
 
 def _triangles(model: dict[str, Any]) -> int:

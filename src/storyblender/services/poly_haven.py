@@ -15,7 +15,7 @@ from typing import Any, Final
 from storyblender.errors import ServiceFailure
 from storyblender.service_setting import ServiceChoice, ServiceName
 from storyblender.services.archives import MODEL_FILES, inside_name
-from storyblender.services.gltf_files import MODEL, check_gltf
+from storyblender.services.gltf_files import MODEL, check_gltf, check_picture
 from storyblender.services.licences import CC0
 from storyblender.services.offers import (
     FetchedFiles,
@@ -111,6 +111,8 @@ class PolyHaven:
         main = next(iter(files.values())).name
         faces = check_gltf(folder / main) if offer.kind == "model" else 0
         maps: dict[TextureMap, str] = {name: files[name].name for name in _MAPS if name in files}
+        for name in maps.values():
+            check_picture(folder / name)
         return FetchedFiles(main, digests[main], size, faces, maps)
 
     def _list(self, kind: OfferKind) -> dict[str, Any]:
