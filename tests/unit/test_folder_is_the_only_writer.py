@@ -40,6 +40,8 @@ ELSEWHERE = {
     ("deliver/board.py", "save"): "the canvas has its path already",
     ("pipeline/prints.py", "save"): "into memory",
     ("library/texture_file.py", "save"): "into memory",
+    ("blender/models/fbx_motion.py", "savez"): "into a temporary folder, by a process that reads a clip",
+    ("blender/models/fbx_motion.py", "write_text"): "into that temporary folder",
     ("blender/models/blend_reader.py", "save"): "into a temporary folder, by a process that reads a user's model",
     ("blender/models/blend_reader.py", "write_text"): "into that temporary folder",
     ("blender/models/plain.py", "savez"): "into that temporary folder",

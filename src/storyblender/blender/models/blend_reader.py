@@ -20,7 +20,7 @@ from storyblender.errors import InputError
 def main() -> None:
     """Read, write and end at once: the way out of an interpreter with Blender in it may hang."""
     path, folder, out = (Path(argument) for argument in sys.argv[1:4])
-    _bound()
+    bound_process()
     status = 0
     try:
         from storyblender.blender.models.blend_scene import read_scene
@@ -36,7 +36,7 @@ def main() -> None:
     os._exit(status)
 
 
-def _bound() -> None:
+def bound_process() -> None:
     """Bound what this process may take, and end it with the worker that waits for it."""
     threading.Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
     try:

@@ -17,12 +17,13 @@ from storyblender.folder import Folder
 from storyblender.geometry.mocap import MocapPoses
 from storyblender.library.mocap.bvh import read_bvh
 from storyblender.library.mocap.clip_words import words_of_clip
+from storyblender.library.mocap.fbx import read_fbx
 from storyblender.library.mocap.retarget import retarget
 from storyblender.memory.asset_sheet import Provenance
 from storyblender.memory.mocap import MocapClip, mocap_file
 from storyblender.model_content import MOST_CREDIT_BYTES, credit_files, credit_lines
 
-READERS: Final = {".bvh": read_bvh}
+READERS: Final = {".bvh": read_bvh, ".fbx": read_fbx}
 """How each kind of file is read."""
 SHEET: Final = "motions.toml"
 """File in a folder of clips that says more about them than their names."""
