@@ -25,12 +25,13 @@ TABLES = {
     "feature": ["-m", "benchmarks.feature"],
     "library": ["-m", "benchmarks.library_search"],
     "library_reuse": ["-m", "benchmarks.library_reuse"],
+    "motions": ["-m", "benchmarks.motions"],
     "studio_preview": ["-m", "benchmarks.studio_preview"],
     "outside_models": ["-m", "benchmarks.outside_models"],
 }
 LONG = (
-    "camera_servo", "framing", "feature", "layout_reflection", "library_reuse", "outside_models", "recordings",
-    "studio_preview",
+    "camera_servo", "framing", "feature", "layout_reflection", "library_reuse", "motions",
+    "outside_models", "recordings", "studio_preview",
 )  # fmt: skip
 """Run for minutes or an hour, or want a project: only when asked for by name."""
 

@@ -336,6 +336,10 @@ class Studio:
             if not models_folder.is_dir():
                 mend = "give --models a folder of .glb or .blend files"
                 raise InputError("is not a folder", mend=mend, path=models_folder)
+        for motions_folder in settings.motions if script is not None else ():
+            if not motions_folder.is_dir():
+                mend = "give --motions a folder of .bvh or .fbx files"
+                raise InputError("is not a folder", mend=mend, path=motions_folder)
         if script is not None:
             from storyblender.screenplay.source import load
 

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import itertools
 import math
+from dataclasses import replace
 
 import bpy
 import numpy as np
 import pytest
 from tests.blender.motion_stage import FPS, Playback, build_bodies, chair_at, cue_of, mark_at, perform
-from tests.motion_files import DEPTH_FIRST, Style, Walker, write_bvh
+from tests.motion_files import DEPTH_FIRST, Style, Walker, a_person, write_bvh
 
 from storyblender.blender.motion.plan import Performance, StageFurniture, StagePerson, StagePlan, box_of
 from storyblender.blender.motion.solve import solve_shot
 from storyblender.blender.people.body import RiggedBody
 from storyblender.geometry.mocap import MocapPoses
+from storyblender.geometry.rotations import about_axis
 from storyblender.library.mocap.bvh import parse_bvh
 from storyblender.library.mocap.retarget import retarget
 from storyblender.memory.shot_context import Blocking, Mark
@@ -152,3 +154,25 @@ def test_a_recording_that_is_gone_is_told_and_acted_otherwise(bodies: dict[str, 
     play = Playback(bodies["man"], shot, "man")
     assert play.joint("hand.R", 30).z > 1.2
     assert math.isclose(float(shot.people["man"].root[-1, 0]), 0.0, abs_tol=1e-6)
+
+
+def test_who_speaks_faces_in_the_end_whom_they_speak_to(bodies: dict[str, RiggedBody]) -> None:
+    turned = a_person(30.0, 3.0, lambda t: {"hips": about_axis(2, np.array(0.5 * t))})
+    poses = retarget(parse_bvh(write_bvh(turned)))
+    mark = mark_at("man", 0, 0)
+    for clip, yaw in (("talk", 0.0), ("idle", 86.0)):
+        shot = replayed(bodies["man"], poses, "man", mark, clip=clip)
+        assert math.degrees(shot.people["man"].root[-1, 3]) == pytest.approx(yaw, abs=8), clip
+        assert slides(bodies["man"], shot, "man").max() < 0.03
+
+
+def test_a_loop_goes_on_as_long_as_the_speech(bodies: dict[str, RiggedBody]) -> None:
+    nods = a_person(30.0, 1.5, lambda t: {"head": about_axis(0, np.array(0.5 * math.sin(2 * math.pi * t / 1.5)))})
+    poses = replace(retarget(parse_bvh(write_bvh(nods))), loops=True)
+    cue = cue_of("man", "talk", 0, mocap=poses.digest, duration=6 * FPS)
+    mark = mark_at("man", 0, 0)
+    people = {"man": StagePerson(bodies["man"], Blocking(start=mark, end=mark))}
+    shot = solve_shot(StagePlan(people, 6 * FPS, (cue,), mocap={poses.digest: poses}), FPS)
+    play = Playback(bodies["man"], shot, "man")
+    tilts = [play.matrices(frame)["head"].to_euler().x for frame in range(4 * FPS, 5 * FPS + 12)]
+    assert max(tilts) - min(tilts) > 0.5, "it still nods in the fifth second"

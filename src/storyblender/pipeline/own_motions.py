@@ -65,7 +65,9 @@ class _Taking:
         if action.mocap is not None:
             return action
         name = f"{shot.scene_id} {shot.shot_id} {number} {action.asset_id}"
-        for choice in choices_for(action, self._library.files, self._embedder, name)[:_TRIED]:
+        seated = any(state.asset_id == action.asset_id and state.posture == "sit" for state in shot.states)
+        found = choices_for(action, self._library.files, self._embedder, name, seated=seated)
+        for choice in found[:_TRIED]:
             clip = self._take_in(choice.file)
             if clip is not None:
                 clip = clip.model_copy(update={"reason": choice.reason[:200]})

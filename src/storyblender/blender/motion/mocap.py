@@ -22,10 +22,14 @@ from storyblender.geometry.rotations import about_axis, matrices_of
 
 FADE: Final = 0.45
 """Seconds from what is acted into the recording, and back."""
+FADE_SHARE: Final = 0.3
+"""Most of a short recording that a fade takes."""
 OVERLAID: Final = ("spine", "chest", "upper_chest", "neck", "head")
 """Bones that are laid over what is acted; the others follow targets."""
 KEPT_FOOT, KEPT_YAW = 0.12, math.radians(25)
 """Metres, times the scale, and radians by which a foot may stand otherwise than recorded: then it stays."""
+CLEARANCE: Final = 0.02
+"""Metres, times the scale, that a foot in the air is over the floor in the middle of its way, at least."""
 _ELBOW: Final = 0.08
 """Share of the elbow direction that the upper arm's own roll has; it counts where the arm is almost straight."""
 _AHEAD, _DOWN = np.array([0.0, -1, 0]), np.array([0.0, 0, -1])
@@ -44,11 +48,12 @@ class MocapLayer:
 
     def __init__(self, who: Performer, poses: MocapPoses, start: float, end: float, pace: float = 1.0) -> None:
         self.who, self.poses, self.start, self.end, self.pace = who, poses, start, end, pace
+        self.fade = min(FADE, FADE_SHARE * (end - start))
         self._turns = [[Quaternion(each) for each in row] for row in poses.turns.tolist()]
 
     def weight(self, t: float) -> float:
         """Return how much of the recording shows at ``t`` seconds, 0..1."""
-        return smooth(clamp((t - self.start) / FADE)) * smooth(clamp((self.end - t) / FADE))
+        return smooth(clamp((t - self.start) / self.fade)) * smooth(clamp((self.end - t) / self.fade))
 
     def at(self, t: float) -> tuple[int, int, float]:
         """Return the poses before and after ``t`` seconds, and the share of the second."""
@@ -118,16 +123,19 @@ class MocapWay:
     down: tuple[bool, bool]
 
 
-def way_of(layer: MocapLayer, goal: Vector | None) -> MocapWay:
+def way_of(layer: MocapLayer, goal: Vector | None, *, turns: bool = True) -> MocapWay:
     """Return how a person goes through a recording from where they stand.
 
     Args:
         layer: The recording on that person, who is planned to stand as it begins.
         goal: Where they arrive, x and y in metres; None: they stay on the spot.
+        turns: Whether they may end facing elsewhere; else the turn is taken back bit by bit.
     """
     who, poses, m = layer.who, layer.poses, layer.who.measures
     rows, shares, rounds = _samples(layer)
     root = _root(layer, rows, shares, rounds, goal)
+    if not turns:
+        root[:, 2] -= (root[-1, 2] - root[0, 2]) * np.linspace(0, 1, len(root))
     spin = about_axis(2, root[:, 2])
     turns = matrices_of(_mixed_turns(poses.turns, rows, shares))
     hips = _mixed(poses.hips, rows, shares) * m.leg
@@ -223,10 +231,9 @@ def _planted(who: Performer, side: str, foot: Floats, stands: np.ndarray, now: F
     foot, count = foot.copy(), len(foot)
     rolls = np.array([_roll(who, side, row) for row in foot])
     flat = foot[:, :3] - rolls
-    edges = np.flatnonzero(np.diff(np.r_[0, stands.astype(int), 0]))
     at: list[int] = []
     moves: list[Floats] = []
-    for begin, end in zip(edges[::2], edges[1::2], strict=True):
+    for begin, end in _runs(stands):
         place, yaw = flat[begin:end].mean(axis=0), float(foot[begin:end, 3].mean())
         kept = begin == 0 and math.dist(place[:2], now[:2]) < KEPT_FOOT * who.scale
         turned = (now[3] - yaw + math.pi) % (2 * math.pi) - math.pi
@@ -242,15 +249,20 @@ def _planted(who: Performer, side: str, foot: Floats, stands: np.ndarray, now: F
     if not at:
         return foot
     times, table = np.arange(count), np.array(moves)
-    free = np.ones(count, bool)
-    for begin, end in zip(edges[::2], edges[1::2], strict=True):
-        free[begin:end] = False
+    free = ~stands
     bent = np.stack([np.interp(times, at, column) for column in table.T], axis=1)
     foot[free, :4] += bent[free]
-    for row in np.flatnonzero(free):
-        least = who.measures.ankle + _roll(who, side, foot[row])[2]
-        foot[row, 2] = max(foot[row, 2], least)
+    for begin, end in _runs(free):
+        for row in range(begin, end):
+            lift = CLEARANCE * who.scale * math.sin(math.pi * (row - begin + 1) / (end - begin + 1))
+            foot[row, 2] = max(foot[row, 2], who.measures.ankle + _roll(who, side, foot[row])[2] + lift)
     return foot
+
+
+def _runs(flags: np.ndarray) -> list[tuple[int, int]]:
+    """Return the first and the one-past-last index of each run of true flags."""
+    edges = np.flatnonzero(np.diff(np.r_[0, flags.astype(int), 0]))
+    return [(int(begin), int(end)) for begin, end in zip(edges[::2], edges[1::2], strict=True)]
 
 
 def _roll(who: Performer, side: str, foot: Floats) -> Floats:

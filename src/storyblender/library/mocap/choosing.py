@@ -58,7 +58,12 @@ class Choice:
 
 
 def choices_for(
-    action: CharacterAction, files: Sequence[MotionFile], embedder: Callable[[], Embedder], name: str
+    action: CharacterAction,
+    files: Sequence[MotionFile],
+    embedder: Callable[[], Embedder],
+    name: str,
+    *,
+    seated: bool = False,
 ) -> list[Choice]:
     """Return the clips that fit an action, best first; equal ones in an order that ``name`` decides.
 
@@ -67,12 +72,15 @@ def choices_for(
         files: The clips.
         embedder: Loads the sentence model, where no word names a clip.
         name: Of the action, so that people do not all do the same.
+        seated: Whether the person sits.
     """
-    fitting = [file for file in files if may_play(action, file)]
+    fitting = [file for file in files if may_play(action, file) and (seated or not file.seated)]
     said = _said(action)
     named = [choice for file in fitting if (choice := _by_words(action, said, file)) is not None]
     found = named or _by_meaning(action, fitting, embedder)
-    return sorted(found, key=lambda each: (-each.score, seed_of(f"{name} {each.file.name}")))
+    return sorted(
+        found, key=lambda each: (seated and not each.file.seated, -each.score, seed_of(f"{name} {each.file.name}"))
+    )
 
 
 def may_play(action: CharacterAction, file: MotionFile) -> bool:

@@ -50,19 +50,27 @@ def play_recording(stage: MotionStage, who: Performer, key: str, cue: StagedCue,
         start, _ = stage.played[who.asset_id, key, cue.frame]
         over = end if poses.loops else min(end, start + poses.seconds / SLOWEST)
         if over - start > 2 * FADE:
-            _play(stage, who, poses, (start, over), cue)
+            _play(stage, who, poses, (start, over), cue, turns=False)
     else:
         start = max([cue.start, *(who.free[part] for part in parts)])
         end = start + (cue.duration or poses.seconds)
         show_mood(who, start, cue.mood)
-        _play(stage, who, poses, (start, end), cue)
+        _play(stage, who, poses, (start, end), cue, turns=True)
         stage.played[who.asset_id, key, cue.frame] = (start, end)
     for part in parts:
         who.free[part] = max(who.free[part], end)
     return end
 
 
-def _play(stage: MotionStage, who: Performer, poses: MocapPoses, span: tuple[float, float], cue: StagedCue) -> None:
+def _play(
+    stage: MotionStage,
+    who: Performer,
+    poses: MocapPoses,
+    span: tuple[float, float],
+    cue: StagedCue,
+    *,
+    turns: bool,
+) -> None:
     start, end = span
     pace = 1.0 if poses.loops else min(FASTEST, max(SLOWEST, poses.seconds / (end - start)))
     cut = end > stage.seconds - 0.3  # the shot ends in the midst of it
@@ -74,24 +82,24 @@ def _play(stage: MotionStage, who: Performer, poses: MocapPoses, span: tuple[flo
         if side in who.engaged or (held is not None and (cue.prop is None or held != cue.prop.asset_id)):
             continue
         who.hands[side].remove_from(start)
-        who.hands[side].set(start, FADE, layer.hand(side))
+        who.hands[side].set(start, layer.fade, layer.hand(side))
         if not cut:
             home = carrying_hand(who, side, stage.props[held]) if held in stage.props else who.home[side]
-            who.hands[side].set(end - FADE, FADE, home)
+            who.hands[side].set(end - layer.fade, layer.fade, home)
     if not cut:
         who.lean_after.set(end, 0, 1.0)
     if who.posture == "stand":
         mark = cue.mark
         goal = None if mark is None or mark.asset_id != who.asset_id else Vector(mark.location[:2])
-        _move(who, layer, way_of(layer, goal), (start, end), cut=cut)
+        _move(who, layer, way_of(layer, goal, turns=turns), (start, end), cut=cut)
 
 
 def _move(who: Performer, layer: MocapLayer, way: MocapWay, span: tuple[float, float], *, cut: bool) -> None:
     """Have root, hips and feet follow a recording, and stand at ease after it."""
-    start, end = span
-    who.life.set(start, FADE, 0.0)
+    (start, end), fade = span, layer.fade
+    who.life.set(start, fade, 0.0)
     who.root.set(start, 0, _sampled(way.root, start))
-    who.hips.set(start, FADE, _sampled(way.hips, start))
+    who.hips.set(start, fade, _sampled(way.hips, start))
     first = _step_in(who, way, start)
     for side, index in zip(SIDES, (0, 1), strict=True):
         late = first.index(side) * STEP if side in first else 0.0
@@ -103,8 +111,8 @@ def _move(who: Performer, layer: MocapLayer, way: MocapWay, span: tuple[float, f
     if cut:
         return
     who.root.set(end, 0, way.root[-1])
-    who.life.set(end - FADE, FADE, 1.0)
-    who.hips.set(end - FADE, FADE, (0, 0, who.standing_height, 0, 0, 0))
+    who.life.set(end - fade, fade, 1.0)
+    who.hips.set(end - fade, fade, (0, 0, who.standing_height, 0, 0, 0))
     now = end
     for index, side in enumerate(SIDES):
         home, last = who.plant(side, who.position, who.yaw), way.feet[index, -1]
