@@ -35,9 +35,8 @@ def main(names: list[str]) -> None:
     """Print the table."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bodies = build_bodies("man", "woman", "girl")
-    print(
-        f"{'clip':28} {'who':6} {'s':>5} {'deg mean':>8} {'p95':>6} {'slide p99':>9} {'max mm':>7} {'toe cm':>6} {'read s':>6} {'s/s':>5}"
-    )
+    head = f"{'clip':28} {'who':6} {'s':>5} {'deg mean':>8} {'p95':>6} {'slide p99':>9} {'max mm':>7}"
+    print(f"{head} {'toe cm':>6} {'read s':>6} {'s/s':>5}")
     for name, poses, read in _files(names) if names else _own(bodies["man"]):
         for who, body in bodies.items():
             print(f"{name[:28]:28} {who:6} {_row(poses, body, who, read)}", flush=True)

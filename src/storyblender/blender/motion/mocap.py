@@ -123,18 +123,18 @@ class MocapWay:
     down: tuple[bool, bool]
 
 
-def way_of(layer: MocapLayer, goal: Vector | None, *, turns: bool = True) -> MocapWay:
+def way_of(layer: MocapLayer, goal: Vector | None, *, turned: bool = True) -> MocapWay:
     """Return how a person goes through a recording from where they stand.
 
     Args:
         layer: The recording on that person, who is planned to stand as it begins.
         goal: Where they arrive, x and y in metres; None: they stay on the spot.
-        turns: Whether they may end facing elsewhere; else the turn is taken back bit by bit.
+        turned: Whether they may end facing elsewhere; else the turn is taken back bit by bit.
     """
     who, poses, m = layer.who, layer.poses, layer.who.measures
     rows, shares, rounds = _samples(layer)
     root = _root(layer, rows, shares, rounds, goal)
-    if not turns:
+    if not turned:
         root[:, 2] -= (root[-1, 2] - root[0, 2]) * np.linspace(0, 1, len(root))
     spin = about_axis(2, root[:, 2])
     turns = matrices_of(_mixed_turns(poses.turns, rows, shares))

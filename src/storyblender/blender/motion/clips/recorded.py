@@ -50,12 +50,12 @@ def play_recording(stage: MotionStage, who: Performer, key: str, cue: StagedCue,
         start, _ = stage.played[who.asset_id, key, cue.frame]
         over = end if poses.loops else min(end, start + poses.seconds / SLOWEST)
         if over - start > 2 * FADE:
-            _play(stage, who, poses, (start, over), cue, turns=False)
+            _play(stage, who, poses, (start, over), cue, turned=False)
     else:
         start = max([cue.start, *(who.free[part] for part in parts)])
         end = start + (cue.duration or poses.seconds)
         show_mood(who, start, cue.mood)
-        _play(stage, who, poses, (start, end), cue, turns=True)
+        _play(stage, who, poses, (start, end), cue, turned=True)
         stage.played[who.asset_id, key, cue.frame] = (start, end)
     for part in parts:
         who.free[part] = max(who.free[part], end)
@@ -69,7 +69,7 @@ def _play(
     span: tuple[float, float],
     cue: StagedCue,
     *,
-    turns: bool,
+    turned: bool,
 ) -> None:
     start, end = span
     pace = 1.0 if poses.loops else min(FASTEST, max(SLOWEST, poses.seconds / (end - start)))
@@ -91,7 +91,7 @@ def _play(
     if who.posture == "stand":
         mark = cue.mark
         goal = None if mark is None or mark.asset_id != who.asset_id else Vector(mark.location[:2])
-        _move(who, layer, way_of(layer, goal, turns=turns), (start, end), cut=cut)
+        _move(who, layer, way_of(layer, goal, turned=turned), (start, end), cut=cut)
 
 
 def _move(who: Performer, layer: MocapLayer, way: MocapWay, span: tuple[float, float], *, cut: bool) -> None:
