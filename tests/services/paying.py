@@ -9,8 +9,12 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
+import httpx2
+import tenacity
+
 from storyblender.errors import ServiceFailure
 from storyblender.library.commissions import Commissions, Wanted
+from storyblender.library.shared import index
 from storyblender.library.shared.entries import LibraryEntry
 from storyblender.library.shared.jobs import Job, JobLedger
 from storyblender.library.shared.shared_library import SharedLibrary
@@ -21,6 +25,8 @@ from storyblender.services.web import Web
 from tests.services.makers import SECRET, WIRES
 from tests.services.site import QUICK, Site
 
+LOADED = (httpx2, tenacity, index)
+"""A process that was forked must not load these while a thread of its parent does."""
 STEPS = (
     "before begin 1", "after begin 1", "after draw 1", "after add 1", "after finished 1", "after begin 2",
     "after send 2", "after submitted 2", "after poll 2", "after fetch 2", "after add 2", "after finished 2",

@@ -197,11 +197,14 @@ def test_a_job_that_cannot_be_looked_at_goes_on(site: Site, wire: MeshyWire) -> 
     assert commissions.model(maker, drawn_by(commissions, draws)) == job, "it is not begun again"
 
 
-def test_a_job_of_yesterday_has_ended(site: Site, wire: MeshyWire) -> None:
+@pytest.mark.parametrize("page", [None, Reply(status=400), Reply(status=503)], ids=["works on", "gone", "fails"])
+def test_a_job_of_yesterday_has_ended(site: Site, wire: MeshyWire, page: Reply | None) -> None:
     commissions, draws, maker = commissions_of(site, wire)
     wire.polls = 99
     job = commissions.model(maker, drawn_by(commissions, draws))
     assert isinstance(job, Job)
+    if page is not None:
+        site.pages[wire.poll_path(job.remote_id)] = page
     old = job.model_copy(update={"began": time.time() - 25 * 3600})
     state = commissions.look(maker, old, Wanted("samovar", ""))
     assert isinstance(state, JobState)

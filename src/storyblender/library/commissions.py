@@ -135,14 +135,19 @@ class Commissions:
             ServiceFailure: The service cannot be asked now; the job goes on.
             InputError: The disk cannot take what was made.
         """
-        state = maker.poll(job.remote_id)
-        if state.status == "done":
-            try:
+        late = time.time() - job.began > LONGEST
+        try:
+            state = maker.poll(job.remote_id)
+            if state.status == "done":
                 return self._fetched(maker, job, wanted)
-            except Unusable as error:
-                state = JobState("failed", reason=error.problem)
-        elif state.status != "failed" and time.time() - job.began > LONGEST:
-            state = JobState("failed", reason="it did not end within a day")
+        except Unusable as error:
+            state = JobState("failed", reason=error.problem)
+        except ServiceFailure:
+            if not late:
+                raise
+            state = JobState("working")
+        if late and state.status != "failed":
+            state = JobState("failed", reason="nothing came of it within a day, which is how long services keep it")
         if state.status == "failed":
             self._library.jobs.failed(job, state.reason)
         return state

@@ -146,7 +146,7 @@ class ModelMaker(JobService, Protocol):
 
         Args:
             picture: PNG of one object before a plain background.
-            mark: A word of letters and digits by which the job can be told from others, where the service keeps it.
+            mark: Letters, digits and dashes by which the job can be told from others, where the service keeps them.
 
         Raises:
             Busy: Other jobs have to end first.
