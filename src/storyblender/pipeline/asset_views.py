@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final, get_args
 
-from storyblender.errors import EngineError, NoAnswer
+from storyblender.catalog.recipe import LEAST, Recipe
+from storyblender.errors import EngineError, InputError, NoAnswer
 from storyblender.memory.asset_sheet import Asset, ModelSide
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetViews
+from storyblender.pipeline.fetching import fetched
 from storyblender.pipeline.run import Run
 
 VIEWS: Final = "build/views"
@@ -29,7 +31,7 @@ def asset_views(run: Run) -> Callable[[Asset], AssetViews]:
     known: dict[str, AssetViews | NoAnswer] = {}
 
     def draw(asset: Asset) -> AssetViews:
-        job = AssetJob(asset=asset)
+        job = AssetJob(asset=_readable(run, asset))
         if job.digest not in known:
             known[job.digest] = _drawn(run, job)
         found = known[job.digest]
@@ -38,6 +40,20 @@ def asset_views(run: Run) -> Callable[[Asset], AssetViews]:
         return found
 
     return draw
+
+
+def _readable(run: Run, asset: Asset) -> Asset:
+    """Return an object whose model the engine can read; one that a source only offers is fetched. Raises NoAnswer."""
+    made = asset.canonical
+    if made is None or made.source != "file" or "content" in made.params:
+        return asset
+    offered = Recipe(
+        source="file", key=made.key, params=made.params, score=made.match_score or LEAST, provenance=made.provenance
+    )
+    try:
+        return asset.model_copy(update={"canonical": fetched(run, offered).canonical()})
+    except InputError as error:
+        raise NoAnswer(f"{asset.asset_id} cannot be drawn: {error}") from error
 
 
 def _drawn(run: Run, job: AssetJob) -> AssetViews | NoAnswer:

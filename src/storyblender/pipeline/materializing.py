@@ -23,6 +23,7 @@ from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure, AssetViews
 from storyblender.pipeline.asset_files import assets_to_build, note_asset
 from storyblender.pipeline.asset_views import asset_views
+from storyblender.pipeline.fetching import fetched
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shared_assets import SharedBuilding
 from storyblender.trace import Event
@@ -230,7 +231,7 @@ class ConceptArtist:
         role, rejected = self._run.crew.asset_retriever, self._rejected | {*asset.turned_down}
         outcome = self._run.reflect(role, asset.asset_id, self._run.graph, asset, self._means, rejected, self._draw)
         try:
-            recipe = self._fetched(outcome.draft)
+            recipe = fetched(self._run, outcome.draft)
         except InputError as error:
             return self.give_up(asset, outcome.draft.key, error)
         if outcome.critique.score < recipe.score:  # a critic looked at it
@@ -275,23 +276,17 @@ class ConceptArtist:
                     reason="a person chose it" if asset.decision is not None else "it is called like the character",
                     provenance=Provenance(source=source.name, file=decision.file),
                 )
-                return asset.model_copy(update={"canonical": self._fetched(recipe).canonical()})
+                return asset.model_copy(update={"canonical": fetched(self._run, recipe).canonical()})
         try:
             chosen = [each.chosen(decision.file) for each in self._run.sources if isinstance(each, LibrarySource)]
             for recipe in filter(None, chosen):
-                fetched = self._fetched(recipe.model_copy(update={"params": decision.params}))
-                return asset.model_copy(update={"canonical": fetched.canonical()})
+                model = fetched(self._run, recipe.model_copy(update={"params": decision.params}))
+                return asset.model_copy(update={"canonical": model.canonical()})
         except InputError as error:
             return self.give_up(asset, decision.file, error)
         mend = "name the folder with --models, or see `storyblender library list`"
         error = InputError(f"no folder of models and no library has {decision.file!r}", mend=mend)
         return self.give_up(asset, decision.file, error)
-
-    def _fetched(self, recipe: Recipe) -> Recipe:
-        """Return a recipe whose files the engine can read."""
-        origin = recipe.provenance.source if recipe.provenance else None
-        source = next((each for each in self._run.sources if each.name == origin), None)
-        return recipe if source is None else source.fetch(recipe, self._run.project.files)
 
 
 def workshop_of(run: Run) -> Workshop | None:

@@ -1,6 +1,7 @@
 """A vision critic of assets: it looks at what an object is to be made from (paper, appendix: examination of assets).
 
-It is asked only about what was not found by its name: likenesses of meaning and stand-ins.
+It is asked about what was not found by its name, likenesses of meaning and stand-ins, and about models of services and
+of the user's library, which are called what somebody else calls them.
 """
 
 from __future__ import annotations
@@ -19,6 +20,8 @@ from storyblender.reflection import Critic, Critique, Role
 
 _HORIZON = 3
 """Most further candidates of one policy: each is a picture."""
+OWN_MODELS = "models"
+"""Source of the user's own folders, whose names are their own words."""
 _PLAIN = 4.0
 """Score of a plain shape beside what was looked at."""
 AssetCriticNotes = critic_notes(Literal["take_another", "take_plain_shape"])
@@ -51,7 +54,8 @@ class AssetCritic:
         asset_id, plain = view.asset.asset_id, draft.source == "stand_in"
         if plain and not draft.final and asset_id in self._looked:
             return Critique(score=_PLAIN)
-        named = draft.score >= HEAD and not draft.final and not draft.by_meaning
+        known = draft.provenance is None or draft.provenance.source == OWN_MODELS
+        named = draft.score >= HEAD and not draft.final and not draft.by_meaning and known
         if plain or (named and asset_id not in self._looked):
             return self.names.judge(draft, view)
         self._looked.add(asset_id)

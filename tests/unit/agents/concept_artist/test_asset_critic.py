@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -15,11 +15,12 @@ from tests.unit.agents.concept_artist.test_language_asset_retriever import Hashe
 from storyblender.agents.concept_artist.asset_critic import with_asset_critic
 from storyblender.agents.concept_artist.asset_retriever_view import AssetRetrieverView
 from storyblender.agents.concept_artist.language_asset_retriever import language_asset_retriever
-from storyblender.catalog.recipe import Recipe
+from storyblender.catalog.recipe import AssetQuery, Recipe
 from storyblender.crew import rules_crew
 from storyblender.errors import NoAnswer
+from storyblender.folder import Folder
 from storyblender.library.built_in import BuiltInLibrary
-from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.asset_sheet import Asset, Provenance
 from storyblender.memory.measure import AssetViews
 from storyblender.ports import Answerer
 from storyblender.reflection import Outcome, reflect
@@ -127,3 +128,34 @@ def test_a_silent_critic_or_no_picture_leaves_all_as_it_was(name: str) -> None:
     for critic, camera in ((Silent(), Camera()), (Scripted([]), cannot)):
         draft = found(critic, name, camera).draft
         assert draft.source == usual.source or draft.score >= usual.score
+
+
+class Shop:
+    """Offers one model under the name of whatever is looked for."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+
+    def search(self, query: AssetQuery, *, by_meaning: bool = False) -> Sequence[Recipe]:
+        place = Provenance(source=self.name, file="a.glb")
+        return [Recipe(source="file", key=f"{self.name}/a.glb", score=10.0, reason="", provenance=place)]
+
+    def inventory(self) -> Mapping[str, str]:
+        return {}
+
+    def fetch(self, recipe: Recipe, files: Folder) -> Recipe:
+        return recipe
+
+
+@pytest.mark.parametrize(("name", "looks"), [("sketchfab", 1), ("library", 1), ("models", 0)])
+def test_a_name_that_somebody_else_gave_is_not_believed(name: str, looks: int) -> None:
+    camera = Camera()
+    role = rules_crew(Settings(), Hashed, (Shop(name), *SOURCES)).asset_retriever
+    asset = Asset(asset_id="chair", asset_type="object", description="", name="chair", tags=("prop",))
+    view = AssetRetrieverView(asset=asset, draw=camera)
+    assert reflect(with_asset_critic(Answering(lambda view: GOOD), role), "chair", view).draft.key == f"{name}/a.glb"
+    assert len(camera.drawn) == looks
+    camera = Camera()
+    critic = with_asset_critic(Answering(lambda view: POOR if len(camera.drawn) == 1 else GOOD), role)
+    draft = reflect(critic, "chair", view.model_copy(update={"draw": camera})).draft
+    assert draft.key == ("chair" if looks else f"{name}/a.glb")
