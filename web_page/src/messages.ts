@@ -240,6 +240,26 @@ export interface LookChoices {
   finishes: Record<string, string>;
 }
 
+export interface LibraryCard {
+  digest: string;
+  name: string;
+  kind: string;
+  source: string;
+  author: string;
+  licence: string;
+  url: string;
+  megabytes: number;
+  used: string[];
+  file: string;
+  picture: string;
+}
+
+export interface ShownLibrary {
+  cards: LibraryCard[];
+  found: number;
+  figures: string;
+}
+
 export interface Cast {
   cards: AssetCard[];
   choices: LookChoices;

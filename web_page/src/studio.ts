@@ -7,6 +7,7 @@ import "./board_view";
 import "./crew_view";
 import "./cut_view";
 import "./deliver_view";
+import "./library_view";
 import "./link_dialog";
 import "./message_bar";
 import "./pull_view";
@@ -26,6 +27,7 @@ const VIEWS = {
   board: "Board",
   stage: "Stage",
   assets: "Cast and assets",
+  library: "Library",
   set: "Set and light",
   cut: "Cut",
   revise: "Revised script",
@@ -336,6 +338,8 @@ export class Studio extends LitElement {
       case "assets":
         return html`<sb-assets .board=${board} .wire=${this.wire} .chosen=${this.asset} @chose=${(event: CustomEvent<string>) => (this.asset = event.detail)} @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}
           @goto=${(event: CustomEvent<string>) => ([this.selected, this.view] = [[event.detail], "board"])}></sb-assets>`;
+      case "library":
+        return html`<sb-library .wire=${this.wire}></sb-library>`;
       case "set":
         return html`<sb-set .board=${board} .selected=${this.selected} .wire=${this.wire} @select=${select}
           @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}

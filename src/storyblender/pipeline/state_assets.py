@@ -57,6 +57,8 @@ def build_states(run: Run, jobs: Iterable[SceneJob]) -> None:
     """
     wanted = {each.asset.canonical.digest: each.asset for job in jobs for each in job.in_states if each.asset.canonical}
     missing = [asset for asset in wanted.values() if not files_whole(run, asset)]
+    if not missing:
+        return
     building = SharedBuilding(run)
     building.prepare(missing)
     waiting = [(asset, building.build(asset)) for asset in missing]

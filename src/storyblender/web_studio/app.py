@@ -22,6 +22,7 @@ from storyblender.pipeline.asset_pictures import SHOWN
 from storyblender.web_studio.access import PROGRAMS
 from storyblender.web_studio.deliver import may_be_downloaded
 from storyblender.web_studio.hub import Hub
+from storyblender.web_studio.library import picture_of
 from storyblender.web_studio.messages import CALLS, Answer, News
 
 LARGEST_CALL = 4_500_000
@@ -29,6 +30,7 @@ LARGEST_CALL = 4_500_000
 _SHOT = re.compile(r"SC\d{3,6}_SH\d{3,6}")
 _MOMENT = re.compile(r"SC\d{3,6}-[0-9a-f]{8,64}-\d{1,9}")
 _SHOWN = re.compile(r"[0-9a-f]{8,64}\.(?:png|glb)")
+_ENTRY = re.compile(r"[0-9a-f]{64}")
 _DELIVERED = frozenset(name for name, _ in FILES)
 _LEFT = (WebSocketDisconnect, WebSocketDisconnected)
 """What receiving from a browser that has left raises, and sending to it."""
@@ -66,6 +68,11 @@ def build_app(hub: Hub) -> Starlette:
         name = request.path_params["name"]
         return _file(hub, f"{SHOWN}/{name}") if _SHOWN.fullmatch(name) else _NOT_THERE
 
+    async def in_library(request: Request) -> Response:
+        digest = request.path_params["digest"]
+        path = picture_of(digest) if _ENTRY.fullmatch(digest) else None
+        return FileResponse(path) if path is not None and path.is_file() else _NOT_THERE
+
     async def delivered(request: Request) -> Response:
         name = request.path_params["name"]
         return _file(hub, name) if name in _DELIVERED or may_be_downloaded(name) else _NOT_THERE
@@ -90,6 +97,7 @@ def build_app(hub: Hub) -> Starlette:
             Route("/takes/{name}.png", take),
             Route("/moments/{name}.glb", moment),
             Route("/cast/{name}", cast),
+            Route("/library/{digest}.png", in_library),
             Route(PROGRAMS, calls, methods=["POST"]),
             Route("/files/{name:path}", delivered),
             WebSocketRoute("/wire", wire),

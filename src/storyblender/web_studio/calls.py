@@ -24,12 +24,14 @@ from storyblender.web_studio.assets import answer_about_assets
 from storyblender.web_studio.board import board_of, staging_cards
 from storyblender.web_studio.cut import Cut, cut_of
 from storyblender.web_studio.deliver import DeliverCall, WriteCall, deliveries_of, write_now
+from storyblender.web_studio.library import shown_library
 from storyblender.web_studio.messages import (
     ApplyCall,
     AssetCall,
     Board,
     Call,
     InstructCall,
+    LibraryCall,
     MakeCall,
     News,
     OpenCall,
@@ -92,6 +94,8 @@ class Calls:
                 return lambda: self._write(call)
             case TakeOverCall():
                 return lambda: self._pull(Choice(take=call.take, leave=call.leave))
+            case LibraryCall():
+                return lambda: shown_library(call.words).model_dump()
             case PlainCall():
                 return {
                     "places": self._places,

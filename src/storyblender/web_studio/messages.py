@@ -167,6 +167,15 @@ class TakeOverCall(_Call):
     """Ids of those that stay as in the project; the others wait."""
 
 
+class LibraryCall(_Call):
+    """Asks what is in the user's library; nothing is changed."""
+
+    call: Literal["library"]
+    """Which call this is."""
+    words: Annotated[str, Field(max_length=200)] = ""
+    """What is looked for; empty for all."""
+
+
 class PlainCall(_Call):
     """A call that needs nothing else."""
 
@@ -196,6 +205,7 @@ Call = Annotated[
     | DeliverCall
     | WriteCall
     | TakeOverCall
+    | LibraryCall
     | PlainCall,
     Field(discriminator="call"),
 ]

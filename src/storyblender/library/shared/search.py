@@ -81,7 +81,7 @@ class LibrarySearch:
         """Bring the terms and vectors of all models up to what the library holds now."""
         with index.reading() as db:
             state = db.execute("SELECT count(*), max(added) FROM entries").fetchone()
-        if state == self._state:
+        if state == self._state or state[0] == 0:
             return
         width = self._embedder().embed(["chair"]).shape[1]
         self._read(index, width)

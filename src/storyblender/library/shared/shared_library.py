@@ -209,7 +209,11 @@ class SharedLibrary:
 
     def thumbnail_of(self, entry: LibraryEntry) -> Path:
         """Return where the picture of an entry lies once it is drawn."""
-        return self.files.path(THUMBNAILS, f"{entry.digest}.png")
+        return self.picture(entry.digest)
+
+    def picture(self, digest: str) -> Path:
+        """Return where the picture of an entry lies, by its digest, once it is drawn."""
+        return self.files.path(THUMBNAILS, f"{digest}.png")
 
     def is_in(self, entry: LibraryEntry, files: Folder, name: str) -> bool:
         """Return whether a project has the files of an entry, whole, in a folder; takes what ``put_into`` does."""
