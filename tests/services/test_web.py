@@ -104,6 +104,14 @@ def test_a_refusal_says_why_and_never_the_key(site: Site, web: Web) -> None:
     assert SECRET not in str(failure.value) and SECRET not in repr(web)
 
 
+def test_only_the_service_itself_can_refuse_the_key(site: Site, web: Web, tmp_path: Path) -> None:
+    site.pages["/a"] = Reply(status=403)
+    with pytest.raises(ServiceFailure, match="look at its key"):
+        web.get("/a")
+    with serving({"/file": Reply(status=403)}) as other, pytest.raises(ServiceFailure, match=r"refuses the request"):
+        web.download(f"{other.address}/file", tmp_path / "part", most=10)
+
+
 def test_the_key_goes_to_no_other_host(site: Site, web: Web, tmp_path: Path) -> None:
     with serving({"/file": GOOD}) as other:
         site.pages["/a"] = moved(f"{other.address}/file")

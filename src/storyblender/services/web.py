@@ -294,7 +294,9 @@ class Web:
             problem = "it has too many requests" if status == 429 else f"it answers with an error ({status})"
             raise _Passing(problem, sent=status != 429, pause=pause)
         if status in (401, 403):
-            raise ServiceFailure(f"it refuses the key or the request ({status})", mend="look at its key")
+            keyed = any(name.lower() in response.request.headers for name in self.headers)
+            problem = f"it refuses the {'key or the ' * keyed}request ({status})"
+            raise ServiceFailure(problem, mend="look at its key" if keyed else "")
         if status in (404, 410):
             raise Missing("it does not have that")
         reasons = {402: "its account has no credit left"}
