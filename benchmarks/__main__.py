@@ -23,6 +23,7 @@ TABLES = {
     "framing": ["-m", "benchmarks.framing_requests"],
     "recordings": ["-m", "benchmarks.recordings"],
     "feature": ["-m", "benchmarks.feature"],
+    "bound_cast": ["-m", "benchmarks.bound_cast"],
     "library": ["-m", "benchmarks.library_search"],
     "library_reuse": ["-m", "benchmarks.library_reuse"],
     "motions": ["-m", "benchmarks.motions"],
@@ -30,7 +31,7 @@ TABLES = {
     "outside_models": ["-m", "benchmarks.outside_models"],
 }
 LONG = (
-    "camera_servo", "framing", "feature", "layout_reflection", "library_reuse", "motions",
+    "bound_cast", "camera_servo", "framing", "feature", "layout_reflection", "library_reuse", "motions",
     "outside_models", "recordings", "studio_preview",
 )  # fmt: skip
 """Run for minutes or an hour, or want a project: only when asked for by name."""

@@ -15,6 +15,7 @@ from benchmarks.humanoids import figure, write_glb, write_humanoid, write_prop  
 from storyblender.blender.asset_store import AssetStore  # noqa: E402
 from storyblender.blender.cast.character import CharacterBuild, character_from_file  # noqa: E402
 from storyblender.blender.people.body import RiggedBody  # noqa: E402
+from storyblender.blender.people.person import build_person  # noqa: E402
 from storyblender.catalog.skeleton import BONE_INDEX  # noqa: E402
 from storyblender.errors import InputError  # noqa: E402
 from storyblender.folder import Folder  # noqa: E402
@@ -55,6 +56,30 @@ def test_joints_are_found_in_a_figure_with_raised_arms_that_faces_away(tmp_path:
     assert _joint(body, "hand.L")[2] < _joint(body, "upper_arm.L")[2] - 0.2, "at rest the arms are as everybody's"
     assert body.vertices[:, 2].min() == pytest.approx(0, abs=1e-4)
     assert np.allclose(body.weights.sum(1), 1)
+
+
+MIXAMO = {
+    "hips": "Hips", "spine": "Spine", "chest": "Spine1", "upper_chest": "Spine2", "neck": "Neck", "head": "Head",
+    "shoulder": "Shoulder", "upper_arm": "Arm", "forearm": "ForeArm", "hand": "Hand", "thumb": "HandThumb1",
+    "index1": "HandIndex1", "index2": "HandIndex2", "fingers1": "HandMiddle1", "fingers2": "HandMiddle2",
+    "thigh": "UpLeg", "shin": "Leg", "foot": "Foot", "toe": "ToeBase",
+}  # fmt: skip
+
+
+def test_a_file_that_has_a_rig_with_known_names_keeps_its_joints_and_weights(tmp_path: Path) -> None:
+    person = build_person("anna", CharacterLook(gender="female", age=30), 1)
+    for bone in list(person.armature.data.bones):
+        stem, _, side = bone.name.partition(".")
+        bone.name = f"mixamorig:{ {'L': 'Left', 'R': 'Right', '': ''}[side] }{MIXAMO.get(stem, stem)}"
+    path = tmp_path / "anna.glb"
+    bpy.ops.export_scene.gltf(filepath=str(path), export_morph=False, export_animations=False)
+    empty = _cast(path).person.body
+    shift = _joint(empty, "hips") - _joint(person.body, "hips")
+    for bone in ("thigh.L", "shin.R", "foot.L", "upper_arm.L", "forearm.R", "neck", "head", "upper_chest"):
+        assert np.linalg.norm(_joint(empty, bone) - _joint(person.body, bone) - shift) < 0.012, bone
+    index = {name: column for column, name in enumerate(empty.bone_names)}
+    arm = empty.weights[:, index["forearm.L"]] > 0.9
+    assert arm.any() and empty.vertices[arm, 0].min() > 0.1, "her left arm is on her left"
 
 
 def test_a_story_tells_how_tall_a_character_is(tmp_path: Path) -> None:

@@ -9,8 +9,10 @@ import bpy
 import numpy as np
 
 from storyblender.blender.cast.humanoid import BoundMesh, bound_mesh
+from storyblender.blender.cast.own_rig import OwnRig, own_rig
 from storyblender.blender.cast.template import template_of
 from storyblender.blender.models.credits import with_files
+from storyblender.blender.models.plain import PlainModel
 from storyblender.blender.models.rebuild import build_mesh
 from storyblender.blender.models.tangents import add_tangents
 from storyblender.blender.people import rig
@@ -70,7 +72,9 @@ def character_from_file(
     if reason:
         notes.append(f"{extent[2]:.3g} m become {extent[2] * scale:.3g} m: {reason}")
     try:
-        bound = bound_mesh(points * scale, normals, triangles, template_of(pack), front_known=pose.front is not None)
+        own = _own_rig(model, mesh, scale * turn)
+        known = pose.front is not None
+        bound = bound_mesh(points * scale, normals, triangles, template_of(pack), front_known=known, own=own)
     except InputError as error:
         problem = f"{path.name} cannot be a character: {error.problem}"
         raise InputError(problem, mend=error.mend, path=path) from error
@@ -82,6 +86,18 @@ def character_from_file(
         add_tangents(mesh)
     person = _built(asset_id, mesh, bound)
     return CharacterBuild(person, tuple(f"{path.name}: {note}" for note in notes), credit)
+
+
+def _own_rig(model: PlainModel, mesh: bpy.types.Mesh, matrix: np.ndarray) -> OwnRig | None:
+    """Return the file's skeleton in metres, for the vertices of the mesh that was built of it; None if it has none."""
+    if model.rig is None:
+        return None
+    row_of = {place.tobytes(): row for row, place in enumerate(model.vertices + np.float32(0.0))}
+    flat = np.empty(3 * len(mesh.vertices), np.float32)
+    mesh.vertices.foreach_get("co", flat)
+    rows = np.array([row_of[place.tobytes()] for place in flat.reshape(-1, 3) + np.float32(0.0)])
+    own = own_rig(model.rig, rows)
+    return own and OwnRig({bone: matrix @ head for bone, head in own.heads.items()}, own.weights)
 
 
 def _scaled(bound: BoundMesh, factor: float) -> BoundMesh:

@@ -9,7 +9,9 @@ from numpy.typing import NDArray
 
 from storyblender.blender.cast.binding import weights_for
 from storyblender.blender.cast.fitting import Fit, Fitter, sampled
-from storyblender.blender.cast.stance import TURN_OF, stance_of
+from storyblender.blender.cast.own_rig import OwnRig
+from storyblender.blender.cast.posed_bones import PosedBones
+from storyblender.blender.cast.stance import stance_of
 from storyblender.blender.cast.template import Template
 from storyblender.catalog.skeleton import SKELETON
 from storyblender.errors import InputError
@@ -55,7 +57,13 @@ class BoundMesh:
 
 
 def bound_mesh(
-    points: Floats, normals: Floats, triangles: Ints, template: Template, *, front_known: bool = False
+    points: Floats,
+    normals: Floats,
+    triangles: Ints,
+    template: Template,
+    *,
+    front_known: bool = False,
+    own: OwnRig | None = None,
 ) -> BoundMesh:
     """Bind a mesh to the skeleton.
 
@@ -65,62 +73,57 @@ def bound_mesh(
         triangles: (T, 3).
         template: The body that is fitted into it.
         front_known: Whether it is sure that it faces -Y; else it may also face +Y.
+        own: The skeleton that its file has, if its bones are known by name.
 
     Raises:
         InputError: It is no human figure.
     """
     low, high = points.min(0), points.max(0)
-    points = points - [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]]
-    fit = _fitted(points, triangles, template, front_known)
-    if fit.back:
-        points, normals = points * (-1, -1, 1), normals * (-1, -1, 1)
+    middle: Floats = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
+    points = points - middle
+    fit = _fitted(points, triangles, template, front_known, own)
+    face: Floats = np.array((-1.0, -1.0, 1.0) if fit.back else (1.0, 1.0, 1.0))
+    points, normals = points * face, normals * face
     stance = stance_of(template, fit.values[None])
     body = stance.points(template.points, template.weights)[0]
     facing = np.einsum("nb,bij,nj->ni", template.weights, stance.turns[0], template.normals)
     scale = float(body[:, 2].max()) / 1.7
     weights = weights_for(points, normals, triangles, body, facing, template.weights, scale)
-    return _at_rest(points, weights, template, fit)
+    tails = np.einsum("bij,bj->bi", stance.linear[0], template.tails) + stance.shift[0]
+    posed = PosedBones(stance.heads[0], tails, stance.turns[0])
+    if own is not None:
+        held = own.weights.any(1)
+        weights[held] = own.weights[held]
+        places: dict[str, Floats] = {bone: (head - middle) * face for bone, head in own.heads.items()}
+        posed = posed.moved_to(places)
+    return _at_rest(points, weights, posed, float(body[:, 2].max()), fit)
 
 
-def _fitted(points: Floats, triangles: Ints, template: Template, front_known: bool) -> Fit:
+def _fitted(points: Floats, triangles: Ints, template: Template, front_known: bool, own: OwnRig | None) -> Fit:
     """Return the fit. Raises InputError where it is no human figure."""
     width, depth, height = np.ptp(points, axis=0)
     if height < 0.5 * max(width, depth):
         raise InputError("it is no human figure: it is wider than high", mend="give a figure that stands upright")
-    fit = Fitter(template, sampled(points, triangles, SAMPLES)).best((False,) if front_known else (False, True))
+    fitter = Fitter(template, sampled(points, triangles, SAMPLES))
+    if own is not None:
+        return fitter.best((own.faces_away,))
+    fit = fitter.best((False,) if front_known else (False, True))
     if fit.misfit > MISFIT or fit.strain > STRAIN:
         mend = "give a figure with a head, two arms and two legs that stands upright with its arms at its sides or out"
         raise InputError("it is no human figure", mend=mend)
     return fit
 
 
-def _at_rest(points: Floats, weights: Floats, template: Template, fit: Fit) -> BoundMesh:
+def _at_rest(points: Floats, weights: Floats, posed: PosedBones, crown: float, fit: Fit) -> BoundMesh:
     """Return the mesh with its arms as the template has them; the legs stay as they stand.
 
     What moves it there is the inverse of the skinning, so that the pose of the file comes out as it was.
     """
-    values = fit.values.copy()
-    for name, columns in TURN_OF.items():
-        if name.startswith(("upper_arm", "forearm", "hand")):
-            values[columns] = 0
-    there, here = stance_of(template, fit.values[None]), stance_of(template, values[None])
-    turns = there.turns[0] @ here.turns[0].transpose(0, 2, 1)  # from rest to the file's pose
-    shifts = there.heads[0] - np.einsum("bij,bj->bi", turns, here.heads[0])
+    turns, heads, tails = posed.at_rest()
+    shifts = posed.heads - np.einsum("bij,bj->bi", turns, heads)
     blended = np.einsum("vb,bij->vij", weights, turns)
-    moved = points - weights @ shifts
-    rest = np.einsum("vij,vj->vi", np.linalg.inv(blended), moved)
-    skin = here.points(template.points, template.weights)[0]
-    tails = np.einsum("bij,bj->bi", here.linear[0], template.tails) + here.shift[0]
+    rest = np.einsum("vij,vj->vi", np.linalg.inv(blended), points - weights @ shifts)
     sole = float(rest[:, 2].min())
-    scale = (float(skin[:, 2].max()) - sole) / 1.7
-    hips = here.heads[0][0]
-    origin = np.array((hips[0], hips[1] - HIPS_Y * scale, sole))
-    return BoundMesh(
-        points=rest - origin,
-        weights=weights,
-        heads=here.heads[0] - origin,
-        tails=tails - origin,
-        stature=float(skin[:, 2].max()) - sole,
-        turned=fit.back,
-        misfit=fit.misfit,
-    )
+    scale = (crown - sole) / 1.7
+    origin = np.array((heads[0][0], heads[0][1] - HIPS_Y * scale, sole))
+    return BoundMesh(rest - origin, weights, heads - origin, tails - origin, crown - sole, fit.back, fit.misfit)

@@ -6,7 +6,7 @@ glTF says what is up and front and that it is in metres; the result is Z up, fro
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -21,7 +21,7 @@ from storyblender.blender.models.gltf_materials import read_materials
 from storyblender.blender.models.limits import CORNERS, DEPTH, NODES, PARTS
 from storyblender.blender.models.parts import Part, joined, within_bounds
 from storyblender.blender.models.pictures import clean_picture
-from storyblender.blender.models.plain import PlainModel
+from storyblender.blender.models.plain import PlainModel, PlainRig
 from storyblender.errors import InputError
 
 Matrix = NDArray[np.float64]
@@ -61,7 +61,8 @@ def read_gltf(path: Path, folder: Path) -> PlainModel:
         within_bounds(vertices, faces)
         parts.append(part)
     model = joined(parts).with_materials(materials, tuple(dict.fromkeys(notes)))
-    return replace(model, credit=credit_in_gltf(document.json.get("asset")), unit=1.0)
+    credit, rig = credit_in_gltf(document.json.get("asset")), _rig(document, parts)
+    return replace(model, credit=credit, unit=1.0, rig=rig)
 
 
 def _unpacked(document: Document, path: Path, folder: Path) -> PlainModel:
@@ -96,12 +97,43 @@ def _parts(document: Document, materials: int) -> Iterator[Part]:
             raise InputError("a mesh in it has no list of primitives")
         skin = None if node.get("skin") is None else skins[whole(node["skin"], "skin", len(skins) - 1)]
         joints = None if skin is None else _joints(document, skin, places)
+        moved_by = [] if skin is None else _indices(skin.get("joints", []), len(document.items("nodes")), "joint")
         for primitive in primitives:
             if not isinstance(primitive, dict):
                 raise InputError("a mesh in it has a primitive that is none")
             part = _part(document, primitive, _UPRIGHT @ place, joints, materials)
             if part is not None:
-                yield part
+                yield replace(part, **_skin_of(document, primitive["attributes"], moved_by, index, len(part.vertices)))
+
+
+def _skin_of(document: Document, attributes: Json, moved_by: list[int], node: int, count: int) -> dict[str, Any]:
+    """Return the nodes that move a primitive's vertices, and how much: its skin's, else the node that it is at."""
+    which = _attribute(document, attributes, "JOINTS_0", 4, count) if moved_by else None
+    weights = _attribute(document, attributes, "WEIGHTS_0", 4, count) if moved_by else None
+    if which is None or weights is None:
+        return {"joints": np.full((count, 4), (node, -1, -1, -1)), "weights": np.full((count, 4), (1.0, 0, 0, 0))}
+    return {
+        "joints": np.array(moved_by)[which.astype(int)],
+        "weights": weights / np.maximum(weights.sum(axis=1, keepdims=True), 1e-9),
+    }
+
+
+def _rig(document: Document, parts: Sequence[Part]) -> PlainRig | None:
+    """Return the skeleton of the document's skins; None where nothing is skinned."""
+    if not document.items("skins"):
+        return None
+    nodes, places = document.items("nodes"), _places(document)
+    parents = np.full(len(nodes), -1)
+    for index, node in enumerate(nodes):
+        parents[_indices(node.get("children", []), len(nodes), "child of a node")] = index
+    stand = np.array([_UPRIGHT @ places.get(index, np.eye(4)) for index in range(len(nodes))])
+    return PlainRig(
+        names=tuple(str(node.get("name", ""))[:60] for node in nodes),
+        parents=tuple(parents.tolist()),
+        heads=stand[:, :3, 3].astype(np.float32),
+        joints=np.concatenate([part.joints for part in parts if part.joints is not None]).astype(np.int32),
+        weights=np.concatenate([part.weights for part in parts if part.weights is not None]).astype(np.float32),
+    )
 
 
 def _places(document: Document) -> dict[int, Matrix]:

@@ -26,6 +26,8 @@ class Part:
         smooth: Whether it is shaded smooth.
         layers: Up to two (3 m, 2) texture coordinates, of the corners.
         paint: (3 m, 3) scene-linear colours of the corners.
+        joints: (n, 4) nodes of the file that move each vertex, -1 for none; None where nothing is skinned.
+        weights: (n, 4) how much.
     """
 
     vertices: Floats
@@ -34,6 +36,8 @@ class Part:
     smooth: bool
     layers: Sequence[Floats]
     paint: Floats | None
+    joints: NDArray[np.int64] | None = None
+    weights: Floats | None = None
 
 
 def joined(parts: Sequence[Part]) -> PlainModel:

@@ -69,6 +69,25 @@ MAPS = ("picture", "roughness_map", "metallic_map", "normal_map", "glow_map")
 """Fields of a material with the bytes of a picture."""
 
 
+@dataclass(frozen=True, eq=False)
+class PlainRig:
+    """The skeleton that a file has for its surface, as it stands in the file.
+
+    Attributes:
+        names: Of its J joints.
+        parents: (J,) the joint that each hangs on, -1 for none.
+        heads: (J, 3) where the joints are, in the model's frame and unit.
+        joints: (n, 4) joints that move each vertex, -1 for none.
+        weights: (n, 4) how much; rows sum to 1, or to 0 where nothing moves a vertex.
+    """
+
+    names: tuple[str, ...]
+    parents: tuple[int, ...]
+    heads: Floats
+    joints: Ints
+    weights: Floats
+
+
 @dataclass(frozen=True)
 class PlainModel:
     """One surface: polygons with materials, in the file's units, Z up, as its importer turned it.
@@ -85,6 +104,7 @@ class PlainModel:
         notes: Sentences about what was left out.
         credit: Whose work it is, as the file says.
         unit: Metres of the unit that the file or its format states; None if it states none.
+        rig: The file's own skeleton; of skinned glTF files only.
     """
 
     vertices: Floats
@@ -98,6 +118,7 @@ class PlainModel:
     notes: tuple[str, ...] = field(default=())
     credit: Credit = field(default_factory=Credit)
     unit: float | None = None
+    rig: PlainRig | None = None
 
     def with_materials(self, materials: tuple[PlainMaterial, ...], notes: tuple[str, ...]) -> PlainModel:
         """Return the same surface with materials and further notes."""
