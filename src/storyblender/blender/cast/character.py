@@ -22,7 +22,8 @@ from storyblender.blender.people.person import PersonBuild
 from storyblender.blender.props.imported import read_model
 from storyblender.blender.tags import Surface, tag
 from storyblender.errors import InputError
-from storyblender.geometry.canonical import find_scale, rotation_of
+from storyblender.geometry.canonical import rotation_of
+from storyblender.geometry.scaling import find_scale
 from storyblender.memory.asset_sheet import AssetDimension, Credit, ModelPose
 
 
@@ -60,7 +61,8 @@ def character_from_file(
     pack = load_body_pack()
     if pack is None:
         raise InputError("a model cannot be bound without the body data", mend="run `make setup`", path=path)
-    model = read_model(path, folder)
+    file = read_model(path, folder)
+    model = file.repaired()
     notes = list(model.notes)
     credit = with_files(model.credit, path, folder, notes)
     mesh = build_mesh(model, f"{asset_id}_model")
@@ -68,11 +70,11 @@ def character_from_file(
     turn = rotation_of(pose) if pose.top is not None else np.eye(3)
     points, normals = points @ turn.T, normals @ turn.T
     extent = np.ptp(points, axis=0)
-    scale, reason = find_scale(extent, dimension, told=told)
+    scale, reason = find_scale(extent, None, dimension, told=told, unit=model.unit)
     if reason:
         notes.append(f"{extent[2]:.3g} m become {extent[2] * scale:.3g} m: {reason}")
     try:
-        own = _own_rig(model, mesh, scale * turn)
+        own = _own_rig(file, mesh, scale * turn)
         known = pose.front is not None
         bound = bound_mesh(points * scale, normals, triangles, template_of(pack), front_known=known, own=own)
     except InputError as error:
