@@ -26,6 +26,8 @@ class Haven:
         tags: Of it.
         kind: ``models``, ``textures`` or ``hdris``.
         files: Of a model, the .gltf first.
+        pictures: Of a texture by the name of the map, ``Diffuse``; of a panorama as ``hdr``.
+        metres: Width of a texture; 0 where it is not told.
     """
 
     id: str
@@ -34,10 +36,13 @@ class Haven:
     kind: str = "models"
     files: Mapping[str, bytes] = field(default_factory=lambda: box_gltf(CHAIR))
     authors: tuple[str, ...] = ("Rico Cilliers", "Greg Zaal")
+    pictures: Mapping[str, bytes] = field(default_factory=dict[str, bytes])
+    metres: float = 0.0
 
 
 def record_of(asset: Haven) -> dict[str, Any]:
     """Return what the list of assets says of one."""
+    told = {"dimensions": [1000 * asset.metres] * 2} if asset.metres else {}
     return {
         "name": asset.name,
         "type": ("hdris", "textures", "models").index(asset.kind),
@@ -53,7 +58,7 @@ def record_of(asset: Haven) -> dict[str, Any]:
         "dimensions": [848, 766, 1065],
         "max_resolution": [8192, 8192],
         "thumbnail_url": f"https://cdn.polyhaven.com/asset_img/thumbs/{asset.id}.png?width=256&height=256",
-    }
+    } | told
 
 
 def _file(site: Site, path: str, content: bytes) -> dict[str, Any]:
@@ -85,7 +90,11 @@ def _tree(site: Site, asset: Haven) -> dict[str, Any]:
     if asset.kind == "textures":
         return {
             name: {
-                size: {"png": _file(site, f"/dl/{asset.id}_{name}_{size}.png", tile(len(name + size)))}
+                size: {
+                    "png": _file(
+                        site, f"/dl/{asset.id}_{name}_{size}.png", asset.pictures.get(name, tile(len(name + size)))
+                    )
+                }
                 for size in ("1k", "2k", "8k")
             }
             for name in ("Diffuse", "nor_gl", "nor_dx", "Rough", "AO")
@@ -99,7 +108,7 @@ def _tree(site: Site, asset: Haven) -> dict[str, Any]:
 
 
 def _hdr(site: Site, asset: Haven, size: str) -> dict[str, Any]:
-    return _file(site, f"/dl/{asset.id}_{size}.hdr", b"#?RADIANCE\n" + size.encode())
+    return _file(site, f"/dl/{asset.id}_{size}.hdr", asset.pictures.get("hdr", b"#?RADIANCE\n" + size.encode()))
 
 
 @dataclass(frozen=True)

@@ -19,6 +19,7 @@ from storyblender.service_setting import services_in
 from storyblender.settings import Settings
 
 if TYPE_CHECKING:
+    from storyblender.library.pictures import Pictures
     from storyblender.services.register import ServiceRun
 
 Warn = Callable[[str], None]
@@ -50,6 +51,31 @@ def asset_sources(
     made = {name: make(settings, embedder) for name, make in SOURCES.items() if settings.library or name != "library"}
     last = made.pop("built_in")
     return (*made.values(), *(_catalogue_sources(settings, embedder, services, warn) if services else ()), last)
+
+
+def offered_pictures(
+    settings: Settings, embedder: Callable[[], Embedder], services: ServiceRun | None, warn: Warn
+) -> Pictures | None:
+    """Return what surfaces and panoramas there are; None where the settings name no catalogue and there is no library.
+
+    Args:
+        settings: Name the services, and whether there is a library.
+        embedder: Loads the sentence model.
+        services: What the run gives services; None asks none.
+        warn: Hears that a service failed.
+    """
+    kept = settings.library and (services is not None or library_folder().exists())
+    library = SharedLibrary.open() if kept else None
+    if services is None and library is None:
+        return None
+    from storyblender.library.pictures import Pictures
+
+    found = ()
+    if services is not None:
+        from storyblender.services.register import catalogues
+
+        found = catalogues(services_in(settings.services), services)
+    return Pictures(library, found, services, embedder, warn, settings.licences)
 
 
 def service_run(settings: Settings, cancelled: Signal) -> ServiceRun | None:

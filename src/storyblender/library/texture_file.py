@@ -10,6 +10,7 @@ import hashlib
 import io
 import re
 import struct
+import tomllib
 import warnings
 import zlib
 from collections.abc import Mapping
@@ -22,10 +23,12 @@ from PIL import Image, UnidentifiedImageError
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Provenance
 from storyblender.memory.texture import Texture, TextureMap
-from storyblender.model_content import credit_beside
+from storyblender.model_content import CREDITS, credit_beside
 
 SIDE = 1024
 """Pixels of the prepared pictures, which are square; smaller ones stay as they are."""
+OWN = "texture"
+"""Source of a surface that a person has."""
 USUAL_METRES = 2.0
 """Width of a surface whose size nobody tells."""
 _MOST_BYTES, _MOST_PIXELS, _LEAST = 64 << 20, 64_000_000, 16
@@ -50,17 +53,16 @@ _NAMES: dict[_Source, str] = {
     "arm": "arm orm aorm",
 }
 _ENDINGS: dict[str, _Source] = {name: kind for kind, names in _NAMES.items() for name in names.split()}
-_ENDING = re.compile(r"[ _.-]+(base[ _-]?colou?r|nor(?:mal)?[ _-]?(?:gl|dx)|[a-z]+)$", re.IGNORECASE)
+_ENDING = re.compile(r"(?:^|[ _.-]+)(base[ _-]?colou?r|nor(?:mal)?[ _-]?(?:gl|dx)|[a-z]+)$", re.IGNORECASE)
 _SIZE = re.compile(r"[ _.-]+(?:\d+k(?:[ _-](?:jpg|png))?|\d{3,4}(?:x\d{3,4})?|jpg|png)$", re.IGNORECASE)
 
 
-def read_texture(path: Path, metres: float | None = None, source: str = "texture") -> tuple[Texture, dict[str, bytes]]:
+def read_texture(path: Path, metres: float | None = None) -> tuple[Texture, dict[str, bytes]]:
     """Read a surface.
 
     Args:
         path: The user's colour picture, or the folder of one surface; ``credits.toml`` there says whose work it is.
-        metres: Width of the picture on the wall; None for the usual.
-        source: Where it came from.
+        metres: Width of the picture on the wall; None for what ``credits.toml`` says, or the usual.
 
     Returns:
         What the graph keeps of it, and its prepared pictures by their paths in a project.
@@ -83,12 +85,12 @@ def read_texture(path: Path, metres: float | None = None, source: str = "texture
     color = np.asarray(squared["color"], np.float32) / 255
     linear = np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4)
     rough = squared.get("roughness")
-    width = (metres or USUAL_METRES) * copies[0]
+    width = (metres or _width_beside(found["color"]) or USUAL_METRES) * copies[0]
     if not 0.01 <= width <= 100:
         raise InputError("is to be too small or too large", mend="give it a width of 0.01 to 25 metres", path=path)
     texture = Texture(
         provenance=Provenance(
-            source=source, file=found["color"].name, digest=digest.hexdigest(), **credit_beside(found["color"])
+            source=OWN, file=found["color"].name, digest=digest.hexdigest(), **credit_beside(found["color"])
         ),
         metres=round(width, 4),
         color=tuple(round(float(each), 4) for each in linear.mean(axis=(0, 1))),  # pyright: ignore[reportArgumentType]
@@ -150,6 +152,15 @@ def _named(file: Path) -> tuple[str, _Source | None]:
     while (size := _SIZE.search(surface)) is not None:
         surface = surface[: size.start()]
     return surface.lower(), kind
+
+
+def _width_beside(file: Path) -> float | None:
+    """Return the metres that ``credits.toml`` beside a picture says it is wide."""
+    try:
+        told = tomllib.loads((file.parent / CREDITS).read_text(encoding="utf-8-sig")).get("width")
+    except (OSError, ValueError):
+        return None
+    return float(told) if isinstance(told, int | float) and 0.01 <= told <= 25 else None
 
 
 def _content(file: Path) -> bytes:

@@ -135,9 +135,10 @@ class ContinuityMemoryGraph(Frozen):
 
     @property
     def panoramas(self) -> tuple[Panorama, ...]:
-        """The story's panorama, and those that a person chose for a scene; each once."""
+        """The story's panorama, and those that a person or the crew chose for a scene; each once."""
         chosen = (scene.light_decision.panorama for scene in self.scenes if scene.light_decision is not None)
-        found = [self.panorama, *(each for each in chosen if each != "none")]
+        offered = (scene.offered_panorama for scene in self.scenes)
+        found = [self.panorama, *(each for each in chosen if each != "none"), *offered]
         return tuple({each.provenance.digest: each for each in found if each is not None}.values())
 
     @property

@@ -83,6 +83,7 @@ class AssetInState(Frozen):
 _NOT_PACKED = {
     "lighting",
     "locked",
+    "offered_panorama",
     "light_decision",
     "set_decision",
     "layout_decision",

@@ -10,7 +10,7 @@ from storyblender.memory.asset_sheet import AssetDecision, ParamValue
 from storyblender.memory.base import Color, Coordinate, Frozen, Identifier, SceneId, ShotId, Vec3, dropping, is_none
 from storyblender.memory.kept_takes import LayoutTakes
 from storyblender.memory.locks import SceneLock, StaleWork
-from storyblender.memory.panorama import PanoramaLight
+from storyblender.memory.panorama import Panorama, PanoramaLight
 from storyblender.memory.scene_decision import LayoutDecision, LightDecision, SetDecision
 from storyblender.memory.texture import Texture
 from storyblender.memory.thing_states import Condition
@@ -219,6 +219,8 @@ class SceneContext(Frozen):
     lighting: Lighting | None = None
     locked: tuple[SceneLock, ...] = Field(default=(), exclude_if=lambda value: not value)
     """What a person locked: it stays as it is until it is unlocked."""
+    offered_panorama: Panorama | None = Field(default=None, exclude_if=is_none)
+    """That the crew found for its hour, weather and place; the Lighting Arranger may light it by that."""
     light_decision: LightDecision | None = Field(default=None, exclude_if=is_none)
     """What a person decided about the light; it stays with the words of the scene when the script changes."""
     set_decision: SetDecision | None = Field(default=None, exclude_if=is_none)

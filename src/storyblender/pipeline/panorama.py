@@ -18,6 +18,10 @@ def keep_panoramas(run: Run) -> None:
     for known in run.graph.panoramas:
         if run.outputs.whole(name := panorama_file(known.provenance.digest)):
             continue
+        found = run.pictures.again("panorama", known.provenance, run.project.files) if run.pictures else {}
+        if name in found:
+            run.outputs.write(name, found[name])
+            continue
         if known != run.graph.panorama:
             mend = "choose it again for its scenes, or give their light back to the crew with `unlock`"
             raise InputError("the picture of this panorama is gone", mend=mend, path=run.project.path(name))

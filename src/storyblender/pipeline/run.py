@@ -25,6 +25,7 @@ from storyblender.trace import Event, Listener
 
 if TYPE_CHECKING:
     from storyblender.library.mocap.folders import MotionFolders
+    from storyblender.library.pictures import Pictures
     from storyblender.library.shared.shared_library import SharedLibrary
     from storyblender.services.register import ServiceRun
 
@@ -103,6 +104,17 @@ class Run:
         from storyblender.library.shared.shared_library import SharedLibrary
 
         return SharedLibrary.open()
+
+    @cached_property
+    def pictures(self) -> Pictures | None:
+        """Surfaces and panoramas of the library and of services; None where there is neither."""
+        from storyblender.library.embedder import load_embedder
+        from storyblender.library.sources import offered_pictures
+
+        def warn(sentence: str) -> None:
+            self.tell(Event(kind="warning", role="environment_designer", message=sentence))
+
+        return offered_pictures(self.settings, load_embedder, self.services, warn)
 
     @contextmanager
     def without_library(self) -> Iterator[None]:

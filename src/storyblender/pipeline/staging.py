@@ -39,6 +39,7 @@ from storyblender.pipeline.light_preview import LightPreview
 from storyblender.pipeline.materializing import materialize
 from storyblender.pipeline.own_motions import give_own_motions
 from storyblender.pipeline.run import Run
+from storyblender.pipeline.surroundings import with_offered_panorama, with_pictured_surfaces
 from storyblender.reflection import Outcome
 from storyblender.trace import Event
 
@@ -296,7 +297,8 @@ def design(run: Run, graph: ContinuityMemoryGraph, scene_id: int) -> Environment
         AnswerAwaited: The answer has to come from outside first.
     """
     outcome = run.reflect(run.crew.environment_designer, scene_name(scene_id), graph, scene_id)
-    return decided_environment(outcome.draft, outcome.view, graph.scene(scene_id).set_decision)
+    environment = decided_environment(outcome.draft, outcome.view, graph.scene(scene_id).set_decision)
+    return with_pictured_surfaces(run, graph, scene_id, environment)
 
 
 def _animate(run: Run, scene_id: int) -> tuple[ShotContext, ...]:
@@ -319,7 +321,11 @@ def light_scene(
         shots: Of the scene, with their motion.
     """
     shots = tuple(shot.model_copy(update={"lighting": None}) for shot in shots)
+    scene = with_offered_panorama(run, scene)
     role, graph, scene_id = run.crew.lighting_arranger, run.graph, scene.scene_id
+    if scene.offered_panorama != graph.scene(scene_id).offered_panorama:
+        known = graph.scene(scene_id).model_copy(update={"offered_panorama": scene.offered_panorama})
+        graph = replace(graph, known)
     preview = LightPreview(run, scene, shots)
     usual = run.reflect(role, scene_name(scene_id), graph, scene_id, draw=preview.draw_opening).draft
 

@@ -16,8 +16,13 @@ def keep_textures(run: Run) -> None:
         InputError: One is gone.
     """
     for texture in run.graph.textures:
+        if all(map(run.outputs.whole, texture.files)):
+            continue
+        found = run.pictures.again("texture", texture.provenance, run.project.files) if run.pictures else {}
         for name in texture.files:
-            if not run.outputs.whole(name):
+            if name in found:
+                run.outputs.write(name, found[name])
+            elif not run.outputs.whole(name):
                 mend = f"choose {texture.provenance.file!r} again with `set`, or another material"
                 raise InputError("this picture of a surface is gone", mend=mend, path=run.project.path(name))
 

@@ -116,9 +116,11 @@ def lighting_arranger_view(
 
 
 def _panorama(graph: ContinuityMemoryGraph, scene: SceneContext) -> Panorama | None:
-    """Return the panorama on offer to a scene: the one that a person chose for it, else the story's."""
+    """Return the panorama on offer to a scene: the one that a person chose for it, the story's, or the crew's."""
     chosen = scene.light_decision.panorama if scene.light_decision is not None else None
-    return graph.panorama if chosen is None else chosen if chosen != "none" else None
+    if chosen is not None:
+        return chosen if chosen != "none" else None
+    return graph.panorama or scene.offered_panorama
 
 
 def burning_lamps(view: LightingArrangerView, share: float) -> tuple[Light, ...]:

@@ -89,7 +89,7 @@ def _slab(slab: Slab, scene: bpy.types.Scene) -> bpy.types.Object:
     """Return a floor, ceiling or block, with its beams."""
     builder = MeshBuilder(slab.node_id)
     outside = slab.role == "patch" and slab.z < 0
-    skin = _outside(slab.material, scene) if outside else skin_of(slab.material, slab.texture, wet=slab.wet)
+    skin = _outside(slab.material, scene) if outside else skin_of(slab.material, slab.texture)
     if slab.role == "block":
         builder.extrude(skin, slab.polygon, slab.thickness, base=slab.z - slab.thickness)
     elif slab.role == "ceiling":

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from pathlib import PurePosixPath
 
 import bpy
 
@@ -38,22 +39,22 @@ def load_textures(plan: SetPlan, files: Folder) -> None:
                 image.colorspace_settings.name = "sRGB" if name == "color" else "Non-Color"
 
 
-def skin_of(key: str, texture: Texture | None, *, wet: bool = False) -> bpy.types.Material:
+def skin_of(key: str, texture: Texture | None) -> bpy.types.Material:
     """Return the material of a surface: of its finish, or of pictures that ``load_textures`` brought.
 
     Args:
         key: Its finish, or a plain material key.
         texture: Its pictures.
-        wet: Whether water lies on it in patches.
 
     Raises:
         KeyError: There is no such finish, or the pictures were not brought.
     """
     if texture is None:
         return finish(key)
-    patchy = MATERIALS[finish_of(key).material].patchy
+    entry = MATERIALS[finish_of(key).material]
+    patchy, wet = entry.patchy, entry.wet
     told = content_hash(texture.provenance.digest, texture.metres, patchy, wet)
-    name = f"TX_{_ODD.sub('', texture.provenance.file.rpartition('.')[0])[:32]} {told[:8]}"
+    name = f"TX_{_ODD.sub('', PurePosixPath(texture.provenance.file).stem)[:32]} {told[:8]}"
     return bpy.data.materials.get(name) or _make(name, texture, patchy, wet=wet)
 
 
