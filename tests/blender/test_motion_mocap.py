@@ -12,6 +12,7 @@ import pytest
 from tests.blender.motion_stage import FPS, Playback, build_bodies, chair_at, cue_of, mark_at, perform
 from tests.motion_files import DEPTH_FIRST, Style, Walker, a_person, write_bvh
 
+from storyblender.blender.motion.measures import measure
 from storyblender.blender.motion.plan import Performance, StageFurniture, StagePerson, StagePlan, box_of
 from storyblender.blender.motion.solve import solve_shot
 from storyblender.blender.people.body import RiggedBody
@@ -176,3 +177,17 @@ def test_a_loop_goes_on_as_long_as_the_speech(bodies: dict[str, RiggedBody]) -> 
     play = Playback(bodies["man"], shot, "man")
     tilts = [play.matrices(frame)["head"].to_euler().x for frame in range(4 * FPS, 5 * FPS + 12)]
     assert max(tilts) - min(tilts) > 0.5, "it still nods in the fifth second"
+
+
+@pytest.mark.parametrize("who", ["man", "girl"])
+def test_hands_that_meet_meet_on_any_shoulders(bodies: dict[str, RiggedBody], who: str) -> None:
+    body, mark = bodies["man"], mark_at("man", 0, 0)
+    claps = perform(bodies, (mark,), (cue_of("man", "clap", 0),), 3.5)
+    poses = retarget(parse_bvh(write_bvh(recorded(body, claps, "man"), Style(unit=1.0, up="z"))))
+    wanted = float(np.percentile(np.linalg.norm(poses.apart, axis=1), 10))
+    assert wanted < 0.2, "the hands of the clip meet"
+    shot = replayed(bodies[who], poses, who, mark_at(who, 0, 0))
+    play, leg = Playback(bodies[who], shot, who), measure(bodies[who]).leg
+    frames = range(14, round(poses.seconds * FPS) - 12)
+    found = [(play.joint("hand.L", f).copy() - play.joint("hand.R", f)).length / leg for f in frames]
+    assert np.percentile(found, 10) == pytest.approx(wanted, abs=0.03)

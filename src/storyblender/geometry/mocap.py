@@ -27,7 +27,15 @@ RATE: Final = 30.0
 LONGEST: Final = 120.0
 """Seconds of a motion that are kept."""
 _FINE: Final = 32767
-_SHAPES: Final = {"root": (3,), "hips": (3,), "turns": (len(BONES), 4), "feet": (2, 3), "curls": (2, 3), "stands": (2,)}
+_SHAPES: Final = {
+    "root": (3,),
+    "hips": (3,),
+    "turns": (len(BONES), 4),
+    "feet": (2, 3),
+    "curls": (2, 3),
+    "apart": (3,),
+    "stands": (2,),
+}
 _LARGEST: Final = 1000.0
 
 
@@ -42,6 +50,7 @@ class MocapPoses:
         turns: (N, B, 4) orientations of ``BONES`` in the frame of the root, from the T-pose; w, x, y, z.
         feet: (N, 2, 3) yaw from the root in radians, pitch and pitch of the toes in degrees, > 0 with the toes up.
         curls: (N, 2, 3) degrees of index finger, other fingers, thumb.
+        apart: (N, 3) from the right wrist to the left one in the frame of the chest, in legs.
         stands: (N, 2) whether the foot carries weight and does not slide.
         loops: Whether it may begin again where it ends.
     """
@@ -51,6 +60,7 @@ class MocapPoses:
     turns: Floats
     feet: Floats
     curls: Floats
+    apart: Floats
     stands: NDArray[np.bool_]
     loops: bool = False
 
@@ -111,7 +121,7 @@ class MocapPoses:
         lengths = np.linalg.norm(turns, axis=-1, keepdims=True)
         if (
             np.abs(lengths / _FINE - 1).max() > 0.01
-            or max(np.abs(arrays[name]).max() for name in ("root", "hips")) > _LARGEST
+            or max(np.abs(arrays[name]).max() for name in ("root", "hips", "apart")) > _LARGEST
         ):
             raise ValueError("it has numbers that cannot be")
         return cls(**arrays | {"turns": turns / _FINE, "stands": arrays["stands"] > 0}, loops=loops)

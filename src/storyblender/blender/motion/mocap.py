@@ -30,6 +30,8 @@ KEPT_FOOT, KEPT_YAW = 0.12, math.radians(25)
 """Metres, times the scale, and radians by which a foot may stand otherwise than recorded: then it stays."""
 CLEARANCE: Final = 0.02
 """Metres, times the scale, that a foot in the air is over the floor in the middle of its way, at least."""
+TOGETHER, APART = 0.15, 0.35
+"""Legs between the wrists: nearer, the hands meet as recorded; farther, each arm is as recorded."""
 _ELBOW: Final = 0.08
 """Share of the elbow direction that the upper arm's own roll has; it counts where the arm is almost straight."""
 _AHEAD, _DOWN = np.array([0.0, -1, 0]), np.array([0.0, 0, -1])
@@ -74,23 +76,20 @@ class MocapLayer:
         parent = "hips" if bone == "spine" else OVERLAID[OVERLAID.index(bone) - 1]
         return self.orient(parent, t).transposed() @ self.orient(bone, t)
 
-    def hand(self, side: str) -> TargetOf:
-        """Return the target of a hand: the recorded arm, from the chest as it is posed."""
-        who, s = self.who, sign(side)
-        out, m = Vector((s, 0, 0)), who.measures
+    def hand(self, side: str, *, joined: bool = True) -> TargetOf:
+        """Return the target of a hand: the recorded arm, from the chest as it is posed.
+
+        Args:
+            side: ``L`` or ``R``.
+            joined: Whether the other hand does as recorded, too: hands that meet then meet on any shoulders.
+        """
+        who, out = self.who, Vector((sign(side), 0, 0))
 
         def target(t: float) -> Floats:
-            bones = who.bones
-            chest = bones.orient["upper_chest"] @ self.orient("upper_chest", t).transposed()
-            shoulder, upper, fore, wrist = (
-                chest @ self.orient(f"{bone}.{side}", t) for bone in ("shoulder", "upper_arm", "forearm", "hand")
-            )
-            socket = bones.head[f"upper_arm.{side}"] - bones.head[f"shoulder.{side}"]
-            start = bones.point("upper_chest", bones.head[f"shoulder.{side}"] - bones.head["upper_chest"])
-            start = start + shoulder @ socket
-            elbow = start + upper @ out * m.upper_arm
-            end = elbow + fore @ out * m.forearm
-            pole = (elbow - start.lerp(end, 0.5)) / m.arm + upper @ Vector((0, _ELBOW, 0))
+            start, elbow, end, upper, wrist = self._arm(side, t)
+            if joined:
+                end = end + self._joining(side, t, end)
+            pole = (elbow - start.lerp(end, 0.5)) / who.measures.arm + upper @ Vector((0, _ELBOW, 0))
             along, palm = wrist @ out, wrist @ Vector((0, 0, -1))
             low, high, share = self.at(t)
             curls = self.poses.curls[[low, high], SIDES.index(side)]
@@ -104,6 +103,32 @@ class MocapLayer:
             return values
 
         return target
+
+    def _chest(self, t: float) -> Matrix:
+        """Return the turn from the recorded chest to the one that is posed."""
+        return self.who.bones.orient["upper_chest"] @ self.orient("upper_chest", t).transposed()
+
+    def _arm(self, side: str, t: float) -> tuple[Vector, Vector, Vector, Matrix, Matrix]:
+        """Return shoulder, elbow and wrist (armature space), and the orientations of upper arm and hand."""
+        bones, m, out, chest = self.who.bones, self.who.measures, Vector((sign(side), 0, 0)), self._chest(t)
+        shoulder, upper, fore, wrist = (
+            chest @ self.orient(f"{bone}.{side}", t) for bone in ("shoulder", "upper_arm", "forearm", "hand")
+        )
+        start = bones.point("upper_chest", bones.head[f"shoulder.{side}"] - bones.head["upper_chest"])
+        start = start + shoulder @ (bones.head[f"upper_arm.{side}"] - bones.head[f"shoulder.{side}"])
+        elbow = start + upper @ out * m.upper_arm
+        return start, elbow, elbow + fore @ out * m.forearm, upper, wrist
+
+    def _joining(self, side: str, t: float, end: Vector) -> Vector:
+        """Return by how much a wrist moves so that both hands are as near to each other as recorded."""
+        low, high, share = self.at(t)
+        apart = self.poses.apart[low] * (1 - share) + self.poses.apart[high] * share
+        weight = 1 - smooth(clamp((float(np.linalg.norm(apart)) - TOGETHER) / (APART - TOGETHER)))
+        if weight <= 0:
+            return Vector((0, 0, 0))
+        other_end = self._arm("R" if side == "L" else "L", t)[2]
+        wanted = self.who.bones.orient["upper_chest"] @ Vector((apart * (self.who.measures.leg * sign(side))).tolist())
+        return (wanted - (end - other_end)) * (0.5 * weight)
 
 
 @dataclass(frozen=True)

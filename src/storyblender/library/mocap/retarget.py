@@ -73,6 +73,7 @@ def retarget(motion: SourceMotion) -> MocapPoses:
         turns=continuous(quaternions_of(back[:, None] @ turns)),
         feet=feet,
         curls=np.stack([_curls(seen, roles, side) for side in SIDES], axis=1),
+        apart=_apart(places, roles, turns) / leg,
         stands=find_stands(ankles, toes),
     )
     return _from_origin(trimmed(poses))
@@ -175,6 +176,12 @@ def _foot(seen: Floats, roles: Roles, reference: Reference, side: str, back: Flo
     facing = np.unwrap(np.arctan2(along[:, 0], -along[:, 1]))
     facing -= 2 * np.pi * np.round(facing.mean() / (2 * np.pi))
     return np.stack([facing, pitch, np.clip(tip_pitch - pitch, -60, 60)], axis=1)
+
+
+def _apart(places: Floats, roles: Roles, turns: Floats) -> Floats:
+    """Return the way (N, 3) from the right wrist to the left one in the frame of the chest, in the file's units."""
+    way = places[:, roles.limbs["hand.L"]] - places[:, roles.limbs["hand.R"]]
+    return np.einsum("nji,nj->ni", turns[:, BONES.index("upper_chest")], way)
 
 
 def _curls(seen: Floats, roles: Roles, side: str) -> Floats:

@@ -77,12 +77,11 @@ def _play(
     layer = MocapLayer(who, poses, start, end + (2 * FADE if cut else 0.0), pace=pace)
     who.overlays.append(layer)
     who.lean_after.set(start, 0, 0.0)
-    for side in SIDES:
+    free = [side for side in SIDES if side not in who.engaged and _may_move(who, side, cue)]
+    for side in free:
         held = who.held.get(side)
-        if side in who.engaged or (held is not None and (cue.prop is None or held != cue.prop.asset_id)):
-            continue
         who.hands[side].remove_from(start)
-        who.hands[side].set(start, layer.fade, layer.hand(side))
+        who.hands[side].set(start, layer.fade, layer.hand(side, joined=len(free) > 1))
         if not cut:
             home = carrying_hand(who, side, stage.props[held]) if held in stage.props else who.home[side]
             who.hands[side].set(end - layer.fade, layer.fade, home)
@@ -92,6 +91,12 @@ def _play(
         mark = cue.mark
         goal = None if mark is None or mark.asset_id != who.asset_id else Vector(mark.location[:2])
         _move(who, layer, way_of(layer, goal, turned=turned), (start, end), cut=cut)
+
+
+def _may_move(who: Performer, side: str, cue: StagedCue) -> bool:
+    """Return whether a hand is empty, or holds what the cue is done with."""
+    held = who.held.get(side)
+    return held is None or (cue.prop is not None and held == cue.prop.asset_id)
 
 
 def _move(who: Performer, layer: MocapLayer, way: MocapWay, span: tuple[float, float], *, cut: bool) -> None:
