@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from pathlib import Path
 from typing import Final, Literal
 
 from storyblender.agents.concept_artist.asset_retriever_view import AssetRetrieverView, asset_retriever_view
 from storyblender.agents.concept_artist.retriever import RulesAssetRetriever
 from storyblender.catalog.meanings import WORDS_BY_AGE
+from storyblender.catalog.recipe import Recipe
+from storyblender.errors import InputError
+from storyblender.library.catalogue_source import CatalogueSource
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import content_hash
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.paint import Paint
 from storyblender.pipeline.asset_files import assets_to_build
+from storyblender.pipeline.fetching import fetched
 from storyblender.pipeline.run import Run
 
 SHOWN: Final = "build/cast"
@@ -79,7 +84,8 @@ def built_asset(run: Run, asset_id: str) -> Asset:
 def candidates_for(run: Run, asset_id: str, words: str) -> list[Asset]:
     """Return a thing as it would be if it were made from what the asset sources offer for it, best first.
 
-    What a service would have to send first is not among it: it cannot be shown.
+    Services are not asked: what they would have to send first cannot be shown. Models of the user's library are put
+    into the project, so that the engine can.
 
     Args:
         run: Its sources offer.
@@ -91,9 +97,12 @@ def candidates_for(run: Run, asset_id: str, words: str) -> list[Asset]:
     if words:
         named = asset.model_copy(update={"name": words, "description": words, "tags": (), "kind": None})
         view = AssetRetrieverView(asset=named)
-    found = RulesAssetRetriever(run.sources).candidates(view, by_meaning=True)
-    here = [recipe for recipe in found if recipe.source != "file" or "content" in recipe.params]
-    best = {(recipe.source, recipe.key): recipe for recipe in reversed(here)}
-    recipes = sorted(best.values(), key=lambda recipe: -recipe.score)[:OFFERED]
+    sources = [source for source in run.sources if not isinstance(source, CatalogueSource)]
+    found = RulesAssetRetriever(sources).candidates(view, by_meaning=True)
+    best = {(recipe.source, recipe.key): recipe for recipe in reversed(found)}
+    recipes: list[Recipe] = []
+    for recipe in sorted(best.values(), key=lambda recipe: -recipe.score)[:OFFERED]:
+        with suppress(InputError):  # it has gone since it was found
+            recipes.append(fetched(run, recipe))
     free = asset.model_copy(update={"dimension": None, "decision": None})
     return [free.model_copy(update={"canonical": recipe.canonical()}) for recipe in recipes]
