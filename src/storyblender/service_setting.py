@@ -11,6 +11,8 @@ from typing import Final, Literal, get_args
 
 ServiceName = Literal["poly_haven", "sketchfab", "gemini", "openai", "hunyuan3d", "trellis", "meshy"]
 """Catalogues of assets, then image models, then what makes a model of an image; ``meshy`` also rigs and animates."""
+MAKERS: Final[frozenset[str]] = frozenset(("hunyuan3d", "trellis", "meshy"))
+"""Those that make models of pictures: such a model is of no size."""
 LicenceFilter = Literal["any", "commercial", "free"]
 """Which licences an asset from outside may have: any that lets it be used, those for commercial use too, only works
 given to the public domain."""

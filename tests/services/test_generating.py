@@ -159,11 +159,17 @@ def test_three_things_are_drawn_and_made_and_come_into_the_story(site: Site, tmp
 
 def test_another_story_has_them_from_the_library(site: Site, tmp_path: Path) -> None:
     first = made(tmp_path / "p", settings_of(site))
+    told = {name: (thing.canonical and thing.canonical.params["told"]) for name, thing in things_of(first).items()}
+    assert set(told.values()) == {True}, "what is made has no size of its own"
+    sizes = {name: thing.dimension for name, thing in things_of(first).items()}
+    stand_ins = things_of(made(tmp_path / "none", Settings(library=False)))
+    assert sizes == {name: thing.dimension for name, thing in stand_ins.items()}
     count = len(site.hits)
     keys = {name: thing.canonical and thing.canonical.key for name, thing in things_of(first).items()}
     for number, settings in enumerate((settings_of(site), Settings(), settings_of(site, library=False))):
         other = made(tmp_path / str(number), settings)
         assert {name: thing.canonical and thing.canonical.key for name, thing in things_of(other).items()} == keys
+        assert {name: thing.dimension for name, thing in things_of(other).items()} == sizes
     assert len(site.hits) == count, "nothing is asked for again"
 
 

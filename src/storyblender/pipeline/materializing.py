@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD
 from storyblender.agents.concept_artist.image_prompt import ImagePrompts
-from storyblender.agents.layout_artist.dimension_estimator import RulesDimensionEstimator
+from storyblender.agents.layout_artist.dimension_estimator import RulesDimensionEstimator, estimate_dimension
 from storyblender.catalog.meanings import WORDS_BY_AGE
 from storyblender.catalog.parts import PART_PROPS
 from storyblender.catalog.props import PROPS
@@ -26,6 +26,7 @@ from storyblender.pipeline.asset_views import asset_views
 from storyblender.pipeline.fetching import fetched
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shared_assets import SharedBuilding
+from storyblender.service_setting import MAKERS
 from storyblender.trace import Event
 
 if TYPE_CHECKING:
@@ -47,7 +48,7 @@ def materialize(run: Run, assets: Sequence[Asset] | None = None) -> None:
     found, prompts = concept.all_decided(missing), ImagePrompts()
     if concept.workshop is not None:
         found, prompts = concept.all_made(found)
-    decided = _sized(run, concept.all_formatted(found), draw)
+    decided = _sized(run, concept, concept.all_formatted(found), draw)
     building.prepare(decided)
     waiting = [(asset, building.build(asset)) for asset in decided]
     built: list[Asset] = []
@@ -98,19 +99,32 @@ def _built(run: Run, concept: ConceptArtist, asset: Asset, future: Future[AssetM
     return _built(run, concept, other, run.engine.build_asset(AssetJob(asset=other)))
 
 
-def _sized(run: Run, assets: list[Asset], draw: Callable[[Asset], AssetViews]) -> list[Asset]:
-    """The Dimension Estimator on everything that the script names; dressing comes in its catalog's size."""
+def _sized(run: Run, concept: ConceptArtist, assets: list[Asset], draw: Callable[[Asset], AssetViews]) -> list[Asset]:
+    """The Dimension Estimator on everything that the script names; dressing comes in its catalog's size.
+
+    A model that a service made has no scale of its own: it is as large as what would stand in for it, if nobody knows.
+    """
     named = [each for each in assets if each.origin != "dressing" and each.dimension is None and not each.fitted_part]
     if not named:
         return assets
     outcome = run.reflect(run.crew.dimension_estimator, "assets", run.graph, named, draw)
-    sizes, usual = outcome.draft, RulesDimensionEstimator().propose(outcome.view)
+    sizes, usual = dict(outcome.draft), RulesDimensionEstimator().propose(outcome.view)
+    made = {asset.asset_id: asset for asset in named if _is_made(asset)}
+    for asset_id, asset in made.items():
+        if sizes.get(asset_id) == usual[asset_id]:
+            sizes[asset_id] = estimate_dimension(concept.stood_in_for(asset), outcome.view.rooms.get(asset_id))
     return [
-        _with_size(asset, size, sure=size != usual[asset.asset_id])
+        _with_size(asset, size, sure=asset.asset_id in made or size != usual[asset.asset_id])
         if (size := sizes.get(asset.asset_id)) is not None
         else asset
         for asset in assets
     ]
+
+
+def _is_made(asset: Asset) -> bool:
+    """Return whether an asset is a model that a service made."""
+    made = asset.canonical
+    return made is not None and made.provenance is not None and made.provenance.source in MAKERS
 
 
 def _with_size(asset: Asset, dimension: AssetDimension, *, sure: bool) -> Asset:
@@ -169,6 +183,12 @@ class ConceptArtist:
             if asset_id not in made:
                 self._run.tell(event)
         return [made.get(asset.asset_id, asset) for asset in assets], prompts
+
+    def stood_in_for(self, asset: Asset) -> Asset:
+        """Return an asset as what would stand in for it, if it had no model."""
+        role = self._run.crew.asset_retriever
+        view = role.project(self._run.graph, asset, self._means, self._rejected, self._draw)
+        return asset.model_copy(update={"canonical": role.policies[-1].propose(view).canonical()})
 
     def give_up(self, asset: Asset, key: str, error: StoryBlenderError) -> Asset:
         """Return the asset with something else to be made from than a model that cannot be used, and say so.
