@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Iterator
 from pathlib import Path
@@ -12,6 +13,7 @@ import pytest
 from tests.textures import BROWN, PALE, write_surface
 
 from storyblender.blender.models.tangents import TANGENTS
+from storyblender.blender.moment_glb import write_moment
 from storyblender.blender.render.coarser import in_coarser_pictures
 from storyblender.blender.render.passes import Passes, render_passes
 from storyblender.blender.render.session import RenderSession
@@ -149,3 +151,16 @@ def test_copies_for_far_off_leave_no_trace_in_the_file(scene: bpy.types.Scene, t
     after = {node.image for block in materials for node in block.node_tree.nodes if node.type == "TEX_IMAGE"}
     assert before == after and all(image.packed_file is not None for image in before)
     assert not any(image.users for image in bpy.data.images if image not in before)
+
+
+def test_the_studio_gets_the_pictures_in_its_gltf(scene: bpy.types.Scene, tmp_path: Path) -> None:
+    built(Environment(kit="room", wall_texture=taken_in(tmp_path)), scene, tmp_path)
+    write_moment(scene, 1, tmp_path / "moment.glb")
+    data = (tmp_path / "moment.glb").read_bytes()
+    document = json.loads(data[20 : 20 + int.from_bytes(data[12:16], "little")])
+    material = next(each for each in document["materials"] if each["name"].startswith("TX_oak_boards"))
+    looks = material["pbrMetallicRoughness"]
+    assert "baseColorTexture" in looks and "metallicRoughnessTexture" in looks and "normalTexture" in material
+    index = document["materials"].index(material)
+    parts = [part for mesh in document["meshes"] for part in mesh["primitives"] if part.get("material") == index]
+    assert parts and all("TEXCOORD_0" in part["attributes"] for part in parts)
