@@ -152,7 +152,9 @@ def _played(notes: ShotMoves, shot: ShotContext) -> list[tuple[CharacterAction, 
         told = {"motion": move.motion, "target_id": move.target, "prop_id": move.prop}
         update = {name: value for name, value in told.items() if value is not None}
         if move.action is not None:
-            played.append((shot.character_actions[move.action - 1].model_copy(update=update), move))
+            action = shot.character_actions[move.action - 1]
+            clip = action.mocap if move.motion in (None, action.motion) else None
+            played.append((action.model_copy(update={**update, "mocap": clip}), move))
         elif move.actor is not None and move.motion is not None:
             named = MOTIONS[move.motion].name
             added = CharacterAction(asset_id=move.actor, action_description=named, motion=move.motion)

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Final
 
 from storyblender.catalog.motions import MOTIONS, STANDING
 from storyblender.library.mocap.clip_words import stem, words_of_clip
-from storyblender.library.mocap.folders import MotionFile
+from storyblender.library.mocap.folders import MOST_FILES, MotionFile
 from storyblender.memory.base import seed_of
 from storyblender.memory.shot_context import CharacterAction
 from storyblender.ports import Embedder
@@ -31,6 +32,7 @@ _MANNERS: Final = {
     "hurt": ("hurt", "injur", "wound", "limp"), "old": ("old", "elder"), "sneaky": ("sneak", "sneaky"),
 }  # fmt: skip
 """Stems of words that say how something is done; the first ones as the moods of actions."""
+_MANNER_STEMS: Final = frozenset(form for forms in _MANNERS.values() for form in forms)
 _SPEECH: Final = frozenset(
     ("talk", "speak", "spech", "argu", "convers", "convers", "discus", "rant", "explain", "tell", "shout", "yell",
      "whisp", "whisper", "gestur", "debat", "complain", "present")
@@ -76,7 +78,8 @@ def choices_for(
     """
     fitting = [file for file in files if may_play(action, file) and (seated or not file.seated)]
     said = _said(action)
-    named = [choice for file in fitting if (choice := _by_words(action, said, file)) is not None]
+    manners = _manners([*said], action.mood)
+    named = [choice for file in fitting if (choice := _by_words(action, said, manners, file)) is not None]
     found = named or _by_meaning(action, fitting, embedder)
     return sorted(
         found, key=lambda each: (seated and not each.file.seated, -each.score, seed_of(f"{name} {each.file.name}"))
@@ -114,19 +117,35 @@ def _manners(stems: Sequence[str], mood: str = "") -> set[str]:
     return {manner for manner, forms in _MANNERS.items() if manner == mood or any(form in stems for form in forms)}
 
 
-def _by_words(action: CharacterAction, said: dict[str, str], file: MotionFile) -> Choice | None:
+@dataclass(frozen=True)
+class _Told:
+    """Stems that a clip says: of its own name, with those of its folders and description, and its manners."""
+
+    own: tuple[str, ...]
+    all: frozenset[str]
+    manners: frozenset[str]
+
+
+@lru_cache(maxsize=MOST_FILES)
+def _told_by(file: MotionFile) -> _Told:
+    own = tuple(stem(word) for word in file.words)
+    every = frozenset((*own, *map(stem, file.folder_words), *map(stem, words_of_clip(file.description))))
+    return _Told(own, every, frozenset(_manners([*every])))
+
+
+def _by_words(action: CharacterAction, said: dict[str, str], manners: set[str], file: MotionFile) -> Choice | None:
     """Return a clip whose name, folder or description says what is done."""
-    own = [stem(word) for word in file.words]
-    told = {*own, *map(stem, file.folder_words), *map(stem, words_of_clip(file.description))}
+    clip = _told_by(file)
+    own, told = clip.own, clip.all
     shared = [each for each in said if each in told]
-    if _manners([*told]) - _manners([*said], action.mood):
+    if not clip.manners <= manners:
         return None
     spoken = action.motion in VOICED
     if spoken:
-        if not _manners([*told]) or not _SPEECH & told:
+        if not clip.manners or not _SPEECH & told:
             return None  # how somebody speaks has to be said, or everybody would speak alike
         return Choice(file, 2.0 + len(shared), f"{file.name} says that somebody speaks, and is {action.mood}")
-    telling = [each for each in shared if each not in _PLAIN and each not in _manner_stems()]
+    telling = [each for each in shared if each not in _PLAIN and each not in _MANNER_STEMS]
     if not telling:
         return None
     verb = next(iter(said))
@@ -140,10 +159,6 @@ def _by_words(action: CharacterAction, said: dict[str, str], file: MotionFile) -
     return Choice(file, len(shared) + explained, f"its name says {words}")
 
 
-def _manner_stems() -> frozenset[str]:
-    return frozenset(form for forms in _MANNERS.values() for form in forms)
-
-
 def _by_meaning(action: CharacterAction, files: Sequence[MotionFile], embedder: Callable[[], Embedder]) -> list[Choice]:
     """Return the clips that mean nearly what an action says, and more so than the motion of the catalogue."""
     words = words_of_clip(action.action_description)
@@ -151,7 +166,7 @@ def _by_meaning(action: CharacterAction, files: Sequence[MotionFile], embedder: 
         return []
     motion, stems = MOTIONS[action.motion], [stem(word) for word in words]
     own = _manners(stems, action.mood)
-    files = [file for file in files if _manners([stem(word) for word in file.words]) <= own]
+    files = [file for file in files if _told_by(file).manners <= own]
     if not files:
         return []
     texts = [file.description or " ".join((*file.words, *file.folder_words)) for file in files]

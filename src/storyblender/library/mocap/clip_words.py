@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from typing import Final
 
 _WORD: Final = re.compile(r"[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+")
@@ -28,6 +29,7 @@ def words_of_clip(name: str) -> tuple[str, ...]:
     return tuple(word for word in words if len(word) > 1 and word not in _SAYS_NOTHING)
 
 
+@lru_cache(maxsize=50_000)
 def stem(word: str) -> str:
     """Return what forms of a word share: ``argues``, ``arguing`` and ``argument`` are ``argu``."""
     for ending in _ENDINGS:
