@@ -5,10 +5,12 @@ from __future__ import annotations
 import base64
 import io
 import json
+import re
 import struct
 from collections.abc import Mapping
 from pathlib import Path
 
+import numpy as np
 from PIL import Image
 
 _FACES = ((1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4))
@@ -103,3 +105,72 @@ def glb_of(files: Mapping[str, bytes]) -> bytes:
         content += pad * (-len(content) % 4)
         chunks += struct.pack("<II", len(content), kind) + content
     return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+
+def turn_obj(path: Path, turn: np.ndarray) -> Path:
+    """Turn the points of an .obj in its file.
+
+    Args:
+        path: The file, which is written anew.
+        turn: (3, 3) rotation in the file's frame.
+    """
+    lines = []
+    for line in path.read_text().splitlines():
+        if line.startswith("v "):
+            line = "v " + " ".join(f"{value:.6f}" for value in turn @ [float(each) for each in line.split()[1:4]])
+        elif line.startswith("vn "):
+            continue
+        lines.append(re.sub(r"(\d+)/(\d*)/\d+", r"\1/\2", line))
+    path.write_text("\n".join(lines) + "\n")
+    return path
+
+
+def write_globe(path: Path, steps: int, texture: bytes = b"") -> Path:
+    """Write a globe of radius 0.4 m, a little bumpy, as a .glb of ``2 * steps ** 2`` triangles with a picture on it.
+
+    Args:
+        path: Of the .glb.
+        steps: Around it, and from pole to pole.
+        texture: PNG or JPEG; a small one if not given.
+    """
+    u, v = np.meshgrid(np.linspace(0, 1, steps + 1), np.linspace(0, 1, steps + 1), indexing="ij")
+    radius = 0.4 + 0.01 * np.sin(16 * np.pi * u) * np.sin(12 * np.pi * v)
+    around, down = 2 * np.pi * u, np.pi * v
+    places = [radius * np.sin(down) * np.cos(around), radius * np.cos(down), radius * np.sin(down) * np.sin(around)]
+    corner = np.arange((steps + 1) ** 2).reshape(steps + 1, steps + 1)
+    a, b, c, d = corner[:-1, :-1], corner[1:, :-1], corner[1:, 1:], corner[:-1, 1:]
+    faces = np.concatenate([np.stack([a, b, c], -1).reshape(-1, 3), np.stack([a, c, d], -1).reshape(-1, 3)])
+    picture = texture or tile(3)
+    blobs = [
+        np.stack(places, -1).astype("<f4").tobytes(),
+        np.stack([u, v], -1).astype("<f4").tobytes(),
+        faces.astype("<u4").tobytes(),
+        picture + bytes(-len(picture) % 4),
+    ]
+    starts = [sum(map(len, blobs[:number])) for number in range(len(blobs))]
+    views = [{"buffer": 0, "byteOffset": at, "byteLength": len(blob)} for at, blob in zip(starts, blobs, strict=True)]
+    views[3]["byteLength"] = len(picture)
+    kind = "image/png" if picture[:4] == b"\x89PNG" else "image/jpeg"
+    document = {
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}],
+        "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+        "textures": [{"source": 0}],
+        "images": [{"bufferView": 3, "mimeType": kind}],
+        "buffers": [{"byteLength": sum(map(len, blobs))}],
+        "bufferViews": views,
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": corner.size, "type": "VEC3"},
+            {"bufferView": 1, "componentType": 5126, "count": corner.size, "type": "VEC2"},
+            {"bufferView": 2, "componentType": 5125, "count": faces.size, "type": "SCALAR"},
+        ],
+    }
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    chunks = [(0x4E4F534A, text), (0x004E4942, b"".join(blobs))]
+    body = b"".join(struct.pack("<II", len(data), code) + data for code, data in chunks)
+    path.write_bytes(struct.pack("<4sII", b"glTF", 2, 12 + len(body)) + body)
+    return path

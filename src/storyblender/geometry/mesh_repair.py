@@ -81,7 +81,8 @@ class Surface:
             joined = label.copy()
             np.minimum.at(joined, at, lowest[face_of])
             np.minimum.at(joined, label[at], lowest[face_of])
-            joined = joined[joined]
+            while not np.array_equal(further := joined[joined], joined):
+                joined = further
             if np.array_equal(joined, label):
                 break
             label = joined

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -13,6 +14,8 @@ from storyblender.blender.models.parts import checked
 from storyblender.blender.models.plain import PlainModel, load
 from storyblender.errors import InputError
 
+_FBX_HEAD, _OLDEST_FBX = 27, 7100
+"""Bytes that say the version of an .fbx, and the oldest that Blender reads: that of 2011."""
 PROBLEM = "problem.txt"
 """What the reading process could not do, in its folder: problem and mend, one a line."""
 
@@ -31,8 +34,32 @@ def read_blend(path: Path, folder: Path) -> PlainModel:
     return read_aside(path, folder)
 
 
+def read_foreign(path: Path, folder: Path) -> PlainModel:
+    """Read an .fbx, .stl or .ply with Blender's own importer.
+
+    Args:
+        path: The file.
+        folder: The folder of models; pictures that the file names must be in it.
+
+    Raises:
+        InputError: It cannot be read; one clause, without the file's name.
+    """
+    with path.open("rb") as file:
+        head = file.read(_FBX_HEAD)
+    if path.suffix.lower() == ".fbx":
+        if not head.startswith(b"Kaydara FBX Binary  \x00"):
+            raise InputError("it is no binary .fbx", mend="export it as binary .fbx, or as .glb")
+        version = int.from_bytes(head[23:27], "little")
+        if version < _OLDEST_FBX:
+            raise InputError(f"it is an .fbx of version {version}; {_OLDEST_FBX} and newer are read")
+    if path.suffix.lower() == ".ply" and not head.startswith(b"ply"):
+        raise InputError("it is no .ply")
+    model = read_aside(path, folder)
+    return model if path.suffix.lower() == ".fbx" else replace(model, unit=None)
+
+
 def read_aside(path: Path, folder: Path) -> PlainModel:
-    """Let Blender read a .blend, or a glTF that only Blender can unpack, whose addresses have been checked.
+    """Let Blender read a file whose head or addresses have been checked.
 
     Args:
         path: The file.

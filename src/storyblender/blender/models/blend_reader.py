@@ -1,4 +1,4 @@
-"""``python -m storyblender.blender.models.blend_reader FILE FOLDER OUT``: the meshes of a .blend as plain data.
+"""``python -m storyblender.blender.models.blend_reader FILE FOLDER OUT``: the meshes of a file as plain data.
 
 Runs in a process of its own with bounded time and memory. No script, driver or handler of the file runs, as it is
 appended from and never opened, and only arrays and pictures leave the process.

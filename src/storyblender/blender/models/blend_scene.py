@@ -32,7 +32,7 @@ _PAINT = frozenset(("VERTEX_COLOR", "ATTRIBUTE"))
 
 
 def read_scene(path: Path, folder: Path) -> PlainModel:
-    """Read the meshes of a .blend or a glTF into the open file, and return them as plain data.
+    """Read the meshes of a .blend, glTF, .fbx, .stl or .ply into the open file, and return them as plain data.
 
     Args:
         path: The file.
@@ -46,7 +46,7 @@ def read_scene(path: Path, folder: Path) -> PlainModel:
         credit = _credit(path)
         _append(path, folder)
     else:
-        _import_gltf(path)
+        _import(path)
     shelf = _Shelf(path, folder)
     parts: list[Part] = []
     vertices = faces = count = 0
@@ -79,12 +79,40 @@ def _credit(path: Path) -> Credit:
     return next((credit for credit in found if credit != Credit()), Credit())
 
 
-def _import_gltf(path: Path) -> None:
+def _import(path: Path) -> None:
+    """Import a file with Blender's importer for it, into an empty file."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    bpy.ops.import_scene.gltf(filepath=str(path), disable_bone_shape=True)
+    match path.suffix.lower():
+        case ".fbx":
+            bpy.ops.import_scene.fbx(
+                filepath=str(path),
+                use_anim=False,
+                use_image_search=False,
+                use_custom_props=False,
+                ignore_leaf_bones=True,
+            )
+        case ".stl":
+            bpy.ops.wm.stl_import(filepath=str(path))
+        case ".ply":
+            bpy.ops.wm.ply_import(filepath=str(path), import_colors="LINEAR")
+            _show_paint()
+        case _:
+            bpy.ops.import_scene.gltf(filepath=str(path), disable_bone_shape=True)
     for obj in bpy.data.objects:
         _tame(obj)
     bpy.context.view_layer.update()
+
+
+def _show_paint() -> None:
+    """Give meshes that have vertex colours and no material one that shows them."""
+    for mesh in bpy.data.meshes:
+        if mesh.color_attributes and not mesh.materials:
+            material = bpy.data.materials.new("painted")
+            material.use_nodes = True
+            tree = material.node_tree
+            paint = tree.nodes.new("ShaderNodeVertexColor")
+            tree.links.new(paint.outputs["Color"], tree.nodes["Principled BSDF"].inputs["Base Color"])
+            mesh.materials.append(material)
 
 
 def _append(path: Path, folder: Path) -> None:

@@ -10,9 +10,10 @@ FILE_BYTES = MOST_BYTES
 TEXT_BYTES = 96 * MIB
 """Of a text format, .obj or .mtl, which is read line by line."""
 JSON_BYTES = 16 * MIB
-FACES = 1_000_000
+FACES = 4_000_000
+"""As they are read; what is built has fewer."""
 CORNERS = 4 * FACES
-VERTICES = 2_000_000
+VERTICES = 6_000_000
 NODES = 20_000
 DEPTH = 200
 """Levels of parents and children."""
@@ -22,7 +23,7 @@ MATERIALS = 256
 PICTURES = 64
 """Of a glTF; further ones are left out."""
 PICTURE_BYTES = 64 * MIB
-PICTURE_PIXELS = 64_000_000
+PICTURE_PIXELS = 8192 * 8192
 """Of a picture as it comes; none is decoded before its header says so."""
 PICTURE_SIDE = 2048
 """Pixels: larger pictures are made smaller."""

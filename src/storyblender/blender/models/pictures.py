@@ -107,6 +107,7 @@ def _decoded(data: bytes, name: str) -> Image.Image:
             width, height = picture.size
             if width * height > PICTURE_PIXELS or min(width, height) < 1:
                 raise InputError(f"its picture {name!r} is {width} x {height} pixels, which is too large")
+            picture.draft(None, (PICTURE_SIDE, PICTURE_SIDE))  # a large JPEG is decoded smaller
             plain = picture.convert("RGBA" if _has_alpha(picture) else "RGB")
     except _DAMAGE as error:
         raise InputError(f"its picture {name!r} cannot be read") from error

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from storyblender.errors import InputError
 from storyblender.geometry.mesh_repair import Surface, find_foreign, find_inside_out
+from storyblender.geometry.thinning import thin_out
 from storyblender.memory.asset_sheet import Credit
 from storyblender.memory.base import Color
 
@@ -138,10 +139,32 @@ class PlainModel:
         vertices, corners = model.vertices[used], corners.ravel().astype(np.int32)
         return replace(model, vertices=vertices, corners=corners, notes=(*self.notes, *notes))
 
+    def thinned(self, most: int) -> PlainModel:
+        """Return the surface with about so many triangles at most, if it has more: what is finer than any picture."""
+        if len(self.corners) - 2 * len(self.sizes) <= most:
+            return self
+        model = self._triangles()
+        triangles = model.corners.reshape(-1, 3).astype(np.int64)
+        stand_in, kept = thin_out(model.vertices.astype(float), triangles, most)
+        moved = replace(model, corners=stand_in[model.corners].astype(np.int32))
+        return moved._with(np.repeat(kept, 3), kept)
+
+    def _triangles(self) -> PlainModel:
+        """Return the surface with every polygon as a fan of triangles."""
+        if (self.sizes == 3).all():
+            return self
+        faces = np.repeat(np.arange(len(self.sizes)), self.sizes - 2)
+        starts = (np.cumsum(self.sizes) - self.sizes)[faces]
+        step = np.arange(len(faces)) - np.repeat(np.cumsum(self.sizes - 2) - (self.sizes - 2), self.sizes - 2) + 1
+        corners = np.stack([starts, starts + step, starts + step + 1], axis=1).ravel()
+        return replace(self._with(corners, faces), sizes=np.full(len(faces), 3, np.int32))
+
     def _surface(self) -> Surface:
         return Surface(self.vertices.astype(float), self.corners.astype(np.int64), self.sizes.astype(np.int64))
 
-    def _with(self, corners: NDArray[np.bool_] | NDArray[np.int64], faces: NDArray[np.bool_] | slice) -> PlainModel:
+    def _with(
+        self, corners: NDArray[np.bool_] | NDArray[np.int64], faces: NDArray[np.bool_] | NDArray[np.int64] | slice
+    ) -> PlainModel:
         """Return the model with these corners, in this order, and these faces."""
         return replace(
             self,

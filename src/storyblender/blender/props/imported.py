@@ -11,12 +11,13 @@ import numpy as np
 
 from storyblender.blender.measure.surfaces import level_field
 from storyblender.blender.models.addresses import readable
-from storyblender.blender.models.blend import read_blend
+from storyblender.blender.models.blend import read_blend, read_foreign
 from storyblender.blender.models.credits import with_files
 from storyblender.blender.models.gltf import read_gltf
 from storyblender.blender.models.obj import read_obj
 from storyblender.blender.models.plain import PlainModel
 from storyblender.blender.models.rebuild import build_mesh
+from storyblender.blender.models.simplify import MOST_FACES, THINNED_FACES, face_budget, simplified
 from storyblender.blender.models.tangents import add_tangents
 from storyblender.blender.props.anchors import Anchors, grip
 from storyblender.blender.props.build import PropBuild, settle
@@ -24,7 +25,14 @@ from storyblender.catalog.props import PROPS, PropEntry
 from storyblender.catalog.props.prop_names import kind_named
 from storyblender.catalog.usual_sizes import usual_size
 from storyblender.errors import InputError
-from storyblender.geometry.canonical import TIPS, find_likely_tip, find_upright_rotation, proportion_error, rotation_of
+from storyblender.geometry.canonical import (
+    TIPS,
+    find_likely_tip,
+    find_upright_rotation,
+    measure_stability,
+    proportion_error,
+    rotation_of,
+)
 from storyblender.geometry.facing import crosswise, drives_backwards, quarters_to_hollow_front
 from storyblender.geometry.holding import Hold, find_hold
 from storyblender.geometry.resting import Places, Use, find_bed, find_seats
@@ -38,9 +46,14 @@ _READERS: dict[str, Callable[[Path, Path], PlainModel]] = {
     ".gltf": read_gltf,
     ".obj": read_obj,
     ".blend": read_blend,
+    ".fbx": read_foreign,
+    ".stl": read_foreign,
+    ".ply": read_foreign,
 }
 SUFFIXES = tuple(_READERS)
 """The files that can be read."""
+_SAYS_NO_UP = (".obj", ".stl", ".ply")
+"""Files that do not say what is up."""
 _LAIN_ON, _SAT_ON = ("cradle", "stretcher"), ("toilet",)
 """Props that one lies or sits on though their names do not say so."""
 _LARGE = 12.0
@@ -74,7 +87,7 @@ def build_from_file(
     Its meshes are joined; everything that is no surface is left out: lights, cameras, rigs, animation, scripts.
 
     Args:
-        path: A .glb, .gltf, .obj or .blend file.
+        path: A file with one of ``SUFFIXES``.
         dimension: What the thing measures, usually; without it the unit is guessed.
         folder: The folder of models; what the file names must be in it. Its own folder if not given.
         prop: Catalog key of what it is, empty for what the catalog lacks; its file's name tells if not given.
@@ -84,19 +97,25 @@ def build_from_file(
     Raises:
         InputError: The file cannot be read or holds no mesh.
     """
-    model = read_model(path, folder or path.parent).repaired()
+    read = read_model(path, folder or path.parent)
+    model = read.thinned(THINNED_FACES).repaired()
     mesh = build_mesh(model, path.stem[:40])
+    faces = len(mesh.polygons)
+    mesh = simplified(mesh, MOST_FACES)
     entry, notes = PROPS.get(kind_named(path.stem) if prop is None else prop), list(model.notes)
     usual = _usual_size(path, entry, dimension)
     credit = with_files(model.credit, path, folder or path.parent, notes)
     if pose.top is not None:
         _transform(mesh, rotation_of(pose))
-    elif path.suffix.lower() == ".obj":
+    elif path.suffix.lower() in _SAYS_NO_UP:
         _stand(mesh, entry, usual, notes)
     extent = np.ptp(_points(mesh), axis=0)
     scale, reason = find_scale(extent, usual, dimension, told=told, unit=model.unit)
     _transform(mesh, np.eye(3) * scale)
     _ground(mesh)
+    mesh = simplified(mesh, face_budget(float((extent * scale).max())))
+    if len(mesh.polygons) < faces:
+        notes.append(f"its {faces} faces become {len(mesh.polygons)}, as many as show on its size")
     if reason:
         notes.append(f"{_size(extent)} becomes {_size(extent * scale)} ({scale:.4g} times): {reason}")
     places = _places(mesh, entry)
@@ -106,6 +125,8 @@ def build_from_file(
         _transform(mesh, _quarter_turns(quarters))
         places = _places(mesh, entry)
         notes.append(f"it is turned by {90 * min(quarters, 4 - quarters)} degrees to face the front")
+    elif places.backed and places.anchors[0].direction[1] > -0.9:
+        notes.append("its front is as somebody saw it; by its shape it would face another way")
     build = settle(mesh, places.anchors)
     if not build.anchors:
         build = replace(build, anchors=_grips(find_hold(_points(mesh), _triangles(mesh))))
@@ -118,7 +139,7 @@ def read_model(path: Path, folder: Path) -> PlainModel:
     """Read the surface of a model.
 
     Args:
-        path: A .glb, .gltf, .obj or .blend file.
+        path: A file with one of ``SUFFIXES``.
         folder: The folder of models; the file and what it names must be in it.
 
     Raises:
@@ -206,7 +227,7 @@ def _quarter_turns(quarters: int) -> np.ndarray:
 
 
 def _stand(mesh: bpy.types.Mesh, entry: PropEntry | None, usual: UsualSize | None, notes: list[str]) -> None:
-    """Put an .obj on its feet: as one sits or lies on it, else in its usual proportions, else as it does not fall."""
+    """Put a mesh on its feet: as one sits or lies on it, else in its usual proportions, else as it does not fall."""
     points, triangles = _points(mesh), _triangles(mesh)
     turn = find_likely_tip(points, triangles, usual.size) if usual is not None else None
     if _use(entry) in ("seat", "bed") and usual is not None:
@@ -227,11 +248,12 @@ def _tip_to_rest_on(mesh: bpy.types.Mesh, entry: PropEntry | None, usual: UsualS
             continue
         height = found.anchors[0].location[2]
         fits = _REST_HEIGHTS[0] < height < _REST_HEIGHTS[1] * max(1.0, usual.size[2])
-        error = proportion_error(np.ptp(_points(mesh) @ turn.T, axis=0), usual.size)
-        score = 1.0 + found.backed + fits - error - doubt
+        points = _points(mesh) @ turn.T
+        steady = float(np.clip(measure_stability(points, _triangles(mesh)), -1, 1))
+        score = 1.0 + found.backed + fits + steady - proportion_error(np.ptp(points, axis=0), usual.size) - doubt
         if score > best:
             best, chosen = score, turn
-        if found.backed and fits and not doubt:
+        if found.backed and fits and steady > 0 and not doubt:
             break
     return chosen
 
