@@ -15,7 +15,7 @@ Floats = NDArray[np.float64]
 
 _LONGER = 1.3
 """Ratio of width and depth, or depth and width, from which it says which way a thing stands."""
-_HOLLOWER = 0.02
+_HOLLOWER = 0.015
 """Share of a thing's depth by which its front is hollower than its back, at least."""
 _ROOF, _BEHIND = 0.7, 0.03
 """Share of a car's height from which all is roof, and how far it is behind the middle, as a share of the length."""
