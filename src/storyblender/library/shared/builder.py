@@ -14,7 +14,14 @@ from storyblender.catalog.bodies import body_pack_path
 
 BUILDERS = ("blender", "catalog", "geometry", "look", "memory", "library/data")
 """Packages and folders that decide what geometry a recipe becomes."""
-BUILDING_MODULES = ("errors.py", "folder.py", "library/body_data.py", "model_content.py", "outputs.py")
+BUILDING_MODULES = (
+    "errors.py",
+    "folder.py",
+    "library/body_data.py",
+    "library/file_names.py",
+    "model_content.py",
+    "outputs.py",
+)
 
 
 @cache
