@@ -6,10 +6,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.every import every
 
 pytestmark = pytest.mark.blender
 bpy = pytest.importorskip("bpy")
 
+from benchmarks.bound_cast import built, measured  # noqa: E402
 from benchmarks.humanoids import figure, write_glb, write_humanoid, write_prop  # noqa: E402
 
 from storyblender.blender.asset_store import AssetStore  # noqa: E402
@@ -108,3 +110,20 @@ def test_a_character_of_a_model_is_built_once_and_comes_as_a_rig_with_its_mesh(t
     (mesh,) = member.meshes
     assert mesh["kind"] == "character" and mesh.modifiers[0].object == member.armature
     assert {group.name for group in mesh.vertex_groups} <= {bone.name for bone in member.armature.data.bones}
+
+
+def test_a_robot_moves_in_stiff_parts_that_meet_at_its_joints(tmp_path: Path) -> None:
+    body = _cast(write_humanoid("robot", tmp_path)).person.body
+    assert np.allclose(body.weights.max(1), 1), "each part moves with one bone"
+    elbow, wrist = _joint(body, "forearm.L"), _joint(body, "hand.L")
+    assert np.linalg.norm(elbow - wrist) == pytest.approx(0.28, abs=0.03), "from between its boxes to between its boxes"
+    assert _joint(body, "shin.L")[2] == pytest.approx(0.455, abs=0.03)
+
+
+@every("name", ["man_t", "arms_down", "swordsman"])
+def test_motions_stretch_a_figure_little_more_than_the_built_in_people(name: str, tmp_path: Path) -> None:
+    rows = {row.act: row for row in measured(built(name, tmp_path))}
+    assert all(rows[act].stretch < 1.6 for act in ("walk", "run", "wave", "point", "talk", "hold"))
+    assert all(row.stretch < 2.0 and row.torn < 4 and row.inside < 30 for row in rows.values())
+    assert all(abs(rows[act].floor) < 5 for act in ("walk", "run", "wave", "talk"))
+    assert abs(rows["sit"].seat) < 35 and abs(rows["hold"].grip) < 60

@@ -46,7 +46,7 @@ def weights_for(
     pieces = pieces_of(len(points), edges)
     weights = _without_islands(weights, edges, pieces)
     loose = np.clip(distances / (0.06 * scale), 0, 1)[:, None]
-    close, wide = smoothed(weights, edges, 4, 0.5), smoothed(weights, edges, 25, 0.6)
+    close, wide = smoothed(weights, edges, 4, 0.5), smoothed(weights, edges, 8, 0.6)
     weights = close * (1 - loose) + wide * loose
     return _rigid_pieces(weights, points, pieces, distances, scale)
 

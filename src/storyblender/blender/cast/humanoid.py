@@ -8,9 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.blender.cast.binding import weights_for
+from storyblender.blender.cast.doll import bones_of_parts, joints_between
 from storyblender.blender.cast.fitting import Fit, Fitter, sampled
 from storyblender.blender.cast.own_rig import OwnRig
 from storyblender.blender.cast.posed_bones import PosedBones
+from storyblender.blender.cast.shells import edges_of, pieces_of
 from storyblender.blender.cast.stance import stance_of
 from storyblender.blender.cast.template import Template
 from storyblender.catalog.skeleton import SKELETON
@@ -96,6 +98,12 @@ def bound_mesh(
         weights[held] = own.weights[held]
         places: dict[str, Floats] = {bone: (head - middle) * face for bone, head in own.heads.items()}
         posed = posed.moved_to(places)
+    else:
+        pieces = pieces_of(len(points), edges_of(triangles))
+        parts = bones_of_parts(points, pieces, posed.heads, posed.tails, 1.7 * scale)
+        if parts is not None:
+            weights = np.eye(len(SKELETON))[parts]
+            posed = posed.moved_to(joints_between(points, parts))
     return _at_rest(points, weights, posed, float(body[:, 2].max()), fit)
 
 
