@@ -4,24 +4,19 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import pytest
+from tests.home import SETTINGS
+from tests.services.story_with_services import open_sites, services_of
 
 from storyblender.library.shared.entries import EntryFacts
 from storyblender.library.shared.shared_library import SharedLibrary
 from storyblender.memory.asset_sheet import Credit
 from storyblender.memory.jobs import FETCHED
 from storyblender.studio import Studio
-from tests.home import SCRIPT, SETTINGS
-from tests.services.story_with_services import open_sites, services_of
-from tests.stand_in_engine import StandInEngine
 
 
 def test_models_of_the_library_are_among_the_candidates_and_services_are_not_asked(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    folder: Path, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr("storyblender.studio.BlenderEngine", StandInEngine)
-    (tmp_path / "home.fountain").write_text(SCRIPT)
-    Studio(SETTINGS).make(tmp_path / "home.fountain", tmp_path / "p")
     kept = tmp_path / "kept"
     kept.mkdir()
     (kept / "it.glb").write_bytes(b"x")
@@ -30,9 +25,9 @@ def test_models_of_the_library_are_among_the_candidates_and_services_are_not_ask
     SharedLibrary.open().add(facts, kept)
     with open_sites() as sites:
         settings = SETTINGS.model_copy(update={"services": services_of(*sites)})
-        with Studio(settings).open(tmp_path / "p") as session:
+        with Studio(settings).open(folder) as session:
             sofa = next(asset for asset in session.graph.assets if asset.name == "sofa")
             made = [asset.canonical for asset in session.candidates(sofa.asset_id)]
         assert not sites[0].hits and not sites[1].hits
     shown = next(each for each in made if each is not None and each.key == "museum/s1/it.glb")
-    assert shown.params["content"] and (tmp_path / "p" / FETCHED / shown.key).is_file()
+    assert shown.params["content"] and (folder / FETCHED / shown.key).is_file()
