@@ -1,4 +1,4 @@
-"""Ten props from Poly Haven, Sketchfab, an image model and Hunyuan3D, to frames; killed at any request and resumed."""
+"""Ten props from Poly Haven, Sketchfab, an image model and Hunyuan3D, to frames and credits."""
 
 from __future__ import annotations
 
@@ -13,13 +13,12 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
-from storyblender.library.shared.shared_library import SharedLibrary
 from storyblender.project import read_project_graph
 from tests.services.makers import SECRET, HunyuanWire, openai_draws
 from tests.services.site import Site, serving
-from tests.services.story_with_services import EXPECTED, MAKE, TOKEN, Killer, bytes_of, downloads, key_of, open_sites
+from tests.services.story_with_services import EXPECTED, TOKEN, bytes_of, key_of, open_sites
 
-pytestmark = [pytest.mark.slow, pytest.mark.timeout(1800)]
+pytestmark = [pytest.mark.blender, pytest.mark.slow, pytest.mark.timeout(1800)]
 MADE = ("barograph", "orrery", "sextant", "theremin", "planchette")
 SCRIPT = """Title: The Collector
 
@@ -41,7 +40,6 @@ On the table.
 
 A planchette lies on the table. Ben takes it.
 """
-BLENDER = "import sys; from storyblender.cli import app; app(['make', *sys.argv[1:], '--quiet', '--no-animatic'])"
 
 
 @contextmanager
@@ -63,10 +61,11 @@ def script(tmp_path: Path) -> Path:
     return path
 
 
-def started(program: str, words: list[str], keys: Mapping[str, str]) -> subprocess.Popen[bytes]:
-    command = [sys.executable, "-c", program, *words]
-    environment = {**os.environ, **keys}
-    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=environment)
+def make(words: list[str], keys: Mapping[str, str]) -> None:
+    """Make the story in a process of its own."""
+    command = [sys.executable, "-m", "storyblender", "make", *words, "--quiet", "--no-animatic"]
+    ran = subprocess.run(command, capture_output=True, env={**os.environ, **keys}, timeout=1500, check=False)
+    assert ran.returncode == 0, ran.stderr
 
 
 def sources_of(project: Path) -> dict[str, str]:
@@ -84,14 +83,11 @@ def paid(maker: Site) -> dict[str, int]:
 WANTED = {name: key.partition("/")[0] for name, key in EXPECTED.items()} | dict.fromkeys(MADE, "hunyuan3d")
 
 
-@pytest.mark.blender
 def test_ten_props_from_outside_are_in_the_frames_and_the_credits(script: Path, tmp_path: Path) -> None:
     project = tmp_path / "p"
     with open_services() as ((haven, fab, maker), keys, services):
         words = [str(script), "--out", str(project), "--services", services, "--look", "fast", "--width", "480"]
-        child = started(BLENDER, words, keys)
-        said, _ = child.communicate(timeout=1500)
-        assert child.returncode == 0, said
+        make(words, keys)
         assert sources_of(project) == WANTED
         assert set(paid(maker).values()) == {1} and len(paid(maker)) == 2 * len(MADE)
         frames = sorted((project / "frames").glob("SC*.png"))
@@ -106,29 +102,5 @@ def test_ten_props_from_outside_are_in_the_frames_and_the_credits(script: Path, 
         secrets = (TOKEN.encode(), SECRET.encode())
         assert not [path for path, content in everything.items() if any(secret in content for secret in secrets)]
         asked = [len(site.hits) for site in (haven, fab, maker)]
-        again = started(BLENDER, words, keys)
-        said, _ = again.communicate(timeout=1500)
-        assert again.returncode == 0, said
+        make(words, keys)
         assert [len(site.hits) for site in (haven, fab, maker)] == asked, "a finished project asks nothing"
-
-
-@pytest.mark.parametrize("number", [3, 12, 17, 19, 22, 24, 26, 29, 33])
-def test_killed_at_a_request_it_goes_on_and_nothing_is_paid_twice(script: Path, tmp_path: Path, number: int) -> None:
-    project = tmp_path / "p"
-    with open_services() as (sites, keys, services):
-        haven, fab, maker = sites
-        killer = Killer(sites, number)
-        words = [str(script), "--out", str(project), "--services", services]
-        child = started(MAKE, words, keys)
-        killer.process = child.pid
-        child.communicate(timeout=900)
-        assert child.returncode == -9, "the number of a request that is made"
-        again = started(MAKE, words, keys)
-        said, _ = again.communicate(timeout=900)
-        assert again.returncode == 0, said
-        assert set(paid(maker).values()) == {1}
-        assert sum(count - 1 for count in downloads(haven, fab).values()) <= 3, "only the work that was under way"
-        got = sources_of(project)
-        lost = {name for name in WANTED if got.get(name) != WANTED[name]}
-        unknown = [job for job in SharedLibrary.open().jobs.unfinished() if job.state == "begun"]
-        assert lost <= {*MADE} and len(lost) <= len(unknown), "only what was being ordered when it was killed"
