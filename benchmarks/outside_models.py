@@ -34,8 +34,8 @@ from storyblender.errors import InputError
 from storyblender.library.file_names import words_of_file
 from storyblender.memory.asset_sheet import Asset
 
-SEEDS = {"first": 16, "held out": 1616}
-FACTOR = 1.25
+SEEDS = {"first": 16, "held out": 1616, "third": 161616}
+FACTOR, WIDE_FACTOR = 1.25, 1.5
 SEATS = frozenset(("chair", "armchair", "sofa", "couch", "stool", "bench", "settee", "throne", "toilet"))
 BEDS = frozenset(("bed",))
 _CLOSER = 0.002
@@ -60,7 +60,11 @@ class Outcome:
     @property
     def is_sized(self) -> bool:
         """Whether its size is right."""
-        return 1 / FACTOR <= self.factor <= FACTOR
+        return self.is_within(FACTOR)
+
+    def is_within(self, factor: float) -> bool:
+        """Return whether its size is right within a factor."""
+        return 1 / factor <= self.factor <= factor
 
     @property
     def is_used(self) -> bool:
@@ -71,7 +75,11 @@ class Outcome:
     @property
     def is_right(self) -> bool:
         """Whether all is."""
-        return self.upright and self.front and self.is_sized and self.is_used
+        return self.is_right_within(FACTOR)
+
+    def is_right_within(self, factor: float) -> bool:
+        """Return whether all is, if its size may be off by a factor."""
+        return self.upright and self.front and self.is_within(factor) and self.is_used
 
 
 def _rotations() -> list[np.ndarray]:
@@ -191,7 +199,7 @@ def main() -> None:
     """Print a table for each sample, and its summary."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks outside_models", description=__doc__)
     parser.add_argument("folder", type=Path)
-    parser.add_argument("--sample", choices=(*SEEDS, "both"), default="both")
+    parser.add_argument("--sample", choices=(*SEEDS, "all"), default="all")
     parser.add_argument("--tipped", action="store_true")
     parser.add_argument("--sheet", type=Path)
     parser.add_argument("--only", default="", help="part of the file's name")
@@ -199,7 +207,7 @@ def main() -> None:
     models = read_catalogues(options.folder)
     drawn = dict(zip(SEEDS, samples(models, list(SEEDS.values())), strict=True))
     for name, sample in drawn.items():
-        if options.sample not in (name, "both"):
+        if options.sample not in (name, "all"):
             continue
         print(
             f"\n{name}: {sum(STRATA.values())} of {len(models)} models; upright, front, size, used, factor of the size"
@@ -221,6 +229,8 @@ def _summarize(done: list[Outcome], total: int) -> None:
         "all three": sum(each.upright and each.front and each.is_sized for each in done),
         "used": sum(each.is_used for each in done),
         "all right": sum(each.is_right for each in done),
+        f"size within {WIDE_FACTOR}": sum(each.is_within(WIDE_FACTOR) for each in done),
+        f"all right within {WIDE_FACTOR}": sum(each.is_right_within(WIDE_FACTOR) for each in done),
     }
     rests = [rest for each in done for rest in each.rests]
     print(", ".join(f"{name} {count}/{total}" for name, count in counts.items()))

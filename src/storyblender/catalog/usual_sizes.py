@@ -13,18 +13,21 @@ from storyblender.memory.base import Vec3
 
 
 @cache
-def _sizes() -> dict[tuple[str, ...], Vec3]:
-    found: dict[tuple[str, ...], Vec3] = {}
+def _sizes() -> dict[tuple[str, ...], tuple[Vec3, float]]:
+    """Return the table: its last column, where there is one, is how many times larger or smaller such a thing may be."""
+    found: dict[tuple[str, ...], tuple[Vec3, float]] = {}
     table = files("storyblender.catalog").joinpath("usual_sizes.tsv").read_text(encoding="utf-8")
-    for name, width, depth, height in (line.split("\t") for line in table.splitlines()):
-        found[tuple(noun_key(word) for word in name.split())] = (float(width), float(depth), float(height))
+    for name, *numbers in (line.split("\t") for line in table.splitlines()):
+        width, depth, height, span = *map(float, numbers), *[1.0][len(numbers) - 3 :]
+        found[tuple(noun_key(word) for word in name.split())] = ((width, depth, height), span)
     return found
 
 
-def usual_size(words: Sequence[str]) -> Vec3 | None:
-    """Return width, depth and height in metres of what the last words of a name mean; None if they mean nothing known.
+def usual_size(words: Sequence[str]) -> tuple[Vec3, float] | None:
+    """Return width, depth and height in metres of what the last words of a name mean, and its span; None if unknown.
 
-    A prop of that very name counts before a shorter name here: a coffee table is no table.
+    The span is how many times larger or smaller such a thing may be as well. A prop of that very name counts before a
+    shorter name here: a coffee table is no table.
 
     Args:
         words: Lower-case words of a name, the thing last, or before ``with``, ``of``, ``and``.
@@ -36,5 +39,5 @@ def usual_size(words: Sequence[str]) -> Vec3 | None:
             return _sizes()[phrase]
         entry = prop_called(phrase)
         if entry is not None:
-            return entry.size
+            return entry.size, 1.0
     return None

@@ -31,6 +31,8 @@ PLAUSIBLE_RATIO = 2.5
 """Largest ratio of a thing's size to the usual one, either way, at which a file known to be in metres is left alone."""
 FIRM, LOOSE = (0.17, 0.4), (0.45, 0.6)
 """Spread of the logarithm of size, above the usual and below it."""
+BEYOND = (0.2, 0.3)
+"""The same beyond the span of a thing of which it is known."""
 _LIKELY = (0.9, 1.6)
 """Metres of the largest extent of a thing of which nothing is known, and the spread of its logarithm."""
 
@@ -42,10 +44,12 @@ class UsualSize:
     Attributes:
         size: Width, depth and height in metres.
         firm: Whether things of this kind hardly differ in size, above all in height, because people use them.
+        span: How many times larger, or smaller, such a thing may be as well: a cactus on a sill and one in a desert.
     """
 
     size: Vec3
     firm: bool = False
+    span: float = 1.0
 
     def offsets(self, extent: Floats) -> tuple[float, float, float]:
         """Return the logarithm of the scale that gives an extent this size, and its spread below and above.
@@ -58,7 +62,7 @@ class UsualSize:
         differences = usual - found
         near = np.abs(differences - np.median(differences)) < 1.0  # a thin side says nothing of the others
         middle = float(np.average(differences[near], weights=weights[near]))
-        larger, smaller = FIRM if self.firm else LOOSE
+        larger, smaller = FIRM if self.firm else LOOSE if self.span == 1.0 else BEYOND
         doubt = 0.5 * float(differences.std())  # of what has other proportions it is not sure that it is such a thing
         return middle, float(np.hypot(larger, doubt)), float(np.hypot(smaller, doubt))
 
@@ -86,25 +90,29 @@ def find_scale(
     goal = (wanted if usual is None else float(np.exp(usual.offsets(extent)[0]))) if wanted or usual else None
     if unit is not None and (goal is None or 1 / PLAUSIBLE_RATIO <= goal / unit <= PLAUSIBLE_RATIO):
         return unit, "" if unit == 1 else "its file says its unit"
-    scores = [(np.log(share) + _fit(extent, metres, usual, wanted), name, metres) for name, metres, share in UNITS]
-    score, name, best = max(scores)
-    loose = [_fit(extent, float(np.exp(each)), usual, wanted) for each in _SCALES] if goal is not None else [-np.inf]
-    if goal is not None and np.log(_NO_UNIT * np.mean(np.exp(loose))) > score:
-        return goal, "it is far from the usual size of such a thing"
-    return best, "" if best == 1 else f"it is taken to be in {name}"
+    names, units, shares = zip(*UNITS, strict=True)
+    scores = np.log(shares) + _fit(extent, np.log(units), usual, wanted)
+    best = int(scores.argmax())
+    if goal is not None:
+        loose = np.log(_NO_UNIT * np.exp(_fit(extent, _SCALES, usual, wanted)).mean())
+        if loose > scores[best]:
+            return goal, "it is far from the usual size of such a thing"
+    return units[best], "" if units[best] == 1 else f"it is taken to be in {names[best]}"
 
 
-def _fit(extent: Floats, scale: float, usual: UsualSize | None, wanted: float | None) -> float:
-    """Return the logarithm of how likely a scale is by the size that it gives, per unit of its own logarithm."""
+def _fit(extent: Floats, scales: Floats, usual: UsualSize | None, wanted: float | None) -> Floats:
+    """Return the logarithms of how likely scales, as logarithms, are by the size that they give, per unit of them."""
+    span = 0.0
     if usual is not None:
         middle, larger, smaller = usual.offsets(extent)
+        span = float(np.log(usual.span))
     elif wanted is not None:
         middle, larger, smaller = float(np.log(wanted)), 0.4, 0.5
     else:
         middle, larger, smaller = float(np.log(_LIKELY[0] / max(extent.max(), 1e-9))), *(_LIKELY[1],) * 2
-    off = float(np.log(scale)) - middle
-    spread = larger if off > 0 else smaller
-    return -0.5 * (off / spread) ** 2 - float(np.log(0.5 * (larger + smaller)))
+    off = scales - middle
+    beyond = np.maximum(np.abs(off) - span, 0.0)
+    return -0.5 * (beyond / np.where(off > 0, larger, smaller)) ** 2 - float(np.log(0.5 * (larger + smaller) + span))
 
 
 def _wanted(extent: Floats, dimension: AssetDimension | None) -> float | None:

@@ -166,15 +166,16 @@ def _usual_size(path: Path, entry: PropEntry | None, dimension: AssetDimension |
 
     A dimension that differs from the catalog's, as of a small table, makes all of it smaller.
     """
-    size = usual_size(words_of_file(path.name).words) or (entry.size if entry is not None else None)
-    if size is None:
+    known = usual_size(words_of_file(path.name).words) or ((entry.size, 1.0) if entry is not None else None)
+    if known is None:
         return None
+    size, span = known
     share = 1.0
     if entry is not None and dimension is not None:
         side = next(side for side in ("width", "depth", "height") if getattr(dimension, side) is not None)
         share = getattr(dimension, side) / entry.size[("width", "depth", "height").index(side)]
     width, depth, height = (share * each for each in size)
-    return UsualSize((width, depth, height), firm=entry is not None and entry.category == "furniture")
+    return UsualSize((width, depth, height), firm=entry is not None and entry.category == "furniture", span=span)
 
 
 def _use(entry: PropEntry | None) -> Use:
