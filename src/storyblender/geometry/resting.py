@@ -45,6 +45,8 @@ _BED = (0.55, 1.25)
 """Metres: least width and length of a bed."""
 _BACK, _CLEARER = 0.14, 0.1
 """Metres by which a back rises above the seat, and by which it is higher than what is opposite."""
+_FOOTWELL = (0.12, 0.45)
+"""Metres by which the floor before a seat is lower at least, and how far before it feet are."""
 _BACK_SEARCH = 0.4
 """Metres behind a seat in which its back is looked for."""
 
@@ -113,7 +115,7 @@ class Places:
     backed: bool = False
 
 
-def find_seats(field: LevelGrid, use: Use, *, faces_front: bool = False) -> Places:
+def find_seats(field: LevelGrid, use: Use, *, faces_front: bool = False, cabin: bool = False) -> Places:
     """Return the seats of a thing, side by side in one row; nothing if its name is that of no seat.
 
     What has no known name must have a back to be sat on.
@@ -122,11 +124,13 @@ def find_seats(field: LevelGrid, use: Use, *, faces_front: bool = False) -> Plac
         field: Its level places.
         use: What it is called.
         faces_front: Whether one sits on it facing -Y in any case, as on what is ridden or driven.
+        cabin: Whether it has a floor to stand on, which is no seat: a seat then has room for feet before it.
     """
     if use not in SEAT_HEIGHTS:
         return Places()
     levels = _levels(field, SEAT_HEIGHTS[use], _MIN_HEADROOM, _SEAT_UNEVENNESS)
     large = [each for each in levels if min(each.size) >= _SEAT_LEAST and math.prod(each.size) >= _SEAT_AREA]
+    large = [each for each in large if not cabin or _has_footwell(field, each)]
     if not large:
         return Places()
     rest = large[0] if faces_front else max(large, key=_seat_likeness)
@@ -136,6 +140,16 @@ def find_seats(field: LevelGrid, use: Use, *, faces_front: bool = False) -> Plac
     if back is None:
         return Places(tuple(_seat_row(rest, 3 if rest.size[0] >= 0.7 * rest.size[1] else 0)))
     return Places(tuple(_seat_row(rest, back)), backed=not faces_front)
+
+
+def _has_footwell(field: LevelGrid, rest: Rest) -> bool:
+    """Return whether there is a floor for the feet of one who sits on a rectangle and faces -Y."""
+    x = field.origin[0] + (field.column + 0.5) * field.cell
+    y = field.origin[1] + (field.row + 0.5) * field.cell
+    ahead = (x > rest.low[0]) & (x < rest.high[0]) & (y < rest.low[1]) & (y > rest.low[1] - _FOOTWELL[1])
+    floor = ahead & (field.z < rest.z - _FOOTWELL[0]) & (field.room > _FOOTWELL[0])
+    cells = len(np.unique(np.stack([field.row[floor], field.column[floor]]), axis=1).T) if floor.any() else 0
+    return cells * field.cell**2 > 0.3 * rest.size[0] * _FOOTWELL[1]
 
 
 def _seat_likeness(rest: Rest) -> float:

@@ -33,7 +33,7 @@ FIRM, LOOSE = (0.17, 0.4), (0.45, 0.6)
 """Spread of the logarithm of size, above the usual and below it."""
 BEYOND = (0.2, 0.3)
 """The same beyond the span of a thing of which it is known."""
-_LIKELY = (0.9, 1.6)
+_LIKELY = (0.8, 1.6)
 """Metres of the largest extent of a thing of which nothing is known, and the spread of its logarithm."""
 
 

@@ -67,6 +67,10 @@ _FLAT_BACKED = frozenset(
 )  # fmt: skip
 """Props that stand with a flat back against a wall."""
 _LIKE_CARS = ("car", "taxi", "police_car", "jeep", "convertible")
+_CABINS = (*_LIKE_CARS, "pickup", "van", "ambulance", "truck", "bus", "fire_engine")
+"""Vehicles whose floor is no seat."""
+_ON_WALLS = frozenset(("wall", "sconce", "switch", "socket", "outlet", "plug", "dimmer", "thermostat"))
+"""Words of a name by which a thing hangs on a wall."""
 
 
 AS_ITS_SHAPE_SAYS = ModelPose()
@@ -108,7 +112,7 @@ def build_from_file(
     if pose.top is not None:
         _transform(mesh, rotation_of(pose))
     elif path.suffix.lower() in _SAYS_NO_UP:
-        _stand(mesh, entry, usual, notes)
+        _stand(mesh, entry, usual, notes, hangs=_hangs(path, entry))
     extent = np.ptp(_points(mesh), axis=0)
     scale, reason = find_scale(extent, usual, dimension, told=told, unit=model.unit)
     _transform(mesh, np.eye(3) * scale)
@@ -178,6 +182,11 @@ def _usual_size(path: Path, entry: PropEntry | None, dimension: AssetDimension |
     return UsualSize((width, depth, height), firm=entry is not None and entry.category == "furniture", span=span)
 
 
+def _hangs(path: Path, entry: PropEntry | None) -> bool:
+    """Return whether a thing hangs on a wall, by what it is called."""
+    return bool(_ON_WALLS & {*words_of_file(path.name).words}) or (entry is not None and entry.placement == "wall")
+
+
 def _use(entry: PropEntry | None) -> Use:
     """Return what a thing is for, by what it is called."""
     if entry is None:
@@ -195,7 +204,9 @@ def _places(mesh: bpy.types.Mesh, entry: PropEntry | None) -> Places:
     field = level_field(mesh)
     bed = find_bed(field, use)
     faces_front = entry is not None and entry.category in ("vehicle", "animal")
-    return bed if bed.anchors else find_seats(field, use, faces_front=faces_front)
+    if bed.anchors:
+        return bed
+    return find_seats(field, use, faces_front=faces_front, cabin=entry is not None and entry.key in _CABINS)
 
 
 def _quarters_to_front(
@@ -227,14 +238,19 @@ def _quarter_turns(quarters: int) -> np.ndarray:
     return np.linalg.matrix_power(np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]]), quarters)
 
 
-def _stand(mesh: bpy.types.Mesh, entry: PropEntry | None, usual: UsualSize | None, notes: list[str]) -> None:
-    """Put a mesh on its feet: as one sits or lies on it, else in its usual proportions, else as it does not fall."""
+def _stand(
+    mesh: bpy.types.Mesh, entry: PropEntry | None, usual: UsualSize | None, notes: list[str], *, hangs: bool
+) -> None:
+    """Put a mesh on its feet: as one sits or lies on it, else in its usual proportions, else as it does not fall.
+
+    What hangs on a wall stands on nothing.
+    """
     points, triangles = _points(mesh), _triangles(mesh)
     turn = find_likely_tip(points, triangles, usual.size) if usual is not None else None
-    if _use(entry) in ("seat", "bed") and usual is not None:
+    if _use(entry) in ("seat", "bed") and usual is not None and not (entry and entry.category == "vehicle"):
         turn = _tip_to_rest_on(mesh, entry, usual)
     if turn is None:
-        turn = find_upright_rotation(points, triangles)
+        turn = np.eye(3) if hangs else find_upright_rotation(points, triangles)
     if not np.array_equal(turn, np.eye(3)):
         _transform(mesh, turn)
         notes.append("it is tipped up to stand on its feet")
