@@ -354,3 +354,18 @@ def test_the_maps_of_a_model_survive(tmp_path, suffix):
     normals = shader.inputs["Normal"].links[0].from_node.inputs["Color"].links[0].from_node.image
     assert rough.pixels[0] == pytest.approx(0.3, abs=0.02) and rough.colorspace_settings.name == "Non-Color"
     assert normals.pixels[2] > 0.9 and all(image.packed_file for image in (rough, normals))
+
+
+@pytest.mark.parametrize(("name", "height"), [("wall_bracket", 0.3), ("bracket", 0.22)])
+def test_what_hangs_on_a_wall_is_not_laid_on_its_back(tmp_path, name, height):
+    lines = []
+    for number, (low, high) in enumerate(
+        (((-0.1, 0, 0.0), (0.1, 0.3, 0.02)), ((-0.03, 0.26, 0.02), (0.03, 0.3, 0.22)))
+    ):
+        lines += [f"v {x} {y} {z}" for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])]
+        faces = ((1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4))
+        lines += [f"f {' '.join(str(corner + 8 * number) for corner in face)}" for face in faces]
+    path = tmp_path / f"{name}.obj"
+    path.write_text("\n".join(lines) + "\n")
+    build = build_from_file(path, prop="")
+    assert build.dimensions[2] / build.dimensions[0] == pytest.approx(height / 0.2, rel=0.02)

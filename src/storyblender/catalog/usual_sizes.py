@@ -14,7 +14,7 @@ from storyblender.memory.base import Vec3
 
 @cache
 def _sizes() -> dict[tuple[str, ...], tuple[Vec3, float]]:
-    """Return the table: its last column, where there is one, is how many times larger or smaller such a thing may be."""
+    """Return the table; its last column, where there is one, is the span of such things."""
     found: dict[tuple[str, ...], tuple[Vec3, float]] = {}
     table = files("storyblender.catalog").joinpath("usual_sizes.tsv").read_text(encoding="utf-8")
     for name, *numbers in (line.split("\t") for line in table.splitlines()):

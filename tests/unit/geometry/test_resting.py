@@ -122,3 +122,11 @@ def test_a_lamp_is_held_by_its_stem_and_a_box_by_its_side() -> None:
     box = find_hold(*shape([((0, 0, 0.1), (0.25, 0.2, 0.2))]))
     assert box is not None and box.half == pytest.approx(0.125) and box.closed < 0.4
     assert find_hold(*shape([((0, 0, 0.5), (1.5, 0.8, 1.0))])) is None
+
+
+def test_the_floor_of_a_car_is_no_seat() -> None:
+    floor, seat = ((0, 0, 0.25), (1.4, 2.4, 0.04)), ((0, 0.3, 0.45), (1.2, 0.5, 0.3))
+    assert find_seats(field([floor], 0, 0.05), "seat", faces_front=True).anchors, "a raft's is"
+    assert not find_seats(field([floor], 0, 0.05), "seat", faces_front=True, cabin=True).anchors
+    found = find_seats(field([floor, seat], 0, 0.05), "seat", faces_front=True, cabin=True).anchors
+    assert [anchor.location[2] for anchor in found] == pytest.approx([0.6, 0.6])

@@ -53,3 +53,11 @@ def test_the_unit_that_a_file_states_counts_unless_it_is_absurd() -> None:
     assert find_scale(np.array([55.0, 27.0, 30.0]), DESK, unit=0.0254) == (0.0254, "its file says its unit")
     assert find_scale(np.array([55.0, 27.0, 30.0]), None, unit=0.001)[0] == 0.001
     assert find_scale(np.array([160.0, 80.0, 76.0]), DESK, unit=1.0)[0] == 0.01
+
+
+def test_of_a_thing_that_differs_much_in_size_the_file_s_own_unit_counts() -> None:
+    cactus = UsualSize((0.35, 0.3, 0.6), span=4.0)
+    in_a_desert = 3.8 * np.array(cactus.size)
+    assert find_scale(in_a_desert, cactus) == (1.0, "")
+    assert "usual" in find_scale(in_a_desert, UsualSize(cactus.size))[1]
+    assert "usual" in find_scale(2 * in_a_desert, cactus)[1], "nor is it any size"
