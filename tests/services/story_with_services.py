@@ -6,7 +6,7 @@ import os
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -89,7 +89,7 @@ def downloads(haven: Site, fab: Site) -> dict[str, int]:
 class Killer:
     """Kills the process that makes a request, when the given number of requests has come; ``last`` is its path."""
 
-    def __init__(self, sites: tuple[Site, Site], number: int) -> None:
+    def __init__(self, sites: Sequence[Site], number: int) -> None:
         self.left, self.process, self.last = number, 0, ""
         for site in sites:
             site.pages = {path: self._watched(page) for path, page in site.pages.items()}

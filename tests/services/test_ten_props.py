@@ -5,8 +5,6 @@ TRELLIS lists its jobs, so that one is found whose id got lost; a Hunyuan3D serv
 
 from __future__ import annotations
 
-import os
-import signal
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,8 +14,17 @@ import pytest
 from storyblender.library.shared.shared_library import SharedLibrary
 from storyblender.project import read_project_graph
 from tests.services.makers import HunyuanWire, TrellisWire, Wire, openai_draws
-from tests.services.site import Act, Hit, Page, Site, serving
-from tests.services.story_with_services import EXPECTED, SCRIPT, downloads, key_of, open_sites, services_of, started
+from tests.services.site import Site, serving
+from tests.services.story_with_services import (
+    EXPECTED,
+    SCRIPT,
+    Killer,
+    downloads,
+    key_of,
+    open_sites,
+    services_of,
+    started,
+)
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(900)]
 
@@ -30,38 +37,25 @@ MADE = ("hookah", "orrery", "samovar", "sextant", "theremin")
 
 
 class Workplace:
-    """The four services, which kill the process that makes a request of a number."""
+    """The four services."""
 
     def __init__(self, haven: Site, fab: Site, makers: Site, wire: Wire) -> None:
         self.sites = (haven, fab, makers)
-        self.process, self.left, self.killed_at = 0, -1, ""
+        self.killed_at = ""
         openai_draws(makers, "")
         self.begins, wire.polls = wire.begin_path, 0
         wire.open()
-        for site in self.sites:
-            site.pages = {path: self._watched(page) for path, page in site.pages.items()}
         address = makers.address
         self.setting = f"{services_of(haven, fab)},openai@{address},{wire.name}@{address}"
 
-    def _watched(self, page: Page) -> Page:
-        def answer(hit: Hit) -> Act:
-            self.left -= 1
-            if self.left == 0:
-                self.killed_at = hit.path
-                os.kill(self.process, signal.SIGKILL)
-            act = page(hit) if callable(page) else page
-            assert not isinstance(act, tuple | list)
-            return act  # type: ignore[return-value]
-
-        return answer
-
     def make(self, script: Path, project: Path, kill_at: int = -1) -> int:
         """Make the story in a process, and return its exit code."""
-        self.left = kill_at
+        killer = Killer(self.sites, kill_at)
         child = started([str(script), "--out", str(project), "--services", self.setting])
-        self.process = child.pid
+        killer.process = child.pid
         said, _ = child.communicate(timeout=600)
         assert child.returncode in (0, -9), said
+        self.killed_at = self.killed_at or killer.last
         return child.returncode
 
     def paid(self) -> Counter[bytes]:
