@@ -9,7 +9,7 @@ from __future__ import annotations
 import csv
 import re
 import shlex
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -100,8 +100,11 @@ def checklist(graph: ContinuityMemoryGraph, staged: Iterable[Flaw], poor: Iterab
     for flaw in poor:
         frame_flaws.setdefault(flaw.shot, []).append(flaw)
     found: list[Check] = []
+    modelled = {
+        each.asset_id for each in graph.assets if each.canonical is not None and each.canonical.source == "file"
+    }
     for panel in panels(graph):
-        found += _reading_checks(panel, graph.script_name, names)
+        found += _reading_checks(panel, modelled, graph.script_name, names)
         staging = [*flaws.get(panel.name, []), *panel.shot.flaws]
         found += _staging_checks(panel, staging, graph.script_name, folder, names)
         found += _camera_checks(panel, folder, names)
@@ -134,8 +137,11 @@ def to_check(shot: ShotContext, names: Mapping[str, str]) -> tuple[str, ...]:
     return tuple(dict.fromkeys((*staging, *picture)))
 
 
-def _reading_checks(panel: Panel, script: str, names: Mapping[str, str]) -> Iterator[Check]:
+def _reading_checks(panel: Panel, modelled: Collection[str], script: str, names: Mapping[str, str]) -> Iterator[Check]:
+    """Yield checks for what was read in doubt; a thing that the reader did not know and that has a model is in none."""
     for flag in panel.shot.flags:
+        if flag.topic == "prop" and flag.choice in modelled:
+            continue
         says = READING.get(flag.topic, "{reason}").format(who=_display_name(flag.choice, names), reason=flag.reason)
         yield Check(panel.name, _sentence(says), _script_mend(flag, script))
 

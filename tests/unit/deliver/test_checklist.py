@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from storyblender.deliver.checklist import Check, checklist
-from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline, ShotOutline
 from storyblender.memory.plain_words import names_of, plain
@@ -90,6 +90,17 @@ def test_staging_and_readings_are_told_shot_by_shot_in_order() -> None:
     ]
     assert all("storyblender " in check.mend for check in told)
     assert not [check for check in told if re.search(r"[a-z]_[a-z0-9]", check.says)], "no codes"
+
+
+def test_a_word_that_nobody_knew_is_no_matter_once_it_has_a_model() -> None:
+    flag = Flag(topic="prop", choice="set_chair", reason="“chair” is not a word the reader knows")
+    graph = story(shot(1, flags=(flag,)))
+    (told,) = checklist(graph, [], [], "f")
+    assert "stand-in" in told.says
+    made = CanonicalAsset(source="file", key="meshy/chair/model.glb", dimensions=(1, 1, 1), digest="d")
+    agnes, chair = graph.assets
+    graph = graph.model_copy(update={"assets": (agnes, chair.model_copy(update={"canonical": made}))})
+    assert not checklist(graph, [], [], "f")
 
 
 def test_the_flaws_of_older_projects_are_sentences_and_still_open() -> None:
