@@ -6,6 +6,7 @@ import os
 import shutil
 import sys
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -36,11 +37,19 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> FileByF
 
 
 LIBRARY = pytest.StashKey[str]()
-"""The library of what is made once for several tests, in a folder of this process."""
+"""The library of what is made once for several files of tests, in a folder of this process."""
 
 
 def pytest_configure(config: pytest.Config) -> None:
     config.stash[LIBRARY] = os.environ["STORYBLENDER_LIBRARY"] = tempfile.mkdtemp(prefix="storyblender-tests-")
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _library_of_a_file(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Give what a file of tests makes once a library of its own: geometry of a stand-in engine is not Blender's."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("STORYBLENDER_LIBRARY", str(tmp_path_factory.getbasetemp() / f"library-{os.urandom(6).hex()}"))
+        yield
 
 
 @pytest.fixture(autouse=True)

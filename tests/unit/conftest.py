@@ -21,6 +21,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "home.fountain").write_text(SCRIPT)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("storyblender.studio.BlenderEngine", StandInEngine)
+        patch.setenv("STORYBLENDER_LIBRARY", str(folder / "library"))
         Studio(SETTINGS).make(folder / "home.fountain", folder / "p")
     return folder
 

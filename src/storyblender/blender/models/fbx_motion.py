@@ -61,7 +61,7 @@ def _read(path: Path, out: Path) -> str:
     bones = list(rig.data.bones)  # parents come before their children
     scene.frame_set(first)
     world = np.array(rig.matrix_world)
-    rest = [world @ np.array(bone.matrix_local) for bone in bones]
+    rest = np.array([world @ np.array(bone.matrix_local) for bone in bones], float)
     places, turns = np.zeros((last - first + 1, len(bones), 3)), np.zeros((last - first + 1, len(bones), 3, 3))
     still = np.array([_turn(matrix).T for matrix in rest])
     for index, frame in enumerate(range(first, last + 1)):
