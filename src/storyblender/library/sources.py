@@ -83,7 +83,7 @@ def service_run(settings: Settings, cancelled: Signal) -> ServiceRun | None:
 
     Args:
         settings: Name the services, and the limits on them.
-        cancelled: Set when nobody waits any more.
+        cancelled: Set when the run is cancelled.
 
     Raises:
         InputError: The extra ``services`` is not installed.

@@ -30,7 +30,7 @@ SIDE = 1024
 OWN = "texture"
 """Source of a surface that a person has."""
 USUAL_METRES = 2.0
-"""Width of a surface whose size nobody tells."""
+"""Width of a surface whose size is not told."""
 _MOST_BYTES, _MOST_PIXELS, _LEAST = 64 << 20, 64_000_000, 16
 _MOST_FILES = 500
 """Names in a folder that are looked at."""

@@ -26,7 +26,7 @@ from storyblender.services.register import IMAGE_MODELS, MODEL_MAKERS, ServiceRu
 from storyblender.trace import Event
 
 _UNSEEN, _SEEN = 8.0, 9.0
-"""Match scores of a model that was made for a thing: nobody looked at its picture; the most if somebody did."""
+"""Match scores of a model that was made for a thing: without a look at its picture; at most, with one."""
 _LOOKS = 5
 """First pause between two looks at the jobs, in first pauses of a request; it grows to five times that."""
 _MISSES = 3

@@ -7,6 +7,7 @@ where its files are. Models can be listed, so that one whose id got lost is foun
 from __future__ import annotations
 
 import time
+from abc import ABC, abstractmethod
 from base64 import b64encode
 from collections.abc import Collection, Mapping
 from pathlib import Path
@@ -38,7 +39,7 @@ SETTLED: Final = 60.0
 """Seconds after which a task that is not listed was not begun."""
 
 
-class _Tasks:
+class _Tasks(ABC):
     """One kind of task.
 
     Args:
@@ -83,9 +84,9 @@ class _Tasks:
         """Return None: tasks of this kind are not listed."""
         return None
 
+    @abstractmethod
     def _url_in(self, task: Mapping[str, Any]) -> Any:
         """Return where the result of a task is."""
-        raise NotImplementedError
 
     def _begun(self, asked: Mapping[str, Any]) -> str:
         """Begin a task and return its id. Raises ServiceFailure."""

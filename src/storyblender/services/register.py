@@ -26,7 +26,7 @@ class ServiceRun:
         licences: Which licences works may have.
         shelf: Where catalogues keep what they answered.
         patience: How long and how often each is asked.
-        cancelled: Set when nobody waits any more.
+        cancelled: Set when the run is cancelled.
     """
 
     budget: ServiceBudget = field(default_factory=ServiceBudget)

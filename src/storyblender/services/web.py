@@ -4,7 +4,7 @@ A key goes to the service's own host only, also where it answers with links or r
 local network, are only for a service whose own address is there.
 """
 # pyright: reportMissingImports=false
-# the extra ``services`` is not installed where nobody asks one
+# the extra ``services`` is only installed where services are used
 
 from __future__ import annotations
 
@@ -120,7 +120,7 @@ class Web:
         headers: With the key; sent to the host of the address only.
         budget: Of the run; every byte counts.
         patience: How long and how often it is asked.
-        cancelled: Set when nobody waits for it any more.
+        cancelled: Set when the run is cancelled.
     """
 
     service: str
@@ -140,7 +140,7 @@ class Web:
 
         Raises:
             ServiceFailure: It failed for good.
-            Cancelled: Nobody waits for it any more.
+            Cancelled: The run was cancelled.
         """
         return self._again(lambda: self._ask("GET", path, params=params, headers=headers))
 
@@ -155,7 +155,7 @@ class Web:
 
         Raises:
             ServiceFailure: It failed for good; ``uncertain`` if it may have been done all the same.
-            Cancelled: Nobody waits for it any more; what costs was not sent then.
+            Cancelled: The run was cancelled; a paid request was not sent then.
         """
         if body is not None:
             more["json"] = body
@@ -172,7 +172,7 @@ class Web:
 
         Raises:
             ServiceFailure: It failed for good, or is larger than ``most``.
-            Cancelled: Nobody waits for it any more.
+            Cancelled: The run was cancelled.
         """
         return self._again(lambda: self._download(url, part, most, md5.lower()))
 

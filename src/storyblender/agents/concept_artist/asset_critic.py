@@ -1,7 +1,7 @@
 """A vision critic of assets: it looks at what an object is to be made from (paper, appendix: examination of assets).
 
 It is asked about what was not found by its name, likenesses of meaning and stand-ins, and about models of services and
-of the user's library, which are called what somebody else calls them.
+of the user's library, whose names come from other people.
 """
 
 from __future__ import annotations

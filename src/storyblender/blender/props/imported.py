@@ -130,7 +130,7 @@ def build_from_file(
         places = _places(mesh, entry)
         notes.append(f"it is turned by {90 * min(quarters, 4 - quarters)} degrees to face the front")
     elif places.backed and places.anchors[0].direction[1] > -0.9:
-        notes.append("its front is as somebody saw it; by its shape it would face another way")
+        notes.append("its front is as a person or a model chose it; by its shape it would face another way")
     build = settle(mesh, places.anchors)
     if not build.anchors:
         build = replace(build, anchors=_grips(find_hold(_points(mesh), _triangles(mesh))))
@@ -214,8 +214,8 @@ def _quarters_to_front(
 ) -> int:
     """Return by how many quarters, counter-clockwise from above, a mesh turns to have its front at -Y.
 
-    A back or a headboard tells it, else proportions, a flat back, and the bonnet of a car; not where somebody looked
-    and saw no front.
+    A back or a headboard tells it, else proportions, a flat back, and the bonnet of a car; not where a person or a
+    model has looked and saw no front.
     """
     if places.backed:
         x, y = (round(value) for value in places.anchors[0].direction[:2])

@@ -30,7 +30,7 @@ SHEET: Final = "motions.toml"
 SOURCE: Final = "motions"
 MOST_FILES: Final = 20_000
 UPRIGHT: Final = 0.75
-"""Legs over the ankles at which hips are those of somebody who stands."""
+"""Legs over the ankles at which hips are those of a standing person."""
 LEG: Final = 0.86
 """Metres at a stature of 1.7 m."""
 FURTHEST: Final = 100.0

@@ -98,7 +98,7 @@ def _direction(places: Floats, start: int, end: int) -> Floats:
 
 
 def _is_straight(places: Floats, roles: Roles) -> bool:
-    """Tell whether somebody stands straight in a pose (J, 3), with arms that are not folded: T, A or at ease."""
+    """Tell whether a person stands straight in a pose (J, 3), with arms that are not folded: T, A or at ease."""
     limbs = roles.limbs
     for side in "LR":
         hip, knee, ankle = (places[limbs[f"{bone}.{side}"]] for bone in ("thigh", "shin", "foot"))
