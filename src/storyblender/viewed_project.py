@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Literal
 
 from storyblender.deliver.contact_sheet import write_contact_sheet
 from storyblender.edits.effect import name_of
+from storyblender.edits.own_motions import offered_clips
 from storyblender.edits.targets import shots_named
 from storyblender.errors import InputError
 from storyblender.inspection import Inspection, inspect
@@ -118,6 +119,11 @@ class ViewedProject(OpenProject):
         """
         with self._call() as run:
             return candidates_for(run, asset_id, words)
+
+    @property
+    def own_motions(self) -> dict[str, str]:
+        """The user's motion clips that edits can name, with what each shows."""
+        return offered_clips(self.graph, self._settings.motions)
 
     def stale_frames(self) -> list[str]:
         """Return the names of the shots whose frames do not show the story as it is; raises as ``render``."""

@@ -26,7 +26,8 @@ export class StagePose extends LitElement {
 
   async connectedCallback(): Promise<void> {
     super.connectedCallback();
-    this.motions = (await this.wire.call<{ motions: Record<string, string> }>("vocabulary")).motions;
+    const { motions, own_motions } = await this.wire.call<Record<"motions" | "own_motions", Record<string, string>>>("vocabulary");
+    this.motions = { ...own_motions, ...motions };
   }
 
   private decide(place: Record<string, unknown>): void {

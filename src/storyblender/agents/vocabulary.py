@@ -50,8 +50,12 @@ WAYS: Final[dict[CameraDirection, str]] = {
 """Where a move goes."""
 
 
-def vocabulary() -> dict[str, Any]:
-    """Return every word that can be named, with a sentence: edits and their fields, cameras, operations, catalogues."""
+def vocabulary(own_motions: Mapping[str, str] | None = None) -> dict[str, Any]:
+    """Return every word that can be named, with a sentence: edits and their fields, cameras, operations, catalogues.
+
+    Args:
+        own_motions: The user's clips, by the key that edits have for them, with what each shows.
+    """
     sizes = {size: f"{row.words}: a head fills {row.head:.0%} of the height, a thing {row.fill:.0%}"
              for size, row in SIZES.items()}  # fmt: skip
     camera = {"kind": KINDS, "size": sizes, "angle": _angles(), "movement": MOVES, "direction": WAYS}
@@ -61,6 +65,7 @@ def vocabulary() -> dict[str, Any]:
         "camera_operations": OPERATION_WORDS,
         "critic_fixes": FIX_WORDS,
         "motions": {key: motion_words(key) for key in MOTIONS},
+        "own_motions": dict(own_motions or {}),
         "sets": {kit.key: kit.description or kit.name for kit in SETS.values()},
     }
 

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from storyblender.library.mocap.folders import MotionFolders
 
 _ASKED = "a person asked for it"
+MOST_OFFERED = 500
+"""Clips of the folders that are listed; edits can name the others, too."""
 
 
 def with_own_motions(project: Project, folders: Sequence[Path], edits: Sequence[Edit]) -> tuple[Edit, ...]:
@@ -46,6 +48,23 @@ def with_own_motions(project: Project, folders: Sequence[Path], edits: Sequence[
             edit = edit.model_copy(update={"marks": marks})
         found.append(edit)
     return tuple(found)
+
+
+def offered_clips(graph: ContinuityMemoryGraph, folders: Sequence[Path]) -> dict[str, str]:
+    """Return the clips of the user that edits can name, each with what it shows and where it is from.
+
+    Args:
+        graph: The story, which may have clips that are in no folder any more.
+        folders: Of the user's clips.
+    """
+    found = {key: f"{clip.name} (yours, in this project)" for key, clip in own_clips(graph).items()}
+    if folders:
+        from storyblender.library.mocap.folders import MotionFolders
+
+        for file in MotionFolders(folders).files[:MOST_OFFERED]:
+            if file.key not in MOTIONS:
+                found[file.key] = f"{file.description or file.called} (yours, {file.name})"
+    return dict(sorted(found.items()))
 
 
 def own_clips(graph: ContinuityMemoryGraph) -> dict[str, MocapClip]:

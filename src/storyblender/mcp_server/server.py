@@ -258,7 +258,8 @@ def _add_resources(server: FastMCP[None], place: Workplace) -> None:
         """Every word that an edit can name, with a sentence: fields, sizes, angles, moves, motions, sets ..."""
         from storyblender.agents.vocabulary import vocabulary
 
-        return json.dumps(vocabulary(), ensure_ascii=False)
+        own = place.session.own_motions if place.is_open else {}
+        return json.dumps(vocabulary(own), ensure_ascii=False)
 
     @server.resource("storyblender://graph", mime_type="application/json")
     def graph() -> str:

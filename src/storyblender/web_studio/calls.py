@@ -102,7 +102,7 @@ class Calls:
                     "board": self._board,
                     "shots": self._shots,
                     "cut": self._cut,
-                    "vocabulary": vocabulary,
+                    "vocabulary": lambda: vocabulary(self._place.session.own_motions if self._place.is_open else {}),
                     "undo": lambda: self._stepped("undo"),
                     "redo": lambda: self._stepped("redo"),
                     "go_on": self._go_on,

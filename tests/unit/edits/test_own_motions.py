@@ -12,6 +12,7 @@ import pytest
 from tests.motion_files import a_person, write_bvh
 from tests.unit.conftest import SETTINGS
 
+from storyblender.agents.vocabulary import vocabulary
 from storyblender.edits.words import edits_of, motion_edit
 from storyblender.errors import InputError
 from storyblender.geometry.rotations import about_axis
@@ -115,3 +116,12 @@ def test_the_command_line_says_the_same(session: Session) -> None:
     [motion] = marks.people["tom"].motions.values()
     assert motion is not None and motion.mocap is not None
     assert "frantic_signal_03.bvh" in motion.words
+
+
+def test_clips_are_offered_with_the_motions_of_the_catalogue_and_marked(session: Session, clips: Path) -> None:
+    offered = session.own_motions
+    assert offered["long_march"] == "long march (yours, long_march.bvh)"
+    apply(session, does("tom", frantic_signal_03={}))
+    (clips / "frantic_signal_03.bvh").unlink()
+    assert "in this project" in session.own_motions["frantic_signal_03"]
+    assert vocabulary(session.own_motions)["own_motions"]["frantic_signal_03"]
