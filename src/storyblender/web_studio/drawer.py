@@ -142,9 +142,8 @@ class Drawer:
                     self._look_for_saved()
                 continue
             with self._changed:
-                if not self._unknown and not self._is_asked():
-                    rested = time.monotonic() - self._touched
-                    self._changed.wait_for(self._is_asked, (REST if self._waiting else IDLE) - rested)
+                if not self._unknown:
+                    self._wait_for_rest()
                 if self._ended:
                     return
                 if self._paused:
@@ -175,6 +174,15 @@ class Drawer:
                 sentence = "a picture could not be drawn, and should have been; the terminal says more"
                 if not rehearsing:
                     self._give_up(wanted or all_of_them, sentence, drawn=not wanted)
+
+    def _wait_for_rest(self) -> None:
+        """Wait until a person rests, or something is to be done at once; an edit on the way begins the rest anew."""
+        while not self._is_asked():
+            rested = time.monotonic() - self._touched
+            left = (REST if self._waiting else IDLE) - rested
+            if left <= 0:
+                break
+            self._changed.wait(left)
 
     def _work(self, rehearsed: str, wanted: Sequence[str], all_of_them: Sequence[str], *, unknown: bool) -> None:
         """Do what comes first: find out what is stale, get ready for a shot, draw a preview, frames, what is delivered.

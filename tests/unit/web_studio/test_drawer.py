@@ -90,8 +90,7 @@ def session() -> Rehearsals:
 
 
 @pytest.fixture
-def drawing(session: Rehearsals, monkeypatch: pytest.MonkeyPatch) -> Any:
-    monkeypatch.setattr(drawer, "REST", 0.05)
+def drawing(session: Rehearsals) -> Any:
     silent: Callable[[Collection[str]], None] = lambda _: None  # noqa: E731
     made = Drawer(cast(Session, session), lambda _: None, silent, lambda _: None, lambda: None)
     session.heard("warm")
@@ -116,6 +115,19 @@ def test_without_a_look_the_edited_shot_is_the_first(session: Rehearsals, drawin
     drawing.draw(SHOTS, first=SHOTS[1])
     session.heard(f"shoot {SHOTS[1]} {SHOTS[0]}")
     assert previews(session)[0] == SHOTS[1]
+
+
+def test_an_edit_does_not_wait_until_what_is_delivered_is_written(
+    session: Rehearsals, drawing: Drawer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(drawer, "IDLE", 90.0)
+    drawing.draw(SHOTS[:1])
+    session.heard(f"shoot {SHOTS[0]}")
+    while drawing.stale:
+        threading.Event().wait(0.05)
+    threading.Event().wait(0.1)  # it waits now until the board may be written
+    drawing.draw(SHOTS[3:4])
+    session.heard(f"shoot {SHOTS[3]}")
 
 
 def test_frames_under_way_give_way_to_a_look_and_go_on(session: Rehearsals, drawing: Drawer) -> None:
