@@ -25,6 +25,7 @@ from storyblender.memory.texture import Texture
 from storyblender.pipeline.compiling import story_files
 from storyblender.pipeline.drawing import draw_frames, draw_shots
 from storyblender.pipeline.filming import cuts_made_wrong, film
+from storyblender.pipeline.offered_models import take_offer
 from storyblender.pipeline.packing import pack_scenes
 from storyblender.pipeline.panorama import keep_panoramas, take_in_panorama
 from storyblender.pipeline.shooting import (
@@ -259,6 +260,18 @@ class Session(ViewedProject):
         """Make the change again that was undone last. Raises InputError if there is none."""
         with self._alone():
             return redo_edit(self._project)
+
+    def take_offer(self, key: str) -> None:
+        """Fetch a model that ``offers`` told into the project and the library; an edit then names it as a file.
+
+        Args:
+            key: Of the model.
+
+        Raises:
+            InputError: It is not offered any more, the service cannot give it, or the library is turned off.
+        """
+        with self._call() as run:
+            take_offer(run, key)
 
     def take_in_panorama(self, file: Path) -> Panorama:
         """Keep the picture of a user's panorama in the project, and return what an edit of light names it by.

@@ -13,6 +13,7 @@ from storyblender.edits.own_motions import offered_clips
 from storyblender.edits.targets import shots_named
 from storyblender.errors import InputError
 from storyblender.inspection import Inspection, inspect
+from storyblender.library.catalogue_source import CatalogueSource
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import content_hash
 from storyblender.memory.board_layout import BoardLayout
@@ -21,6 +22,7 @@ from storyblender.pipeline.asset_pictures import built_asset, candidates_for, vi
 from storyblender.pipeline.compiling import story_files
 from storyblender.pipeline.drawing import DELIVERED, draw_frames
 from storyblender.pipeline.filming import with_cuts_judged
+from storyblender.pipeline.offered_models import OfferedModel, offered_models, picture_of_offer
 from storyblender.pipeline.previewing import moment_of, preview_shot
 from storyblender.pipeline.rehearsing import CamerasToMatch, rehearse
 from storyblender.pipeline.reviewing import FrameReview, review_frames
@@ -119,6 +121,33 @@ class ViewedProject(OpenProject):
         """
         with self._call() as run:
             return candidates_for(run, asset_id, words)
+
+    def offers(self, asset_id: str, words: str = "") -> list[OfferedModel]:
+        """Return what the catalogues of services offer for a thing, best first; nothing is fetched.
+
+        Args:
+            asset_id: The thing.
+            words: What is looked for; what the script says of it if empty.
+        """
+        with self._call() as run:
+            return offered_models(run, asset_id, words)
+
+    def offer_picture(self, key: str) -> Path | None:
+        """Return the picture of a model that ``offers`` told, asked for once; None where there is none.
+
+        Args:
+            key: Of the model.
+
+        Raises:
+            InputError: It is not offered any more.
+        """
+        with self._call() as run:
+            return picture_of_offer(run, key)
+
+    @property
+    def catalogues(self) -> tuple[str, ...]:
+        """Names of the services that offer models, textures and panoramas."""
+        return tuple(source.name for source in self._sources if isinstance(source, CatalogueSource))
 
     @property
     def own_motions(self) -> dict[str, str]:

@@ -28,6 +28,7 @@ class Haven:
         files: Of a model, the .gltf first.
         pictures: Of a texture by the name of the map, ``Diffuse``; of a panorama as ``hdr``.
         metres: Width of a texture; 0 where it is not told.
+        thumbnail: Address of its small picture, where it is not the usual one.
     """
 
     id: str
@@ -38,6 +39,7 @@ class Haven:
     authors: tuple[str, ...] = ("Rico Cilliers", "Greg Zaal")
     pictures: Mapping[str, bytes] = field(default_factory=dict[str, bytes])
     metres: float = 0.0
+    thumbnail: str = ""
 
 
 def record_of(asset: Haven) -> dict[str, Any]:
@@ -57,7 +59,8 @@ def record_of(asset: Haven) -> dict[str, Any]:
         "polycount": 5626,
         "dimensions": [848, 766, 1065],
         "max_resolution": [8192, 8192],
-        "thumbnail_url": f"https://cdn.polyhaven.com/asset_img/thumbs/{asset.id}.png?width=256&height=256",
+        "thumbnail_url": asset.thumbnail
+        or f"https://cdn.polyhaven.com/asset_img/thumbs/{asset.id}.png?width=256&height=256",
     } | told
 
 

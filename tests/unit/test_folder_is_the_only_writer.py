@@ -27,6 +27,7 @@ ELSEWHERE = {
     ("doctor.py", "save"): "into memory",
     ("look/viewfinder_picture.py", "save"): "into memory",
     ("services/made_files.py", "save"): "into memory",
+    ("library/small_picture.py", "save"): "into memory",
     ("mcp_server/server.py", "save"): "into memory",
     ("library/body_data.py", "mkdir"): "data of the program, in no project",
     ("library/body_data.py", "NamedTemporaryFile"): "data of the program, in no project",
@@ -65,7 +66,8 @@ def writers(tree: ast.AST) -> Iterator[ast.Call]:
 def _writes(call: ast.Call) -> bool:
     name, arguments = _name(call), len(call.args) + len(call.keywords)
     if name in ("open", "fdopen"):
-        modes = [arg.value for arg in [*call.args, *(word.value for word in call.keywords)] if _is_text(arg)]
+        given = [*call.args, *(word.value for word in call.keywords)]
+        modes = [arg.value for arg in given if isinstance(arg, ast.Constant) and isinstance(arg.value, str)]
         return _owner(call) == "os" or any(set(mode) & set("wax+") and len(mode) <= 3 for mode in modes)
     if name == "replace":  # a path has one argument, a text has two
         return _owner(call) == "os" or (isinstance(call.func, ast.Attribute) and arguments == len(call.args) == 1)
@@ -76,10 +78,6 @@ def _writes(call: ast.Call) -> bool:
     if name in ("move", "gltf"):
         return _owner(call) in ("shutil", "export_scene")
     return name in ALWAYS
-
-
-def _is_text(node: ast.expr) -> bool:
-    return isinstance(node, ast.Constant) and isinstance(node.value, str)
 
 
 def _to_part(call: ast.Call) -> bool:

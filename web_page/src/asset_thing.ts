@@ -3,7 +3,7 @@
 import { LitElement, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { linear } from "./colors";
-import type { AssetDetails, Candidate, Edit } from "./messages";
+import type { AssetDetails, Candidate, Edit, OfferedCard, ShownOffers } from "./messages";
 import type { Wire } from "./wire";
 
 const SIDES = ["width", "depth", "height"] as const;
@@ -15,6 +15,9 @@ export class AssetThing extends LitElement {
   @property({ attribute: false }) finishes: Record<string, string> = {};
   @property({ attribute: false }) wire!: Wire;
   @state() private candidates: Candidate[] | null = null;
+  @state() private offers: ShownOffers | null = null;
+  /** The file of what a service is being asked for. */
+  @state() private fetching = "";
   @state() private words = "";
   @state() private proportions = true;
   @state() private said = "";
@@ -26,8 +29,20 @@ export class AssetThing extends LitElement {
 
   protected willUpdate(changed: PropertyValues<this>): void {
     const before = changed.get("details") as AssetDetails | undefined;
-    if (before && before.asset !== this.details.asset) [this.candidates, this.words, this.said] = [null, "", ""];
-    else if (before && this.candidates) this.candidates = this.candidates.map((each) => ({ ...each, chosen: (each.file || each.model) === this.details.made_from }));
+    if (before && before.asset !== this.details.asset) this.forget();
+    else if (before && this.candidates) {
+      this.candidates = this.candidates.map((each) => ({ ...each, chosen: (each.file || each.model) === this.details.made_from }));
+      this.showOffers((each) => ({ ...each, chosen: each.file === this.details.made_from }));
+    }
+  }
+
+  private forget(): void {
+    this.asked++;
+    [this.candidates, this.offers, this.words, this.said] = [null, null, "", ""];
+  }
+
+  private showOffers(change: (card: OfferedCard) => OfferedCard): void {
+    if (this.offers) this.offers = { ...this.offers, cards: this.offers.cards.map(change) };
   }
 
   private edit(said: Record<string, unknown>): void {
@@ -38,20 +53,41 @@ export class AssetThing extends LitElement {
   /** Ask for what it could be made from, then for the pictures of it, one by one. */
   private async offer(): Promise<void> {
     const asked = ++this.asked;
-    const about = { asset: this.details.asset, words: this.words };
-    [this.candidates, this.said] = [null, "Looking; the first time takes a moment ..."];
+    const about = { asset: this.details.asset, words: this.words.trim() };
+    [this.candidates, this.offers, this.said] = [null, null, "Looking; the first time takes a moment ..."];
     try {
       const found = await this.wire.call<Candidate[]>("candidates", about);
       if (asked !== this.asked) return;
-      [this.candidates, this.said] = [found, found.length ? "" : "Nothing like it was found."];
+      [this.candidates, this.said] = [found, "Looking at what services offer ..."];
+      const offers = await this.wire.call<ShownOffers>("offers", about);
+      if (asked !== this.asked) return;
+      [this.offers, this.said] = [offers, this.counted(found.length, offers)];
       for (const each of found.filter((candidate) => !candidate.picture)) {
         const picture = await this.wire.call<string>("asset_picture", { ...about, digest: each.digest }).catch(() => "");
         if (asked !== this.asked || !this.isConnected) return;
         this.candidates = this.candidates!.map((one) => (one.digest === each.digest ? { ...one, picture } : one));
       }
+      for (const each of offers.cards.filter((card) => !card.picture)) {
+        const picture = await this.wire.call<string>("offer_picture", { asset: about.asset, file: each.file }).catch(() => "");
+        if (asked !== this.asked || !this.isConnected) return;
+        this.showOffers((one) => (one.file === each.file ? { ...one, picture } : one));
+      }
     } catch (error) {
       if (asked === this.asked) this.said = (error as Error).message;
     }
+  }
+
+  private counted(found: number, offers: ShownOffers): string {
+    if (found + offers.cards.length === 0) return "Nothing like it was found; try another word for it.";
+    return offers.services.length && !offers.cards.length ? `${offers.services.map(called).join(" and ")} offer nothing more like it.` : "";
+  }
+
+  /** Have the thing made from what a service offers, which is fetched first. */
+  private take(card: OfferedCard): void {
+    const settled = () => (this.fetching = "");
+    this.fetching = card.file;
+    const detail = { call: { thing: this.details.asset, file: card.file }, settled };
+    this.dispatchEvent(new CustomEvent("take", { detail, bubbles: true }));
   }
 
   private resize(side: (typeof SIDES)[number], event: Event): void {
@@ -111,9 +147,24 @@ export class AssetThing extends LitElement {
         <button type="button" title="The crew makes it from something else than this" @click=${() => this.edit({ action: "regenerate" })}>Let the crew choose another</button></form>
       ${this.said ? html`<p role="status">${this.said}</p>` : nothing}
       <div class="faces">${(this.candidates ?? []).map((each) => html`<button class="face ${each.chosen ? "chosen" : ""}" ?disabled=${each.chosen}
-        data-candidate=${each.file || each.model} @click=${() => this.edit({ action: "replace", ...(each.file ? { file: each.file } : { model: each.model }) })}>
+        data-candidate=${each.file || each.model} title=${`${each.name}, ${each.source}, fits ${each.score.toFixed(1)} of 10`}
+        @click=${() => this.edit({ action: "replace", ...(each.file ? { file: each.file } : { model: each.model }) })}>
         <span class="portrait">${each.picture ? html`<img src=${each.picture} alt="" />` : nothing}</span>
-        <b>${each.name}</b><small>${each.source}, ${each.score.toFixed(1)} of 10</small></button>`)}</div>
+        <b>${each.name}</b><small>${each.chosen ? "chosen" : each.source}</small>${each.credit ? html`<small>${each.credit}</small>` : nothing}</button>`)}</div>
+      ${this.offers?.cards.length ? this.fromServices(this.offers.cards) : nothing}
     </fieldset>`;
   }
+
+  private fromServices(cards: OfferedCard[]) {
+    return html`<h3>From services</h3><p class="told">What you choose is fetched and kept in your library.</p>
+      <div class="faces">${cards.map((each) => html`<button class="face ${each.chosen ? "chosen" : ""}" ?disabled=${each.chosen || this.fetching !== ""}
+        data-offer=${each.file} title=${`${each.name}, ${called(each.source)}${each.megabytes ? `, ${each.megabytes} MB` : ""}`} @click=${() => this.take(each)}>
+        <span class="portrait">${each.picture ? html`<img src=${each.picture} alt="" />` : nothing}</span>
+        <b>${each.name}</b><small>${this.fetching === each.file ? "fetching ..." : called(each.source)}</small><small>${each.credit}</small></button>`)}</div>`;
+  }
+}
+
+/** A service as people call it: Poly Haven. */
+function called(service: string): string {
+  return service.split("_").map((word) => word[0].toUpperCase() + word.slice(1)).join(" ");
 }

@@ -303,9 +303,27 @@ export interface Candidate {
   file: string;
   name: string;
   source: string;
+  credit: string;
   score: number;
   chosen: boolean;
   picture: string;
+}
+
+export interface OfferedCard {
+  file: string;
+  name: string;
+  source: string;
+  credit: string;
+  url: string;
+  megabytes: number;
+  score: number;
+  chosen: boolean;
+  picture: string;
+}
+
+export interface ShownOffers {
+  services: string[];
+  cards: OfferedCard[];
 }
 
 export interface StagingCard {

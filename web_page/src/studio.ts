@@ -204,7 +204,7 @@ export class Studio extends LitElement {
   }
 
   /** Make an edit by a call of its own. */
-  private call(name: "apply" | "panorama", detail: object): Promise<boolean> {
+  private call(name: "apply" | "panorama" | "surface" | "take_offer", detail: object): Promise<boolean> {
     const made = this.edited.then(() =>
       this.attempt(async () => {
         const done = await this.wire.call<Applied & { version: string }>(name, { ...detail, revision: this.revision });
@@ -337,6 +337,7 @@ export class Studio extends LitElement {
           @select=${select}></sb-stage>`;
       case "assets":
         return html`<sb-assets .board=${board} .wire=${this.wire} .chosen=${this.asset} @chose=${(event: CustomEvent<string>) => (this.asset = event.detail)} @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}
+          @take=${(event: CustomEvent<{ call: object; settled: () => void }>) => this.call("take_offer", event.detail.call).finally(event.detail.settled)}
           @goto=${(event: CustomEvent<string>) => ([this.selected, this.view] = [[event.detail], "board"])}></sb-assets>`;
       case "library":
         return html`<sb-library .wire=${this.wire}></sb-library>`;

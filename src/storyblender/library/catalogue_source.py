@@ -69,8 +69,10 @@ class CatalogueSource:
 
     def search(self, query: AssetQuery, *, by_meaning: bool = False) -> Sequence[Recipe]:
         """Return the works that fit a thing that the script names, best first; none if the service fails."""
-        if not is_asked_for(query):
-            return ()
+        return self.offered(query, by_meaning=by_meaning) if is_asked_for(query) else ()
+
+    def offered(self, query: AssetQuery, *, by_meaning: bool = False) -> Sequence[Recipe]:
+        """Return the works that fit any thing, best first: a person looks and chooses; none if the service fails."""
         with self._lock:
             offers = self._offers(search_words(query.phrase))
             matches = ranked(query, offers, self._likeness, by_meaning=by_meaning)[:_MOST] if offers else []
@@ -114,9 +116,21 @@ class CatalogueSource:
         params = {**recipe.params, "content": content_of(path, files.path(FETCHED))}
         return recipe.model_copy(update={"provenance": provenance, "params": params})
 
-    def offer_of(self, recipe: Recipe) -> Offer:
-        """Return the work that a recipe of this source is of."""
-        return self._known[recipe.key][0]
+    def offers(self, key: str) -> bool:
+        """Tell whether a work was found since this was opened."""
+        return key in self._known
+
+    def offer_of(self, key: str) -> Offer:
+        """Return a work that was found, by the key of its recipe."""
+        return self._known[key][0]
+
+    def thumbnail(self, key: str) -> bytes:
+        """Return the file of the small picture that the service has of a work.
+
+        Raises:
+            ServiceFailure: It has none, or cannot give it.
+        """
+        return self._catalogue.thumbnail(self._known[key][0])
 
     def bytes_to_fetch(self, recipe: Recipe) -> int | None:
         """Return what fetching a work takes, 0 if that is not known before; None if the library has it already.

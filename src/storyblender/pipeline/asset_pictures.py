@@ -84,19 +84,15 @@ def built_asset(run: Run, asset_id: str) -> Asset:
 def candidates_for(run: Run, asset_id: str, words: str) -> list[Asset]:
     """Return a thing as it would be if it were made from what the asset sources offer for it, best first.
 
-    Services are not asked: what they would have to send first cannot be shown. Models of the user's library are put
-    into the project, so that the engine can.
+    Services are not asked: ``offered_models`` tells what they have. Models of the user's library are put into the
+    project, so that the engine can show them.
 
     Args:
         run: Its sources offer.
         asset_id: The thing.
         words: What is looked for; what the script says of the thing if empty.
     """
-    asset = run.graph.asset(asset_id)
-    view = asset_retriever_view(run.graph, asset, WORDS_BY_AGE.get(run.graph.age or "today", {}))
-    if words:
-        named = asset.model_copy(update={"name": words, "description": words, "tags": (), "kind": None})
-        view = AssetRetrieverView(asset=named)
+    asset, view = run.graph.asset(asset_id), view_for(run, asset_id, words)
     sources = [source for source in run.sources if not isinstance(source, CatalogueSource)]
     found = RulesAssetRetriever(sources).candidates(view, by_meaning=True)
     best = {(recipe.source, recipe.key): recipe for recipe in reversed(found)}
@@ -106,3 +102,18 @@ def candidates_for(run: Run, asset_id: str, words: str) -> list[Asset]:
             recipes.append(fetched(run, recipe))
     free = asset.model_copy(update={"dimension": None, "decision": None})
     return [free.model_copy(update={"canonical": recipe.canonical()}) for recipe in recipes]
+
+
+def view_for(run: Run, asset_id: str, words: str) -> AssetRetrieverView:
+    """Return what is looked for where a person chooses what a thing is made from.
+
+    Args:
+        run: Has the story.
+        asset_id: The thing.
+        words: What is looked for; what the script says of the thing if empty.
+    """
+    asset = run.graph.asset(asset_id)
+    if not words:
+        return asset_retriever_view(run.graph, asset, WORDS_BY_AGE.get(run.graph.age or "today", {}))
+    named = asset.model_copy(update={"name": words, "description": words, "tags": (), "kind": None})
+    return AssetRetrieverView(asset=named)

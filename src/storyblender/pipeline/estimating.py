@@ -86,7 +86,7 @@ def _expected(run: Run, asset: Asset, means: Mapping[str, str], makers: tuple[Ma
 
 def _offered(catalogue: CatalogueSource, recipe: Recipe) -> dict[str, Any]:
     """Return what is known of a work that a catalogue offers, by the fields of ``ExpectedAsset``."""
-    offer = catalogue.offer_of(recipe)
+    offer = catalogue.offer_of(recipe.key)
     told = {"what": offer.name, "licence": offer.licence.name, "url": offer.url}
     try:
         size = catalogue.bytes_to_fetch(recipe)

@@ -106,6 +106,14 @@ class Catalogue(Protocol):
         """
         ...
 
+    def thumbnail(self, offer: Offer) -> bytes:
+        """Return the file of a small picture of a work, for people to choose by.
+
+        Raises:
+            ServiceFailure: There is none, or it cannot be had soon.
+        """
+        ...
+
     def size_of(self, offer: Offer, need: Need) -> int:
         """Return how many bytes a download has, 0 if that cannot be known before.
 

@@ -85,6 +85,14 @@ class PolyHaven:
             self._offers[kind] = tuple(_offers(records, kind))
         return self._offers[kind]
 
+    def thumbnail(self, offer: Offer) -> bytes:
+        """Return the small picture that the service has of a work.
+
+        Raises:
+            ServiceFailure: There is none, or it cannot be had soon.
+        """
+        return self._web.picture(offer.thumbnail)
+
     def size_of(self, offer: Offer, need: Need) -> int:
         """Return the bytes of an asset's download.
 
@@ -182,7 +190,7 @@ def _offers(records: Any, kind: OfferKind) -> Iterator[Offer]:
             licence=CC0,
             url=f"{_PAGE}{id}",
             faces=count_in(record.get("polycount")),
-            thumbnail=thumbnail if thumbnail.startswith("https://") else "",
+            thumbnail=thumbnail if thumbnail.startswith(("https://", "http://")) else "",
             size=_size(record.get("dimensions")),
         )
 

@@ -68,6 +68,14 @@ class Sketchfab:
             self._found[words] = tuple(self._allowed(self._results(words, query)))
         return self._found[words]
 
+    def thumbnail(self, offer: Offer) -> bytes:
+        """Return the small picture that the service has of a work.
+
+        Raises:
+            ServiceFailure: There is none, or it cannot be had soon.
+        """
+        return self._web.picture(offer.thumbnail)
+
     def size_of(self, offer: Offer, need: Need) -> int:
         """Return the bytes of a model's archive, as the search said."""
         return offer.bytes
@@ -192,7 +200,7 @@ def _thumbnail(told: Any) -> str:
         for each in (images if isinstance(images, list) else [])
         if isinstance(each, dict)
     ]
-    good = [(width, url) for width, url in pictures if width >= _THUMBNAIL and url.startswith("https://")]
+    good = [(width, url) for width, url in pictures if width >= _THUMBNAIL and url.startswith(("https://", "http://"))]
     return min(good)[1] if good else ""
 
 

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any, Literal
 
 from storyblender.agents.concept_artist.asset_formatter import AS_IN_FILE
 from storyblender.catalog.props import PROPS
 from storyblender.edits.targets import person_or_thing
 from storyblender.errors import InputError
-from storyblender.memory.asset_sheet import Asset
+from storyblender.library.library_source import LibrarySource
+from storyblender.library.model_folders import ModelFolders
+from storyblender.library.shared.entries import ADDED
+from storyblender.library.shared.shared_library import SharedLibrary
+from storyblender.memory.asset_sheet import Asset, Provenance
 from storyblender.memory.base import Described
 from storyblender.memory.jobs import AssetJob
 from storyblender.pipeline.asset_pictures import view_name
@@ -48,12 +52,46 @@ class Candidate(Described):
     """As people call it."""
     source: str
     """Where it is from."""
+    credit: str
+    """Author and licence; empty where none is stated."""
     score: float
     """How well it fits what the script says, 1 to 10."""
     chosen: bool
     """Whether the thing is made from it now."""
     picture: str
     """Address; empty while it is not drawn."""
+
+
+class OfferedCard(Described):
+    """What a service offers for a thing; it is fetched when it is chosen."""
+
+    file: str
+    """As ``take_offer`` names it."""
+    name: str
+    """What the service calls it."""
+    source: str
+    """The service."""
+    credit: str
+    """Author and licence."""
+    url: str
+    """Page of the work; empty unless it is an address of the web."""
+    megabytes: float
+    """Of the download; 0 where it is not known yet."""
+    score: float
+    """How well it fits what is looked for, 1 to 10."""
+    chosen: bool
+    """Whether the thing is made from it now."""
+    picture: str
+    """Address; empty while it is not asked for."""
+
+
+class ShownOffers(Described):
+    """What services offer for a thing."""
+
+    services: tuple[str, ...]
+    """Those that were asked; empty where the settings name none."""
+    cards: tuple[OfferedCard, ...]
+    """Best first."""
 
 
 class ShownAsset(AssetDetails):
@@ -88,6 +126,13 @@ def answer_about_assets(session: Session, call: AssetCall, pause: Callable[[], N
         case "asset_model":
             built = _built(session, asset, pause)
             return _view(session, _as_in_file(built) if call.as_in_file else built, "glb", pause)
+        case "offers":
+            pause()
+            return _offers(session, asset, call.words).model_dump()
+        case "offer_picture":
+            pause()
+            picture = session.offer_picture(call.file)
+            return _address(picture) if picture is not None else ""
         case _:
             pause()
             offered = session.candidates(asset.asset_id, call.words)
@@ -136,13 +181,14 @@ def _offered(session: Session, asset: Asset, call: AssetCall) -> Asset:
 def _candidate(session: Session, asset: Asset, offered: Asset) -> Candidate:
     made = offered.canonical
     assert made is not None, "what is offered is known"
-    own = made.source == "file"
+    own, origin = made.source == "file", made.provenance or Provenance(source="", file="")
     return Candidate(
         digest=AssetJob(asset=offered).digest,
         model="" if own else made.key,
         file=made.key if own else "",
-        name=made.key if own else PROPS[made.key].name,
-        source="your models" if own else "library",
+        name=_name_of_file(made.key, origin.source) if own else PROPS[made.key].name,
+        source=_place_of(origin.source) if own else "built in",
+        credit=", ".join(filter(None, (origin.author, origin.license))) if own else "",
         score=made.match_score or 0.0,
         chosen=asset.canonical is not None and asset.canonical.key == made.key,
         picture=_drawn(session, offered),
@@ -166,3 +212,37 @@ def _drawn(session: Session, asset: Asset) -> str:
 
 def _address(path: Path) -> str:
     return f"/cast/{path.name}"
+
+
+def _name_of_file(key: str, source: str) -> str:
+    """Return what a model in a folder or in the library is called."""
+    entry = SharedLibrary.open().told(key) if source != ModelFolders.name else None
+    return entry.name if entry is not None else PurePosixPath(key).stem.replace("_", " ")
+
+
+def _place_of(source: str) -> str:
+    """Return where a model is, as people say it."""
+    if source == ModelFolders.name:
+        return "your folders"
+    return "your library" if source in ("", ADDED, LibrarySource.name) else f"your library, from {source}"
+
+
+def _offers(session: Session, asset: Asset, words: str) -> ShownOffers:
+    """Return what services offer for a thing, but for what the library has, which is among the candidates."""
+    made, library = asset.canonical, SharedLibrary.open()
+    cards = tuple(
+        OfferedCard(
+            file=each.key,
+            name=each.offer.name,
+            source=each.offer.service,
+            credit=", ".join(filter(None, (each.offer.author, each.offer.licence.name))),
+            url=each.offer.url if each.offer.url.startswith(("https://", "http://")) else "",
+            megabytes=round(each.offer.bytes / 1e6, 1),
+            score=each.score,
+            chosen=made is not None and made.key == each.key,
+            picture=_address(session.folder / each.picture) if (session.folder / each.picture).is_file() else "",
+        )
+        for each in session.offers(asset.asset_id, words)
+        if library.told(each.key) is None
+    )
+    return ShownOffers(services=session.catalogues, cards=cards)

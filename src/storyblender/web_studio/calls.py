@@ -13,7 +13,7 @@ from storyblender.edits.pulling import UNDECIDED, Choice
 from storyblender.errors import InputError
 from storyblender.memory.base import shot_name
 from storyblender.memory.coverage import as_filmed
-from storyblender.memory.edits import LightEdit
+from storyblender.memory.edits import AssetEdit, LightEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import CAUSED_BY_PERSON
 from storyblender.memory.scene_decision import LightDecision
@@ -42,6 +42,7 @@ from storyblender.web_studio.messages import (
     SceneCall,
     ShotCall,
     StageCall,
+    TakeOfferCall,
     TakeOverCall,
 )
 from storyblender.web_studio.scene import scene_details
@@ -88,6 +89,8 @@ class Calls:
                 return lambda: self._compare(call) if call.call == "compare" else self._revise(call)
             case ProposeCall():
                 return lambda: self._propose(call)
+            case TakeOfferCall():
+                return lambda: self._made_from_offer(call)
             case PanoramaCall():
                 return lambda: self._lit_by(call)
             case WriteCall():
@@ -249,6 +252,12 @@ class Calls:
     def _changes(self) -> dict[str, Any]:
         """Return what was changed in Blender; nothing is taken over."""
         return self._free().pull(apply=False).model_dump(exclude={"applied"})
+
+    def _made_from_offer(self, call: TakeOfferCall) -> dict[str, Any]:
+        """Fetch a model that a service offers, and have a thing made from it."""
+        self._free().take_offer(call.file)
+        edits = [AssetEdit(thing=call.thing, file=call.file)]
+        return self._edited(lambda session: session.apply(edits, call.revision), edits)
 
     def _lit_by(self, call: PanoramaCall) -> dict[str, Any]:
         """Take a panorama of the folder into the project, and light a scene by it."""

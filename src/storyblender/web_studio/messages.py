@@ -121,17 +121,33 @@ class StageCall(_Call):
 class AssetCall(_Call):
     """Asks for people and things: all of them, one of them, a picture, a model, what else it could be made from."""
 
-    call: Literal["assets", "asset", "asset_picture", "asset_model", "candidates"]
+    call: Literal["assets", "asset", "asset_picture", "asset_model", "candidates", "offers", "offer_picture"]
     """``assets``: the list; of one: ``asset``: everything about it, ``asset_picture`` and ``asset_model``: addresses of
-    its picture and of it as glTF, ``candidates``: what it could be made from instead."""
+    its picture and of it as glTF, ``candidates``: what it could be made from instead, ``offers``: the same of services,
+    ``offer_picture``: the address of a picture of what a service offers."""
     asset: Annotated[str, Field(max_length=128)] = ""
     """Its id."""
     words: Annotated[str, Field(max_length=200)] = ""
     """Of candidates: what is looked for; what the script says of the thing if empty."""
     digest: Annotated[str, Field(max_length=64)] = ""
     """Of a picture: the candidate that is meant, among those for the words."""
+    file: Annotated[str, Field(max_length=256)] = ""
+    """Of a picture of what a service offers: its ``file``."""
     as_in_file: bool = False
     """Of a model of the user: in the pose that its file has."""
+
+
+class TakeOfferCall(_Call):
+    """Has a thing made from a model that a service offers, which is fetched first: one undo."""
+
+    call: Literal["take_offer"]
+    """Which call this is."""
+    thing: _Name
+    """Its id."""
+    file: Annotated[str, Field(min_length=1, max_length=256)]
+    """Of what is offered."""
+    revision: _Name | None = None
+    """What the person saw when they chose it."""
 
 
 class ReviseCall(_Call):
@@ -200,6 +216,7 @@ Call = Annotated[
     | PanoramaCall
     | StageCall
     | AssetCall
+    | TakeOfferCall
     | ReviseCall
     | ProposeCall
     | DeliverCall

@@ -1,0 +1,112 @@
+"""What the catalogues of services offer for a thing, with small pictures, for a person to choose by eye."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from storyblender.catalog.recipe import EXACT, Recipe
+from storyblender.errors import InputError, ServiceFailure
+from storyblender.library.catalogue_source import CatalogueSource
+from storyblender.library.small_picture import small_picture
+from storyblender.memory.asset_sheet import Provenance
+from storyblender.memory.base import content_hash
+from storyblender.pipeline.asset_pictures import SHOWN, view_for
+from storyblender.pipeline.fetching import fetched
+from storyblender.pipeline.run import Run
+from storyblender.services.offers import Offer
+
+
+@dataclass(frozen=True)
+class OfferedModel:
+    """A model of a catalogue that is not fetched yet.
+
+    Attributes:
+        key: An edit names it so once it is fetched.
+        score: How well it fits, 1 to 10.
+        offer: What the service says of it.
+    """
+
+    key: str
+    score: float
+    offer: Offer
+
+    @property
+    def picture(self) -> str:
+        """Name of its picture in the project."""
+        return picture_name(self.key)
+
+
+def picture_name(key: str) -> str:
+    """Return the name, in the project, of the picture of an offered model.
+
+    Args:
+        key: Of the model.
+    """
+    return f"{SHOWN}/{content_hash('offer', key)}.png"
+
+
+def offered_models(run: Run, asset_id: str, words: str) -> list[OfferedModel]:
+    """Return what the catalogues of the settings offer for a thing, best first; nothing is fetched.
+
+    Args:
+        run: Its sources offer.
+        asset_id: The thing.
+        words: What is looked for; what the script says of the thing if empty.
+    """
+    view = view_for(run, asset_id, words)
+    found = [
+        OfferedModel(recipe.key, recipe.score, source.offer_of(recipe.key))
+        for source in catalogues_of(run)
+        for recipe in source.offered(view, by_meaning=True)
+    ]
+    return sorted(found, key=lambda each: -each.score)
+
+
+def catalogues_of(run: Run) -> Iterator[CatalogueSource]:
+    """Yield the catalogues among the sources of a run."""
+    return (source for source in run.sources if isinstance(source, CatalogueSource))
+
+
+def picture_of_offer(run: Run, key: str) -> Path | None:
+    """Return the picture of an offered model, asked for once; None where the service has none, or does not give it.
+
+    Args:
+        run: Its sources offered it.
+        key: Of the model.
+
+    Raises:
+        InputError: It is not offered any more.
+    """
+    name, source = picture_name(key), _source(run, key)
+    if not run.outputs.whole(name):
+        try:
+            run.outputs.write(name, small_picture(source.thumbnail(key)))
+        except (ServiceFailure, InputError):
+            return None
+    return run.project.path(name)
+
+
+def take_offer(run: Run, key: str) -> None:
+    """Fetch an offered model into the project and the user's library, where an edit finds it.
+
+    Args:
+        run: Its sources offered it.
+        key: Of the model.
+
+    Raises:
+        InputError: It is not offered any more, the service cannot give it, or there is no library to keep it in.
+    """
+    if run.library is None:
+        raise InputError("what services give is kept in your library, which is turned off", mend="set library = true")
+    provenance = Provenance(source=_source(run, key).name, file=key)
+    fetched(run, Recipe(source="file", key=key, score=EXACT, reason="a person chose it", provenance=provenance))
+
+
+def _source(run: Run, key: str) -> CatalogueSource:
+    """Return the catalogue that offered a model. Raises InputError."""
+    for source in catalogues_of(run):
+        if source.offers(key):
+            return source
+    raise InputError("it is not offered any more", mend="look for it again")
