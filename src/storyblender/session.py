@@ -25,6 +25,7 @@ from storyblender.memory.texture import Texture
 from storyblender.pipeline.compiling import story_files
 from storyblender.pipeline.drawing import draw_frames, draw_shots
 from storyblender.pipeline.filming import cuts_made_wrong, film
+from storyblender.pipeline.library_pictures import take_panorama, take_texture
 from storyblender.pipeline.offered_models import take_offer
 from storyblender.pipeline.packing import pack_scenes
 from storyblender.pipeline.panorama import keep_panoramas, take_in_panorama
@@ -297,6 +298,31 @@ class Session(ViewedProject):
         """
         with self._call() as run:
             return take_in_texture(run, path, metres)
+
+    def take_library_texture(self, digest: str, metres: float | None = None) -> Texture:
+        """Keep a surface of the library in the project, and return what an edit of a set names it by.
+
+        Args:
+            digest: Of the entry.
+            metres: Width of the picture on the wall; None for what the library says, or the usual.
+
+        Raises:
+            InputError: It is gone or damaged, or no surface.
+        """
+        with self._call() as run:
+            return take_texture(run, digest, metres)
+
+    def take_library_panorama(self, digest: str) -> Panorama:
+        """Keep a panorama of the library in the project, and return what an edit of light names it by.
+
+        Args:
+            digest: Of the entry.
+
+        Raises:
+            InputError: It is gone or damaged, or no panorama.
+        """
+        with self._call() as run:
+            return take_panorama(run, digest)
 
     def export(self, kinds: Sequence[str]) -> Delivery:
         """Write scenes as glTF or USD, the timeline as EDL or FCPXML.

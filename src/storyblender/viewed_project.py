@@ -22,6 +22,7 @@ from storyblender.pipeline.asset_pictures import built_asset, candidates_for, vi
 from storyblender.pipeline.compiling import story_files
 from storyblender.pipeline.drawing import DELIVERED, draw_frames
 from storyblender.pipeline.filming import with_cuts_judged
+from storyblender.pipeline.library_pictures import library_pictures
 from storyblender.pipeline.offered_models import OfferedModel, offered_models, picture_of_offer
 from storyblender.pipeline.previewing import moment_of, preview_shot
 from storyblender.pipeline.rehearsing import CamerasToMatch, rehearse
@@ -36,6 +37,8 @@ from storyblender.pipeline.shown import shows
 from storyblender.pipeline.updating import bring_scene_up_to_date, bring_up_to_date
 
 if TYPE_CHECKING:
+    from storyblender.library.pictures import PictureKind
+    from storyblender.library.shared.entries import LibraryEntry
     from storyblender.pipeline.shot_reasons import ShotReasons
 
 
@@ -143,6 +146,19 @@ class ViewedProject(OpenProject):
         """
         with self._call() as run:
             return picture_of_offer(run, key)
+
+    def library_pictures(self, kind: PictureKind, words: str = "") -> list[LibraryEntry]:
+        """Return the surfaces or the panoramas of the user's library that this story may use, the newest first.
+
+        Args:
+            kind: What is wanted.
+            words: All of them are in name, tags, author or licence; empty for all.
+
+        Raises:
+            InputError: The library cannot be read.
+        """
+        with self._call() as run:
+            return library_pictures(run, kind, words)
 
     @property
     def catalogues(self) -> tuple[str, ...]:

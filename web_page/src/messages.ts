@@ -204,6 +204,7 @@ export interface SceneDetails {
   options: Record<string, boolean>;
   walls: string | null;
   ground: string | null;
+  surfaces: Partial<Record<"walls" | "ground", string>>;
   materials: string[];
   period: string;
   snow: boolean;
@@ -216,6 +217,7 @@ export interface SceneDetails {
   key_side: string;
   lamps: LampValue[];
   panorama: string;
+  outdoors: boolean;
   panoramas: string[];
   words: Record<"time_of_day" | "weather" | "qualities" | "period", string[]>;
   decided: string[];
@@ -306,6 +308,16 @@ export interface Candidate {
   credit: string;
   score: number;
   chosen: boolean;
+  picture: string;
+}
+
+export interface PictureCard {
+  file: string;
+  entry: string;
+  named: string;
+  name: string;
+  source: string;
+  credit: string;
   picture: string;
 }
 

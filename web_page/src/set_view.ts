@@ -5,6 +5,7 @@ import { customElement, property, state } from "lit/decorators.js";
 import { live } from "lit/directives/live.js";
 import { hex, linear } from "./colors";
 import type { Board, Edit, LampValue, SceneDetails } from "./messages";
+import "./picture_choice";
 import type { Wire } from "./wire";
 
 @customElement("sb-set")
@@ -82,6 +83,7 @@ export class SetView extends LitElement {
           <option value="" ?selected=${!details[part]}>as the kit has it</option>
           ${details.materials.map((name) => html`<option value=${name} ?selected=${name === details[part]}>${name.replaceAll("_", " ")}</option>`)}
         </select></label>`)}
+      ${this.surface(details, "walls")}${this.surface(details, "ground")}
       ${this.words("Furnished", "period", details.words.period, details.period, (period) => this.set({ period }))}
       ${Object.entries(details.options).map(([name, on]) => html`<label><input type="checkbox" .checked=${on}
         @change=${() => this.set({ options: { [name]: !on } })} /> ${name.replaceAll("_", " ")}</label>`)}
@@ -102,21 +104,30 @@ export class SetView extends LitElement {
         const qualities = has ? details.qualities.filter((each) => each !== name) : [...details.qualities, name];
         return html`<label><input type="checkbox" .checked=${has} @change=${() => this.light({ qualities })} /> ${name}</label>`;
       })}</div>
-      ${details.panorama || details.panoramas.length ? this.panorama(details) : nothing}
+      ${details.outdoors ? this.panorama(details) : nothing}
     </fieldset>`;
   }
 
-  /** The panorama that lights an exterior by day: one of the folder, or the drawn sky. */
+  /** The panorama that lights an exterior by day, or the drawn sky. */
   private panorama(details: SceneDetails) {
-    const files = [...new Set([...details.panoramas, details.panorama])].filter(Boolean);
-    return html`<label>Panorama <select data-field="panorama" @change=${(event: Event) => this.lightBy(value(event))}>
-      <option value="" ?selected=${!details.panorama}>the drawn sky</option>
-      ${files.map((file) => html`<option ?selected=${file === details.panorama}>${file}</option>`)}</select></label>`;
+    return html`<sb-pictures .wire=${this.wire} kind="panorama" label="Panorama" .now=${details.panorama} without="the drawn sky"
+      @chose=${(event: CustomEvent<object | null>) => this.lightBy(event.detail)}></sb-pictures>`;
   }
 
-  private lightBy(file: string): void {
-    if (file) this.dispatchEvent(new CustomEvent("panorama", { detail: { scene: this.scene, file } }));
+  private lightBy(picture: object | null): void {
+    if (picture) this.dispatchEvent(new CustomEvent("panorama", { detail: { scene: this.scene, ...picture } }));
     else this.light({ panorama: "none" });
+  }
+
+  /** The picture of a surface that walls or ground are made of, in place of a finish. */
+  private surface(details: SceneDetails, part: "walls" | "ground") {
+    if (details[part] === null) return nothing;
+    const chosen = ({ detail }: CustomEvent<object | null>) =>
+      detail
+        ? this.dispatchEvent(new CustomEvent("surface", { detail: { scene: this.scene, part, ...detail } }))
+        : this.set({ [part === "walls" ? "wall_texture" : "ground_texture"]: "none" });
+    return html`<sb-pictures .wire=${this.wire} kind="texture" data-part=${part} label=${part === "walls" ? "Picture of the walls" : "Picture of the floor or ground"}
+      .now=${details.surfaces[part] ?? ""} without="the finish" @chose=${chosen}></sb-pictures>`;
   }
 
   private words(label: string, field: string, words: string[], now: string, chosen: (word: string) => void) {

@@ -344,7 +344,8 @@ export class Studio extends LitElement {
       case "set":
         return html`<sb-set .board=${board} .selected=${this.selected} .wire=${this.wire} @select=${select}
           @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}
-          @panorama=${(event: CustomEvent<object>) => this.call("panorama", event.detail)}></sb-set>`;
+          @panorama=${(event: CustomEvent<object>) => this.call("panorama", event.detail)}
+          @surface=${(event: CustomEvent<object>) => this.call("surface", event.detail)}></sb-set>`;
       case "cut":
         return html`<sb-cut .board=${board} .selected=${this.selected} .wire=${this.wire} @select=${select}
           @goto=${() => (this.view = "board")} @refuse=${(event: CustomEvent<string>) => this.say(event.detail, true)}

@@ -55,17 +55,8 @@ def read_panorama(path: Path) -> tuple[Panorama, bytes]:
         InputError: The file is missing, broken or of another shape.
     """
     data = _content(path)
-    try:
-        radiance = _decoded(data, path.suffix.lower())
-    except _Unreadable as error:
-        raise InputError(f"cannot be read as a panorama ({error})", mend=_MEND, path=path) from error
-    except (FFmpegError, ValueError, IndexError, KeyError, struct.error) as error:
-        raise InputError("cannot be read as a panorama (it is damaged)", mend=_MEND, path=path) from error
-    height, width = radiance.shape[:2]
-    if abs(width - 2 * height) > 0.01 * width or width < _LEAST:
-        raise InputError(f"is no panorama: it has {width} x {height} pixels", mend=_MEND, path=path)
-    radiance = np.clip(np.nan_to_num(radiance, nan=0.0), 0, _BRIGHTEST)
-    radiance = _resized(radiance, min(width, WIDEST) // 2 * 2)
+    radiance = _radiance(path, data)
+    radiance = _resized(radiance, min(radiance.shape[1], WIDEST) // 2 * 2)
     if not radiance.any():
         raise InputError("is black all over", mend=_MEND, path=path)
     radiance, sun = _without_sun(radiance)
@@ -76,6 +67,37 @@ def read_panorama(path: Path) -> tuple[Panorama, bytes]:
     )
     known = Panorama.model_validate({"provenance": provenance, "irradiance": rounded, "sun": sun})
     return known, radiance_file(radiance)
+
+
+def _radiance(path: Path, data: bytes) -> Image:
+    """Return (h, w, 3) linear values of a panorama, none of them negative or not finite. Raises InputError."""
+    try:
+        radiance = _decoded(data, path.suffix.lower())
+    except _Unreadable as error:
+        raise InputError(f"cannot be read as a panorama ({error})", mend=_MEND, path=path) from error
+    except (FFmpegError, ValueError, IndexError, KeyError, struct.error) as error:
+        raise InputError("cannot be read as a panorama (it is damaged)", mend=_MEND, path=path) from error
+    height, width = radiance.shape[:2]
+    if abs(width - 2 * height) > 0.01 * width or width < _LEAST:
+        raise InputError(f"is no panorama: it has {width} x {height} pixels", mend=_MEND, path=path)
+    return np.clip(np.nan_to_num(radiance, nan=0.0), 0, _BRIGHTEST)
+
+
+def small_panorama(path: Path) -> bytes:
+    """Return a panorama as a small PNG, for people to choose by.
+
+    Args:
+        path: An .hdr or .exr.
+
+    Raises:
+        InputError: It is missing, broken or of another shape.
+    """
+    radiance = _resized(_radiance(path, _content(path)), _SMALL)
+    bright = radiance / max(2 * float(np.median(luminance(radiance))), 1e-6)
+    shown = (bright / (1 + bright)) ** (1 / 2.2)
+    out = io.BytesIO()
+    Picture.fromarray((255 * shown).astype(np.uint8)).save(out, "PNG")
+    return out.getvalue()
 
 
 def radiance_file(radiance: Image) -> bytes:

@@ -101,6 +101,15 @@ def read_texture(path: Path, metres: float | None = None) -> tuple[Texture, dict
     return texture, {texture.file(name): _jpeg(picture, name) for name, picture in squared.items()}
 
 
+def surfaces_in(folder: Path) -> list[Path]:
+    """Return the colour pictures of the surfaces in a folder, by name; other maps of a surface are none.
+
+    Args:
+        folder: Of the user.
+    """
+    return [file for file in _files(folder) if _named(file)[1] in ("color", None)]
+
+
 def _maps_in(folder: Path) -> dict[_Source, Path]:
     """Return the maps of the one surface in a folder."""
     surfaces: dict[str, dict[_Source, Path]] = {}

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import asyncio
 import re
+from collections.abc import Awaitable, Callable, Mapping
 from contextlib import suppress
 from importlib.resources import files
 from pathlib import Path
 
 from pydantic import ValidationError
 from starlette.applications import Starlette
+from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
 from starlette.responses import FileResponse, PlainTextResponse, Response
 from starlette.routing import Mount, Route, WebSocketRoute
@@ -24,6 +26,7 @@ from storyblender.web_studio.deliver import may_be_downloaded
 from storyblender.web_studio.hub import Hub
 from storyblender.web_studio.library import picture_of
 from storyblender.web_studio.messages import CALLS, Answer, News
+from storyblender.web_studio.pictures import picture_of_own
 
 LARGEST_CALL = 4_500_000
 """Bytes: a long script that is dropped into the page."""
@@ -52,14 +55,6 @@ def build_app(hub: Hub) -> Starlette:
         name = request.path_params["name"]
         return _file(hub, f"frames/{name}.png") if _SHOT.fullmatch(name) else _NOT_THERE
 
-    async def preview(request: Request) -> Response:
-        path = hub.previews.get(request.path_params["name"])
-        return FileResponse(path) if path is not None and path.is_file() else _NOT_THERE
-
-    async def take(request: Request) -> Response:
-        path = hub.takes.get(request.path_params["name"])
-        return FileResponse(path) if path is not None and path.is_file() else _NOT_THERE
-
     async def moment(request: Request) -> Response:
         name = request.path_params["name"]
         return _file(hub, f"build/moments/{name}.glb") if _MOMENT.fullmatch(name) else _NOT_THERE
@@ -70,8 +65,15 @@ def build_app(hub: Hub) -> Starlette:
 
     async def in_library(request: Request) -> Response:
         digest = request.path_params["digest"]
-        path = picture_of(digest) if _ENTRY.fullmatch(digest) else None
+        path = await run_in_threadpool(picture_of, digest) if _ENTRY.fullmatch(digest) else None
         return FileResponse(path) if path is not None and path.is_file() else _NOT_THERE
+
+    async def in_folder(request: Request) -> Response:
+        try:
+            picture = await run_in_threadpool(picture_of_own, hub.place, request.path_params["name"])
+        except StoryBlenderError:
+            return _NOT_THERE
+        return Response(picture, media_type="image/png")
 
     async def delivered(request: Request) -> Response:
         name = request.path_params["name"]
@@ -93,17 +95,28 @@ def build_app(hub: Hub) -> Starlette:
         routes=[
             Route("/", page),
             Route("/frames/{name}.png", frame),
-            Route("/previews/{name}.png", preview),
-            Route("/takes/{name}.png", take),
+            Route("/previews/{name}.png", _one_of(lambda: hub.previews)),
+            Route("/takes/{name}.png", _one_of(lambda: hub.takes)),
             Route("/moments/{name}.glb", moment),
             Route("/cast/{name}", cast),
             Route("/library/{digest}.png", in_library),
+            Route("/folder/{name:path}", in_folder),
             Route(PROGRAMS, calls, methods=["POST"]),
             Route("/files/{name:path}", delivered),
             WebSocketRoute("/wire", wire),
             Mount("/static", StaticFiles(directory=PAGE)),
         ]
     )
+
+
+def _one_of(pictures: Callable[[], Mapping[str, Path]]) -> Callable[[Request], Awaitable[Response]]:
+    """Return what answers with one of some pictures by its name."""
+
+    async def answer(request: Request) -> Response:
+        path = pictures().get(request.path_params["name"])
+        return FileResponse(path) if path is not None and path.is_file() else _NOT_THERE
+
+    return answer
 
 
 def _file(hub: Hub, name: str) -> Response:

@@ -13,10 +13,10 @@ from storyblender.edits.pulling import UNDECIDED, Choice
 from storyblender.errors import InputError
 from storyblender.memory.base import shot_name
 from storyblender.memory.coverage import as_filmed
-from storyblender.memory.edits import AssetEdit, LightEdit
+from storyblender.memory.edits import AssetEdit, LightEdit, SetEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import CAUSED_BY_PERSON
-from storyblender.memory.scene_decision import LightDecision
+from storyblender.memory.scene_decision import LightDecision, SetDecision
 from storyblender.pipeline.shown import as_seen
 from storyblender.proposing import picture_of_take, pictures_of_other_takes, propose_stagings
 from storyblender.session import Session
@@ -36,15 +36,18 @@ from storyblender.web_studio.messages import (
     News,
     OpenCall,
     PanoramaCall,
+    PicturesCall,
     PlainCall,
     ProposeCall,
     ReviseCall,
     SceneCall,
     ShotCall,
     StageCall,
+    SurfaceCall,
     TakeOfferCall,
     TakeOverCall,
 )
+from storyblender.web_studio.pictures import picture_cards
 from storyblender.web_studio.scene import scene_details
 from storyblender.web_studio.shot import in_inspector
 from storyblender.web_studio.stage import stage_of
@@ -89,10 +92,8 @@ class Calls:
                 return lambda: self._compare(call) if call.call == "compare" else self._revise(call)
             case ProposeCall():
                 return lambda: self._propose(call)
-            case TakeOfferCall():
-                return lambda: self._made_from_offer(call)
-            case PanoramaCall():
-                return lambda: self._lit_by(call)
+            case TakeOfferCall() | SurfaceCall() | PanoramaCall():
+                return lambda: self._taken_in(call)
             case WriteCall():
                 return lambda: self._write(call)
             case TakeOverCall():
@@ -118,9 +119,21 @@ class Calls:
             case _:
                 return lambda: self._looked_at(call)
 
-    def _looked_at(self, call: SceneCall | StageCall | AssetCall | DeliverCall) -> Any:
+    def _taken_in(self, call: TakeOfferCall | SurfaceCall | PanoramaCall) -> dict[str, Any]:
+        """Take something from outside into the project, and make the edit that uses it."""
+        match call:
+            case TakeOfferCall():
+                return self._made_from_offer(call)
+            case SurfaceCall():
+                return self._made_of(call)
+            case PanoramaCall():
+                return self._lit_by(call)
+
+    def _looked_at(self, call: SceneCall | StageCall | AssetCall | DeliverCall | PicturesCall) -> Any:
         """Return what a view of the page shows."""
         match call:
+            case PicturesCall():
+                return self._pictures(call)
             case SceneCall():
                 return scene_details(self._place.session.graph, call.scene, self._place.panoramas())
             case StageCall():
@@ -260,9 +273,29 @@ class Calls:
         return self._edited(lambda session: session.apply(edits, call.revision), edits)
 
     def _lit_by(self, call: PanoramaCall) -> dict[str, Any]:
-        """Take a panorama of the folder into the project, and light a scene by it."""
-        taken_in = self._free().take_in_panorama(self._place.panorama(call.file))
+        """Take a panorama of the folder or of the library into the project, and light a scene by it."""
+        session = self._free()
+        if call.entry:
+            taken_in = session.take_library_panorama(call.entry)
+        else:
+            taken_in = session.take_in_panorama(self._place.panorama(call.file))
         edits = [LightEdit(scene=call.scene, decision=LightDecision(panorama=taken_in))]
+        return self._edited(lambda session: session.apply(edits, call.revision), edits)
+
+    def _pictures(self, call: PicturesCall) -> list[dict[str, Any]]:
+        """Return the surfaces or the panoramas of the folder, and those of the library."""
+        own = self._place.surfaces() if call.kind == "texture" else self._place.panoramas()
+        return [card.model_dump() for card in picture_cards(own, self._free().library_pictures(call.kind), call.words)]
+
+    def _made_of(self, call: SurfaceCall) -> dict[str, Any]:
+        """Take a surface of the folder or of the library into the project, and make a part of a set of it."""
+        session = self._free()
+        if call.entry:
+            texture = session.take_library_texture(call.entry, call.metres)
+        else:
+            texture = session.take_in_texture(self._place.surface(call.file), call.metres)
+        part = {"walls": "wall_texture", "ground": "ground_texture"}[call.part]
+        edits = [SetEdit(scene=call.scene, decision=SetDecision.model_validate({part: texture}))]
         return self._edited(lambda session: session.apply(edits, call.revision), edits)
 
     def _stepped(self, way: str) -> dict[str, Any]:

@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from pathlib import Path
 
+from storyblender.errors import InputError
 from storyblender.library.shared.entries import LibraryEntry
 from storyblender.library.shared.shared_library import SharedLibrary
 from storyblender.memory.base import Described
+from storyblender.web_studio.pictures import picture_of_file
 
 MOST_SHOWN = 200
 """Entries at once; words narrow them."""
+
+
+PICTURED = ("texture", "panorama", "image")
+"""Kinds that are pictures themselves."""
 
 
 class LibraryCard(Described):
@@ -66,8 +73,24 @@ def shown_library(words: str) -> ShownLibrary:
 
 
 def picture_of(digest: str) -> Path:
-    """Return where the picture of an entry lies, if it is drawn."""
-    return SharedLibrary.open().picture(digest)
+    """Return where the picture of an entry lies, if it is drawn; that of a surface or a panorama is made now.
+
+    Args:
+        digest: Of the entry.
+    """
+    library = SharedLibrary.open()
+    path = library.picture(digest)
+    if path.is_file():
+        return path
+    with suppress(InputError):
+        entry = next(iter(library.entries([digest])), None)
+        if entry is not None and entry.kind in PICTURED:
+            library.files.write(library.files.name_of(path), picture_of_file(library.path_of(entry)))
+    return path
+
+
+def _has_picture(library: SharedLibrary, entry: LibraryEntry) -> bool:
+    return entry.kind in PICTURED or library.thumbnail_of(entry).is_file()
 
 
 def _card(library: SharedLibrary, entry: LibraryEntry) -> LibraryCard:
@@ -83,5 +106,5 @@ def _card(library: SharedLibrary, entry: LibraryEntry) -> LibraryCard:
         megabytes=round(entry.bytes / 1e6, 1),
         used=tuple(dict.fromkeys(Path(story).stem for story, _ in library.uses.of_entry(entry.digest))),
         file=entry.key,
-        picture=f"/library/{entry.digest}.png" if library.thumbnail_of(entry).is_file() else "",
+        picture=f"/library/{entry.digest}.png" if _has_picture(library, entry) else "",
     )

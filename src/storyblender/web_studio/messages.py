@@ -94,15 +94,47 @@ class SceneCall(_Call):
     """Such as ``SC010``."""
 
 
+class PicturesCall(_Call):
+    """Asks which surfaces or panoramas there are, in the folder and in the user's library; nothing is changed."""
+
+    call: Literal["pictures"]
+    """Which call this is."""
+    kind: Literal["texture", "panorama"]
+    """What is wanted."""
+    words: Annotated[str, Field(max_length=200)] = ""
+    """All of them are in its name, tags, author or licence; empty for all."""
+
+
+class SurfaceCall(_Call):
+    """Makes the walls or the ground of a set of a picture, of the folder or of the library: one undo."""
+
+    call: Literal["surface"]
+    """Which call this is."""
+    scene: _Name
+    """Such as ``SC010``."""
+    part: Literal["walls", "ground"]
+    """What is made of it."""
+    file: Annotated[str, Field(max_length=300)] = ""
+    """Path of its colour picture in the folder."""
+    entry: Annotated[str, Field(max_length=64)] = ""
+    """Or its digest in the library."""
+    metres: Annotated[float, Field(ge=0.01, le=25)] | None = None
+    """Width of the picture; what is known of it, or the usual, if not given."""
+    revision: _Name | None = None
+    """What the person saw when they chose it."""
+
+
 class PanoramaCall(_Call):
-    """Lights a scene by a panorama of the folder: one undo."""
+    """Lights a scene by a panorama of the folder or of the library: one undo."""
 
     call: Literal["panorama"]
     """Which call this is."""
     scene: _Name
     """Such as ``SC010``."""
-    file: _Name
+    file: Annotated[str, Field(max_length=128)] = ""
     """File name of an .hdr or .exr in the folder."""
+    entry: Annotated[str, Field(max_length=64)] = ""
+    """Or its digest in the library."""
     revision: _Name | None = None
     """What the person saw when they chose it."""
 
@@ -213,6 +245,8 @@ Call = Annotated[
     | InstructCall
     | ShotCall
     | SceneCall
+    | PicturesCall
+    | SurfaceCall
     | PanoramaCall
     | StageCall
     | AssetCall

@@ -12,7 +12,7 @@ from storyblender.catalog.sets.finishes import FINISHES
 from storyblender.edits.targets import scene_named
 from storyblender.memory.base import Described, scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.scene_context import Light
+from storyblender.memory.scene_context import Environment, Light
 from storyblender.memory.scene_decision import LampDecision, LightDecision
 from storyblender.memory.vocabulary import LightQuality, Period, TimeOfDay, Weather
 
@@ -58,6 +58,8 @@ class SceneDetails(Described):
     """Material that a person gave the walls; empty for the kit's own, None where there are none."""
     ground: str | None
     """The same of the floor or the ground."""
+    surfaces: dict[str, str]
+    """Pictures that ``walls`` and ``ground`` are made of, as the story names them; without those that have none."""
     materials: tuple[str, ...]
     """What both can be made of."""
     period: str
@@ -80,6 +82,8 @@ class SceneDetails(Described):
     """From which side faces are lit, if a person decided it."""
     lamps: tuple[LampValue, ...]
     """Of the plan that the scene begins with."""
+    outdoors: bool
+    """Whether it can be lit by a panorama."""
     panorama: str
     """File name of the panorama that lights the scene; empty where none does."""
     panoramas: tuple[str, ...]
@@ -121,6 +125,7 @@ def scene_details(graph: ContinuityMemoryGraph, name: str, panoramas: Sequence[s
         options=_options(kit.options, environment.params if environment is not None else {}) if kit is not None else {},
         walls=(environment.walls or "") if environment and built is not None and has_walls(built) else None,
         ground=(environment.ground or "") if environment and built is not None and has_ground(built) else None,
+        surfaces=_surfaces(environment),
         materials=tuple(sorted({**FINISHES, **MATERIALS})),
         period=(place.period if place is not None else None) or "",
         snow=setup.snow,
@@ -132,6 +137,7 @@ def scene_details(graph: ContinuityMemoryGraph, name: str, panoramas: Sequence[s
         contrast=light.contrast or 0.0,
         key_side=light.key_side or "",
         lamps=tuple(_lamps(plan.lights if plan is not None else (), light)),
+        outdoors=not indoor,
         panorama=_panorama(graph, plan.panorama.digest) if plan is not None and plan.panorama is not None else "",
         panoramas=() if indoor else tuple(panoramas),
         words={
@@ -141,6 +147,11 @@ def scene_details(graph: ContinuityMemoryGraph, name: str, panoramas: Sequence[s
         decided=tuple(f"{part}: {each.words}" for part, each in decisions.items() if each is not None and each.words),
         locked=scene.locked,
     )  # fmt: skip
+
+
+def _surfaces(environment: Environment | None) -> dict[str, str]:
+    found = {"walls": environment.wall_texture, "ground": environment.ground_texture} if environment is not None else {}
+    return {part: texture.provenance.file for part, texture in found.items() if texture is not None}
 
 
 def _panorama(graph: ContinuityMemoryGraph, digest: str) -> str:

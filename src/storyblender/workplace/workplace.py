@@ -9,6 +9,8 @@ from pathlib import Path
 from storyblender.deliver.panel import Panel, panels
 from storyblender.errors import InputError, StoryBlenderError
 from storyblender.folder import Folder
+from storyblender.history_files import GRAPH
+from storyblender.library.texture_file import surfaces_in
 from storyblender.project import read_project_graph
 from storyblender.results import Delivery
 from storyblender.session import Session
@@ -19,6 +21,8 @@ from storyblender.workplace.values import WARNINGS, Status, warning_of
 
 SCRIPTS = (".fountain", ".fdx", ".txt", ".md")
 PANORAMAS = (".hdr", ".exr")
+_MOST_PICTURES = 200
+"""Surfaces of the folder that are listed."""
 _PROJECT = ".storyboard"
 _REVISIONS = "build/revisions"
 
@@ -78,6 +82,21 @@ class Workplace:
         if name not in self.panoramas():
             mend = "put the .hdr or .exr file beside the project"
             raise InputError(f"there is no panorama {name!r} here", mend=mend)
+        return self._files.path(name)
+
+    def surfaces(self) -> list[str]:
+        """Return the colour pictures of surfaces in the folder, and in the folders in it, by name."""
+        root = self._files.root
+        inner = [each for each in root.iterdir() if each.is_dir() and not (each / GRAPH).exists()]
+        own = [each for each in inner if not each.is_symlink() and not each.name.startswith(".")]
+        found = (file for folder in (root, *own) for file in surfaces_in(folder))
+        return sorted(file.relative_to(root).as_posix() for file in found)[:_MOST_PICTURES]
+
+    def surface(self, name: str) -> Path:
+        """Return the colour picture of a surface of the folder by its name. Raises InputError."""
+        if name not in self.surfaces():
+            mend = "put its pictures beside the project, or in a folder there"
+            raise InputError(f"there is no surface {name!r} here", mend=mend)
         return self._files.path(name)
 
     def write_script(self, name: str, text: str) -> Path:

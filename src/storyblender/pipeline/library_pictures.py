@@ -1,0 +1,76 @@
+"""Surfaces and panoramas of the user's library that a person chooses for a scene."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TypeVar
+
+from storyblender.errors import InputError
+from storyblender.library.library_source import may_be_used
+from storyblender.library.pictures import PictureKind
+from storyblender.library.shared.entries import LibraryEntry
+from storyblender.memory.panorama import Panorama
+from storyblender.memory.texture import Texture
+from storyblender.pipeline.panorama import take_in_panorama
+from storyblender.pipeline.run import Run
+from storyblender.pipeline.textures import take_in_texture
+
+_Taken = TypeVar("_Taken", Texture, Panorama)
+
+
+def library_pictures(run: Run, kind: PictureKind, words: str) -> list[LibraryEntry]:
+    """Return the surfaces or the panoramas of the library that the licence setting allows, the newest first.
+
+    Args:
+        run: Its settings say whether there is a library.
+        kind: What is wanted.
+        words: All of them are in name, tags, author or licence; empty for all.
+
+    Raises:
+        InputError: The library cannot be read.
+    """
+    found = run.library.find(words, kind) if run.library is not None else []
+    return [entry for entry in found if may_be_used(entry, run.settings.licences)]
+
+
+def take_texture(run: Run, digest: str, metres: float | None = None) -> Texture:
+    """Keep the pictures of a surface of the library in the project, and return what an edit of a set names it by.
+
+    Args:
+        run: The run.
+        digest: Of the entry.
+        metres: Width of the picture on the wall; None for what the library says, or the usual.
+
+    Raises:
+        InputError: It is gone or damaged, or no surface.
+    """
+    entry, path = _whole(run, digest, "texture")
+    return _placed(take_in_texture(run, path.parent, metres), entry)
+
+
+def take_panorama(run: Run, digest: str) -> Panorama:
+    """Keep the picture of a panorama of the library in the project, and return what an edit of light names it by.
+
+    Args:
+        run: The run.
+        digest: Of the entry.
+
+    Raises:
+        InputError: It is gone or damaged, or no panorama.
+    """
+    entry, path = _whole(run, digest, "panorama")
+    return _placed(take_in_panorama(run, path), entry)
+
+
+def _whole(run: Run, digest: str, kind: PictureKind) -> tuple[LibraryEntry, Path]:
+    """Return an entry of the library that may be used, with its main file. Raises InputError."""
+    entry = run.library.get(digest) if run.library is not None else None
+    if run.library is None or entry is None or entry.kind != kind or not may_be_used(entry, run.settings.licences):
+        raise InputError(f"the library has no such {kind}", mend="see `storyblender library list`")
+    return entry, run.library.path_of(entry)
+
+
+def _placed(taken: _Taken, entry: LibraryEntry) -> _Taken:
+    """Return what was taken in, named by its source and its place in the library, where it is found again."""
+    named = {"source": entry.place.partition("/")[0], "file": entry.place, **entry.credit.model_dump()}
+    return taken.model_copy(update={"provenance": taken.provenance.model_copy(update=named)})
