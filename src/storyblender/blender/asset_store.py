@@ -212,8 +212,15 @@ class AssetStore:
             case "file":
                 path, folder = self._model_path(canonical.key, str(canonical.params.get("content", "")))
                 told, pose = canonical.params.get("told") is True, ModelPose.of(canonical.params)
-                prop = prop_of(asset)
-                return build_from_file(path, asset.dimension, folder=folder, prop=prop, told=told, pose=pose)
+                return build_from_file(
+                    path,
+                    asset.dimension,
+                    folder=folder,
+                    prop=prop_of(asset),
+                    told=told,
+                    estimated=canonical.params.get("estimated") is True,
+                    pose=pose,
+                )
             case _:
                 return build_stand_in(canonical.key, asset.dimension)
 

@@ -29,6 +29,8 @@ _SCALES = np.linspace(np.log(1e-5), np.log(1e3), 1800)
 """Natural logarithms of the scales among which a file without a unit may be."""
 PLAUSIBLE_RATIO = 2.5
 """Largest ratio of a thing's size to the usual one, either way, at which a file known to be in metres is left alone."""
+ESTIMATE_RATIO = 1.5
+"""Largest ratio between the size that a unit gives and an estimated size at which the unit is taken."""
 FIRM, LOOSE = (0.17, 0.4), (0.45, 0.6)
 """Spread of the logarithm of size, above the usual and below it."""
 BEYOND = (0.2, 0.3)
@@ -73,6 +75,7 @@ def find_scale(
     dimension: AssetDimension | None = None,
     *,
     told: bool = False,
+    estimated: bool = False,
     unit: float | None = None,
 ) -> tuple[float, str]:
     """Return the scale from a model's unit to metres, and the reason for it; the reason is empty where the scale is 1.
@@ -82,11 +85,15 @@ def find_scale(
         usual: How large such a thing usually is, if known.
         dimension: One measure of the thing in metres, if known.
         told: Whether the script states that measure; it then overrides the size of the file.
+        estimated: Whether a language model estimated that measure from pictures; it then chooses the unit, and counts
+            itself only where no unit gives nearly that size.
         unit: Metres of the unit that the file or its format states, if any.
     """
     wanted = _wanted(extent, dimension)
     if told and wanted is not None:
         return wanted, "" if abs(wanted - 1) < 0.02 else "the script says how large it is"
+    if estimated and wanted is not None:
+        return _near_unit(wanted, unit)
     goal = (wanted if usual is None else float(np.exp(usual.offsets(extent)[0]))) if wanted or usual else None
     if unit is not None and (goal is None or 1 / PLAUSIBLE_RATIO <= goal / unit <= PLAUSIBLE_RATIO):
         return unit, "" if unit == 1 else "its file says its unit"
@@ -98,6 +105,16 @@ def find_scale(
         if loose > scores[best]:
             return goal, "it is far from the usual size of such a thing"
     return units[best], "" if units[best] == 1 else f"it is taken to be in {names[best]}"
+
+
+def _near_unit(wanted: float, unit: float | None) -> tuple[float, str]:
+    """Return the scale of the unit nearest to an estimated scale, or that scale where none is near; and the reason."""
+    units = [(f"it is taken to be in {name}", metres) for name, metres, _ in UNITS]
+    units += [("its file says its unit", unit)] if unit is not None else []
+    reason, scale = min(units, key=lambda each: abs(np.log(each[1] / wanted)))
+    if max(scale / wanted, wanted / scale) > ESTIMATE_RATIO:
+        return wanted, "by its picture it is so large"
+    return scale, "" if scale == 1 else reason
 
 
 def _fit(extent: Floats, scales: Floats, usual: UsualSize | None, wanted: float | None) -> Floats:

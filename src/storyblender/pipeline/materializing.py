@@ -114,7 +114,7 @@ def _sized(run: Run, concept: ConceptArtist, assets: list[Asset], draw: Callable
         if sizes.get(asset_id) == usual[asset_id]:
             sizes[asset_id] = estimate_dimension(concept.stood_in_for(asset), outcome.view.rooms.get(asset_id))
     return [
-        _with_size(asset, size, sure=asset.asset_id in made or size != usual[asset.asset_id])
+        _with_size(asset, size, made=asset.asset_id in made, estimated=size != usual[asset.asset_id])
         if (size := sizes.get(asset.asset_id)) is not None
         else asset
         for asset in assets
@@ -127,19 +127,24 @@ def _is_made(asset: Asset) -> bool:
     return made is not None and made.provenance is not None and made.provenance.source in MAKERS
 
 
-def _with_size(asset: Asset, dimension: AssetDimension, *, sure: bool) -> Asset:
-    """Return an asset with its dimension; a model keeps its own size unless the script or a language model tells one.
+def _with_size(asset: Asset, dimension: AssetDimension, *, made: bool, estimated: bool) -> Asset:
+    """Return an asset with its dimension; a model keeps its own size unless the script or a person tells one.
 
     Args:
         asset: With its canonical.
         dimension: From the Dimension Estimator.
-        sure: Whether it is another than the usual one of such a thing.
+        made: Whether it is a model that a service made, which has no size of its own.
+        estimated: Whether the dimension is another than the usual one of such a thing: a language model gave it. It
+            chooses the unit of a user's model.
     """
     canonical = asset.canonical
     if canonical is not None and canonical.source == "file":
         decided = asset.look_decision is not None and asset.look_decision.stature is not None
-        if sure or decided or asset.stated_size.measure is not None:
+        if made or decided or asset.stated_size.measure is not None:
             canonical = canonical.model_copy(update={"params": {**canonical.params, "told": True}})
+        elif estimated:
+            certainty = "told" if asset.asset_type == "character" else "estimated"
+            canonical = canonical.model_copy(update={"params": {**canonical.params, certainty: True}})
         elif asset.asset_type == "object" and prop_of(asset) not in PROPS:
             return asset
     return asset.model_copy(update={"dimension": dimension, "canonical": canonical})

@@ -194,7 +194,7 @@ def test_rules_leave_the_front_to_the_engine_and_draw_nothing(tmp_path: Path) ->
     assert not warnings
 
 
-def test_a_size_that_a_language_model_gives_counts_more_than_the_files(tmp_path: Path) -> None:
+def test_a_size_that_a_language_model_gives_chooses_the_unit_of_the_file(tmp_path: Path) -> None:
     for name in ("frobnicator", "chair"):
         (tmp_path / f"{name}.glb").write_bytes(b"a model")
     things = tuple(
@@ -209,8 +209,8 @@ def test_a_size_that_a_language_model_gives_counts_more_than_the_files(tmp_path:
     run = quick_run(ContinuityMemoryGraph(assets=things), Settings(models=(tmp_path,)), (), [], kept)
     run.crew = replace(run.crew, dimension_estimator=replace(run.crew.dimension_estimator, policies=(Estimator(),)))
     materialize(run)
-    told = {asset.asset_id: asset.canonical and asset.canonical.params.get("told") for asset in kept}
-    assert told == {"frobnicator": True, "chair": None}
+    estimated = {asset.asset_id: asset.canonical and asset.canonical.params.get("estimated") for asset in kept}
+    assert estimated == {"frobnicator": True, "chair": None}
     assert kept[0].dimension == AssetDimension(height=1.25)
 
 

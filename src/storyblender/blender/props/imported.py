@@ -84,6 +84,7 @@ def build_from_file(
     folder: Path | None = None,
     prop: str | None = None,
     told: bool = False,
+    estimated: bool = False,
     pose: ModelPose = AS_ITS_SHAPE_SAYS,
 ) -> PropBuild:
     """Read a model and bring it to the canonical frame.
@@ -96,6 +97,7 @@ def build_from_file(
         folder: The folder of models; what the file names must be in it. Its own folder if not given.
         prop: Catalog key of what it is, empty for what the catalog lacks; its file's name tells if not given.
         told: Whether the dimension is sure, so that it counts and not the file's size.
+        estimated: Whether a language model estimated the dimension from pictures, so that it chooses the file's unit.
         pose: Its front and top, if they are decided; else they are found by its shape.
 
     Raises:
@@ -114,7 +116,7 @@ def build_from_file(
     elif path.suffix.lower() in _SAYS_NO_UP:
         _stand(mesh, entry, usual, notes, hangs=_hangs(path, entry))
     extent = np.ptp(_points(mesh), axis=0)
-    scale, reason = find_scale(extent, usual, dimension, told=told, unit=model.unit)
+    scale, reason = find_scale(extent, usual, dimension, told=told, estimated=estimated, unit=model.unit)
     _transform(mesh, np.eye(3) * scale)
     _ground(mesh)
     mesh = simplified(mesh, face_budget(float((extent * scale).max())))
