@@ -173,11 +173,13 @@ def clean(
 
         library, rows = _library(), {}
         try:
-            library.index()
+            if (index := library.index()) is not None:
+                index.check()
         except DamagedIndex:
             if dry_run:
                 raise
-            rows["entries of the new index"] = str(rebuilt_index(library))
+            entries, jobs = rebuilt_index(library)
+            rows |= {"entries of the new index": str(entries), "jobs of the new index": str(jobs)}
         found = collect_garbage(library, dry_run=dry_run)
         rows |= {"damaged entries": str(len(found.damaged)), "files of nothing": str(found.files)}
         rows |= {f"damaged {entry.digest[:8]}": entry.name for entry in found.damaged}

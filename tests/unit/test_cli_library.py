@@ -160,7 +160,8 @@ def test_an_index_that_cannot_be_read_is_made_anew_of_the_files(models: Path) ->
         (library_folder() / name).unlink(missing_ok=True)
     (library_folder() / INDEX).write_bytes(b"this is no database" * 300)
     run("list", code=2)
-    assert run("clean")["clean"]["entries of the new index"] == "3"
+    told = run("clean")["clean"]
+    assert (told["entries of the new index"], told["jobs of the new index"]) == ("3", "0")
     assert {each["digest"] for each in run("list")["entries"]} == before
     assert (library_folder() / f"damaged-1-{INDEX}").is_file()
 

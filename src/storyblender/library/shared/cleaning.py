@@ -6,6 +6,7 @@ import time
 from pathlib import Path
 
 from storyblender.library.shared.entries import LibraryEntry
+from storyblender.library.shared.recovery import recovered_jobs
 from storyblender.library.shared.shared_library import FILES, INCOMING, INDEX, SharedLibrary, read_entry
 from storyblender.memory.base import Frozen
 
@@ -59,23 +60,27 @@ def collect_garbage(library: SharedLibrary, *, dry_run: bool = False) -> Garbage
     return Garbage(damaged=damaged, files=len(sizes), bytes=sum(sizes) + sum(entry.bytes for entry in damaged))
 
 
-def rebuilt_index(library: SharedLibrary) -> int:
+def rebuilt_index(library: SharedLibrary) -> tuple[int, int]:
     """Set an index that cannot be read aside and make a new one of the records beside the files.
 
     Args:
         library: Its index is damaged.
 
     Returns:
-        How many entries it has now. What was noted of uses and of paid work stays in the file that was set aside.
+        How many entries and how many jobs it has now. What was noted of uses stays in the file that was set aside.
 
     Raises:
         InputError: The disk cannot take it.
     """
     files = library.files
     number = next(each for each in range(1, 1000) if not (files.root / f"damaged-{each}-{INDEX}").exists())
-    files.move(INDEX, f"damaged-{number}-{INDEX}")
-    for suffix in ("-wal", "-shm"):
-        files.delete(f"{INDEX}{suffix}")
+    damaged = f"damaged-{number}-{INDEX}"
+    library.close_index()
+    files.move(INDEX, damaged)
+    if (files.root / f"{INDEX}-wal").exists():
+        files.move(f"{INDEX}-wal", f"{damaged}-wal")
+    files.delete(f"{INDEX}-shm")
+    jobs = library.jobs.restore(recovered_jobs(files.root, files.root / damaged))
     count = 0
     for record in sorted((files.root / FILES).glob("*/*.json")):
         entry = read_entry(record.read_text(encoding="utf-8", errors="replace"))
@@ -83,7 +88,7 @@ def rebuilt_index(library: SharedLibrary) -> int:
         if entry is not None and entry.digest == folder.name and (folder / entry.main).is_file():
             library.add(entry.facts, folder)
             count += 1
-    return count
+    return count, jobs
 
 
 def _sizes(path: Path) -> list[int]:

@@ -93,6 +93,13 @@ class Index:
                     self._connection.execute("ROLLBACK")
                 raise
 
+    def check(self) -> None:
+        """Read the whole index. Raises DamagedIndex where a part of it cannot be read."""
+        with self.reading() as db:
+            (found,) = db.execute("PRAGMA quick_check(1)").fetchone()
+            if found != "ok":
+                raise sqlite3.DatabaseError(found)
+
     def close(self) -> None:
         """Close the file."""
         with self._lock:

@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+import os
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
 from storyblender.errors import InputError
+from storyblender.folder import Folder
 from storyblender.memory.asset_sheet import NOTE_LENGTH
 from storyblender.memory.base import Frozen
 
 if TYPE_CHECKING:
     from storyblender.library.shared.index import Index
 
+JOURNAL = "jobs.jsonl"
+"""In the library: every step of every job, a line each, written before the index has it. It outlives the index."""
 JobState = Literal["begun", "submitted", "finished", "failed"]
-_FIELDS = "id, request, service, price, state, remote_id, entry, reason, began"
+FIELDS = ("id", "request", "service", "price", "state", "remote_id", "entry", "reason", "began")
+"""Of a job, as the index names them."""
+_FIELDS = ", ".join(FIELDS)
 
 
 class OutcomeUnknown(InputError):
@@ -47,10 +53,11 @@ class JobLedger:
 
     Args:
         index: Opens the index: with True it is made if there is none, else None is returned then.
+        files: The library's folder; it has the journal.
     """
 
-    def __init__(self, index: Callable[[bool], Index | None]) -> None:
-        self._index = index
+    def __init__(self, index: Callable[[bool], Index | None], files: Folder) -> None:
+        self._index, self._files = index, files
 
     def begin(self, request: str, service: str, price: float) -> Job:
         """Note that work is about to be sent; one that was submitted before is returned to go on with.
@@ -73,7 +80,9 @@ class JobLedger:
                 values = (request, service, price, "begun", now, now)
                 fields = "request, service, price, state, began, changed"
                 made = db.execute(f"INSERT INTO jobs ({fields}) VALUES (?, ?, ?, ?, ?, ?)", values).lastrowid
-                return Job(id=made or 0, request=request, service=service, price=price, state="begun", began=now)
+                job = Job(id=made or 0, request=request, service=service, price=price, state="begun", began=now)
+                self._write_down(job)
+                return job
         job = _job(row)
         if job.state == "begun":
             raise OutcomeUnknown(
@@ -136,16 +145,38 @@ class JobLedger:
             raise InputError(f"there is no unfinished job {number}", mend="see `storyblender library jobs`")
         return self.failed(job, "given up by a person, to be asked again")
 
+    def restore(self, jobs: Iterable[Job]) -> int:
+        """Put jobs into an index that was made anew, with their numbers; return how many.
+
+        Args:
+            jobs: As they were recovered; the numbers must be free.
+        """
+        index = self._index(True)
+        assert index is not None, "made where there was none"
+        rows = [(*(getattr(job, name) for name in FIELDS), job.began) for job in jobs]
+        with index.writing() as db:
+            marks = ", ".join("?" * (len(FIELDS) + 1))
+            db.executemany(f"INSERT INTO jobs ({_FIELDS}, changed) VALUES ({marks})", rows)
+        return len(rows)
+
+    def _write_down(self, job: Job) -> None:
+        """Add a job to the journal as it is now; on disk when this returns."""
+        with self._files.log(JOURNAL) as file:
+            file.write(f"{job.model_dump_json()}\n".encode())
+            os.fsync(file.fileno())
+
     def _become(self, job: Job, state: JobState, **values: str) -> Job:
         """Put a job into a state, on disk when this returns."""
         index = self._index(True)
         assert index is not None, "made where there was none"
+        changed = job.model_copy(update={"state": state, **values})
         with index.writing() as db:
             told: dict[str, Any] = {"state": state, "changed": time.time(), **values}
             fields = ", ".join(f"{name} = ?" for name in told)
             db.execute(f"UPDATE jobs SET {fields} WHERE id = ?", (*told.values(), job.id))
-        return job.model_copy(update={"state": state, **values})
+            self._write_down(changed)
+        return changed
 
 
 def _job(row: tuple[Any, ...]) -> Job:
-    return Job.model_validate(dict(zip(_FIELDS.split(", "), row, strict=True)))
+    return Job.model_validate(dict(zip(FIELDS, row, strict=True)))

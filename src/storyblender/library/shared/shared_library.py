@@ -67,12 +67,18 @@ class SharedLibrary:
             self._opened = Index(path)
         return self._opened
 
+    def close_index(self) -> None:
+        """Close the index; it is opened again when it is needed."""
+        if self._opened is not None:
+            self._opened.close()
+            self._opened = None
+
     @property
     def jobs(self) -> JobLedger:
         """The ledger of paid work."""
         from storyblender.library.shared.jobs import JobLedger
 
-        return JobLedger(self.index)
+        return JobLedger(self.index, self.files)
 
     @property
     def uses(self) -> Uses:

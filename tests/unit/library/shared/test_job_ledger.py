@@ -7,8 +7,10 @@ from pathlib import Path
 import pytest
 
 from storyblender.errors import InputError
-from storyblender.library.shared.jobs import JobLedger, OutcomeUnknown
-from storyblender.library.shared.shared_library import SharedLibrary
+from storyblender.library.shared.cleaning import rebuilt_index
+from storyblender.library.shared.index import DamagedIndex
+from storyblender.library.shared.jobs import JOURNAL, JobLedger, OutcomeUnknown
+from storyblender.library.shared.shared_library import INDEX, SharedLibrary
 
 
 @pytest.fixture
@@ -51,3 +53,51 @@ def test_only_an_unfinished_job_can_be_given_up(jobs: JobLedger) -> None:
     for number in (job.id, 99):
         with pytest.raises(InputError, match="no unfinished job"):
             jobs.ask_again(number)
+
+
+def ledger_with_many_jobs(library: SharedLibrary) -> JobLedger:
+    for number in range(60):
+        job = library.jobs.begin(f"{number:02}" * 200, "meshy", 0.2)
+        if number % 3:
+            job = library.jobs.submitted(job, f"task-{number}")
+        if number % 3 == 2:
+            library.jobs.finished(job)
+    return library.jobs
+
+
+@pytest.mark.parametrize("damage", ["whole", "middle"])
+def test_what_was_paid_for_outlives_the_index(damage: str, tmp_path: Path) -> None:
+    library = SharedLibrary.open(tmp_path / "library")
+    before = ledger_with_many_jobs(library).all()
+    library.close_index()
+    index = library.files.root / INDEX
+    data = bytearray(index.read_bytes())
+    first = 0 if damage == "whole" else data.find(b"40" * 200)
+    data[first : first + 4000] = b"damaged!" * 500
+    index.write_bytes(data)
+    with (library.files.root / JOURNAL).open("a") as journal:
+        journal.write('{"id": 7, "requ')
+    assert rebuilt_index(library) == (0, 60)
+    assert reopened(tmp_path).all() == before
+    assert library.jobs.begin("01" * 200, "meshy", 0.2).remote_id == "task-1", "nothing is asked twice"
+    assert library.jobs.begin("new", "meshy", 0.2).id == 61
+
+
+def test_jobs_on_sound_pages_of_an_index_without_a_journal_are_kept(tmp_path: Path) -> None:
+    library = SharedLibrary.open(tmp_path / "library")
+    before = ledger_with_many_jobs(library).all()
+    library.close_index()
+    library.files.delete(JOURNAL)
+    index = library.files.root / INDEX
+    data = bytearray(index.read_bytes())
+    page = data.find(b"30" * 200) // 4096 * 4096
+    data[page : page + 4096] = b"damaged!" * 512
+    index.write_bytes(data)
+    opened = library.index()
+    assert opened is not None
+    with pytest.raises(DamagedIndex):
+        opened.check()
+    entries, jobs = rebuilt_index(library)
+    assert (entries, 20 <= jobs < 60) == (0, True)
+    assert all(job in before for job in library.jobs.all())
+    assert [job.id for job in library.jobs.all()][:: jobs - 1] == [1, 60], "from both ends"
