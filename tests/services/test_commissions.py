@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
@@ -21,7 +22,7 @@ from storyblender.services.openai import OpenAIImages
 from storyblender.services.web import Web
 from tests.services.makers import SECRET, WIRES, MeshyWire, Wire, openai_draws, picture
 from tests.services.paying import STEPS, pay
-from tests.services.site import QUICK, Cut, Reply, Site, said, serving
+from tests.services.site import QUICK, Cut, Hit, Reply, Site, said, serving
 
 PATIENT = replace(QUICK, silence=10, answer=20)
 
@@ -74,8 +75,54 @@ def test_killed_at_a_step_nothing_is_paid_twice(site: Site, kind: str, step: str
         assert not SharedLibrary.open().jobs.unfinished()
 
 
-def commissions_of(site: Site, wire: Wire, dollars: float = 5) -> tuple[Commissions, OpenAIImages, ModelMaker]:
-    budget = ServiceBudget({"dollars": dollars})
+@pytest.mark.parametrize("kind", ["trellis", "hunyuan3d", "meshy"])
+@pytest.mark.parametrize("slow", ["/images", "begin", "neither"])
+def test_processes_that_want_the_same_at_the_same_moment_share_one_job(site: Site, kind: str, slow: str) -> None:
+    wire = WIRES[kind](site)
+    wire.open()
+    for path in [path for path in site.pages if slow in path or (slow == "begin" and path == wire.begin_path)]:
+        site.pages[path] = slowly(site.pages[path])
+    reads, writes = os.pipe()
+    processes = []
+    for _ in range(2):
+        processes.append(os.fork())
+        if not processes[-1]:
+            break
+    if 0 in processes:
+        os.write(writes, f"{pay(site.address, kind)}\n".encode())
+        os._exit(0)
+    os.close(writes)
+    with os.fdopen(reads, "rb") as pipe:
+        heard = pipe.read().decode().splitlines()
+    assert [os.waitpid(process, 0)[1] for process in processes] == [0, 0]
+    assert heard[0].startswith("made ") and heard[0] == heard[1], heard
+    assert site.count("/images") == 1
+    assert len(wire.jobs) == 1
+    assert not SharedLibrary.open().jobs.unfinished()
+
+
+def test_waiting_for_another_process_ends_with_the_minutes(site: Site) -> None:
+    commissions, draws, _ = commissions_of(site, MeshyWire(site), minutes=0.02)
+    busy, others, _ = commissions_of(site, MeshyWire(site))
+    with busy._alone("picture", others.maker, "a samovar"):
+        (found,) = commissions.pictures(draws, [Wanted("samovar", "a samovar")]).values()
+    assert isinstance(found, ServiceFailure) and "minutes" in str(found)
+    assert site.count("/images") == 0
+    assert isinstance(drawn_by(commissions, draws), LibraryEntry), "now that the other has ended"
+
+
+def slowly(page: Any) -> Callable[[Hit], Reply]:
+    def answer(hit: Hit) -> Reply:
+        time.sleep(0.4)
+        return page(hit) if callable(page) else page
+
+    return answer
+
+
+def commissions_of(
+    site: Site, wire: Wire, dollars: float = 5, minutes: float = 30
+) -> tuple[Commissions, OpenAIImages, ModelMaker]:
+    budget = ServiceBudget({"dollars": dollars, "minutes": minutes})
     draws = OpenAIImages(Web("openai", site.address, {"authorization": SECRET}, budget, PATIENT))
     maker = wire.adapter(Web(wire.name, site.address, {"authorization": f"Bearer {SECRET}"}, budget, PATIENT))
     return Commissions(SharedLibrary.open(), budget), draws, maker

@@ -1,25 +1,29 @@
 """Work that services are paid for: asked for once, noted at every step, kept in the user's library.
 
 A request is known by what is asked, of which service and model. What was made for it before is taken from the library;
-a job that was begun before goes on; one of which nobody knows whether it was begun is looked for at the service, and
-never begun again by itself.
+a job that was begun before goes on, also one that another process began: while that sends it, this one waits. A job of
+which nobody knows whether it was begun is looked for at the service, and never begun again by itself.
 """
 
 from __future__ import annotations
 
 import json
 import tempfile
+import threading
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from filelock import FileLock, Timeout
+
 from storyblender.errors import Cancelled, InputError, ServiceFailure
 from storyblender.library.shared.entries import EntryFacts, EntryKind, LibraryEntry
 from storyblender.library.shared.jobs import Job
-from storyblender.library.shared.shared_library import SharedLibrary
+from storyblender.library.shared.shared_library import INCOMING, SharedLibrary
 from storyblender.memory.asset_sheet import Credit
 from storyblender.memory.base import content_hash
 from storyblender.model_content import CREDITS, credit_lines
@@ -29,6 +33,8 @@ from storyblender.services.making import ImageModel, JobService, JobState, Maker
 LONGEST: Final = 24 * 3600.0
 """Seconds from the beginning of a job to when a service has forgotten it."""
 _DRAWN_AT_ONCE: Final = 4
+_PAUSE: Final = 0.5
+"""Seconds between two looks whether another process has sent what is wanted here too."""
 _PROMPT: Final = "prompt.txt"
 _ASK_AGAIN: Final = (
     "it may be paid for, so it is not asked again; `storyblender library jobs` lists it, `--ask-again` gives it up"
@@ -56,10 +62,12 @@ class Commissions:
     Args:
         library: Keeps what was made, and the ledger.
         budget: Of the run.
+        cancelled: Ends waiting for another process.
     """
 
-    def __init__(self, library: SharedLibrary, budget: ServiceBudget) -> None:
+    def __init__(self, library: SharedLibrary, budget: ServiceBudget, cancelled: threading.Event | None = None) -> None:
         self._library, self._budget = library, budget
+        self._cancelled = cancelled or threading.Event()
 
     def pictures(self, model: ImageModel, wanted: Sequence[Wanted]) -> Mapping[str, LibraryEntry | ServiceFailure]:
         """Draw pictures, several at the same time; what is paid for is kept, whatever becomes of the others.
@@ -72,21 +80,30 @@ class Commissions:
             By prompt: the picture, or why there is none.
         """
         made: dict[str, LibraryEntry | ServiceFailure] = {}
-        drawing: dict[Future[bytes], tuple[Job, Wanted]] = {}
-        with ThreadPoolExecutor(_DRAWN_AT_ONCE) as pool:
-            for each in {each.prompt: each for each in wanted}.values():
+        drawing: dict[Future[bytes], tuple[Job, Wanted, ExitStack]] = {}
+        by_prompt = {each.prompt: each for each in wanted}
+        with ThreadPoolExecutor(_DRAWN_AT_ONCE) as pool, ExitStack() as all_held:
+            for prompt in sorted(by_prompt):  # all processes in the same order, so that no two wait for each other
+                held = all_held.enter_context(ExitStack())
                 try:
-                    found = self._begun("picture", model.maker, each.prompt)
+                    held.enter_context(self._alone("picture", model.maker, prompt))
+                    found = self._begun("picture", model.maker, prompt)
+                except Cancelled:
+                    made[prompt] = ServiceFailure("cancelled before it was sent")
+                    continue
                 except ServiceFailure as error:
-                    made[each.prompt] = error
+                    made[prompt] = error
+                    held.close()
                     continue
                 if isinstance(found, Job):
-                    drawing[pool.submit(model.draw, each.prompt)] = found, each
+                    drawing[pool.submit(model.draw, prompt)] = found, by_prompt[prompt], held
                 else:
-                    made[each.prompt] = found
+                    made[prompt] = found
+                    held.close()
             for future in as_completed(drawing):
-                job, each = drawing[future]
-                made[each.prompt] = self._drawn(future, model.maker, job, each)
+                job, each, held = drawing[future]
+                with held:
+                    made[each.prompt] = self._drawn(future, model.maker, job, each)
         return made
 
     def model(self, maker: ModelMaker, picture: LibraryEntry) -> LibraryEntry | Job:
@@ -101,6 +118,11 @@ class Commissions:
             Cancelled: Before anything was sent.
             ServiceFailure: The service will not, or nobody knows whether it was asked before.
         """
+        with self._alone("model", maker.maker, picture.digest):
+            return self._model(maker, picture)
+
+    def _model(self, maker: ModelMaker, picture: LibraryEntry) -> LibraryEntry | Job:
+        """As ``model``, while no other process sends the same."""
         try:
             found = self._begun("model", maker.maker, picture.digest)
         except ServiceFailure as error:
@@ -152,6 +174,28 @@ class Commissions:
             self._library.jobs.failed(job, state.reason)
         return state
 
+    @contextmanager
+    def _alone(self, kind: str, maker: Maker, asked: str) -> Iterator[None]:
+        """Be the only process that sends a request; the system frees it when a process dies.
+
+        Raises:
+            Cancelled: While another process was waited for.
+            ServiceFailure: The limit of minutes is reached.
+        """
+        name = f"{content_hash(kind, maker.settings, asked)}.lock"
+        lock = FileLock(self._library.files.make_folder(INCOMING) / name, timeout=0, thread_local=False)
+        while not lock.is_locked:
+            try:
+                lock.acquire()
+            except Timeout:
+                self._budget.spend("minutes", _PAUSE / 60)
+                if self._cancelled.wait(_PAUSE):
+                    raise Cancelled from None
+        try:
+            yield
+        finally:
+            lock.release()
+
     def _begun(self, kind: str, maker: Maker, asked: str) -> LibraryEntry | Job:
         """Return what was made before, or a job: submitted before, or to be sent now. Raises ServiceFailure."""
         request, jobs = content_hash(kind, maker.settings, asked), self._library.jobs
@@ -187,7 +231,7 @@ class Commissions:
         job = self._looked_for(maker, lost)
         if job is None:
             raise failure
-        return job if job.state == "submitted" else self.model(maker, picture)
+        return job if job.state == "submitted" else self._model(maker, picture)
 
     def _looked_for(self, maker: ModelMaker, lost: Job) -> Job | None:
         """Return a job whose id got lost: with its id, or failed if it surely was not begun; None if nobody knows."""

@@ -116,7 +116,7 @@ class Workshop:
 
     @cached_property
     def _commissions(self) -> Commissions:
-        return Commissions(self.library, self.services.budget)
+        return Commissions(self.library, self.services.budget, self.services.cancelled)
 
     def made(self, assets: Sequence[Asset], prompts: Mapping[str, str]) -> dict[str, Asset]:
         """Return the things for which services made a model, with that, by asset id.
