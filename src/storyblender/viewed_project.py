@@ -22,7 +22,7 @@ from storyblender.pipeline.asset_pictures import built_asset, candidates_for, vi
 from storyblender.pipeline.compiling import story_files
 from storyblender.pipeline.drawing import DELIVERED, draw_frames
 from storyblender.pipeline.filming import with_cuts_judged
-from storyblender.pipeline.library_pictures import library_pictures
+from storyblender.pipeline.library_pictures import draw_library_picture, library_pictures
 from storyblender.pipeline.offered_models import OfferedModel, offered_models, picture_of_offer
 from storyblender.pipeline.previewing import moment_of, preview_shot
 from storyblender.pipeline.rehearsing import CamerasToMatch, rehearse
@@ -159,6 +159,19 @@ class ViewedProject(OpenProject):
         """
         with self._call() as run:
             return library_pictures(run, kind, words)
+
+    def draw_library_picture(self, digest: str) -> None:
+        """Draw the picture of a model of the user's library, and keep it there.
+
+        Args:
+            digest: Of the entry.
+
+        Raises:
+            InputError: It is gone or damaged, or no model.
+            EngineError: It cannot be read.
+        """
+        with self._call() as run:
+            draw_library_picture(run, digest)
 
     @property
     def catalogues(self) -> tuple[str, ...]:

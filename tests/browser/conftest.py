@@ -51,6 +51,7 @@ class RunningStudio:
     Attributes:
         folder: Of scripts and projects.
         address: With the key.
+        library: Of the user that it runs as.
 
     Args:
         folder: Of scripts and projects.
@@ -59,6 +60,7 @@ class RunningStudio:
 
     def __init__(self, folder: Path, opens: Path | None = None) -> None:
         self.folder, self.address = folder, ""
+        self.library = Path(os.environ["STORYBLENDER_LIBRARY"])
         self._opens = opens or folder / "two_cups.storyboard"
         self._start()
 

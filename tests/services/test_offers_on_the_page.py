@@ -67,11 +67,11 @@ def test_an_offer_is_seen_chosen_and_undone(browser: Browser, site: Site) -> Non
     assert browser.value("offer_picture", asset="letter", file=VASE) == address
     assert site.count("/03.png") == 1 and site.count("/dl/") == 0, "looking fetches no model"
     told = browser.value("take_offer", thing="letter", file=VASE)
-    assert "vase" in told["words"].lower() and told["stale"]
+    assert "is made from ceramic vase 03 of Poly Haven" in told["words"] and told["stale"]
     details = browser.value("asset", asset="letter")
     assert details["made_from"] == VASE and details["credit"]["license"] == "CC0-1.0"
     ours = next(each for each in browser.value("candidates", **about) if each["file"] == VASE)
-    assert (ours["name"], ours["source"], ours["chosen"]) == ("Ceramic Vase 03", "your library, from poly_haven", True)
+    assert (ours["name"], ours["source"], ours["chosen"]) == ("Ceramic Vase 03", "your library, from Poly Haven", True)
     assert VASE not in {each["file"] for each in browser.value("offers", **about)["cards"]}, "it is not offered twice"
     browser.value("undo")
     assert browser.value("asset", asset="letter")["made_from"] != VASE

@@ -4,6 +4,7 @@ import { LitElement, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { linear } from "./colors";
 import type { AssetDetails, Candidate, Edit, OfferedCard, ShownOffers } from "./messages";
+import { called } from "./service_name";
 import type { Wire } from "./wire";
 
 const SIDES = ["width", "depth", "height"] as const;
@@ -162,9 +163,4 @@ export class AssetThing extends LitElement {
         <span class="portrait">${each.picture ? html`<img src=${each.picture} alt="" />` : nothing}</span>
         <b>${each.name}</b><small>${this.fetching === each.file ? "fetching ..." : called(each.source)}</small><small>${each.credit}</small></button>`)}</div>`;
   }
-}
-
-/** A service as people call it: Poly Haven. */
-function called(service: string): string {
-  return service.split("_").map((word) => word[0].toUpperCase() + word.slice(1)).join(" ");
 }

@@ -82,8 +82,7 @@ export class SetView extends LitElement {
         <select data-field=${part} @change=${(event: Event) => value(event) && this.set({ [part]: value(event) })}>
           <option value="" ?selected=${!details[part]}>as the kit has it</option>
           ${details.materials.map((name) => html`<option value=${name} ?selected=${name === details[part]}>${name.replaceAll("_", " ")}</option>`)}
-        </select></label>`)}
-      ${this.surface(details, "walls")}${this.surface(details, "ground")}
+        </select></label>${this.surface(details, part)}`)}
       ${this.words("Furnished", "period", details.words.period, details.period, (period) => this.set({ period }))}
       ${Object.entries(details.options).map(([name, on]) => html`<label><input type="checkbox" .checked=${on}
         @change=${() => this.set({ options: { [name]: !on } })} /> ${name.replaceAll("_", " ")}</label>`)}

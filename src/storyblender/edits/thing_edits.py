@@ -10,7 +10,7 @@ from storyblender.catalog.recipe import made_from
 from storyblender.edits.effect import Effect, refuse_locked_staging, scene_effect
 from storyblender.edits.scale_edits import built, thing_scaled
 from storyblender.errors import InputError
-from storyblender.memory.asset_sheet import Asset, AssetDecision, AssetDimension, ModelPose
+from storyblender.memory.asset_sheet import Asset, AssetDecision, AssetDimension, ModelPose, file_words
 from storyblender.memory.edits import AssetEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
 
@@ -44,7 +44,7 @@ def thing_effects(graph: ContinuityMemoryGraph, asset: Asset, edit: AssetEdit) -
             return _regenerated(graph, asset)
         case _:
             assert edit.file is not None, "the edit is whole"
-            return made_anew(graph, asset, AssetDecision(file=edit.file), edit.file)
+            return made_anew(graph, asset, AssetDecision(file=edit.file), file_words(edit.file))
 
 
 def _recast(graph: ContinuityMemoryGraph, asset: Asset, edit: AssetEdit) -> list[Effect]:

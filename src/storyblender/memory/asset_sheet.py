@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal, Self
 
@@ -17,6 +18,8 @@ NOTE_LENGTH = 500
 Note = Annotated[str, StringConstraints(max_length=NOTE_LENGTH)]
 """A line of text from outside."""
 PROMPT_LENGTH = 2000
+_FETCHED_WORK = re.compile(r"(?P<source>[a-z_]+)/(?P<id>[^/]+)-[0-9]k/[^/]+")
+_NUMBER = re.compile(r"[0-9a-f]{16,}")
 
 
 class Garment(Frozen):
@@ -249,7 +252,7 @@ class AssetDecision(Described):
         """What it is made from, as a person reads it."""
         if self.adopted is not None:
             return "a model from Blender"
-        return self.file or self.prop.replace("_", " ")
+        return file_words(self.file) if self.file else self.prop.replace("_", " ")
 
     def is_kept_by(self, made: CanonicalAsset | None) -> bool:
         """Return whether a thing is made from it, or is not made yet."""
@@ -258,6 +261,19 @@ class AssetDecision(Described):
         if self.adopted is not None:
             return made.key == self.adopted.file
         return (made.key, made.params) == (self.prop, self.params)
+
+
+def file_words(file: str) -> str:
+    """Return what a model is called for people: its path, or the name and the source of a work that was fetched.
+
+    Args:
+        file: As a decision has it: ``poly_haven/wooden_table_01-1k/model.gltf``.
+    """
+    work = _FETCHED_WORK.fullmatch(file)
+    if work is None:
+        return file
+    name = "a model" if _NUMBER.fullmatch(work["id"]) else work["id"].replace("_", " ")
+    return f"{name} of {work['source'].replace('_', ' ').title()}"
 
 
 FITTED = "fitted"

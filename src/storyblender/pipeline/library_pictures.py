@@ -5,12 +5,16 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TypeVar
 
+from storyblender.catalog.recipe import EXACT, Recipe
 from storyblender.errors import InputError
-from storyblender.library.library_source import may_be_used
+from storyblender.library.library_source import may_be_used, placed_model
 from storyblender.library.pictures import PictureKind
 from storyblender.library.shared.entries import LibraryEntry
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.jobs import AssetJob
 from storyblender.memory.panorama import Panorama
 from storyblender.memory.texture import Texture
+from storyblender.pipeline.asset_pictures import view_name
 from storyblender.pipeline.panorama import take_in_panorama
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.textures import take_in_texture
@@ -31,6 +35,29 @@ def library_pictures(run: Run, kind: PictureKind, words: str) -> list[LibraryEnt
     """
     found = run.library.find(words, kind) if run.library is not None else []
     return [entry for entry in found if may_be_used(entry, run.settings.licences)]
+
+
+def draw_library_picture(run: Run, digest: str) -> None:
+    """Draw the picture of a model of the user's library, and keep it there.
+
+    Args:
+        run: Its engine draws.
+        digest: Of the entry.
+
+    Raises:
+        InputError: It is gone or damaged, or no model.
+        EngineError: It cannot be read.
+    """
+    entry = run.library.get(digest) if run.library is not None else None
+    if run.library is None or entry is None or entry.kind != "model":
+        raise InputError("the library has no such model", mend="see `storyblender library list`")
+    recipe = placed_model(run.library, entry, Recipe(source="file", key=entry.key, score=EXACT), run.project.files)
+    made = Asset(asset_id="it", asset_type="object", description="", name=entry.name, canonical=recipe.canonical())
+    name = view_name(run.graph, made, "png")
+    run.engine.portrait(AssetJob(asset=made), name).result()
+    run.outputs.note(name)
+    picture = run.library.files.name_of(run.library.thumbnail_of(entry))
+    run.library.files.write(picture, run.project.path(name).read_bytes())
 
 
 def take_texture(run: Run, digest: str, metres: float | None = None) -> Texture:

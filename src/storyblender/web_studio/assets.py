@@ -224,7 +224,9 @@ def _place_of(source: str) -> str:
     """Return where a model is, as people say it."""
     if source == ModelFolders.name:
         return "your folders"
-    return "your library" if source in ("", ADDED, LibrarySource.name) else f"your library, from {source}"
+    if source in ("", ADDED, LibrarySource.name):
+        return "your library"
+    return f"your library, from {source.replace('_', ' ').title()}"
 
 
 def _offers(session: Session, asset: Asset, words: str) -> ShownOffers:

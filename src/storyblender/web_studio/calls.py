@@ -99,7 +99,7 @@ class Calls:
             case TakeOverCall():
                 return lambda: self._pull(Choice(take=call.take, leave=call.leave))
             case LibraryCall():
-                return lambda: shown_library(call.words).model_dump()
+                return lambda: self._library(call)
             case PlainCall():
                 return {
                     "places": self._places,
@@ -281,6 +281,13 @@ class Calls:
             taken_in = session.take_in_panorama(self._place.panorama(call.file))
         edits = [LightEdit(scene=call.scene, decision=LightDecision(panorama=taken_in))]
         return self._edited(lambda session: session.apply(edits, call.revision), edits)
+
+    def _library(self, call: LibraryCall) -> Any:
+        """Return what of the user's library is shown, or the address of a picture that is drawn now."""
+        if call.call == "library":
+            return shown_library(call.words).model_dump()
+        self._free().draw_library_picture(call.digest)
+        return f"/library/{call.digest}.png"
 
     def _pictures(self, call: PicturesCall) -> list[dict[str, Any]]:
         """Return the surfaces or the panoramas of the folder, and those of the library."""

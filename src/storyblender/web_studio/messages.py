@@ -218,10 +218,12 @@ class TakeOverCall(_Call):
 class LibraryCall(_Call):
     """Asks what is in the user's library; nothing is changed."""
 
-    call: Literal["library"]
-    """Which call this is."""
+    call: Literal["library", "library_picture"]
+    """``library``: what fits the words; ``library_picture``: the picture of a model is drawn, its address told."""
     words: Annotated[str, Field(max_length=200)] = ""
     """What is looked for; empty for all."""
+    digest: Annotated[str, Field(max_length=64)] = ""
+    """Of the model whose picture is drawn."""
 
 
 class PlainCall(_Call):

@@ -47,3 +47,11 @@ def test_a_picture_is_served_and_nothing_else_of_the_library(browser: Browser, c
     assert client.get(card["picture"]).content == b"a picture"
     for address in ("/library/index.sqlite", f"/library/{'0' * 64}.png", "/library/..%2findex.png"):
         assert client.get(address).status_code == 404
+
+
+def test_the_picture_of_a_model_is_drawn_once_and_kept_in_the_library(browser: Browser, chair: LibraryEntry) -> None:  # noqa: F811
+    address = browser.value("library_picture", digest=chair.digest)
+    assert SharedLibrary.open().picture(chair.digest).is_file()
+    assert browser.value("library")["cards"][0]["picture"] == address
+    assert browser.client.get(address).status_code == 200  # type: ignore[attr-defined]
+    assert not browser.call("library_picture", digest="0" * 64)["ok"]
