@@ -71,6 +71,7 @@ class Session(ViewedProject):
     def make(self, script: Path, reading: Path | None = None) -> Delivery:
         """Turn a script into everything, as ``Studio.make``; of a changed script only what changed is made anew."""
         from storyblender.pipeline.grounding import ground
+        from storyblender.pipeline.late_models import take_late_models
         from storyblender.pipeline.materializing import materialize
         from storyblender.pipeline.restaging import make_stale_anew
         from storyblender.pipeline.shared_assets import count_places
@@ -83,6 +84,7 @@ class Session(ViewedProject):
             run.project.files.write(REMEMBERED, self._settings.remembered(self.folder))
             keep_panoramas(run)
             keep_textures(run)
+            take_late_models(run)
             materialize(run)
             stage(run)
             make_stale_anew(run)

@@ -196,6 +196,39 @@ class Commissions:
         finally:
             lock.release()
 
+    def made_meanwhile(self, maker: ModelMaker, picture: LibraryEntry, wanted: Wanted) -> LibraryEntry | None:
+        """Return the model of a picture that an earlier run had begun; None where there is none yet. Costs nothing.
+
+        Args:
+            maker: Was asked for it.
+            picture: In the library.
+            wanted: What is made.
+
+        Raises:
+            ServiceFailure: The service cannot be asked now; the job goes on.
+            InputError: The disk cannot take what was made.
+        """
+        request = content_hash("model", maker.maker.settings, picture.digest)
+        if (known := self._library.by_request(request)) is not None:
+            return known
+        begun = [job for job in self._library.jobs.unfinished() if job.request == request and job.remote_id]
+        found = self.look(maker, begun[0], wanted) if begun else None
+        return found if isinstance(found, LibraryEntry) else None
+
+    def pictures_of(self, prompt: str) -> list[LibraryEntry]:
+        """Return the pictures that were drawn of a prompt, also those that were to avoid a fault, the newest first.
+
+        Args:
+            prompt: What the first picture was drawn of.
+        """
+        return [entry for entry in self._library.find(kind="image") if self._prompt_of(entry).startswith(prompt)]
+
+    def _prompt_of(self, entry: LibraryEntry) -> str:
+        try:
+            return (self._library.bundle_of(entry) / _PROMPT).read_text(encoding="utf-8", errors="replace")
+        except OSError:
+            return ""
+
     def _begun(self, kind: str, maker: Maker, asked: str) -> LibraryEntry | Job:
         """Return what was made before, or a job: submitted before, or to be sent now. Raises ServiceFailure."""
         request, jobs = content_hash(kind, maker.settings, asked), self._library.jobs

@@ -141,6 +141,28 @@ class Workshop:
             self._warn(f"nothing was made for {_listed(names)}, which keeps what stands in: {reason}")
         return models
 
+    def made_meanwhile(self, asset: Asset) -> Asset | None:
+        """Return a thing with the model that an earlier run had begun and did not wait for; None where there is none.
+
+        Nothing is begun and nothing paid; a service that cannot be asked now is told of.
+
+        Args:
+            asset: Something stands in for it.
+        """
+        wanted = _wanted(asset, asset.image_prompt)
+        for picture in self._commissions.pictures_of(asset.image_prompt):
+            for maker in self._makers:
+                try:
+                    entry = self._commissions.made_meanwhile(maker, picture, wanted)
+                except (ServiceFailure, InputError) as error:
+                    self._warn(f"what was begun for the {wanted.name} cannot be fetched now: {error}")
+                    continue
+                if entry is not None:
+                    found = self._with_model(_Order(asset, wanted, picture, _UNSEEN, deque()), entry)
+                    if isinstance(found, Asset):
+                        return found
+        return None
+
     def paint(self, prompt: str) -> bytes:
         """Return the picture of a prompt as PNG, drawn once. Raises NoAnswer."""
         if prompt not in self._painted:
