@@ -47,7 +47,8 @@ export class PictureChoice extends LitElement {
   }
 
   render() {
-    const now = this.now.split("/").pop()!.replaceAll("_", " ");
+    const known = this.cards?.find((card) => card.named === this.now)?.name;
+    const now = known ?? this.now.split("/").pop()!.replace(/\.\w+$/, "").replaceAll("_", " ");
     return html`<details class="pictures" @toggle=${(event: Event) => (event.target as HTMLDetailsElement).open && this.look(this.words)}>
       <summary>${this.label}: <b>${now || this.without}</b></summary>
       <label>Look for <input type="search" maxlength="200" placeholder="name, tag or author" .value=${this.words}

@@ -110,6 +110,15 @@ def surfaces_in(folder: Path) -> list[Path]:
     return [file for file in _files(folder) if _named(file)[1] in ("color", None)]
 
 
+def surface_name(file: Path) -> str:
+    """Return what a surface is called, by the name of its colour picture: without its map and size.
+
+    Args:
+        file: The colour picture.
+    """
+    return _named(file)[0].replace("_", " ").strip() or file.stem
+
+
 def _maps_in(folder: Path) -> dict[_Source, Path]:
     """Return the maps of the one surface in a folder."""
     surfaces: dict[str, dict[_Source, Path]] = {}

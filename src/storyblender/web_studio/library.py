@@ -64,9 +64,10 @@ def shown_library(words: str) -> ShownLibrary:
     """
     library = SharedLibrary.open()
     found, told = library.find(words), library.uses.figures()
+    was = "was" if told.avoided == 1 else "were"
     sentence = (
         f"{told.stories} {'stories' if told.stories != 1 else 'story'} asked for {told.requests} models, "
-        f"{told.unique} different ones; {told.avoided} were not built or fetched again ({told.reduction:.0f} %)"
+        f"{told.unique} different ones; {told.avoided} {was} not built or fetched again ({told.reduction:.0f} %)"
     )
     cards = tuple(_card(library, entry) for entry in found[:MOST_SHOWN])
     return ShownLibrary(cards=cards, found=len(found), figures=sentence if told.requests else "")

@@ -11,6 +11,7 @@ from storyblender.errors import InputError
 from storyblender.library.panorama_file import small_panorama
 from storyblender.library.shared.entries import LibraryEntry
 from storyblender.library.small_picture import small_picture
+from storyblender.library.texture_file import surface_name
 from storyblender.memory.base import Described
 from storyblender.workplace.workplace import PANORAMAS, Workplace
 
@@ -87,7 +88,7 @@ def _own_card(name: str) -> PictureCard:
         file=name,
         entry="",
         named=path.name,
-        name=path.stem.replace("_", " "),
+        name=path.stem.replace("_", " ") if path.suffix.lower() in PANORAMAS else surface_name(Path(name)),
         source="your folder",
         credit="",
         picture=f"/folder/{quote(name)}",

@@ -67,6 +67,7 @@ def test_the_ground_is_made_of_a_picture_of_the_folder(browser: Browser, folder:
     write_surface(folder.parent / "woods")
     (card,) = [each for each in browser.value("pictures", kind="texture") if each["file"]]
     assert card["file"] == "woods/oak_boards_diff_1k.png", "other maps of a surface are none"
+    assert card["name"] == "oak boards"
     assert seen(browser, card["picture"]) == (64, 64)
     browser.value("surface", scene=INSIDE, part="ground", file=card["file"], metres=1.5)
     assert browser.value("scene", scene=INSIDE)["surfaces"]["ground"] == card["named"]
