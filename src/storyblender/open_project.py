@@ -173,6 +173,15 @@ class OpenProject:
             self._matching = CamerasToMatch(run)
             yield run
 
+    def warn(self, event: Event) -> None:
+        """Tell what a source of assets met, and keep it in the trace.
+
+        Args:
+            event: A warning.
+        """
+        self._project.record(event)
+        self._tell(event)
+
     def _tell(self, event: Event) -> None:
         """Tell every listener, in words for people; the trace has kept what the program calls it."""
         if event.message or event.details:

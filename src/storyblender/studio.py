@@ -278,9 +278,6 @@ class Studio:
             made = self._portrait(kinds[0], key, folder) if story is None else self._sample(story, key, folder)
             Folder(out.parent).write(out.name, made.read_bytes())
 
-    def _warn(self, sentence: str) -> None:
-        self._listener(Event(kind="warning", role="asset_retriever", message=sentence))
-
     def draw_entry(self, library: SharedLibrary, entry: LibraryEntry) -> Path:
         """Return the picture of a model of the user's library, drawn if it is not there yet.
 
@@ -355,9 +352,12 @@ class Studio:
         def engine(listener: Listener) -> BlenderEngine:
             return BlenderEngine(folder, models, settings.jobs, build=build, ahead=ahead, listener=listener)
 
+        def warn(sentence: str) -> None:
+            session.warn(Event(kind="warning", role="asset_retriever", message=sentence))
+
         cancelled = Signal()
         services = service_run(settings, cancelled)
-        sources = asset_sources(settings, load_embedder, services, self._warn)
+        sources = asset_sources(settings, load_embedder, services, warn)
         crew = rules_crew(settings, load_embedder, sources)
         if settings.language_roles:
             from storyblender.language.answerers import answerers
@@ -365,4 +365,5 @@ class Studio:
 
             by_role = answerers(settings.crew, folder, settings.limits, cancelled, self._listener)
             crew = language_crew(crew, by_role, load_embedder, sources)
-        return Session(Project(folder, build), engine, crew, sources, settings, self._listener, cancelled, services)
+        session = Session(Project(folder, build), engine, crew, sources, settings, self._listener, cancelled, services)
+        return session

@@ -155,7 +155,8 @@ class CatalogueSource:
             found = self._catalogue.find(words, "model")
         except ServiceFailure as failure:
             self._rests_until = time.monotonic() + _REST
-            self._warn(f"{failure}; things come from elsewhere")
+            if self._run.outages.is_news(self.name):
+                self._warn(f"{failure}; things come from elsewhere")
             return None
         if self._listed is None or self._listed[0] is not found:
             allowed = [offer for offer in found if is_allowed(offer.licence, self._run.licences)]

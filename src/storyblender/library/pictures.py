@@ -232,7 +232,8 @@ class Pictures:
         """Ask a service no more in this run, and say so once."""
         if catalogue.name not in self._failed:
             self._failed.add(catalogue.name)
-            self._warn(f"{failure}; surfaces and skies stay as the library draws them")
+            if self._run is None or self._run.outages.is_news(catalogue.name):
+                self._warn(f"{failure}; surfaces and skies stay as the library draws them")
 
     def _told(self, sentence: str) -> None:
         if sentence not in self._failed:

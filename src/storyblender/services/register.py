@@ -13,6 +13,7 @@ from storyblender.service_setting import LicenceFilter, ServiceChoice, ServiceNa
 from storyblender.services.budget import ServiceBudget
 from storyblender.services.making import ImageModel, ModelMaker
 from storyblender.services.offers import Catalogue
+from storyblender.services.outages import Outages
 from storyblender.services.shelf import Shelf
 from storyblender.services.web import Patience, Web
 
@@ -34,6 +35,7 @@ class ServiceRun:
     shelf: Shelf = field(default_factory=Shelf)
     patience: Patience = field(default_factory=Patience)
     cancelled: threading.Event = field(default_factory=threading.Event)
+    outages: Outages = field(default_factory=Outages)
 
     def web(self, choice: ServiceChoice, usual: str, key_header: str = "", scheme: str = "") -> Web:
         """Return HTTP with a service.
