@@ -79,6 +79,7 @@ def test_five_props_come_from_two_services(
     graph = read_project_graph(project)
     assert models_in(graph) == EXPECTED
     credits = (project / "credits.md").read_text()
+    assert credits.endswith("\nPowered by [Poly Haven](https://polyhaven.com).\n")
     for told in (
         "Rico Cilliers, Greg Zaal",
         "CC0-1.0",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from storyblender.memory.asset_sheet import Provenance
@@ -16,6 +16,7 @@ _COLUMNS = ("Shown as", "File", "Author", "Licence", "Copyright", "Origin", "SHA
 _SPECIAL = re.compile(r"([\\`*_{}\[\]<>|#&])")
 _ADDRESS = re.compile(r"https?://[^\s<>|]+")
 _NOT_SAID = "not stated"
+_POLY_HAVEN = "https://polyhaven.com"
 
 
 def credited_works(graph: ContinuityMemoryGraph) -> dict[Provenance, list[str]]:
@@ -49,13 +50,22 @@ def write_credits(graph: ContinuityMemoryGraph, part: Path) -> None:
         part: The file to write.
     """
     rows = [_COLUMNS, ("---",) * len(_COLUMNS)]
-    for model, names in credited_works(graph).items():
+    works = credited_works(graph)
+    for model, names in works.items():
         told = (", ".join(names), model.file, model.author, model.license, model.copyright, model.url)
         rows.append((*(_cell(text) for text in told), model.digest[:16]))
     moves = any(True for shot in graph.shots for _ in _clips_in(shot))
     kind = "Works" if moves or _panoramas_seen(graph) or graph.textures else "Models"
     lines = ["# Credits", "", f"{kind} in “{_cell(graph.title)}” that are not part of StoryBlender.", ""]
-    part.write_text("\n".join([*lines, *(f"| {' | '.join(row)} |" for row in rows), ""]), encoding="utf-8")
+    part.write_text(
+        "\n".join([*lines, *(f"| {' | '.join(row)} |" for row in rows), *_below(works), ""]), encoding="utf-8"
+    )
+
+
+def _below(works: Iterable[Provenance]) -> Iterator[str]:
+    """Yield the lines below the table, as services ask for them."""
+    if any(work.url.startswith(f"{_POLY_HAVEN}/") for work in works):  # asked for by the terms of its API
+        yield from ("", f"Powered by [Poly Haven]({_POLY_HAVEN}).")
 
 
 def _clips_in(shot: ShotContext) -> Iterator[tuple[str, MocapClip]]:
