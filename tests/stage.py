@@ -26,6 +26,7 @@ from storyblender.settings import REMEMBERED, Settings
 from storyblender.studio import Studio
 from tests.stand_in_engine import StandInEngine
 
+STEPS = retaking._STEPS
 SCRIPT = "INT. ROOM - DAY\n\nANNA sits at the table.\n\nANNA\nWell.\n\nEXT. STREET - NIGHT\n\nANNA runs.\n"
 SETTINGS = Settings(width=160, animatic_width=160)
 GREY = (0.2, 0.2, 0.2)
@@ -81,7 +82,7 @@ class Stage:
         self.folder, self.engine = folder, StandInEngine(folder)
         self.told: list[str] = []
         monkeypatch.setattr("storyblender.studio.BlenderEngine", self._engine)
-        monkeypatch.setattr(retaking, "_STEPS", retaking._STEPS[:retakes])
+        monkeypatch.setattr(retaking, "_STEPS", STEPS[:retakes])
         plan(folder)
 
     def render(self, *shots: str, wide: int = 160) -> Counter[str]:

@@ -28,6 +28,7 @@ ELSEWHERE = {
     ("look/viewfinder_picture.py", "save"): "into memory",
     ("services/made_files.py", "save"): "into memory",
     ("library/small_picture.py", "save"): "into memory",
+    ("library/panorama_file.py", "save"): "into memory",
     ("mcp_server/server.py", "save"): "into memory",
     ("library/body_data.py", "mkdir"): "data of the program, in no project",
     ("library/body_data.py", "NamedTemporaryFile"): "data of the program, in no project",
