@@ -10,6 +10,7 @@ from storyblender.memory.asset_sheet import Provenance
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.mocap import MocapClip
 from storyblender.memory.shot_context import ShotContext
+from storyblender.services.licences import NOT_PASSED_ON
 
 CREDITS_FILE = "credits.md"
 _COLUMNS = ("Shown as", "File", "Author", "Licence", "Copyright", "Origin", "SHA-256")
@@ -42,6 +43,11 @@ def credited_works(graph: ContinuityMemoryGraph) -> dict[Provenance, list[str]]:
     return shown
 
 
+def works_to_keep(graph: ContinuityMemoryGraph) -> dict[Provenance, list[str]]:
+    """Return the works whose licence forbids passing on the model itself, with the names of what shows them."""
+    return {work: names for work, names in credited_works(graph).items() if work.license in NOT_PASSED_ON}
+
+
 def write_credits(graph: ContinuityMemoryGraph, part: Path) -> None:
     """Write the credits as one Markdown table.
 
@@ -58,12 +64,15 @@ def write_credits(graph: ContinuityMemoryGraph, part: Path) -> None:
     kind = "Works" if moves or _panoramas_seen(graph) or graph.textures else "Models"
     lines = ["# Credits", "", f"{kind} in “{_cell(graph.title)}” that are not part of StoryBlender.", ""]
     part.write_text(
-        "\n".join([*lines, *(f"| {' | '.join(row)} |" for row in rows), *_below(works), ""]), encoding="utf-8"
+        "\n".join([*lines, *(f"| {' | '.join(row)} |" for row in rows), *_below(graph, works), ""]), encoding="utf-8"
     )
 
 
-def _below(works: Iterable[Provenance]) -> Iterator[str]:
-    """Yield the lines below the table, as services ask for them."""
+def _below(graph: ContinuityMemoryGraph, works: Iterable[Provenance]) -> Iterator[str]:
+    """Yield the lines below the table: what must not be passed on, and what services ask to be said."""
+    if kept := works_to_keep(graph):
+        told = ", ".join(_cell(name) for names in kept.values() for name in names)
+        yield from ("", f"Not to be passed on as models, nor in story.blend or exports: {told}.")
     if any(work.url.startswith(f"{_POLY_HAVEN}/") for work in works):  # asked for by the terms of its API
         yield from ("", f"Powered by [Poly Haven]({_POLY_HAVEN}).")
 

@@ -11,7 +11,7 @@ from storyblender.deliver.asset_list import ASSETS_FILE, write_asset_list
 from storyblender.deliver.board import write_board
 from storyblender.deliver.checklist import CHECKLIST_FILE, Check, checklist, write_checklist
 from storyblender.deliver.contact_sheet import sheet_name, sheet_pages, shown_by, write_contact_sheet
-from storyblender.deliver.credits import CREDITS_FILE, credited_works, write_credits
+from storyblender.deliver.credits import CREDITS_FILE, credited_works, works_to_keep, write_credits
 from storyblender.deliver.page import write_page
 from storyblender.deliver.panel import frame_of, panels
 from storyblender.deliver.segments import encode_segments
@@ -110,6 +110,7 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
         write_timeline(timeline_media(run), part)
     run.progress("deliver", 5, steps, "story.blend")
     story.finish()
+    warn_of_works_to_keep(run, ["story.blend"])
     with run.delivering("index.html") as part:
         write_page(graph, frames, part, folder, checks, prints.small)
     run.progress("deliver", steps, steps)
@@ -119,6 +120,21 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
         "graph.json",
     ]  # fmt: skip
     return [name for name in names if (folder / name).exists()]
+
+
+def warn_of_works_to_keep(run: Run, files: Sequence[str]) -> None:
+    """Say in one sentence which works in files with models must not be passed on.
+
+    Args:
+        run: Its story has the works.
+        files: Names in the project that hold models.
+    """
+    works = works_to_keep(run.graph)
+    if not works or not files:
+        return
+    told = ", ".join(f"{' and '.join(names)} ({work.license}, {work.author})" for work, names in works.items())
+    message = f"keep {', '.join(files)} to yourself: the licence forbids passing on the models in it of {told}"
+    run.tell(Event(kind="warning", role="delivery", message=f"{message}; frames, board and film are free"))
 
 
 def write_boards(run: Run, frames: Mapping[str, Path]) -> Prints:

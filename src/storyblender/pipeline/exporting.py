@@ -9,9 +9,11 @@ from storyblender.errors import InputError
 from storyblender.memory.base import scene_name
 from storyblender.memory.jobs import ExportJob
 from storyblender.pipeline.compiling import STORY, file_of
-from storyblender.pipeline.delivery import timeline_media
+from storyblender.pipeline.delivery import timeline_media, warn_of_works_to_keep
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shown import note_shown
+
+EXPORT = "export"
 
 
 def export(run: Run, kinds: Sequence[str]) -> list[str]:
@@ -32,6 +34,7 @@ def export(run: Run, kinds: Sequence[str]) -> list[str]:
                 write_extra(timeline_media(run), part, kind)
         else:
             files += _export_scenes(run, kind)
+    warn_of_works_to_keep(run, [name for name in files if name.startswith(f"{EXPORT}/")])
     for name in files:
         note_shown(run.outputs, run.graph, name)
     return files
@@ -45,7 +48,7 @@ def _export_scenes(run: Run, kind: str) -> list[str]:
             story=file_of(run.graph, scene.scene_id),
             scene_id=scene.scene_id,
             format="glb" if kind == "glb" else "usd",
-            out=f"export/{scene_name(scene.scene_id)}.{'glb' if kind == 'glb' else 'usdc'}",
+            out=f"{EXPORT}/{scene_name(scene.scene_id)}.{'glb' if kind == 'glb' else 'usdc'}",
         )
         for scene in run.graph.scenes
     ]

@@ -42,6 +42,8 @@ _STORE_LICENCES: Final = {
     "ed": Licence("Sketchfab Editorial", _STORE),
 }
 """Slug, of letters only -> what it is. Their texts allow works in pictures, and forbid passing on the models."""
+NOT_PASSED_ON: Final = frozenset(licence.name for licence in _STORE_LICENCES.values())
+"""Names of the licences that forbid passing on a model itself, also inside of a scene."""
 _STORE_NAMES: Final = {"standard": "st", "free standard": "freest", "editorial": "ed"}
 _PARTS: Final = {
     "attribution": "by", "noncommercial": "nc", "non commercial": "nc", "sharealike": "sa", "share alike": "sa",

@@ -1,14 +1,19 @@
-"""``credits.md``: what services ask to be said below the table."""
+"""Credits: what services ask to be said below the table, and what must not be passed on."""
 
 from __future__ import annotations
 
 from pathlib import Path
+from types import SimpleNamespace
+from typing import cast
 
 import pytest
 
 from storyblender.deliver.credits import write_credits
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset, Provenance
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.pipeline.delivery import warn_of_works_to_keep
+from storyblender.pipeline.run import Run
+from storyblender.trace import Event
 
 
 def story_with(license: str, url: str) -> ContinuityMemoryGraph:
@@ -24,3 +29,21 @@ def story_with(license: str, url: str) -> ContinuityMemoryGraph:
 def test_poly_haven_is_named_where_something_is_from_there(url: str, said: bool, tmp_path: Path) -> None:
     write_credits(story_with("CC0-1.0", url), tmp_path / "credits.md")
     assert ("Powered by [Poly Haven]" in (tmp_path / "credits.md").read_text()) is said
+
+
+@pytest.mark.parametrize(("license", "kept"), [("Sketchfab Standard", True), ("CC-BY-4.0", False)])
+def test_a_work_that_must_not_be_passed_on_is_named_with_every_file_that_has_it(
+    license: str, kept: bool, tmp_path: Path
+) -> None:
+    graph, told = story_with(license, "https://sketchfab.com/3d-models/0"), list[Event]()
+    run = cast(Run, SimpleNamespace(graph=graph, tell=told.append))
+    warn_of_works_to_keep(run, ["export/SC010.glb"])
+    warn_of_works_to_keep(run, [])
+    assert len(told) == kept
+    assert all("export/SC010.glb" in each.message and "lute (Sketchfab Standard, Ann)" in each.message for each in told)
+    write_credits(graph, tmp_path / "credits.md")
+    assert ("Not to be passed on as models, nor in story.blend or exports: lute." in read(tmp_path)) is kept
+
+
+def read(folder: Path) -> str:
+    return (folder / "credits.md").read_text()
