@@ -48,7 +48,7 @@ def materialize(run: Run, assets: Sequence[Asset] | None = None) -> None:
     found, prompts = concept.all_decided(missing), ImagePrompts()
     if concept.workshop is not None:
         found, prompts = concept.all_made(found)
-    decided = _sized(run, concept, concept.all_formatted(found), draw)
+    decided = all_sized(run, concept, concept.all_formatted(found), draw)
     building.prepare(decided)
     waiting = [(asset, building.build(asset)) for asset in decided]
     built: list[Asset] = []
@@ -99,14 +99,25 @@ def _built(run: Run, concept: ConceptArtist, asset: Asset, future: Future[AssetM
     return _built(run, concept, other, run.engine.build_asset(AssetJob(asset=other)))
 
 
-def _sized(run: Run, concept: ConceptArtist, assets: list[Asset], draw: Callable[[Asset], AssetViews]) -> list[Asset]:
-    """The Dimension Estimator on everything that the script names; dressing comes in its catalog's size.
+def all_sized(
+    run: Run, concept: ConceptArtist, assets: Sequence[Asset], draw: Callable[[Asset], AssetViews]
+) -> list[Asset]:
+    """Return the assets with the dimension of everything that the script names; dressing comes in its catalog's size.
 
     A model that a service made has no scale of its own: it is as large as what would stand in for it, if nobody knows.
+
+    Args:
+        run: Its Dimension Estimator is asked.
+        concept: Says what would stand in for an asset.
+        assets: With their canonicals.
+        draw: Draws an asset. Raises NoAnswer.
+
+    Raises:
+        AnswerAwaited: An answer has to come from outside first.
     """
     named = [each for each in assets if each.origin != "dressing" and each.dimension is None and not each.fitted_part]
     if not named:
-        return assets
+        return [*assets]
     outcome = run.reflect(run.crew.dimension_estimator, "assets", run.graph, named, draw)
     sizes, usual = dict(outcome.draft), RulesDimensionEstimator().propose(outcome.view)
     made = {asset.asset_id: asset for asset in named if _is_made(asset)}
