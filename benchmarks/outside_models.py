@@ -152,7 +152,7 @@ def _fit(mesh: bpy.types.Mesh, true: np.ndarray, triangles: np.ndarray) -> tuple
     tree = BVHTree.FromPolygons([Vector(each) for each in file], triangles.tolist())
     costs = [np.mean([tree.find_nearest(Vector(each))[3] for each in sample @ turn]) for turn in _rotations()]
     best = min(costs)
-    return min(costs[:4]) < best + _CLOSER, costs[0] < min(costs[:4]) + _CLOSER
+    return bool(min(costs[:4]) < best + _CLOSER), bool(costs[0] < min(costs[:4]) + _CLOSER)
 
 
 def _read(path: Path) -> tuple[np.ndarray, np.ndarray]:
