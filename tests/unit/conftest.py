@@ -8,19 +8,11 @@ from pathlib import Path
 
 import pytest
 from tests.home import SCRIPT, SETTINGS
+from tests.no_retakes import no_retakes  # noqa: F401
 from tests.stand_in_engine import StandInEngine
 
-from storyblender.pipeline import retaking
 from storyblender.session import Session
 from storyblender.studio import Studio
-
-
-@pytest.fixture(scope="session", autouse=True)
-def _no_retakes() -> Iterator[None]:
-    """Take no frame again: the stand-in for Blender sees nothing in any, so that all would be taken three times."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(retaking, "_STEPS", ())
-        yield
 
 
 @pytest.fixture(scope="session")

@@ -1,0 +1,3 @@
+"""No frame of these tests is taken again."""
+
+from tests.no_retakes import no_retakes  # noqa: F401
