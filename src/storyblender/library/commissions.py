@@ -180,17 +180,17 @@ class Commissions:
 
         Raises:
             Cancelled: While another process was waited for.
-            ServiceFailure: The limit of minutes is reached.
+            ServiceFailure: The limit of minutes is reached, or the library cannot be written.
         """
         name = f"{content_hash(kind, maker.settings, asked)}.lock"
-        lock = FileLock(self._library.files.make_folder(INCOMING) / name, timeout=0, thread_local=False)
-        while not lock.is_locked:
-            try:
-                lock.acquire()
-            except Timeout:
+        try:
+            lock = FileLock(self._library.files.make_folder(INCOMING) / name, timeout=0, thread_local=False)
+            while not _taken(lock):
                 self._budget.spend("minutes", _PAUSE / 60)
                 if self._cancelled.wait(_PAUSE):
-                    raise Cancelled from None
+                    raise Cancelled
+        except (InputError, OSError) as error:
+            raise ServiceFailure(f"the library cannot be written ({error})") from error
         try:
             yield
         finally:
@@ -320,6 +320,15 @@ class Commissions:
         entry = self._library.add(facts, folder)
         self._library.jobs.finished(job, entry.digest)
         return entry
+
+
+def _taken(lock: FileLock) -> bool:
+    """Take a lock if no other process has it, and return whether it is taken."""
+    try:
+        lock.acquire()
+    except Timeout:
+        return False
+    return True
 
 
 def _mark(job: Job) -> str:

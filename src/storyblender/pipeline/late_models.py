@@ -15,6 +15,8 @@ def take_late_models(run: Run) -> None:
     Args:
         run: Of a planned project; ``materialize`` then builds what was taken.
     """
+    if run.services is None or run.settings.licences == "free":
+        return
     waiting = [asset for asset in run.graph.assets if _waits(run, asset)]
     workshop = workshop_of(run) if waiting else None
     if workshop is None:

@@ -161,8 +161,8 @@ class JobLedger:
 
     def _write_down(self, job: Job) -> None:
         """Add a job to the journal as it is now; on disk when this returns."""
+        self._files.append(JOURNAL, f"\n{job.model_dump_json()}\n")  # after a line that a killed process left torn
         with self._files.log(JOURNAL) as file:
-            file.write(f"{job.model_dump_json()}\n".encode())
             os.fsync(file.fileno())
 
     def _become(self, job: Job, state: JobState, **values: str) -> Job:

@@ -80,7 +80,9 @@ def test_what_was_paid_for_outlives_the_index(damage: str, tmp_path: Path) -> No
     assert rebuilt_index(library) == (0, 60)
     assert reopened(tmp_path).all() == before
     assert library.jobs.begin("01" * 200, "meshy", 0.2).remote_id == "task-1", "nothing is asked twice"
-    assert library.jobs.begin("new", "meshy", 0.2).id == 61
+    fresh = library.jobs.begin("new", "meshy", 0.2)
+    library.close_index()
+    assert fresh.id == 61 and rebuilt_index(library) == (0, 61), "also after a line that was torn"
 
 
 def test_jobs_on_sound_pages_of_an_index_without_a_journal_are_kept(tmp_path: Path) -> None:
