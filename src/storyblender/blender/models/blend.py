@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -13,11 +11,10 @@ from storyblender.blender.models.limits import SECONDS
 from storyblender.blender.models.parts import checked
 from storyblender.blender.models.plain import PlainModel, load
 from storyblender.errors import InputError
+from storyblender.file_reading_process import run_reading
 
 _FBX_HEAD, _OLDEST_FBX = 27, 7100
 """Bytes that say the version of an .fbx, and the oldest that Blender reads: that of 2011."""
-PROBLEM = "problem.txt"
-"""What the reading process could not do, in its folder: problem and mend, one a line."""
 
 
 def read_blend(path: Path, folder: Path) -> PlainModel:
@@ -70,22 +67,5 @@ def read_aside(path: Path, folder: Path) -> PlainModel:
     """
     with TemporaryDirectory(prefix="storyblender-") as name:
         out = Path(name)
-        command = [sys.executable, "-m", "storyblender.blender.models.blend_reader", str(path), str(folder), name]
-        try:
-            done = subprocess.run(
-                command,
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.DEVNULL,
-                timeout=SECONDS,
-                check=False,
-                cwd=name,
-            )
-        except subprocess.TimeoutExpired as error:
-            raise InputError(f"it could not be read within {SECONDS} seconds") from error
-        if (out / PROBLEM).is_file():
-            problem, _, mend = (out / PROBLEM).read_text().partition("\n")
-            raise InputError(problem, mend=mend)
-        if done.returncode != 0:
-            raise InputError("Blender could not read it: it is damaged, or far too large")
+        run_reading("storyblender.blender.models.blend_reader", (str(path), str(folder)), out, SECONDS)
         return checked(load(out))

@@ -12,9 +12,9 @@ import threading
 import time
 from pathlib import Path
 
-from storyblender.blender.models.blend import PROBLEM
 from storyblender.blender.models.limits import FILE_BYTES, MEMORY, SECONDS
 from storyblender.errors import InputError
+from storyblender.file_reading_process import PROBLEM
 
 
 def main() -> None:
@@ -28,7 +28,7 @@ def main() -> None:
 
         save(read_scene(path, folder), out)
     except InputError as error:
-        (out / PROBLEM).write_text(f"{error.problem}\n{error.mend}")
+        (out / PROBLEM).write_text(f"{error.problem}\n{error.mend}", encoding="utf-8")
     except (RuntimeError, OSError, ValueError, MemoryError, ReferenceError) as error:
         print(error, file=sys.stderr)
         status = 1

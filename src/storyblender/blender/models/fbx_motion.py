@@ -15,10 +15,11 @@ import numpy as np
 from mathutils import Matrix
 
 from storyblender.blender.models.blend_reader import bound_process
+from storyblender.file_reading_process import PROBLEM
 from storyblender.geometry.solids import Floats
 
-PROBLEM, MOTION = "problem.txt", "motion.npz"
-"""Names of what is written; ``library.mocap.fbx`` reads them."""
+MOTION = "motion.npz"
+"""Name of the written file; ``library.mocap.fbx`` reads it."""
 MOST_BONES, MOST_SECONDS = 600, 121
 """Of a skeleton, and of its motion; what comes after is not played."""
 

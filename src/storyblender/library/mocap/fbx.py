@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Final
@@ -11,14 +9,15 @@ from typing import Final
 import numpy as np
 
 from storyblender.errors import InputError
+from storyblender.file_reading_process import run_reading
 from storyblender.library.mocap.source_motion import SourceMotion
 
 LARGEST: Final = 256 * 2**20
 """Bytes of a file."""
 SECONDS: Final = 120
 """Of reading."""
-MOTION, PROBLEM = "motion.npz", "problem.txt"
-"""What the reading process writes into its folder: the motion, or why there is none."""
+MOTION: Final = "motion.npz"
+"""File in the reading process's folder with the motion."""
 _BINARY: Final = b"Kaydara FBX Binary"
 
 
@@ -40,23 +39,9 @@ def read_fbx(path: Path) -> SourceMotion:
     except OSError as error:
         raise InputError(f"it cannot be read ({error.strerror})") from error
     with TemporaryDirectory(prefix="storyblender-") as name:
-        command = [sys.executable, "-m", "storyblender.blender.models.fbx_motion", str(path), name]
-        try:
-            done = subprocess.run(
-                command,
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.DEVNULL,
-                timeout=SECONDS,
-                check=False,
-                cwd=name,
-            )
-        except subprocess.TimeoutExpired as error:
-            raise InputError(f"it could not be read within {SECONDS} seconds") from error
-        problem, motion = Path(name) / PROBLEM, Path(name) / MOTION
-        if problem.is_file():
-            raise InputError(problem.read_text(encoding="utf-8")[:200])
-        if done.returncode != 0 or not motion.is_file():
+        run_reading("storyblender.blender.models.fbx_motion", (str(path),), Path(name), SECONDS)
+        motion = Path(name) / MOTION
+        if not motion.is_file():
             raise InputError("Blender could not read it: it is damaged, or far too large")
         return _load(motion)
 
