@@ -16,6 +16,7 @@ BUILDERS = ("blender", "catalog", "geometry", "look", "memory", "library/data")
 """Packages and folders that decide what geometry a recipe becomes."""
 BUILDING_MODULES = (
     "errors.py",
+    "file_reading_process.py",
     "folder.py",
     "library/body_data.py",
     "library/file_names.py",
