@@ -20,7 +20,7 @@ _SERVED = frozenset(("turkey", "chicken", "lobster", "crab", "prawn", "prawns", 
 
 
 class BuiltInLibrary:
-    """The props of ``catalog.props``; builders make them, so there is nothing to fetch and nobody to credit.
+    """The props of ``catalog.props``; builders make them, so there is nothing to fetch or to credit.
 
     Args:
         embedder: Loads the sentence model.

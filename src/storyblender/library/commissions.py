@@ -1,8 +1,8 @@
 """Work that services are paid for: asked for once, noted at every step, kept in the user's library.
 
 A request is known by what is asked, of which service and model. What was made for it before is taken from the library;
-a job that was begun before goes on, also one that another process began: while that sends it, this one waits. A job of
-which nobody knows whether it was begun is looked for at the service, and never begun again by itself.
+a job that was begun before goes on, also one that another process began: while that sends it, this one waits. A job
+that may or may not have begun is looked for at the service, and never begun again by itself.
 """
 
 from __future__ import annotations
@@ -116,7 +116,7 @@ class Commissions:
         Raises:
             Busy: Other jobs have to end first.
             Cancelled: Before anything was sent.
-            ServiceFailure: The service will not, or nobody knows whether it was asked before.
+            ServiceFailure: The service will not, or it is unknown whether it was asked before.
         """
         with self._alone("model", maker.maker, picture.digest):
             return self._model(maker, picture)
@@ -267,7 +267,7 @@ class Commissions:
         return job if job.state == "submitted" else self._model(maker, picture)
 
     def _looked_for(self, maker: ModelMaker, lost: Job) -> Job | None:
-        """Return a job whose id got lost: with its id, or failed if it surely was not begun; None if nobody knows."""
+        """Return a job whose id got lost: with its id, or failed if it surely was not begun; None if unknown."""
         jobs = self._library.jobs
         known = [job.remote_id for job in jobs.all() if job.remote_id]
         try:

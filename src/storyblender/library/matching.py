@@ -37,7 +37,7 @@ _RESHAPING: frozenset[str] = frozenset(
 ) | frozenset(entry.name for entry in PROPS.values() if entry.category in ("animal", "vehicle"))
 """Words before a head that make another thing of it: a dragon statue, a robot dog, a toy car."""
 _OTHERWISE_SHAPED = frozenset(("rocking", "surveillance", "snow", "sand"))
-"""Words before a head of which nobody built the likeness."""
+"""Words before a head noun that make it a thing the library has no likeness of."""
 _OTHER_NUMBER = 0.01
 """Points lost by a name in another number than the word said: ``glasses`` are worn, two of them are to drink from."""
 _NUMBERS = frozenset(("two", "three", "four", "five", "six", "several", "many", "empty", "full", "clean", "dirty"))

@@ -154,8 +154,8 @@ def need_of(query: AssetQuery) -> Need:
 def is_asked_for(query: AssetQuery) -> bool:
     """Tell whether services are asked for a thing.
 
-    Not for what nobody named, for what moves by itself or is got into, or for what the story writes on, fills, or finds
-    in a state: of those only the built-in library has all that is seen.
+    Not for what the script does not name, what moves by itself or is got into, nor what the story writes on, fills,
+    or finds in a state: of those only the built-in library has all that is seen.
     """
     asset = query.asset
     made = query.kind in ("animal", "vehicle") or asset.fitted_part or asset.writing or asset.liquid or query.state

@@ -106,7 +106,7 @@ def cuts_made_wrong(run: Run, edited: Collection[ShotContext]) -> list[Flaw]:
 def with_cuts_judged(run: Run, scenes: Collection[int] | None = None) -> ContinuityMemoryGraph:
     """Return the graph with the faults that its cuts have now, for reports.
 
-    A changed camera changes the cuts of its neighbours too. Scenes whose faces nobody has measured keep the faults that
+    A changed camera changes the cuts of its neighbours too. Scenes whose faces were not measured keep the faults that
     their cameras were left with.
 
     Args:

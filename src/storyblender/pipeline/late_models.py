@@ -34,7 +34,7 @@ def take_late_models(run: Run) -> None:
 
 
 def _waits(run: Run, asset: Asset) -> bool:
-    """Return whether something stands in for a thing that may be made, and nobody locked it or where it stands."""
+    """Return whether something stands in for a thing that may be made, and neither it nor its place is locked."""
     if not asset.image_prompt or asset.canonical is None or asset.locked or asset.decision is not None:
         return False
     scenes = [scene for scene in run.graph.scenes if asset.asset_id in _shown(run, scene)]

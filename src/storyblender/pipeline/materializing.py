@@ -104,7 +104,7 @@ def all_sized(
 ) -> list[Asset]:
     """Return the assets with the dimension of everything that the script names; dressing comes in its catalog's size.
 
-    A model that a service made has no scale of its own: it is as large as what would stand in for it, if nobody knows.
+    A model that a service made has no scale of its own: it is as large as its stand-in, if its size is unknown.
 
     Args:
         run: Its Dimension Estimator is asked.

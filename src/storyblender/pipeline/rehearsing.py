@@ -41,7 +41,7 @@ class CamerasToMatch:
         return shot.model_copy(update={"camera": former.camera, "frame": former.frame})
 
     def moments(self, shot: ShotContext) -> Sequence[Moment]:
-        """Return everybody's faces in a shot as they were then; none where nobody has measured them."""
+        """Return everybody's faces in a shot as they were then; none where they have not been measured."""
         key = (shot.scene_id, shot.shot_id)
         if key not in self._moments:
             former, pack = self._shots.get(key), self._run.packs.get(shot.scene_id)
@@ -52,7 +52,7 @@ class CamerasToMatch:
 
 
 def rehearse(run: Run, shot: ShotContext) -> PackRef:
-    """Have the scene of a shot be as it is staged now, in that shot, and return its pack, which nobody has saved.
+    """Have the scene of a shot be as it is staged now, in that shot, and return its pack, which is not saved.
 
     Args:
         run: In front; the pack is the scene's in it.

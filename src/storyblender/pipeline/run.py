@@ -49,7 +49,7 @@ class Run:
 
     Attributes:
         packs: Scene id to the pack in use, as the staging made them.
-        followed: Shots that nobody edited and that changed in consequence of an edit, each with what changed.
+        followed: Shots that were not edited and that changed in consequence of an edit, each with what changed.
     """
 
     def __init__(

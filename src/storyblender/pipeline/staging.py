@@ -166,7 +166,7 @@ def _with_flaws(
 def _with_camera_to_set(shot: ShotContext, before: ShotContext, scene: SceneContext | None = None) -> ShotContext:
     """Return a shot that is staged again, without its camera; one that a person locked or placed stays.
 
-    The Camera Operator gives a shot that nobody edited its camera again where that still works.
+    The Camera Operator gives a shot that was not edited its camera again where that still works.
 
     Args:
         shot: As it is staged now.
@@ -189,8 +189,8 @@ def _with_camera_to_set(shot: ShotContext, before: ShotContext, scene: SceneCont
 def animate_again(run: Run, scenes: Collection[int]) -> None:
     """Animate the scenes of shots whose motion an edit made stale; shots that come out as they were stay untouched.
 
-    A shot whose people stand or go elsewhere now gets a new camera, unless a person locked or placed it, or nobody
-    edited that shot and its camera still works.
+    A shot whose people stand or go elsewhere now gets a new camera, unless a person locked or placed it, or the
+    shot was not edited and its camera still works.
 
     Args:
         run: With the scenes staged.
@@ -212,7 +212,7 @@ def animate_again(run: Run, scenes: Collection[int]) -> None:
 
 
 def _tell_lengths(run: Run, before: Mapping[int, ShotContext], shots: Sequence[ShotContext]) -> None:
-    """Tell which shots that nobody edited have another length, because of what is done in them now."""
+    """Tell which shots that were not edited have another length, because of what is done in them now."""
     fps = run.graph.format.fps
     for shot in shots:
         past = before[shot.shot_id]

@@ -17,7 +17,7 @@ from storyblender.trace import Event
 def with_pictured_surfaces(
     run: Run, graph: ContinuityMemoryGraph, scene_id: int, environment: Environment
 ) -> Environment:
-    """Return a set with pictures on the walls and the ground that nobody decided; a place that has its set keeps them.
+    """Return a set with pictures on undecided walls and ground; a place that has its set keeps them.
 
     Args:
         run: What pictures there are.

@@ -132,7 +132,7 @@ class MeshyModels(_Tasks):
         )
 
     def lost_job(self, mark: str, since: float, known: Collection[str]) -> str | None:
-        """Return the one task that was begun since then and is nobody else's; None if that cannot be told.
+        """Return the one task that was begun since then and belongs to no other job; None if that cannot be told.
 
         Args:
             mark: Not used.

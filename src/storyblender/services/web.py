@@ -306,7 +306,7 @@ class Web:
         status = response.status_code
         if 200 <= status < 300 or status == 304:
             if response.headers.get("content-encoding", "identity").lower() not in ("gzip", "identity"):
-                raise ServiceFailure("its answer is packed in a way that nobody asked for")
+                raise ServiceFailure("its answer is packed in a way that was not asked for")
             return
         if status in _AGAIN:
             pause = pause_asked_for(response.headers.get("retry-after", ""))

@@ -165,7 +165,7 @@ def _fall_asleep(stage: MotionStage, who: Performer, staged: StagedCue) -> None:
 
 
 def _perform(stage: MotionStage, cue: Cue, index: int) -> float | None:
-    """Play one cue; return the second at which it ends, or None if nobody performs it."""
+    """Play one cue; return the second at which it ends, or None if it has no performer."""
     who = stage.people.get(cue.asset_id)
     if who is None and cue.mark is not None and cue.asset_id in stage.props:
         move_animal(stage.props[cue.asset_id], cue.start / stage.fps, (cue.duration or stage.fps) / stage.fps, cue.mark)

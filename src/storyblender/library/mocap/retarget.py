@@ -30,7 +30,7 @@ FACES: Final = np.radians(25.0)
 _SWAY: Final = 0.3
 """Seconds over which the path on the floor is smoothed; what is quicker is the hips' own."""
 _STILL: Final = 0.06
-"""Radians a second, in the mean of all bones, or legs a second of hips and hands, below which nobody moves."""
+"""Radians a second, in the mean of all bones, or legs a second of hips and hands, below which a clip is still."""
 _LEFT_STILL: Final = 0.2
 """Seconds of stillness that are kept at either end."""
 _JUMP: Final = np.radians(8.0)

@@ -24,7 +24,7 @@ _FIELDS = ", ".join(FIELDS)
 
 
 class OutcomeUnknown(InputError):
-    """The same work was sent before and nobody knows what became of it; it is not sent again unasked."""
+    """The same work was sent before and its outcome is unknown; it is not sent again unasked."""
 
 
 class Job(Frozen):

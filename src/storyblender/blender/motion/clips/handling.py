@@ -104,7 +104,7 @@ def take_in_hand(
 
 
 def release_prop(stage: MotionStage, prop: StagedProp) -> None:
-    """Note that nobody holds the prop any more."""
+    """Note that the prop is no longer held."""
     for person in stage.people.values():
         person.held = {side: held for side, held in person.held.items() if held != prop.asset_id}
 

@@ -115,7 +115,7 @@ def travel(
         end_yaw: Facing at the end in radians; None keeps the heading.
         style: Speed and gait.
         skip: Obstacles to ignore, by node id or asset id.
-        partner: The person walked to, who is not avoided.
+        partner: The person walked to; not avoided as an obstacle.
     """
     here = (who.position.x, who.position.y)
     if math.dist(here, goal) < NEAR:
