@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING, TypeVar
+
 from storyblender.agents.visual_effects_artist.surroundings import PictureWish, ground_wish, sky_wish, wall_wish
 from storyblender.catalog.sets import plan_of
 from storyblender.memory.base import scene_name
@@ -12,6 +15,12 @@ from storyblender.memory.scene_decision import SetDecision
 from storyblender.memory.texture import Texture
 from storyblender.pipeline.run import Run
 from storyblender.trace import Event
+
+if TYPE_CHECKING:
+    from storyblender.folder import Folder
+    from storyblender.library.pictures import OfferedPicture, PictureKind
+
+_Value = TypeVar("_Value", Texture, Panorama)
 
 
 def with_pictured_surfaces(
@@ -67,30 +76,49 @@ def _said(scene: SceneContext) -> tuple[str, ...]:
 def _texture(run: Run, wish: PictureWish | None, scene_id: int, surface: str) -> Texture | None:
     if wish is None or run.pictures is None:
         return None
-    picture = run.pictures.best("texture", wish.phrase, wish.fits)
-    taken = run.pictures.texture(picture, run.project.files) if picture is not None else None
-    if picture is None or taken is None:
-        return None
-    texture, pictures = taken
-    for name, data in pictures.items():
-        if not run.outputs.whole(name):
-            run.outputs.write(name, data)
-    _tell(run, scene_id, f"{surface} ({wish.phrase}): {picture.name} of {picture.place.partition('/')[0]}")
-    return texture
+    return _taken(run, scene_id, "texture", wish, f"{surface} ({wish.phrase})", run.pictures.texture)
 
 
 def _panorama(run: Run, wish: PictureWish | None, scene_id: int) -> Panorama | None:
     if wish is None or run.pictures is None:
         return None
-    picture = run.pictures.best("panorama", wish.phrase, wish.fits)
-    taken = run.pictures.panorama(picture, run.project.files) if picture is not None else None
+    pictures = run.pictures
+
+    def with_file(picture: OfferedPicture, files: Folder) -> tuple[Panorama, dict[str, bytes]] | None:
+        taken = pictures.panorama(picture, files)
+        return None if taken is None else (taken[0], {panorama_file(taken[0].provenance.digest): taken[1]})
+
+    return _taken(run, scene_id, "panorama", wish, "light of the sky", with_file)
+
+
+def _taken(
+    run: Run,
+    scene_id: int,
+    kind: PictureKind,
+    wish: PictureWish,
+    purpose: str,
+    take: Callable[[OfferedPicture, Folder], tuple[_Value, dict[str, bytes]] | None],
+) -> _Value | None:
+    """Return the best texture or panorama for a wish, its files written into the project; None where there is none.
+
+    Args:
+        run: What pictures there are.
+        scene_id: The scene that it is for.
+        kind: What is wanted.
+        wish: What it shows.
+        purpose: What it is for, as people are told.
+        take: Reads an offered picture, with its files by name.
+    """
+    picture = run.pictures.best(kind, wish.phrase, wish.fits) if run.pictures is not None else None
+    taken = take(picture, run.project.files) if picture is not None else None
     if picture is None or taken is None:
         return None
-    panorama, data = taken
-    if not run.outputs.whole(name := panorama_file(panorama.provenance.digest)):
-        run.outputs.write(name, data)
-    _tell(run, scene_id, f"light of the sky: {picture.name} of {picture.place.partition('/')[0]}")
-    return panorama
+    value, files = taken
+    for name, data in files.items():
+        if not run.outputs.whole(name):
+            run.outputs.write(name, data)
+    _tell(run, scene_id, f"{purpose}: {picture.name} of {picture.place.partition('/')[0]}")
+    return value
 
 
 def _tell(run: Run, scene_id: int, message: str) -> None:
