@@ -62,8 +62,8 @@ export class LibraryView extends LitElement {
     </section>`;
   }
 
-  private counted(shown: ShownLibrary): string {
-    if (!shown.found && !this.words) return "Your library is empty. What services give your stories is kept in it; `storyblender library add` adds models and panoramas of yours.";
+  private counted(shown: ShownLibrary) {
+    if (!shown.found && !this.words) return html`Your library is empty. What services give your stories is kept in it; <code>storyblender library add</code> adds models and panoramas of yours.`;
     const few = shown.found > shown.cards.length ? `, the newest ${shown.cards.length} are shown` : "";
     const count = shown.found ? `${shown.found} in the library${few}. ` : "Nothing of that is in the library; try fewer words. ";
     return count + (shown.figures ? `${shown.figures}.` : "");

@@ -7,7 +7,7 @@ import type { Wire } from "./wire";
 
 const NOTHING = {
   texture: "There is none. Put colour pictures of surfaces (oak_diff.jpg), or folders of them, beside the storyboard.",
-  panorama: "There is none. Put .hdr or .exr panoramas beside the storyboard, or add them with `storyblender library add`.",
+  panorama: html`There is none. Put .hdr or .exr panoramas beside the storyboard, or add them with <code>storyblender library add</code>.`,
 };
 
 @customElement("sb-pictures")
