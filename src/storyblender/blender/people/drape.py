@@ -156,7 +156,7 @@ class _DrapedCloth:
             if turn % 2 or turn == ROUNDS - 1:
                 for obstacle in obstacles:
                     self._push_vertices(obstacle)
-                self._push_edges(obstacles[0])
+                    self._push_edges(obstacle)
             on_seat = (
                 (self.points[:, 1] > self.edge_of_seat) & (self.points[:, 2] < seat - 0.002) & (self.free[:, 0] > 0)
             )
@@ -194,7 +194,7 @@ class _DrapedCloth:
         self.points[loose[hit]] += 0.8 * moves
 
     def _push_edges(self, obstacle: BVHTree) -> None:
-        """Push the middles of edges out too: vertices alone let a thigh cut through a coarse skirt."""
+        """Push the middles of edges out too: vertices alone let legs cut through a coarse skirt or coat."""
         loose = np.flatnonzero(self.free[self.edges, 0].max(1) > 0)
         hit, moves = _pushes(obstacle, self.points[self.edges[loose]].mean(1), 0.6 * GAP * self.scale)
         for end in (0, 1):
