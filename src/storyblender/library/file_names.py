@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
+from itertools import takewhile
 from pathlib import PurePath
 
 from storyblender.catalog.props import PROPS
@@ -67,11 +68,14 @@ def character_file(asset: Asset, names: Iterable[str]) -> str:
 
 
 def _noun(words: list[str]) -> str:
-    """Return the word for the thing: the last as in English, or the first if only that, or its reverse, is a thing."""
+    """Return the word for the thing: the last as in English, or the first if its reverse is a thing.
+
+    Words after the things that a name begins with do not count: ``table_lamp_broken`` is a lamp.
+    """
     if len(words) < 2 or words[0] not in _things():
         return words[-1] if words else ""
-    reverse = " ".join([*words[1:], words[0]])
-    return words[0] if words[-1] not in _things() or reverse in _names() else words[-1]
+    compound = words if words[-1] in _things() else [*takewhile(_things().__contains__, words)]
+    return words[0] if " ".join([*compound[1:], words[0]]) in _names() else compound[-1]
 
 
 @cache

@@ -164,6 +164,7 @@ def test_a_model_is_found_by_its_own_name_in_any_folder_and_by_what_it_means(tmp
         ("lamp", "object-lamp.glb"),
         ("bed", "bed-king.glb"),
         ("brass table lamp", "lamp_table_brass_v2.obj"),
+        ("sofa", "convertible-sofa-opened.obj"),
         ("old armchair", "furniture/ArmChair01.glb"),
         ("coffee table", "tableCoffee.glb"),
     ],
