@@ -6,7 +6,7 @@ import type { PictureCard } from "./messages";
 import type { Wire } from "./wire";
 
 const NOTHING = {
-  texture: "There is none. Put colour pictures of surfaces (oak_diff.jpg), or folders of them, beside the storyboard.",
+  texture: html`There is none. Put colour pictures of surfaces (<code>oak_diff.jpg</code>), or a folder <code>textures</code> of any pictures, beside the storyboard.`,
   panorama: html`There is none. Put .hdr or .exr panoramas beside the storyboard, or add them with <code>storyblender library add</code>.`,
 };
 

@@ -16,6 +16,7 @@ import zlib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Literal
+from urllib.parse import unquote
 
 import numpy as np
 from PIL import Image, UnidentifiedImageError
@@ -34,6 +35,12 @@ USUAL_METRES = 2.0
 _MOST_BYTES, _MOST_PIXELS, _LEAST = 64 << 20, 64_000_000, 16
 _MOST_FILES = 500
 """Names in a folder that are looked at."""
+_MODELS = frozenset((".glb", ".gltf", ".blend", ".obj", ".mtl", ".fbx", ".stl", ".ply"))
+_NAMING = frozenset((".gltf", ".mtl"))
+"""Files whose text names the pictures of a model."""
+_MOST_TEXT = 4 << 20
+_TEXTURES = re.compile(r"textures?|surfaces?|materials?", re.IGNORECASE)
+"""In the name of a folder whose pictures are surfaces."""
 _FORMATS = ("PNG", "JPEG", "WEBP", "TGA", "BMP", "TIFF")
 _SUFFIXES = frozenset((".png", ".jpg", ".jpeg", ".webp", ".tga", ".bmp", ".tif", ".tiff"))
 _DAMAGE = (UnidentifiedImageError, Image.DecompressionBombError, OSError, ValueError, SyntaxError, EOFError, TypeError,
@@ -101,13 +108,23 @@ def read_texture(path: Path, metres: float | None = None) -> tuple[Texture, dict
     return texture, {texture.file(name): _jpeg(picture, name) for name, picture in squared.items()}
 
 
-def surfaces_in(folder: Path) -> list[Path]:
-    """Return the colour pictures of the surfaces in a folder, by name; other maps of a surface are none.
+def surfaces_in(folder: Path, root: Path) -> list[Path]:
+    """Return the pictures in a folder that are offered as surfaces, by name.
+
+    They are those whose name says that they are a colour map, in a folder of textures any that is no other map; none
+    that belongs to a model, because the model's file names it or is named as it is.
 
     Args:
         folder: Of the user.
+        root: The folder that it is in, or itself: models there may have their pictures in it.
     """
-    return [file for file in _files(folder) if _named(file)[1] in ("color", None)]
+    of_textures = _TEXTURES.search(folder.name) is not None
+    kinds: tuple[_Source | None, ...] = ("color", None) if of_textures else ("color",)
+    found = [file for file in _files(folder) if _named(file)[1] in kinds]
+    models = [each for place in {folder, root} for each in _models(place)] if found else []
+    names = {_named(model)[0] for model in models}
+    told = "".join(map(_text, models))
+    return [file for file in found if _named(file)[0] not in names and file.name not in told]
 
 
 def surface_name(file: Path) -> str:
@@ -155,6 +172,19 @@ def _files(folder: Path) -> list[Path]:
     """Return the pictures in a folder by name."""
     names = sorted(each for each in folder.iterdir() if each.suffix.lower() in _SUFFIXES and each.is_file())
     return names[:_MOST_FILES]
+
+
+def _models(folder: Path) -> list[Path]:
+    """Return the models in a folder, and the files that say what those are made of."""
+    names = sorted(each for each in folder.iterdir() if each.suffix.lower() in _MODELS and each.is_file())
+    return names[:_MOST_FILES]
+
+
+def _text(model: Path) -> str:
+    """Return what a file says of the pictures of a model, where that can be read as text."""
+    if model.suffix.lower() not in _NAMING or model.stat().st_size > _MOST_TEXT:
+        return ""
+    return unquote(model.read_text(encoding="utf-8", errors="replace"))
 
 
 def _named(file: Path) -> tuple[str, _Source | None]:

@@ -85,17 +85,18 @@ class Workplace:
         return self._files.path(name)
 
     def surfaces(self) -> list[str]:
-        """Return the colour pictures of surfaces in the folder, and in the folders in it, by name."""
+        """Return the colour pictures of surfaces in the folder, and in the folders in it but for projects, by name."""
         root = self._files.root
-        inner = [each for each in root.iterdir() if each.is_dir() and not (each / GRAPH).exists()]
+        folders = [each for each in root.iterdir() if each.is_dir()]
+        inner = [each for each in folders if each.suffix != _PROJECT and not (each / GRAPH).exists()]
         own = [each for each in inner if not each.is_symlink() and not each.name.startswith(".")]
-        found = (file for folder in (root, *own) for file in surfaces_in(folder))
+        found = (file for folder in (root, *own) for file in surfaces_in(folder, root))
         return sorted(file.relative_to(root).as_posix() for file in found)[:_MOST_PICTURES]
 
     def surface(self, name: str) -> Path:
         """Return the colour picture of a surface of the folder by its name. Raises InputError."""
         if name not in self.surfaces():
-            mend = "put its pictures beside the project, or in a folder there"
+            mend = "name its colour picture oak_diff.jpg, or put it in a folder `textures`, beside the project"
             raise InputError(f"there is no surface {name!r} here", mend=mend)
         return self._files.path(name)
 

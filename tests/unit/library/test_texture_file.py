@@ -11,7 +11,7 @@ from PIL import Image
 from tests.textures import BROWN, PALE, boards, write_surface
 
 from storyblender.errors import InputError
-from storyblender.library.texture_file import SIDE, read_texture
+from storyblender.library.texture_file import SIDE, read_texture, surfaces_in
 from storyblender.memory.texture import Texture, TextureMap
 
 
@@ -124,3 +124,18 @@ def test_a_credits_file_that_cannot_be_read_is_named(tmp_path: Path) -> None:
     (write_surface(tmp_path / "oak") / "credits.toml").write_text("author = [")
     with pytest.raises(InputError, match=r"credits\.toml: cannot be read as credits"):
         read_texture(tmp_path / "oak")
+
+
+def test_photographs_and_pictures_of_models_are_not_offered_as_surfaces(tmp_path: Path) -> None:
+    folder = write_surface(tmp_path / "things")
+    for name in ("holiday.jpg", "board.png", "chair_diff.png", "cloth col_1k.png", "lamp_albedo.png"):
+        boards().save(folder / name)
+    (folder / "chair.fbx").write_bytes(b"")
+    (folder / "table.gltf").write_text('{"images": [{"uri": "cloth%20col_1k.png"}]}')
+    (tmp_path / "lamp.obj").write_text("")
+    (tmp_path / "photo.jpg").write_bytes((folder / "holiday.jpg").read_bytes())
+    assert [each.name for each in surfaces_in(folder, tmp_path)] == ["oak_boards_diff_1k.png"]
+    assert surfaces_in(tmp_path, tmp_path) == []
+    mine = write_surface(tmp_path / "My Textures")
+    boards().save(mine / "brick.jpg")
+    assert [each.name for each in surfaces_in(mine, tmp_path)] == ["brick.jpg", "oak_boards_diff_1k.png"]
