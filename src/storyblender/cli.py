@@ -30,7 +30,7 @@ from storyblender import (
     cli_studio,
     cli_why,
 )
-from storyblender.cli_options import Aspect, Folder, Jobs, Json, LookOption, Quiet, examples, open_studio
+from storyblender.cli_options import Aspect, Folder, Jobs, Json, LookOption, Quiet, Services, examples, open_studio
 from storyblender.shell import Commands, shown
 
 app = typer.Typer(
@@ -104,14 +104,6 @@ Hdri = Annotated[
 
 Motions = Annotated[
     list[Path] | None, typer.Option(help="A folder of your own motion clips (.bvh, .fbx); may be given again.")
-]
-Services = Annotated[
-    str | None,
-    typer.Option(
-        help="Where assets may come from beside your folders and the built-in library, with commas: poly_haven, "
-        "sketchfab, an image model (openai, gemini) with what makes 3D models of images (hunyuan3d, trellis, meshy). "
-        "Off by default."
-    ),
 ]
 
 

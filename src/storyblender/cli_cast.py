@@ -15,9 +15,12 @@ from storyblender.cli_options import (
     LookOption,
     Quiet,
     Revision,
+    Services,
     edit_and_draw,
     examples,
+    open_studio,
 )
+from storyblender.errors import InputError
 from storyblender.shell import shown
 
 _COLUMNS: dict[str, Callable[[Any], str]] = {
@@ -37,6 +40,7 @@ def add_to(app: typer.Typer) -> None:
             "cast my_film.storyboard ilsa --hair bob --hair-color black --age 30",
             "cast my_film.storyboard ilsa --face 2",
             "cast my_film.storyboard rick --file models/knight.glb",
+            "cast my_film.storyboard rick --make --services gemini,hunyuan3d",
         )
     )(cast)
 
@@ -65,6 +69,12 @@ def cast(
     file: Annotated[
         str | None, typer.Option(help="A humanoid model in your folders of models, by its path there.")
     ] = None,
+    make: Annotated[
+        bool,
+        typer.Option("--make", help="Have services make a model of them: a picture of how they look, a model of that."),
+    ] = False,
+    services: Services = None,
+    dry_run: Annotated[bool, typer.Option("--dry-run", help="Only say what --make would cost.")] = False,
     front: Annotated[
         str | None, typer.Option(help="Which side of that model is its front: front, back, left, right.")
     ] = None,
@@ -96,11 +106,23 @@ def cast(
             people = [card for card in cards_of(read_project_graph(folder)) if card.sort == "person"]
             terminal.listed("cast", people, _COLUMNS)
             return
+        looks = bool(wear or take_off or any(value is not None for value in said.values()))
+        if make:
+            if file or looks:
+                mend = "change the look first, then have the model made of it" if looks else "leave one of the two out"
+                raise InputError(f"--make goes without {'a change of look' if looks else '--file'}", mend=mend)
+            studio = open_studio(terminal, project=folder, services=services)
+            if dry_run:
+                terminal.expected([studio.expect_person(folder, person)])
+                return
+            file = studio.make_person(folder, person)
+        elif dry_run or services:
+            raise InputError("--dry-run and --services are for --make", mend="add --make, or leave them out")
         about = {"kind": "asset", "thing": person}
         model: list[dict[str, object]] = [{**about, "action": "replace", "file": file}] if file else []
         pose = {side: given for side, given in (("front", front), ("top", top)) if given}
         model += [{**about, "action": "turn", "pose": {"top": "top", **pose}}] if pose else []
         edits = list(edits_of(model))
-        if not edits or wear or take_off or any(value is not None for value in said.values()):
+        if not edits or looks:
             edits.append(look_edit(person, said, wear or (), take_off or ()))
         edit_and_draw(context, terminal, folder, edits, revision, draw=draw, look=look, jobs=jobs)

@@ -35,6 +35,15 @@ Revision = Annotated[
     str | None, typer.Option(help="What you looked at, as --json told it; refused if that changed since.")
 ]
 
+Services = Annotated[
+    str | None,
+    typer.Option(
+        help="Where assets may come from beside your folders and the built-in library, with commas: poly_haven, "
+        "sketchfab, an image model (openai, gemini) with what makes 3D models of images (hunyuan3d, trellis, meshy). "
+        "Off by default."
+    ),
+]
+
 
 def examples(*lines: str) -> str:
     """Return what stands below the help of a command: one line each."""

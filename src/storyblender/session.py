@@ -8,15 +8,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from storyblender.edits.approving import approved_by, refuse_undrawn
+from storyblender.edits.asset_edits import asset_effects
 from storyblender.edits.dispatcher import Applied, apply_edits
 from storyblender.edits.own_motions import with_own_motions
 from storyblender.edits.pull_conflicts import waiting
 from storyblender.edits.pulling import UNDECIDED, Choice, Pulled, pull
-from storyblender.edits.targets import shots_named
+from storyblender.edits.targets import person_or_thing, shots_named
 from storyblender.edits.undo import next_steps, redo_edit, undo_edit
 from storyblender.errors import InputError
+from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.board_layout import BoardLayout
-from storyblender.memory.edits import Edit
+from storyblender.memory.edits import AssetEdit, Edit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import TRIAL, Commit
 from storyblender.memory.panorama import Panorama
@@ -93,6 +95,37 @@ class Session(ViewedProject):
             film(run)
             files, reviews = draw_shots(run, run.graph.cut)
             return Delivery(self.folder, files, run.graph, reviews=reviews)
+
+    def make_person(self, name: str) -> str:
+        """Have services make a model of a character, and return what an edit names it by; the story stays as it is.
+
+        Args:
+            name: Their id or name.
+
+        Raises:
+            InputError: There is no such person, they or a scene of theirs are locked, a setting is missing, or no
+                model was made that can be used.
+            Cancelled: ``cancel`` was called; the same call again goes on.
+        """
+        from storyblender.pipeline.made_people import made_person
+
+        with self._call() as run:
+            return made_person(run, self._person_to_make(name))
+
+    def expect_person(self, name: str) -> ExpectedAsset:
+        """Return what ``make_person`` would cost at most; nothing is asked for. Raises as it does."""
+        from storyblender.pipeline.made_people import expected_person
+
+        with self._call() as run:
+            return expected_person(run, self._person_to_make(name))
+
+    def _person_to_make(self, name: str) -> Asset:
+        """Return a character who may get another model. Raises InputError."""
+        person = self.graph.asset(person_or_thing(self.graph, name))
+        if person.asset_type != "character":
+            raise InputError(f"{person.asset_id} is a thing", mend="things are made by services in `storyblender make`")
+        asset_effects(self.graph, AssetEdit(thing=person.asset_id, action="replace", file="model.glb"))
+        return person
 
     def compare(self, script: Path, reading: Path | None = None) -> ScriptChanges:
         """Return what a revised script would change; nothing is changed. Raises InputError."""

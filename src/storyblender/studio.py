@@ -183,6 +183,16 @@ class Studio:
             applied = session.apply(edits, revision)
             return applied, session.draw(applied) if draw else None
 
+    def make_person(self, folder: Path, name: str) -> str:
+        """Open a project for one call of ``Session.make_person``."""
+        with self.open(folder) as session:
+            return session.make_person(name)
+
+    def expect_person(self, folder: Path, name: str) -> ExpectedAsset:
+        """Open a project for one call of ``Session.expect_person``."""
+        with self.open(folder) as session:
+            return session.expect_person(name)
+
     def instruct(
         self, folder: Path, words: str, revision: str | None = None, *, draw: bool = True
     ) -> tuple[Applied, Delivery | None]:

@@ -16,7 +16,7 @@ from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
+from typing import Final, Literal
 
 from filelock import FileLock, Timeout
 
@@ -49,11 +49,13 @@ class Wanted:
         name: What the story calls it.
         prompt: What it looks like, as it is sent to an image model.
         category: For lists.
+        kind: Of the model: one of a ``character`` stands in for no thing of that name.
     """
 
     name: str
     prompt: str
     category: str = ""
+    kind: Literal["model", "character"] = "model"
 
 
 class Commissions:
@@ -298,7 +300,7 @@ class Commissions:
         """Download what a job made and keep it. Raises ServiceFailure and InputError."""
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
-            return self._kept("model", job, maker.maker, wanted, folder, maker.fetch(job.remote_id, folder))
+            return self._kept(wanted.kind, job, maker.maker, wanted, folder, maker.fetch(job.remote_id, folder))
 
     def _kept(self, kind: EntryKind, job: Job, maker: Maker, wanted: Wanted, folder: Path, main: str) -> LibraryEntry:
         """Add what was made to the library, with its prompt and its terms beside it, and close the job."""

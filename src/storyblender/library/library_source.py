@@ -69,7 +69,7 @@ class LibrarySource:
             InputError: The library cannot be read.
         """
         entry = self._library.told(told)
-        if entry is None or entry.kind != "model":
+        if entry is None or entry.kind not in ("model", "character"):
             return None
         self._found[entry.key] = entry
         return self._recipe(entry, EXACT, "a person chose it")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
 from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD, nothing_drawn
@@ -76,12 +76,29 @@ def _expected(run: Run, asset: Asset, means: Mapping[str, str], makers: tuple[Ma
     name = asset.name or asset.asset_id
     here = ExpectedAsset(asset_id=asset.asset_id, name=name, how="here", source=source, what=recipe.key)
     if recipe.score < RETRIEVAL_THRESHOLD and asset.origin != "dressing" and makers:
-        told = {"source": " + ".join(maker.settings for maker in makers), "what": f"a model of {name}"}
-        terms = {"licence": makers[-1].licence, "url": makers[-1].url}
-        price = round(sum(maker.price for maker in makers), 3)
-        return here.model_copy(update={**told, **terms, "how": "made", "dollars": price})
+        return made_by(makers, asset)
     catalogue = next((each for each in run.sources if isinstance(each, CatalogueSource) and each.name == source), None)
     return here if catalogue is None else here.model_copy(update=_offered(catalogue, recipe))
+
+
+def made_by(makers: Sequence[Maker], asset: Asset) -> ExpectedAsset:
+    """Return what it takes to have an asset made.
+
+    Args:
+        makers: The image model and the maker of models.
+        asset: A thing or a person.
+    """
+    name = asset.name or asset.asset_id
+    return ExpectedAsset(
+        asset_id=asset.asset_id,
+        name=name,
+        how="made",
+        source=" + ".join(maker.settings for maker in makers),
+        what=f"a model of {name}",
+        licence=makers[-1].licence,
+        url=makers[-1].url,
+        dollars=round(sum(maker.price for maker in makers), 3),
+    )
 
 
 def _offered(catalogue: CatalogueSource, recipe: Recipe) -> dict[str, Any]:

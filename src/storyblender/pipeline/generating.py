@@ -1,14 +1,15 @@
 """The Asset Generator with services: prompt, picture, model for the things that no source has (paper, section 3.3).
 
 All pictures are drawn at the same time, each is examined, all models are begun and then looked at together. A service
-that fails hands over to the next of the setting, and after the last one the thing keeps its stand-in.
+that fails hands over to the next of the setting, and after the last one the thing keeps its stand-in. A character is
+made likewise where a person asks for it.
 """
 
 from __future__ import annotations
 
 from collections import Counter, deque
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from storyblender.catalog.recipe import Recipe
@@ -21,7 +22,7 @@ from storyblender.library.shared.shared_library import SharedLibrary
 from storyblender.memory.asset_sheet import Asset
 from storyblender.pipeline.run import Run
 from storyblender.service_setting import ServiceChoice, services_in
-from storyblender.services.making import Busy, ImageModel, JobState, ModelMaker
+from storyblender.services.making import Busy, ImageModel, JobState, Maker, ModelMaker
 from storyblender.services.register import IMAGE_MODELS, MODEL_MAKERS, ServiceRun
 from storyblender.trace import Event
 
@@ -82,6 +83,8 @@ class Workshop:
     _painted: dict[str, LibraryEntry | ServiceFailure] = field(default_factory=dict)
     _failed: dict[str, str] = field(default_factory=dict)
     """Why a thing keeps its stand-in, by asset id."""
+    _missing: list[str] = field(default_factory=list)
+    """Why services of the setting cannot be asked."""
 
     @classmethod
     def of(cls, run: Run, services: ServiceRun) -> Workshop | None:
@@ -112,7 +115,18 @@ class Workshop:
             if choice.name in MODEL_MAKERS:
                 self._makers.append(MODEL_MAKERS[choice.name](choice, self.services))
         except ServiceFailure as error:
+            self._missing.append(str(error))
             self._warn(str(error))
+
+    def asked_first(self) -> tuple[Maker, Maker]:
+        """Return the image model and the maker of models that are asked first.
+
+        Raises:
+            InputError: None of one kind can be asked.
+        """
+        if not self._images or not self._makers:
+            raise InputError(f"no model can be made: {'; '.join(self._missing)}")
+        return self._images[0].maker, self._makers[0].maker
 
     @cached_property
     def _commissions(self) -> Commissions:
@@ -132,14 +146,37 @@ class Workshop:
         if not self._images or not self._makers:
             return {}
         wanted = {each.asset_id: _wanted(each, prompts[each.asset_id]) for each in assets if each.asset_id in prompts}
-        self.run.progress("generate", 0, len(wanted), "the pictures")
-        self._paint([*wanted.values()])
-        orders = self._examined([each for each in assets if each.asset_id in wanted], wanted)
-        models = self._modelled(orders)
+        models = self._made([each for each in assets if each.asset_id in wanted], wanted)
         for reason in dict.fromkeys(self._failed.values()):
             names = [wanted[each].name for each in wanted if self._failed.get(each) == reason]
             self._warn(f"nothing was made for {_listed(names)}, which keeps what stands in: {reason}")
         return models
+
+    def made_person(self, person: Asset, prompt: str) -> Asset:
+        """Return a character with the model that services made of their picture.
+
+        Args:
+            person: A character.
+            prompt: Of their picture.
+
+        Raises:
+            AnswerAwaited: The picture waits to be examined; it is kept.
+            Cancelled: The run was; a job goes on at the service, and with the next call.
+            InputError: No service can be asked, or nothing was made.
+        """
+        self.asked_first()
+        wanted = replace(_wanted(person, prompt), kind="character")
+        made = self._made([person], {person.asset_id: wanted})
+        if person.asset_id not in made:
+            mend = "nothing is changed, and what is paid for is kept for the next time"
+            raise InputError(f"no model of {wanted.name} was made: {self._failed[person.asset_id]}", mend=mend)
+        return made[person.asset_id]
+
+    def _made(self, assets: Sequence[Asset], wanted: Mapping[str, Wanted]) -> dict[str, Asset]:
+        """Return the assets that got a model; why others did not is in ``_failed``. Raises AnswerAwaited, Cancelled."""
+        self.run.progress("generate", 0, len(wanted), "the pictures")
+        self._paint([*wanted.values()])
+        return self._modelled(self._examined(assets, wanted))
 
     def made_meanwhile(self, asset: Asset) -> Asset | None:
         """Return a thing with the model that an earlier run had begun and did not wait for; None where there is none.

@@ -122,7 +122,7 @@ def all_sized(
     sizes, usual = dict(outcome.draft), RulesDimensionEstimator().propose(outcome.view)
     made = {asset.asset_id: asset for asset in named if _is_made(asset)}
     for asset_id, asset in made.items():
-        if sizes.get(asset_id) == usual[asset_id]:
+        if asset.asset_type == "object" and sizes.get(asset_id) == usual[asset_id]:
             sizes[asset_id] = estimate_dimension(concept.stood_in_for(asset), outcome.view.rooms.get(asset_id))
     return [
         _with_size(asset, size, made=asset.asset_id in made, estimated=size != usual[asset.asset_id])

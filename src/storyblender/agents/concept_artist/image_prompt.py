@@ -20,7 +20,7 @@ ImagePrompts = dict[str, str]
 """Prompts by asset id."""
 ImageView = Literal["three-quarter", "side", "front"]
 
-_PERIODS: Final[Mapping[Age, str]] = {
+PERIODS: Final[Mapping[Age, str]] = {
     "medieval": "medieval",
     "west": "from the American West of about 1880",
     "victorian": "from the nineteenth century",
@@ -28,6 +28,7 @@ _PERIODS: Final[Mapping[Age, str]] = {
     "space": "from a far future",
     "today": "of today",
 }
+"""What comes from a time, for image models."""
 _VIEWS: Final[Mapping[ImageView, str]] = {
     "three-quarter": "three-quarter view from the front, slightly from above",
     "side": "exact side view",
@@ -120,7 +121,7 @@ def plain_looks(asset: Asset, age: Age | None) -> str:
     """
     name, told = asset.name or asset.asset_id.replace("_", " "), " ".join(asset.description.split())
     looks = told if name.lower() in told.lower() else f"{name}, {told}" if told else name
-    return f"{looks.rstrip('.')}, {_PERIODS[age]}" if age is not None else looks
+    return f"{looks.rstrip('.')}, {PERIODS[age]}" if age is not None else looks
 
 
 class ImagePromptCritic:

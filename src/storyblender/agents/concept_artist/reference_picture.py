@@ -128,7 +128,8 @@ def with_picture_critic(
 
 def _shown(draft: ReferencePicture, view: ReferencePictureView) -> Mapping[str, Any]:
     """Return what the critic is told."""
-    told = {"object": view.asset.name or view.asset.asset_id, "description": view.asset.description}
+    what = "person" if view.asset.asset_type == "character" else "object"
+    told = {what: view.asset.name or view.asset.asset_id, "description": view.asset.description}
     return {name: value for name, value in {**told, "prompt": view.prompt}.items() if value}
 
 
@@ -147,5 +148,5 @@ def _faults(pixels: NDArray[np.int16], asset_id: str) -> Iterator[Fault]:
     if (np.abs(pixels - background).max(axis=2) > _PLAIN).mean() < _LEAST:
         yield Fault(kind="empty", subject=asset_id, message="there is nothing in the picture", severity=UNUSABLE)
     elif (np.abs(edge - background).max(axis=1) > _PLAIN).mean() > _CUT:
-        message = "the object has to be whole in the picture, with a clear margin, before a plain white background"
+        message = "what is drawn has to be whole in the picture, with a clear margin, before a plain white background"
         yield Fault(kind="cut", subject=asset_id, message=message, severity=2.5)

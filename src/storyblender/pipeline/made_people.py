@@ -1,0 +1,78 @@
+"""A character made by services: a picture of how they look, and a model of the picture that fits our skeleton."""
+
+from __future__ import annotations
+
+from storyblender.agents.concept_artist.person_prompt import person_prompt
+from storyblender.agents.layout_artist.dimension_estimator import estimate_dimension
+from storyblender.errors import EngineError, InputError
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.jobs import AssetJob
+from storyblender.pipeline.estimating import ExpectedAsset, made_by
+from storyblender.pipeline.generating import Workshop
+from storyblender.pipeline.run import Run
+from storyblender.service_setting import services_in
+from storyblender.services.register import IMAGE_MODELS, MODEL_MAKERS
+
+
+def made_person(run: Run, person: Asset) -> str:
+    """Have a model made of a character, and return the key by which an edit names it; the story stays as it is.
+
+    What was made for the same look before is taken from the library, and a job that was begun before goes on.
+
+    Args:
+        run: Its settings name the services.
+        person: A character.
+
+    Raises:
+        AnswerAwaited: The picture waits to be examined; it is kept.
+        Cancelled: The run was; a job goes on at the service, and with the next call.
+        InputError: A setting is missing, nothing was made, or what was made is no human figure.
+    """
+    made = _workshop(run, person).made_person(person, person_prompt(person, run.graph.age))
+    assert made.canonical is not None, "it has a model"
+    _refuse_unfit(run, made)
+    return made.canonical.key
+
+
+def expected_person(run: Run, person: Asset) -> ExpectedAsset:
+    """Return what it takes to have a model made of a character; nothing is asked for.
+
+    Args:
+        run: Its settings name the services.
+        person: A character.
+
+    Raises:
+        InputError: A setting or a key is missing.
+    """
+    return made_by(_workshop(run, person).asked_first(), person)
+
+
+def _workshop(run: Run, person: Asset) -> Workshop:
+    """Return what makes the model. Raises InputError where the settings do not allow it."""
+    if person.look is not None and person.look.species:
+        raise InputError(f"{person.asset_id} is a {person.look.species}", mend="services make human characters only")
+    names = {choice.name for choice in services_in(run.settings.services)}
+    for register, does in ((IMAGE_MODELS, "draws pictures"), (MODEL_MAKERS, "makes models of pictures")):
+        if not names & {*register}:
+            mend = f"name one of {', '.join(register)}: --services gemini,hunyuan3d, or the setting `services`"
+            raise InputError(f"there is no service that {does}", mend=mend)
+    if not run.settings.library:
+        raise InputError("what services make is kept in your library, which is turned off", mend="set library = true")
+    workshop = Workshop.of(run, run.services) if run.services is not None else None
+    if workshop is None:
+        mend = 'set licences = "any" or "commercial"'
+        raise InputError('what services make is not in the public domain, and licences = "free"', mend=mend)
+    return workshop
+
+
+def _refuse_unfit(run: Run, made: Asset) -> None:
+    """Refuse a model that cannot be bound to our skeleton; one that can is built once, here. Raises InputError."""
+    canonical = made.canonical
+    assert canonical is not None, "it has a model"
+    fitted = canonical.model_copy(update={"params": {**canonical.params, "told": True}})
+    sized = made.model_copy(update={"canonical": fitted, "dimension": estimate_dimension(made)})
+    try:
+        run.engine.build_asset(AssetJob(asset=sized)).result()
+    except EngineError as error:
+        mend = "nothing is changed; another --face, or other clothes, give another picture"
+        raise InputError(f"the model of {made.name or made.asset_id} cannot be used: {error}", mend=mend) from error

@@ -1,0 +1,167 @@
+"""A character is drawn and made by services, and gets that model as one from a folder; or nothing changes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from concurrent.futures import Future
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner, Result
+
+from storyblender.cli import app
+from storyblender.errors import EngineError, InputError
+from storyblender.library.shared.shared_library import SharedLibrary
+from storyblender.library.sources import service_run
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.jobs import AssetJob
+from storyblender.memory.measure import AssetMeasure
+from storyblender.project import read_project_graph
+from storyblender.settings import Settings
+from storyblender.studio import Studio
+from tests.services.makers import HunyuanWire, openai_draws
+from tests.services.site import QUICK, Reply, Site, serving
+from tests.stand_in_engine import StandInEngine
+
+SCRIPT = """INT. WORKSHOP - DAY
+
+ADA (30, green coat) stands beside the table.
+
+ADA
+It still turns.
+"""
+
+
+@pytest.fixture
+def site(monkeypatch: pytest.MonkeyPatch) -> Iterator[Site]:
+    def run(*given: object) -> object:
+        made = service_run(*given)  # type: ignore[arg-type]
+        if made is not None:
+            object.__setattr__(made, "patience", QUICK)
+        return made
+
+    monkeypatch.setattr("storyblender.studio.BlenderEngine", StandInEngine)
+    monkeypatch.setattr("storyblender.studio.service_run", run)
+    with serving() as site:
+        openai_draws(site, "")
+        HunyuanWire(site).open()
+        yield site
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    """A story that is planned, with Ada in it."""
+    script = tmp_path / "workshop.fountain"
+    script.write_text(SCRIPT)
+    Studio(Settings()).plan(script, tmp_path / "p")
+    return tmp_path / "p"
+
+
+def cast(project: Path, site: Site | None, *words: str) -> Result:
+    services = ["--services", f"openai@{site.address},hunyuan3d@{site.address}"] if site is not None else []
+    return CliRunner().invoke(app, ["cast", str(project), "ada", *words, *services, "--no-render", "--quiet"])
+
+
+def ada(project: Path) -> Asset:
+    return read_project_graph(project).asset("ada")
+
+
+def test_a_character_gets_the_model_that_services_made_of_their_look(site: Site, project: Path) -> None:
+    made = cast(project, site, "--make")
+    assert made.exit_code == 0, made.output
+    decision = ada(project).decision
+    assert decision is not None and decision.file.startswith("hunyuan3d/")
+    (prompt,) = [hit.json["prompt"] for hit in site.hits if hit.path == "/images/generations"]
+    assert "green coat" in prompt and "A-pose" in prompt
+    (entry,) = SharedLibrary.open().find(kind="character")
+    assert entry.key == decision.file and not SharedLibrary.open().find(kind="model"), "no thing is made from it"
+
+    Studio(Settings()).undo(project)
+    assert ada(project).decision is None
+    assert cast(project, site, "--make").exit_code == 0
+    assert ada(project).decision == decision
+    assert (site.count("/images"), site.count("/send")) == (1, 1), "the same look is paid for once"
+
+    assert cast(project, None, "--wear", "red hat").exit_code == 0
+    assert cast(project, site, "--make").exit_code == 0
+    assert (site.count("/images"), site.count("/send")) == (2, 2), "another look is another picture"
+
+
+def test_they_are_as_tall_as_before_in_the_frames(site: Site, tmp_path: Path) -> None:
+    script, project = tmp_path / "workshop.fountain", tmp_path / "p"
+    script.write_text(SCRIPT)
+    settings = Settings(width=160, look="fast", animatic=False, jobs=1)
+    Studio(settings).make(script, project)
+    before = ada(project).dimension
+    assert cast(project, site, "--make").exit_code == 0
+    Studio(settings).render(project)
+    canonical = ada(project).canonical
+    assert canonical is not None and canonical.source == "file" and canonical.params["told"] is True
+    assert ada(project).dimension == before
+
+
+@pytest.mark.parametrize("path", ["/images/generations", "/send"])
+def test_where_a_service_fails_nothing_changes_and_one_sentence_says_why(site: Site, project: Path, path: str) -> None:
+    before = ada(project)
+    site.pages[path] = Reply(status=403)
+    made = cast(project, site, "--make")
+    assert made.exit_code == 2
+    assert made.stderr.startswith("storyblender: no model of Ada was made") and len(made.stderr.splitlines()) == 1
+    assert ada(project) == before
+
+
+def test_a_model_that_is_no_human_figure_is_refused(site: Site, project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def refused(engine: StandInEngine, job: AssetJob) -> Future[AssetMeasure]:
+        done: Future[AssetMeasure] = Future()
+        done.set_exception(EngineError("model.glb cannot be a character: no human figure"))
+        return done
+
+    monkeypatch.setattr(StandInEngine, "build_asset", refused)
+    made = cast(project, site, "--make")
+    assert made.exit_code == 2 and "no human figure" in made.stderr
+    assert ada(project).decision is None
+
+
+def test_a_locked_character_is_not_paid_for(site: Site, project: Path) -> None:
+    assert CliRunner().invoke(app, ["lock", str(project), "ada"]).exit_code == 0
+    made = cast(project, site, "--make")
+    assert made.exit_code == 2 and "locked" in made.stderr
+    assert not site.hits
+
+
+def test_a_job_that_was_not_waited_for_is_taken_over(site: Site, project: Path) -> None:
+    wire = HunyuanWire(site)
+    wire.polls = 10_000
+    wire.open()
+    services = f"openai@{site.address},hunyuan3d@{site.address}"
+    with pytest.raises(InputError, match=r"limit of 0\.02 minutes"):
+        Studio(Settings(services=services, service_limits={"minutes": 0.02})).make_person(project, "Ada")
+    (job,) = SharedLibrary.open().jobs.unfinished()
+    wire.jobs[job.remote_id] = 0
+    assert cast(project, site, "--make").exit_code == 0
+    assert ada(project).decision is not None
+    assert (site.count("/images"), site.count("/send")) == (1, 1)
+
+
+def test_what_is_missing_in_the_settings_is_said(site: Site, project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("keyring.get_password", lambda *_: None)
+    monkeypatch.delenv("OPENAI_API_KEY", raising=False)
+    words = ["cast", str(project), "ada", "--make", "--services"]
+    for services, told in {
+        f"hunyuan3d@{site.address}": "no service that draws pictures; name one of gemini, openai",
+        f"openai@{site.address}": "no service that makes models of pictures; name one of hunyuan3d",
+        f"openai,hunyuan3d@{site.address}": "there is no key for openai",
+    }.items():
+        refused = CliRunner().invoke(app, [*words, services])
+        assert refused.exit_code == 2 and told in refused.stderr, refused.stderr
+    assert "no service that draws pictures" in cast(project, None, "--make").stderr
+    assert not site.hits
+
+
+def test_the_price_is_told_without_asking_anybody(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("OPENAI_API_KEY", "one")
+    monkeypatch.setenv("MESHY_API_KEY", "two")
+    told = CliRunner().invoke(app, ["cast", str(project), "ada", "--make", "--dry-run", "--services", "openai,meshy"])
+    assert told.exit_code == 0 and "Ada" in told.output and "$0.64 at most" in told.output
+    assert ada(project).decision is None
+    assert cast(project, None, "--dry-run").exit_code == 2, "it is no dry run of other changes"
