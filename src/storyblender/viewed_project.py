@@ -23,7 +23,7 @@ from storyblender.pipeline.compiling import story_files
 from storyblender.pipeline.drawing import DELIVERED, draw_frames
 from storyblender.pipeline.filming import with_cuts_judged
 from storyblender.pipeline.library_pictures import draw_library_picture, library_pictures
-from storyblender.pipeline.offered_models import OfferedModel, offered_models, picture_of_offer
+from storyblender.pipeline.offered_models import OfferedModels, offered_models, picture_of_offer
 from storyblender.pipeline.previewing import moment_of, preview_shot
 from storyblender.pipeline.rehearsing import CamerasToMatch, rehearse
 from storyblender.pipeline.reviewing import FrameReview, review_frames
@@ -125,8 +125,8 @@ class ViewedProject(OpenProject):
         with self._call() as run:
             return candidates_for(run, asset_id, words)
 
-    def offers(self, asset_id: str, words: str = "") -> list[OfferedModel]:
-        """Return what the catalogues of services offer for a thing, best first; nothing is fetched.
+    def offers(self, asset_id: str, words: str = "") -> OfferedModels:
+        """Return what the catalogues of services offer for a thing so far; nothing is fetched, and none waited for.
 
         Args:
             asset_id: The thing.

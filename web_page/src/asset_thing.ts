@@ -51,7 +51,7 @@ export class AssetThing extends LitElement {
     this.dispatchEvent(new CustomEvent("edit", { detail: [edit] }));
   }
 
-  /** Ask for what it could be made from, then for the pictures of it, one by one. */
+  /** Ask for what it could be made from: what is here at once, what services offer as they answer. */
   private async offer(): Promise<void> {
     const asked = ++this.asked;
     const about = { asset: this.details.asset, words: this.words.trim() };
@@ -59,28 +59,44 @@ export class AssetThing extends LitElement {
     try {
       const found = await this.wire.call<Candidate[]>("candidates", about);
       if (asked !== this.asked) return;
-      [this.candidates, this.said] = [found, "Looking at what services offer ..."];
-      const offers = await this.wire.call<ShownOffers>("offers", about);
-      if (asked !== this.asked) return;
-      [this.offers, this.said] = [offers, this.counted(found.length, offers)];
-      for (const each of found.filter((candidate) => !candidate.picture)) {
-        const picture = await this.wire.call<string>("asset_picture", { ...about, digest: each.digest }).catch(() => "");
-        if (asked !== this.asked || !this.isConnected) return;
-        this.candidates = this.candidates!.map((one) => (one.digest === each.digest ? { ...one, picture } : one));
-      }
-      for (const each of offers.cards.filter((card) => !card.picture)) {
-        const picture = await this.wire.call<string>("offer_picture", { asset: about.asset, file: each.file }).catch(() => "");
-        if (asked !== this.asked || !this.isConnected) return;
-        this.showOffers((one) => (one.file === each.file ? { ...one, picture } : one));
-      }
+      [this.candidates, this.said] = [found, ""];
+      await Promise.all([this.picture(found, about, asked), this.follow(about, asked)]);
     } catch (error) {
       if (asked === this.asked) this.said = (error as Error).message;
     }
   }
 
-  private counted(found: number, offers: ShownOffers): string {
-    if (found + offers.cards.length === 0) return "Nothing like it was found; try another word for it.";
-    return offers.services.length && !offers.cards.length ? `${offers.services.map(called).join(" and ")} offer nothing more like it.` : "";
+  /** Ask for the pictures of what is here, one by one. */
+  private async picture(found: Candidate[], about: object, asked: number): Promise<void> {
+    for (const each of found.filter((candidate) => !candidate.picture)) {
+      const picture = await this.wire.call<string>("asset_picture", { ...about, digest: each.digest }).catch(() => "");
+      if (asked !== this.asked || !this.isConnected) return;
+      this.candidates = this.candidates!.map((one) => (one.digest === each.digest ? { ...one, picture } : one));
+    }
+  }
+
+  /** Ask what services offer until all have answered or failed, then for the pictures of it. */
+  private async follow(about: { asset: string; words: string }, asked: number): Promise<void> {
+    let offers: ShownOffers;
+    do {
+      offers = await this.wire.call<ShownOffers>("offers", about);
+      if (asked !== this.asked || !this.isConnected) return;
+      [this.offers, this.said] = [offers, this.counted(offers)];
+      if (offers.waiting.length) await new Promise((done) => setTimeout(done, 1000));
+    } while (asked === this.asked && offers.waiting.length);
+    for (const each of offers.cards.filter((card) => !card.picture)) {
+      const picture = await this.wire.call<string>("offer_picture", { asset: about.asset, file: each.file }).catch(() => "");
+      if (asked !== this.asked || !this.isConnected) return;
+      this.showOffers((one) => (one.file === each.file ? { ...one, picture } : one));
+    }
+  }
+
+  private counted({ services, waiting, failures, cards }: ShownOffers): string {
+    if (waiting.length) return `Asking ${waiting.map(called).join(" and ")} ...`;
+    if (!this.candidates?.length && !cards.length) return "Nothing like it was found; try another word for it.";
+    const asked = services.filter((each) => !failures.some((failure) => failure.startsWith(`${called(each)}: `)));
+    if (!asked.length || cards.length) return "";
+    return `${asked.map(called).join(" and ")} ${asked.length > 1 ? "offer" : "offers"} nothing more like it.`;
   }
 
   /** Have the thing made from what a service offers, which is fetched first. */
@@ -147,6 +163,7 @@ export class AssetThing extends LitElement {
         <button>Show others</button>
         <button type="button" title="The crew makes it from something else than this" @click=${() => this.edit({ action: "regenerate" })}>Let the crew choose another</button></form>
       ${this.said ? html`<p role="status">${this.said}</p>` : nothing}
+      ${(this.offers?.failures ?? []).map((failure) => html`<p class="told" role="status">${failure}</p>`)}
       <div class="faces">${(this.candidates ?? []).map((each) => html`<button class="face ${each.chosen ? "chosen" : ""}" ?disabled=${each.chosen}
         data-candidate=${each.file || each.model} title=${`${each.name}, ${each.source}, fits ${each.score.toFixed(1)} of 10`}
         @click=${() => this.edit({ action: "replace", ...(each.file ? { file: each.file } : { model: each.model }) })}>

@@ -335,6 +335,8 @@ export interface OfferedCard {
 
 export interface ShownOffers {
   services: string[];
+  waiting: string[];
+  failures: string[];
   cards: OfferedCard[];
 }
 

@@ -17,6 +17,7 @@ from typing import Final
 from storyblender.catalog.recipe import AssetQuery, Recipe
 from storyblender.errors import InputError, ServiceFailure
 from storyblender.folder import Folder
+from storyblender.library.catalogue_asking import Asking
 from storyblender.library.matching import Likeness
 from storyblender.library.offer_matching import Offers, is_asked_for, need_of, ranked, search_words
 from storyblender.library.shared.entries import EntryFacts
@@ -60,7 +61,7 @@ class CatalogueSource:
         self._likeness, self._lock = Likeness(embedder), threading.Lock()
         self._known: dict[str, tuple[Offer, Need]] = {}
         self._listed: tuple[Sequence[Offer], Offers] | None = None
-        self._rests_until = 0.0
+        self._rests_until, self._asking = 0.0, Asking(catalogue)
 
     @property
     def name(self) -> str:
@@ -69,16 +70,31 @@ class CatalogueSource:
 
     def search(self, query: AssetQuery, *, by_meaning: bool = False) -> Sequence[Recipe]:
         """Return the works that fit a thing that the script names, best first; none if the service fails."""
-        return self.offered(query, by_meaning=by_meaning) if is_asked_for(query) else ()
-
-    def offered(self, query: AssetQuery, *, by_meaning: bool = False) -> Sequence[Recipe]:
-        """Return the works that fit any thing, best first: a person looks and chooses; none if the service fails."""
+        if not is_asked_for(query):
+            return ()
         with self._lock:
             offers = self._offers(search_words(query.phrase))
-            matches = ranked(query, offers, self._likeness, by_meaning=by_meaning)[:_MOST] if offers else []
-            need = need_of(query)
-            keys = {match.key: f"{self._place(match.key, need)}/{MODEL}" for match in matches}
-            self._known |= {keys[match.key]: (offers.by_id[match.key], need) for match in matches if offers}
+            return self._fitting(query, offers, by_meaning=by_meaning) if offers else ()
+
+    def offered(self, query: AssetQuery) -> Sequence[Recipe] | None:
+        """Return the works that fit any thing, best first, for a person who looks; None while the service is asked.
+
+        Args:
+            query: What is looked for.
+
+        Raises:
+            ServiceFailure: The service cannot be asked, or does not answer soon.
+        """
+        with self._lock:
+            found = self._asking.models(search_words(query.phrase))
+            return None if found is None else self._fitting(query, self._allowed(found), by_meaning=True)
+
+    def _fitting(self, query: AssetQuery, offers: Offers, *, by_meaning: bool) -> list[Recipe]:
+        """Return what fits a thing of what the service has, best first."""
+        matches = ranked(query, offers, self._likeness, by_meaning=by_meaning)[:_MOST]
+        need = need_of(query)
+        keys = {match.key: f"{self._place(match.key, need)}/{MODEL}" for match in matches}
+        self._known |= {keys[match.key]: (offers.by_id[match.key], need) for match in matches}
         return [
             Recipe(
                 source="file",
@@ -128,9 +144,9 @@ class CatalogueSource:
         """Return the file of the small picture that the service has of a work.
 
         Raises:
-            ServiceFailure: It has none, or cannot give it.
+            ServiceFailure: It has none, or cannot give it soon.
         """
-        return self._catalogue.thumbnail(self._known[key][0])
+        return self._asking.thumbnail(self._known[key][0])
 
     def bytes_to_fetch(self, recipe: Recipe) -> int | None:
         """Return what fetching a work takes, 0 if that is not known before; None if the library has it already.
@@ -158,6 +174,10 @@ class CatalogueSource:
             if self._run.outages.is_news(self.name):
                 self._warn(f"{failure}; things come from elsewhere")
             return None
+        return self._allowed(found)
+
+    def _allowed(self, found: Sequence[Offer]) -> Offers:
+        """Return the works whose licences the settings allow."""
         if self._listed is None or self._listed[0] is not found:
             allowed = [offer for offer in found if is_allowed(offer.licence, self._run.licences)]
             self._listed = found, Offers.of(allowed)

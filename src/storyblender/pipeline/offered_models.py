@@ -47,8 +47,25 @@ def picture_name(key: str) -> str:
     return f"{SHOWN}/{content_hash('offer', key)}.png"
 
 
-def offered_models(run: Run, asset_id: str, words: str) -> list[OfferedModel]:
-    """Return what the catalogues of the settings offer for a thing, best first; nothing is fetched.
+@dataclass(frozen=True)
+class OfferedModels:
+    """What catalogues offer for a thing.
+
+    Attributes:
+        models: Best first.
+        waiting: Services that have not answered yet.
+        failures: What is wrong with those that cannot be asked, one sentence each.
+    """
+
+    models: tuple[OfferedModel, ...]
+    waiting: tuple[str, ...]
+    failures: tuple[str, ...]
+
+
+def offered_models(run: Run, asset_id: str, words: str) -> OfferedModels:
+    """Return what the catalogues of the settings offer for a thing so far; nothing is fetched, no service waited for.
+
+    Asked again, it has what has come since. A service that does not answer within seconds is among the failures.
 
     Args:
         run: Its sources offer.
@@ -56,12 +73,19 @@ def offered_models(run: Run, asset_id: str, words: str) -> list[OfferedModel]:
         words: What is looked for; what the script says of the thing if empty.
     """
     view = view_for(run, asset_id, words)
-    found = [
-        OfferedModel(recipe.key, recipe.score, source.offer_of(recipe.key))
-        for source in catalogues_of(run)
-        for recipe in source.offered(view, by_meaning=True)
-    ]
-    return sorted(found, key=lambda each: -each.score)
+    models: list[OfferedModel] = []
+    waiting: list[str] = []
+    failures: list[str] = []
+    for source in catalogues_of(run):
+        try:
+            found = source.offered(view)
+        except ServiceFailure as failure:
+            failures.append(str(failure))
+            continue
+        if found is None:
+            waiting.append(source.name)
+        models += [OfferedModel(recipe.key, recipe.score, source.offer_of(recipe.key)) for recipe in found or ()]
+    return OfferedModels(tuple(sorted(models, key=lambda each: -each.score)), tuple(waiting), tuple(failures))
 
 
 def catalogues_of(run: Run) -> Iterator[CatalogueSource]:

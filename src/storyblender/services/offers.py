@@ -94,12 +94,13 @@ class Catalogue(Protocol):
         """What the service is called in the settings."""
         ...
 
-    def find(self, words: str, kind: OfferKind) -> Sequence[Offer]:
+    def find(self, words: str, kind: OfferKind, *, soon: bool = False) -> Sequence[Offer]:
         """Return what may fit, in an order that only depends on what the service answers.
 
         Args:
             words: What a thing is called, such as ``leather armchair``; nothing else of a story is ever sent.
             kind: Of work.
+            soon: A person waits: it is given up after a few seconds.
 
         Raises:
             ServiceFailure: The service cannot be asked.

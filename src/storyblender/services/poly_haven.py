@@ -29,6 +29,7 @@ from storyblender.services.offers import (
     words_in,
 )
 from storyblender.services.register import ServiceRun
+from storyblender.services.web import Web
 
 ADDRESS: Final = "https://api.polyhaven.com"
 _PAGE: Final = "https://polyhaven.com/a/"
@@ -70,18 +71,19 @@ class PolyHaven:
         self._offers: dict[OfferKind, tuple[Offer, ...]] = {}
         self._files: dict[str, Any] = {}
 
-    def find(self, words: str, kind: OfferKind) -> Sequence[Offer]:
+    def find(self, words: str, kind: OfferKind, *, soon: bool = False) -> Sequence[Offer]:
         """Return all assets of a kind, by id.
 
         Args:
             words: Not used: they stay here.
             kind: Of asset.
+            soon: A person waits: it is given up after a few seconds.
 
         Raises:
             ServiceFailure: The list cannot be had.
         """
         if kind not in self._offers:
-            records = self._list(kind)
+            records = self._list(kind, self._web.soon if soon else self._web)
             self._offers[kind] = tuple(_offers(records, kind))
         return self._offers[kind]
 
@@ -123,7 +125,7 @@ class PolyHaven:
             check_picture(folder / name)
         return FetchedFiles(main, digests[main], size, faces, maps)
 
-    def _list(self, kind: OfferKind) -> dict[str, Any]:
+    def _list(self, kind: OfferKind, web: Web) -> dict[str, Any]:
         """Return the records of a kind, asked for at most once a day. Raises ServiceFailure."""
         name = (self.name, self._web.address, kind)
         kept = self._run.shelf.recall(*name)
@@ -131,7 +133,7 @@ class PolyHaven:
             return kept.value
         try:
             asked = {"if-none-match": kept.etag} if kept is not None and kept.etag else {}
-            answer = self._web.get("assets", {"t": _TYPES[kind]}, headers=asked)
+            answer = web.get("assets", {"t": _TYPES[kind]}, headers=asked)
             records = kept.value if answer.status == 304 and kept is not None else _records(answer.json)
         except ServiceFailure:
             if kept is None:

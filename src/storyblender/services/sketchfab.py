@@ -20,6 +20,7 @@ from storyblender.services.gltf_files import MODEL, check_gltf, main_of, unpack_
 from storyblender.services.licences import UNKNOWN, Licence, is_allowed, licence_of
 from storyblender.services.offers import FetchedFiles, Need, Offer, OfferKind, count_in, is_id, line_of, words_in
 from storyblender.services.register import ServiceRun
+from storyblender.services.web import Web
 
 ADDRESS: Final = "https://api.sketchfab.com/v3"
 _PAGE: Final = "https://sketchfab.com/3d-models/"
@@ -45,12 +46,13 @@ class Sketchfab:
         self._web = run.web(choice, ADDRESS, "Authorization", "Token")
         self._found: dict[str, tuple[Offer, ...]] = {}
 
-    def find(self, words: str, kind: OfferKind) -> Sequence[Offer]:
+    def find(self, words: str, kind: OfferKind, *, soon: bool = False) -> Sequence[Offer]:
         """Return the models that the service finds for words, the most relevant first; it has nothing but models.
 
         Args:
             words: Sent as they are.
             kind: Of work.
+            soon: A person waits: it is given up after a few seconds.
 
         Raises:
             ServiceFailure: The service cannot be asked.
@@ -65,7 +67,9 @@ class Sketchfab:
             }  # fmt: skip
             if self._run.licences == "free":
                 query["license"] = "cc0"
-            self._found[words] = tuple(self._allowed(self._results(words, query)))
+            self._found[words] = tuple(
+                self._allowed(self._results(words, query, self._web.soon if soon else self._web))
+            )
         return self._found[words]
 
     def thumbnail(self, offer: Offer) -> bytes:
@@ -109,13 +113,13 @@ class Sketchfab:
             mend = f"set {name} in the environment, or `keyring set storyblender {name}`"
             raise ServiceFailure(f"{self.name}: there is no key", mend=mend)
 
-    def _results(self, words: str, query: dict[str, Any]) -> Any:
+    def _results(self, words: str, query: dict[str, Any], web: Web) -> Any:
         """Return the results of a search, asked for at most once a day. Raises ServiceFailure."""
         name = (self.name, self._web.address, words, self._run.licences)
         kept = self._run.shelf.recall(*name)
         if kept is not None and kept.is_fresh:
             return kept.value
-        answer = self._web.get("search", query).json
+        answer = web.get("search", query).json
         results = answer.get("results") if isinstance(answer, dict) else None
         if not isinstance(results, list):
             raise ServiceFailure(f"{self.name}: its answer is not a list of models")

@@ -187,15 +187,15 @@ class Web:
             Cancelled: The run was cancelled.
         """
         if not url:
-            self._fail("it has no picture of that")
-        return self._hasty.get(url).content
+            raise Missing(f"{self.service}: it has no picture of that")
+        return self.soon.get(url).content
 
     @cached_property
-    def _hasty(self) -> Web:
-        """The same service, asked twice at most."""
+    def soon(self) -> Web:
+        """The same service for a person who waits: asked once, for a few seconds, whatever ends beside it."""
         usual = self.patience
-        soon = replace(usual, tries=min(usual.tries, 2), silence=min(usual.silence, 10), answer=min(usual.answer, 20))
-        return replace(self, patience=soon)
+        soon = replace(usual, tries=1, silence=min(usual.silence, 5), answer=min(usual.answer, 10))
+        return replace(self, patience=soon, cancelled=threading.Event())
 
     def _again(self, attempt: Callable[[], _Found], *, paid: bool = False) -> _Found:
         """Try until it succeeds or fails for good."""

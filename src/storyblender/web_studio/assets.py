@@ -90,6 +90,10 @@ class ShownOffers(Described):
 
     services: tuple[str, ...]
     """Those that were asked; empty where the settings name none."""
+    waiting: tuple[str, ...]
+    """Those that have not answered yet: asked again in a moment, there may be more."""
+    failures: tuple[str, ...]
+    """What is wrong with those that cannot be asked, a sentence each."""
     cards: tuple[OfferedCard, ...]
     """Best first."""
 
@@ -232,6 +236,7 @@ def _place_of(source: str) -> str:
 def _offers(session: Session, asset: Asset, words: str) -> ShownOffers:
     """Return what services offer for a thing, but for what the library has, which is among the candidates."""
     made, library = asset.canonical, SharedLibrary.open()
+    offered = session.offers(asset.asset_id, words)
     cards = tuple(
         OfferedCard(
             file=each.key,
@@ -244,7 +249,18 @@ def _offers(session: Session, asset: Asset, words: str) -> ShownOffers:
             chosen=made is not None and made.key == each.key,
             picture=_address(session.folder / each.picture) if (session.folder / each.picture).is_file() else "",
         )
-        for each in session.offers(asset.asset_id, words)
+        for each in offered.models
         if library.told(each.key) is None
     )
-    return ShownOffers(services=session.catalogues, cards=cards)
+    return ShownOffers(
+        services=session.catalogues,
+        waiting=offered.waiting,
+        failures=tuple(map(_with_service, offered.failures)),
+        cards=cards,
+    )
+
+
+def _with_service(failure: str) -> str:
+    """Return what is wrong with a service, with the name of it as people say it."""
+    service, colon, problem = failure.partition(": ")
+    return f"{service.replace('_', ' ').title()}{colon}{problem}"
