@@ -19,8 +19,8 @@ from storyblender.memory.measure import AssetMeasure
 from storyblender.project import read_project_graph
 from storyblender.settings import Settings
 from storyblender.studio import Studio
-from tests.services.makers import HunyuanWire, openai_draws
-from tests.services.site import QUICK, Reply, Site, serving
+from tests.services.makers import SECRET, HunyuanWire, model, openai_draws
+from tests.services.site import QUICK, Reply, Site, said, serving
 from tests.stand_in_engine import StandInEngine
 
 SCRIPT = """INT. WORKSHOP - DAY
@@ -85,6 +85,46 @@ def test_a_character_gets_the_model_that_services_made_of_their_look(site: Site,
     assert cast(project, None, "--wear", "red hat").exit_code == 0
     assert cast(project, site, "--make").exit_code == 0
     assert (site.count("/images"), site.count("/send")) == (2, 2), "another look is another picture"
+
+
+@pytest.fixture
+def rigging(site: Site, monkeypatch: pytest.MonkeyPatch) -> Site:
+    """Meshy's rigging."""
+    host = site.address.removeprefix("http://").replace(".", "_").replace(":", "_")
+    monkeypatch.setenv(f"STORYBLENDER_KEY_{host}", SECRET)
+    result = {"rigged_character_glb_url": f"{site.address}/rigged"}
+    site.pages |= {
+        "/v1/rigging": said({"result": "rig-1"}, 202),
+        "/v1/rigging/rig-1": said({"status": "SUCCEEDED", "progress": 100, "result": result}),
+        "/rigged": Reply(model(b"rigged")),
+    }
+    return site
+
+
+def rig(project: Path, site: Site) -> Result:
+    services = ",".join(f"{name}@{site.address}" for name in ("openai", "hunyuan3d", "meshy"))
+    return cast(project, None, "--make", "--services", services)
+
+
+def test_a_service_that_rigs_puts_a_skeleton_into_the_model(rigging: Site, project: Path) -> None:
+    for _ in range(2):
+        assert rig(project, rigging).exit_code == 0
+        decision = ada(project).decision
+        assert decision is not None and decision.file == "meshy/rig-1/model.glb"
+    assert rigging.count("/send") == 1
+    (asked,) = [hit.json for hit in rigging.hits if hit.path == "/v1/rigging"]
+    assert asked["height_meters"] == pytest.approx(1.65, abs=0.1)
+    entry = SharedLibrary.open().told("meshy/rig-1/model.glb")
+    assert entry is not None and entry.kind == "character"
+    assert entry.credit.author.startswith("hunyuan3d") and entry.credit.author.endswith("meshy (rigging)")
+    assert "Tencent" in entry.credit.license and "Meshy" in entry.credit.license
+
+
+def test_a_model_that_is_not_rigged_is_used_as_it_came(rigging: Site, project: Path) -> None:
+    rigging.pages["/v1/rigging"] = Reply(status=403)
+    assert rig(project, rigging).exit_code == 0
+    decision = ada(project).decision
+    assert decision is not None and decision.file.startswith("hunyuan3d/")
 
 
 def test_they_are_as_tall_as_before_in_the_frames(site: Site, tmp_path: Path) -> None:
@@ -162,6 +202,6 @@ def test_the_price_is_told_without_asking_anybody(project: Path, monkeypatch: py
     monkeypatch.setenv("OPENAI_API_KEY", "one")
     monkeypatch.setenv("MESHY_API_KEY", "two")
     told = CliRunner().invoke(app, ["cast", str(project), "ada", "--make", "--dry-run", "--services", "openai,meshy"])
-    assert told.exit_code == 0 and "Ada" in told.output and "$0.64 at most" in told.output
+    assert told.exit_code == 0 and "Ada" in told.output and "$0.74 at most" in told.output
     assert ada(project).decision is None
     assert cast(project, None, "--dry-run").exit_code == 2, "it is no dry run of other changes"

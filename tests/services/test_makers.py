@@ -233,8 +233,8 @@ def test_meshy_rigs_and_moves(site: Site, tmp_path: Path) -> None:
         "/rigged": Reply(rigged),
         "/moving": Reply(moving),
     }
-    rigs, motions = MeshyRigs(web_of(site)), MeshyMotions(web_of(site))
-    rig = rigs.begin(model(), 1.8, "")
+    rigs, motions = MeshyRigs(web_of(site), 1.8), MeshyMotions(web_of(site))
+    rig = rigs.begin(model(), "")
     asked = site.hits[-1].json
     assert asked["height_meters"] == 1.8
     assert base64.b64decode(asked["model_url"].partition(",")[2]) == model()

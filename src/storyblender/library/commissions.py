@@ -14,7 +14,7 @@ import time
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from contextlib import ExitStack, contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final, Literal
 
@@ -50,12 +50,14 @@ class Wanted:
         prompt: What it looks like, as it is sent to an image model.
         category: For lists.
         kind: Of the model: one of a ``character`` stands in for no thing of that name.
+        made_of: Whose work the model is that it is made of, if it is not made of a picture.
     """
 
     name: str
     prompt: str
     category: str = ""
     kind: Literal["model", "character"] = "model"
+    made_of: Credit = field(default_factory=Credit)
 
 
 class Commissions:
@@ -113,7 +115,7 @@ class Commissions:
 
         Args:
             maker: Makes it.
-            picture: In the library.
+            picture: In the library; of what rigs a model, that model.
 
         Raises:
             Busy: Other jobs have to end first.
@@ -140,7 +142,8 @@ class Commissions:
             self._refused(found, maker.maker, ServiceFailure("cancelled before it was sent"))
             raise
         except (ServiceFailure, OSError) as error:
-            failure = error if isinstance(error, ServiceFailure) else ServiceFailure("the picture cannot be read")
+            unread = ServiceFailure(f"the {picture.kind} cannot be read")
+            failure = error if isinstance(error, ServiceFailure) else unread
             job = self._looked_for(maker, found) if failure.uncertain else None
             if job is not None and job.state == "submitted":
                 return job
@@ -304,7 +307,9 @@ class Commissions:
 
     def _kept(self, kind: EntryKind, job: Job, maker: Maker, wanted: Wanted, folder: Path, main: str) -> LibraryEntry:
         """Add what was made to the library, with its prompt and its terms beside it, and close the job."""
-        credit = Credit(**credit_lines({"author": f"{maker.service} ({maker.model})", "license": maker.licence}))
+        authors = filter(None, (wanted.made_of.author, f"{maker.service} ({maker.model})"))
+        licences = dict.fromkeys(filter(None, (wanted.made_of.license, maker.licence)))
+        credit = Credit(**credit_lines({"author": ", ".join(authors), "license": "; ".join(licences)}))
         credit = credit.model_copy(update={"url": maker.url})
         for name, text in ((CREDITS, _toml(credit)), (_PROMPT, f"{wanted.prompt}\n")):
             part = folder / name

@@ -85,7 +85,7 @@ def made_by(makers: Sequence[Maker], asset: Asset) -> ExpectedAsset:
     """Return what it takes to have an asset made.
 
     Args:
-        makers: The image model and the maker of models.
+        makers: The image model, the maker of models, and for a person what rigs the model.
         asset: A thing or a person.
     """
     name = asset.name or asset.asset_id
@@ -95,8 +95,8 @@ def made_by(makers: Sequence[Maker], asset: Asset) -> ExpectedAsset:
         how="made",
         source=" + ".join(maker.settings for maker in makers),
         what=f"a model of {name}",
-        licence=makers[-1].licence,
-        url=makers[-1].url,
+        licence="; ".join(dict.fromkeys(maker.licence for maker in makers[1:])),
+        url=makers[1].url,
         dollars=round(sum(maker.price for maker in makers), 3),
     )
 

@@ -23,7 +23,7 @@ from storyblender.memory.asset_sheet import Asset
 from storyblender.pipeline.run import Run
 from storyblender.service_setting import ServiceChoice, services_in
 from storyblender.services.making import Busy, ImageModel, JobState, Maker, ModelMaker
-from storyblender.services.register import IMAGE_MODELS, MODEL_MAKERS, ServiceRun
+from storyblender.services.register import IMAGE_MODELS, MODEL_MAKERS, RIGGERS, ServiceRun
 from storyblender.trace import Event
 
 _UNSEEN, _SEEN = 8.0, 9.0
@@ -80,6 +80,7 @@ class Workshop:
     library: SharedLibrary
     _images: list[ImageModel] = field(default_factory=list)
     _makers: list[ModelMaker] = field(default_factory=list)
+    _riggers: list[ServiceChoice] = field(default_factory=list)
     _painted: dict[str, LibraryEntry | ServiceFailure] = field(default_factory=dict)
     _failed: dict[str, str] = field(default_factory=dict)
     """Why a thing keeps its stand-in, by asset id."""
@@ -114,6 +115,8 @@ class Workshop:
                 self._images.append(IMAGE_MODELS[choice.name](choice, self.services))
             if choice.name in MODEL_MAKERS:
                 self._makers.append(MODEL_MAKERS[choice.name](choice, self.services))
+            if choice.name in RIGGERS:
+                self._riggers.append(choice)
         except ServiceFailure as error:
             self._missing.append(str(error))
             self._warn(str(error))
@@ -171,6 +174,33 @@ class Workshop:
             mend = "nothing is changed, and what is paid for is kept for the next time"
             raise InputError(f"no model of {wanted.name} was made: {self._failed[person.asset_id]}", mend=mend)
         return made[person.asset_id]
+
+    def riggers(self, height: float) -> list[ModelMaker]:
+        """Return what puts a skeleton into the model of a person.
+
+        Args:
+            height: Of the person, in metres.
+        """
+        return [RIGGERS[choice.name](choice, self.services, height) for choice in self._riggers]
+
+    def rigged(self, made: Asset, height: float) -> Asset | None:
+        """Return a character with their model that a service put a skeleton into; None where none did, which is told.
+
+        Args:
+            made: With the model.
+            height: Of the person, in metres.
+
+        Raises:
+            Cancelled: The run was; a job goes on at the service, and with the next call.
+        """
+        riggers, model = deque(self.riggers(height)), self.library.told(made.canonical.key) if made.canonical else None
+        if not riggers or model is None:
+            return None
+        wanted = replace(_wanted(made, ""), kind="character", made_of=model.credit)
+        rigged = self._modelled([_Order(made, wanted, model, _UNSEEN, riggers)]).get(made.asset_id)
+        if rigged is None:
+            self._warn(f"the model of {wanted.name} is bound without a service: {self._failed[made.asset_id]}")
+        return rigged
 
     def _made(self, assets: Sequence[Asset], wanted: Mapping[str, Wanted]) -> dict[str, Asset]:
         """Return the assets that got a model; why others did not is in ``_failed``. Raises AnswerAwaited, Cancelled."""

@@ -12,12 +12,17 @@ from storyblender.pipeline.generating import Workshop
 from storyblender.pipeline.run import Run
 from storyblender.service_setting import services_in
 from storyblender.services.register import IMAGE_MODELS, MODEL_MAKERS
+from storyblender.trace import Event
+
+_USUAL = 1.7
+"""Metres of somebody whose height is not known."""
 
 
 def made_person(run: Run, person: Asset) -> str:
     """Have a model made of a character, and return the key by which an edit names it; the story stays as it is.
 
-    What was made for the same look before is taken from the library, and a job that was begun before goes on.
+    What was made for the same look before is taken from the library, and a job that was begun before goes on. Where the
+    settings name a service that rigs, it puts a skeleton into the model; the model is used as it came if that fails.
 
     Args:
         run: Its settings name the services.
@@ -28,10 +33,16 @@ def made_person(run: Run, person: Asset) -> str:
         Cancelled: The run was; a job goes on at the service, and with the next call.
         InputError: A setting is missing, nothing was made, or what was made is no human figure.
     """
-    made = _workshop(run, person).made_person(person, person_prompt(person, run.graph.age))
-    assert made.canonical is not None, "it has a model"
-    _refuse_unfit(run, made)
-    return made.canonical.key
+    workshop = _workshop(run, person)
+    made = workshop.made_person(person, person_prompt(person, run.graph.age))
+    rigged = workshop.rigged(made, _height(person))
+    if rigged is not None:
+        try:
+            return _fitting(run, rigged)
+        except InputError as error:
+            message = f"{error.problem}; it is bound without the skeleton of the service"
+            run.tell(Event(kind="warning", role="asset_generator", subject=person.asset_id, message=message))
+    return _fitting(run, made)
 
 
 def expected_person(run: Run, person: Asset) -> ExpectedAsset:
@@ -44,7 +55,8 @@ def expected_person(run: Run, person: Asset) -> ExpectedAsset:
     Raises:
         InputError: A setting or a key is missing.
     """
-    return made_by(_workshop(run, person).asked_first(), person)
+    workshop = _workshop(run, person)
+    return made_by([*workshop.asked_first(), *(each.maker for each in workshop.riggers(_height(person))[:1])], person)
 
 
 def _workshop(run: Run, person: Asset) -> Workshop:
@@ -65,8 +77,13 @@ def _workshop(run: Run, person: Asset) -> Workshop:
     return workshop
 
 
-def _refuse_unfit(run: Run, made: Asset) -> None:
-    """Refuse a model that cannot be bound to our skeleton; one that can is built once, here. Raises InputError."""
+def _height(person: Asset) -> float:
+    """Return how tall a character is, in metres."""
+    return estimate_dimension(person).height or _USUAL
+
+
+def _fitting(run: Run, made: Asset) -> str:
+    """Return the key of a model that can be bound to our skeleton: it is built, once. Raises InputError."""
     canonical = made.canonical
     assert canonical is not None, "it has a model"
     fitted = canonical.model_copy(update={"params": {**canonical.params, "told": True}})
@@ -76,3 +93,4 @@ def _refuse_unfit(run: Run, made: Asset) -> None:
     except EngineError as error:
         mend = "nothing is changed; another --face, or other clothes, give another picture"
         raise InputError(f"the model of {made.name or made.asset_id} cannot be used: {error}", mend=mend) from error
+    return canonical.key

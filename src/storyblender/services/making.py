@@ -139,32 +139,14 @@ class JobService(Protocol):
 
 
 class ModelMaker(JobService, Protocol):
-    """Makes a textured model of a picture."""
+    """Makes a textured model of a picture, or puts a skeleton into the model of a person."""
 
-    def begin(self, picture: bytes, mark: str) -> str:
+    def begin(self, source: bytes, /, mark: str) -> str:
         """Begin a model and return the id of the job. It costs, and is not asked twice.
 
         Args:
-            picture: PNG of one object before a plain background.
+            source: PNG of one object before a plain background; or a textured person as .glb, arms apart.
             mark: Letters, digits and dashes by which the job can be told from others, where the service keeps them.
-
-        Raises:
-            Busy: Other jobs have to end first.
-            ServiceFailure: It was refused; ``uncertain`` if it may have been begun and paid all the same.
-        """
-        ...
-
-
-class Rigger(JobService, Protocol):
-    """Puts a skeleton into the model of a person, and motions on it."""
-
-    def begin(self, model: bytes, height: float, mark: str) -> str:
-        """Begin to rig a model and return the id of the job. It costs, and is not asked twice.
-
-        Args:
-            model: A textured person as .glb, standing with arms apart.
-            height: Of the person, in metres.
-            mark: As for ``ModelMaker``.
 
         Raises:
             Busy: Other jobs have to end first.

@@ -170,22 +170,23 @@ class MeshyRigs(_Tasks):
 
     Args:
         web: HTTP with the service.
+        height: Of the person, in metres.
     """
 
-    def __init__(self, web: Web) -> None:
+    def __init__(self, web: Web, height: float) -> None:
+        self._height = height
         maker = Maker("meshy", "rigging", _RIG_CREDITS * _CREDIT, "Meshy terms of use", _TERMS)
         super().__init__(web, "v1/rigging", maker)
 
-    def begin(self, model: bytes, height: float, mark: str) -> str:
+    def begin(self, model: bytes, /, mark: str) -> str:
         """Begin to rig a model and return the id of the task. Raises ServiceFailure.
 
         Args:
             model: A textured person as .glb.
-            height: Of the person, in metres.
             mark: Not used.
         """
         url = f"data:application/octet-stream;base64,{b64encode(model).decode()}"
-        return self._begun({"model_url": url, "height_meters": height})
+        return self._begun({"model_url": url, "height_meters": self._height})
 
     def _url_in(self, task: Mapping[str, Any]) -> Any:
         result = task.get("result")

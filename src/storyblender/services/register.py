@@ -128,6 +128,17 @@ MODEL_MAKERS: dict[ServiceName, ModelMakerFactory] = {"hunyuan3d": _hunyuan3d, "
 """Services that make models of pictures. A factory raises ServiceFailure where the key or the address is missing."""
 
 
+def _meshy_rigs(choice: ServiceChoice, run: ServiceRun, height: float) -> ModelMaker:
+    from storyblender.services.meshy import ADDRESS, MeshyRigs
+
+    return MeshyRigs(_keyed_web(choice, run, ADDRESS, "Authorization", "Bearer"), height)
+
+
+RIGGERS: dict[ServiceName, Callable[[ServiceChoice, ServiceRun, float], ModelMaker]] = {"meshy": _meshy_rigs}
+"""Services that put a skeleton into the model of a person of so many metres. A factory raises ServiceFailure where the
+key is missing."""
+
+
 def _keyed_web(choice: ServiceChoice, run: ServiceRun, usual: str, key_header: str, scheme: str = "") -> Web:
     """Return HTTP with a service that wants a key, unless the server is the user's own. Raises ServiceFailure."""
     web = run.web(choice, usual, key_header, scheme)
