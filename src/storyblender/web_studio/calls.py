@@ -13,10 +13,8 @@ from storyblender.edits.pulling import UNDECIDED, Choice
 from storyblender.errors import InputError
 from storyblender.memory.base import shot_name
 from storyblender.memory.coverage import as_filmed
-from storyblender.memory.edits import AssetEdit, LightEdit, SetEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import CAUSED_BY_PERSON
-from storyblender.memory.scene_decision import LightDecision, SetDecision
 from storyblender.pipeline.shown import as_seen
 from storyblender.proposing import picture_of_take, pictures_of_other_takes, propose_stagings
 from storyblender.session import Session
@@ -35,7 +33,6 @@ from storyblender.web_studio.messages import (
     MakeCall,
     News,
     OpenCall,
-    PanoramaCall,
     PicturesCall,
     PlainCall,
     ProposeCall,
@@ -43,8 +40,6 @@ from storyblender.web_studio.messages import (
     SceneCall,
     ShotCall,
     StageCall,
-    SurfaceCall,
-    TakeOfferCall,
     TakeOverCall,
 )
 from storyblender.web_studio.pictures import picture_cards
@@ -52,6 +47,7 @@ from storyblender.web_studio.scene import scene_details
 from storyblender.web_studio.shot import in_inspector
 from storyblender.web_studio.stage import stage_of
 from storyblender.web_studio.stage_values import Stage
+from storyblender.web_studio.taking import PanoramaCall, SurfaceCall, TakeOfferCall, taken_in
 from storyblender.workplace.values import details_of
 
 if TYPE_CHECKING:
@@ -93,7 +89,7 @@ class Calls:
             case ProposeCall():
                 return lambda: self._propose(call)
             case TakeOfferCall() | SurfaceCall() | PanoramaCall():
-                return lambda: self._taken_in(call)
+                return lambda: self._edited(lambda session: taken_in(session, self._place, call), ())
             case WriteCall():
                 return lambda: self._write(call)
             case TakeOverCall():
@@ -118,16 +114,6 @@ class Calls:
                 }[call.call]
             case _:
                 return lambda: self._looked_at(call)
-
-    def _taken_in(self, call: TakeOfferCall | SurfaceCall | PanoramaCall) -> dict[str, Any]:
-        """Take something from outside into the project, and make the edit that uses it."""
-        match call:
-            case TakeOfferCall():
-                return self._made_from_offer(call)
-            case SurfaceCall():
-                return self._made_of(call)
-            case PanoramaCall():
-                return self._lit_by(call)
 
     def _looked_at(self, call: SceneCall | StageCall | AssetCall | DeliverCall | PicturesCall) -> Any:
         """Return what a view of the page shows."""
@@ -266,22 +252,6 @@ class Calls:
         """Return what was changed in Blender; nothing is taken over."""
         return self._free().pull(apply=False).model_dump(exclude={"applied"})
 
-    def _made_from_offer(self, call: TakeOfferCall) -> dict[str, Any]:
-        """Fetch a model that a service offers, and have a thing made from it."""
-        self._free().take_offer(call.file)
-        edits = [AssetEdit(thing=call.thing, file=call.file)]
-        return self._edited(lambda session: session.apply(edits, call.revision), edits)
-
-    def _lit_by(self, call: PanoramaCall) -> dict[str, Any]:
-        """Take a panorama of the folder or of the library into the project, and light a scene by it."""
-        session = self._free()
-        if call.entry:
-            taken_in = session.take_library_panorama(call.entry)
-        else:
-            taken_in = session.take_in_panorama(self._place.panorama(call.file))
-        edits = [LightEdit(scene=call.scene, decision=LightDecision(panorama=taken_in))]
-        return self._edited(lambda session: session.apply(edits, call.revision), edits)
-
     def _library(self, call: LibraryCall) -> Any:
         """Return what of the user's library is shown, or the address of a picture that is drawn now."""
         if call.call == "library":
@@ -293,17 +263,6 @@ class Calls:
         """Return the surfaces or the panoramas of the folder, and those of the library."""
         own = self._place.surfaces() if call.kind == "texture" else self._place.panoramas()
         return [card.model_dump() for card in picture_cards(own, self._free().library_pictures(call.kind), call.words)]
-
-    def _made_of(self, call: SurfaceCall) -> dict[str, Any]:
-        """Take a surface of the folder or of the library into the project, and make a part of a set of it."""
-        session = self._free()
-        if call.entry:
-            texture = session.take_library_texture(call.entry, call.metres)
-        else:
-            texture = session.take_in_texture(self._place.surface(call.file), call.metres)
-        part = {"walls": "wall_texture", "ground": "ground_texture"}[call.part]
-        edits = [SetEdit(scene=call.scene, decision=SetDecision.model_validate({part: texture}))]
-        return self._edited(lambda session: session.apply(edits, call.revision), edits)
 
     def _stepped(self, way: str) -> dict[str, Any]:
         """Undo or redo; a frame that was drawn before is found again."""

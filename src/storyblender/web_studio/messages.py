@@ -11,6 +11,7 @@ from storyblender.memory.edits import Edit
 from storyblender.trace import Event
 from storyblender.web_studio.deliver import DeliverCall, WriteCall
 from storyblender.web_studio.page_call import PageCall as _Call
+from storyblender.web_studio.taking import PanoramaCall, SurfaceCall, TakeOfferCall
 from storyblender.workplace.values import ShotDetails, Status
 
 _Name = Annotated[str, Field(min_length=1, max_length=128)]
@@ -105,40 +106,6 @@ class PicturesCall(_Call):
     """All of them are in its name, tags, author or licence; empty for all."""
 
 
-class SurfaceCall(_Call):
-    """Makes the walls or the ground of a set of a picture, of the folder or of the library: one undo."""
-
-    call: Literal["surface"]
-    """Which call this is."""
-    scene: _Name
-    """Such as ``SC010``."""
-    part: Literal["walls", "ground"]
-    """What is made of it."""
-    file: Annotated[str, Field(max_length=300)] = ""
-    """Path of its colour picture in the folder."""
-    entry: Annotated[str, Field(max_length=64)] = ""
-    """Or its digest in the library."""
-    metres: Annotated[float, Field(ge=0.01, le=25)] | None = None
-    """Width of the picture; what is known of it, or the usual, if not given."""
-    revision: _Name | None = None
-    """What the person saw when they chose it."""
-
-
-class PanoramaCall(_Call):
-    """Lights a scene by a panorama of the folder or of the library: one undo."""
-
-    call: Literal["panorama"]
-    """Which call this is."""
-    scene: _Name
-    """Such as ``SC010``."""
-    file: Annotated[str, Field(max_length=128)] = ""
-    """File name of an .hdr or .exr in the folder."""
-    entry: Annotated[str, Field(max_length=64)] = ""
-    """Or its digest in the library."""
-    revision: _Name | None = None
-    """What the person saw when they chose it."""
-
-
 class StageCall(_Call):
     """Asks for the scene of a shot in 3D, at one moment."""
 
@@ -167,19 +134,6 @@ class AssetCall(_Call):
     """Of a picture of what a service offers: its ``file``."""
     as_in_file: bool = False
     """Of a model of the user: in the pose that its file has."""
-
-
-class TakeOfferCall(_Call):
-    """Has a thing made from a model that a service offers, which is fetched first: one undo."""
-
-    call: Literal["take_offer"]
-    """Which call this is."""
-    thing: _Name
-    """Its id."""
-    file: Annotated[str, Field(min_length=1, max_length=256)]
-    """Of what is offered."""
-    revision: _Name | None = None
-    """What the person saw when they chose it."""
 
 
 class ReviseCall(_Call):
