@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -27,6 +27,7 @@ from storyblender.memory.texture import Texture
 from storyblender.pipeline.compiling import story_files
 from storyblender.pipeline.drawing import draw_frames, draw_shots
 from storyblender.pipeline.filming import cuts_made_wrong, film
+from storyblender.pipeline.given_models import take_in_model
 from storyblender.pipeline.library_pictures import take_panorama, take_texture
 from storyblender.pipeline.offered_models import take_offer
 from storyblender.pipeline.packing import pack_scenes
@@ -308,6 +309,19 @@ class Session(ViewedProject):
         """
         with self._call() as run:
             take_offer(run, key)
+
+    def take_in_model(self, asset_id: str, files: Mapping[str, Path]) -> str:
+        """Keep a model from a person's disk in the project, once it can be read, and return how an edit names it.
+
+        Args:
+            asset_id: The thing that is to be made from it.
+            files: The model and what it names, by name, in one folder.
+
+        Raises:
+            InputError: It cannot be read, or names a file that is not given.
+        """
+        with self._call() as run:
+            return take_in_model(run, asset_id, files)
 
     def take_in_panorama(self, file: Path) -> Panorama:
         """Keep the picture of a user's panorama in the project, and return what an edit of light names it by.

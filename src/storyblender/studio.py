@@ -39,7 +39,7 @@ from storyblender.memory.base import shot_name
 from storyblender.memory.edits import Edit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit
-from storyblender.memory.jobs import AssetJob
+from storyblender.memory.jobs import GIVEN, AssetJob
 from storyblender.pipeline.reviewing import FrameReview
 from storyblender.project import Project, read_project_graph
 from storyblender.results import Delivery
@@ -367,7 +367,8 @@ class Studio:
 
         cancelled = Signal()
         services = service_run(settings, cancelled)
-        sources = asset_sources(settings, load_embedder, services, warn)
+        with_own = settings.model_copy(update={"models": (*models, folder / GIVEN)})
+        sources = asset_sources(with_own, load_embedder, services, warn)
         crew = rules_crew(settings, load_embedder, sources)
         if settings.language_roles:
             from storyblender.language.answerers import answerers

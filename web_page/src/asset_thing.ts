@@ -4,6 +4,7 @@ import { LitElement, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { linear } from "./colors";
 import type { AssetDetails, Candidate, Edit, OfferedCard, ShownOffers } from "./messages";
+import "./own_model";
 import { called } from "./service_name";
 import type { Wire } from "./wire";
 
@@ -103,7 +104,7 @@ export class AssetThing extends LitElement {
   private take(card: OfferedCard): void {
     const settled = () => (this.fetching = "");
     this.fetching = card.file;
-    const detail = { call: { thing: this.details.asset, file: card.file }, settled };
+    const detail = { name: "take_offer", call: { thing: this.details.asset, file: card.file }, settled };
     this.dispatchEvent(new CustomEvent("take", { detail, bubbles: true }));
   }
 
@@ -164,6 +165,7 @@ export class AssetThing extends LitElement {
         <button type="button" title="The crew makes it from something else than this" @click=${() => this.edit({ action: "regenerate" })}>Let the crew choose another</button></form>
       ${this.said ? html`<p role="status">${this.said}</p>` : nothing}
       ${(this.offers?.failures ?? []).map((failure) => html`<p class="told" role="status">${failure}</p>`)}
+      <sb-own-model .thing=${this.details.asset} .locked=${this.details.locked} @taken=${() => this.candidates && this.offer()}></sb-own-model>
       <div class="faces">${(this.candidates ?? []).map((each) => html`<button class="face ${each.chosen ? "chosen" : ""}" ?disabled=${each.chosen}
         data-candidate=${each.file || each.model} title=${`${each.name}, ${each.source}, fits ${each.score.toFixed(1)} of 10`}
         @click=${() => this.edit({ action: "replace", ...(each.file ? { file: each.file } : { model: each.model }) })}>

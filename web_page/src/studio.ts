@@ -17,6 +17,7 @@ import "./shot_inspector";
 import "./stage_view";
 import "./start_view";
 import type { Said } from "./message_bar";
+import type { Take } from "./own_model";
 import type { Board, CrewEvent, Edit, News, Places, Pulled, Status } from "./messages";
 import { Wire } from "./wire";
 
@@ -204,7 +205,7 @@ export class Studio extends LitElement {
   }
 
   /** Make an edit by a call of its own. */
-  private call(name: "apply" | "panorama" | "surface" | "take_offer", detail: object): Promise<boolean> {
+  private call(name: "apply" | "panorama" | "surface" | Take["name"], detail: object): Promise<boolean> {
     const made = this.edited.then(() =>
       this.attempt(async () => {
         const done = await this.wire.call<Applied & { version: string }>(name, { ...detail, revision: this.revision });
@@ -337,7 +338,7 @@ export class Studio extends LitElement {
           @select=${select}></sb-stage>`;
       case "assets":
         return html`<sb-assets .board=${board} .wire=${this.wire} .chosen=${this.asset} @chose=${(event: CustomEvent<string>) => (this.asset = event.detail)} @edit=${(event: CustomEvent<Edit[]>) => this.edit(event.detail)}
-          @take=${(event: CustomEvent<{ call: object; settled: () => void }>) => this.call("take_offer", event.detail.call).finally(event.detail.settled)}
+          @take=${(event: CustomEvent<Take>) => this.call(event.detail.name, event.detail.call).then(event.detail.settled)}
           @goto=${(event: CustomEvent<string>) => ([this.selected, this.view] = [[event.detail], "board"])}></sb-assets>`;
       case "library":
         return html`<sb-library .wire=${this.wire}></sb-library>`;

@@ -27,7 +27,7 @@ from storyblender.folder import Folder
 from storyblender.geometry.mocap import MocapPoses
 from storyblender.memory.asset_sheet import Asset, CharacterLook, Credit, ModelPose
 from storyblender.memory.base import content_hash, seed_of
-from storyblender.memory.jobs import ADOPTED, ASSETS, FETCHED, AssetJob, asset_suffixes
+from storyblender.memory.jobs import ADOPTED, ASSETS, FETCHED, GIVEN, AssetJob, asset_suffixes
 from storyblender.memory.measure import AssetMeasure, AssetRecord
 from storyblender.memory.mocap import mocap_file
 from storyblender.model_content import content_of
@@ -54,7 +54,7 @@ class AssetStore:
 
     Args:
         files: The project folder.
-        models: Where the files of models may lie: the user's folders, searched before those fetched into the project.
+        models: Where the files of models may lie: the user's folders, searched before those of the project.
     """
 
     def __init__(self, files: Folder, models: Sequence[Path] = ()) -> None:
@@ -232,7 +232,7 @@ class AssetStore:
         """
         mend = "restore it, or run `storyblender make` with --models FOLDER"
         found: Path | None = None
-        for folder in (*self._models, self.files.path(FETCHED), self.files.path(ADOPTED)):
+        for folder in (*self._models, *map(self.files.path, (GIVEN, FETCHED, ADOPTED))):
             path = folder / name
             if not path.resolve().is_relative_to(folder.resolve()):
                 raise InputError(f"the model {name!r} is outside the folder of models")

@@ -35,6 +35,8 @@ ASSETS = "assets"
 """Folder of the built assets, each named by its digest."""
 ADOPTED = "adopted"
 """Folder of the models that a person made in Blender."""
+GIVEN = "models"
+"""Folder of the models that a person gave for this project, from their disk."""
 FETCHED = "build/models"
 """Folder of the model files that an asset source fetched from elsewhere."""
 

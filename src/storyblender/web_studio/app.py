@@ -1,4 +1,4 @@
-"""The routes of the studio: the page, pictures and files of the open project, the wire, and calls of programs."""
+"""The routes of the studio: page, pictures and files of the open project, models sent to it, the wire, programs."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from pathlib import Path
 from pydantic import ValidationError
 from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
-from starlette.requests import Request
+from starlette.requests import ClientDisconnect, Request
 from starlette.responses import FileResponse, PlainTextResponse, Response
 from starlette.routing import Mount, Route, WebSocketRoute
 from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket, WebSocketDisconnect, WebSocketDisconnected
 
 from storyblender.deliver.page import FILES
-from storyblender.errors import StoryBlenderError
+from storyblender.errors import InputError, StoryBlenderError
 from storyblender.pipeline.asset_pictures import SHOWN
 from storyblender.web_studio.access import PROGRAMS
 from storyblender.web_studio.deliver import may_be_downloaded
@@ -27,6 +27,7 @@ from storyblender.web_studio.hub import Hub
 from storyblender.web_studio.library import picture_of
 from storyblender.web_studio.messages import CALLS, Answer, News
 from storyblender.web_studio.pictures import picture_of_own
+from storyblender.web_studio.uploads import TooLarge, Uploads
 
 LARGEST_CALL = 4_500_000
 """Bytes: a long script that is dropped into the page."""
@@ -101,6 +102,7 @@ def build_app(hub: Hub) -> Starlette:
             Route("/cast/{name}", cast),
             Route("/library/{digest}.png", in_library),
             Route("/folder/{name:path}", in_folder),
+            Route("/models/{batch}/{name}", _keeping(hub.uploads), methods=["POST"]),
             Route(PROGRAMS, calls, methods=["POST"]),
             Route("/files/{name:path}", delivered),
             WebSocketRoute("/wire", wire),
@@ -115,6 +117,22 @@ def _one_of(pictures: Callable[[], Mapping[str, Path]]) -> Callable[[Request], A
     async def answer(request: Request) -> Response:
         path = pictures().get(request.path_params["name"])
         return FileResponse(path) if path is not None and path.is_file() else _NOT_THERE
+
+    return answer
+
+
+def _keeping(uploads: Uploads) -> Callable[[Request], Awaitable[Response]]:
+    """Return what keeps a file of a model that the page sends."""
+
+    async def answer(request: Request) -> Response:
+        batch, name = request.path_params["batch"], request.path_params["name"]
+        try:
+            await uploads.receive(batch, name, request.stream())
+        except InputError as error:
+            return PlainTextResponse(str(error), 413 if isinstance(error, TooLarge) else 400)
+        except ClientDisconnect:
+            uploads.forget()
+        return Response(status_code=204)
 
     return answer
 

@@ -47,7 +47,7 @@ from storyblender.web_studio.scene import scene_details
 from storyblender.web_studio.shot import in_inspector
 from storyblender.web_studio.stage import stage_of
 from storyblender.web_studio.stage_values import Stage
-from storyblender.web_studio.taking import PanoramaCall, SurfaceCall, TakeOfferCall, taken_in
+from storyblender.web_studio.taking import PanoramaCall, SurfaceCall, TakeModelCall, TakeOfferCall, TakingCall, taken_in
 from storyblender.workplace.values import details_of
 
 if TYPE_CHECKING:
@@ -88,8 +88,8 @@ class Calls:
                 return lambda: self._compare(call) if call.call == "compare" else self._revise(call)
             case ProposeCall():
                 return lambda: self._propose(call)
-            case TakeOfferCall() | SurfaceCall() | PanoramaCall():
-                return lambda: self._edited(lambda session: taken_in(session, self._place, call), ())
+            case TakeOfferCall() | TakeModelCall() | SurfaceCall() | PanoramaCall():
+                return lambda: self._taken_in(call)
             case WriteCall():
                 return lambda: self._write(call)
             case TakeOverCall():
@@ -114,6 +114,10 @@ class Calls:
                 }[call.call]
             case _:
                 return lambda: self._looked_at(call)
+
+    def _taken_in(self, call: TakingCall) -> dict[str, Any]:
+        """Take something from outside into the project, and make the edit that uses it."""
+        return self._edited(lambda session: taken_in(session, self._place, self._hub.uploads, call), ())
 
     def _looked_at(self, call: SceneCall | StageCall | AssetCall | DeliverCall | PicturesCall) -> Any:
         """Return what a view of the page shows."""

@@ -23,6 +23,7 @@ from storyblender.web_studio.messages import (
     News,
     PlainCall,
 )
+from storyblender.web_studio.uploads import Uploads
 from storyblender.workplace.workplace import Workplace
 
 _LOG = logging.getLogger(__name__)
@@ -50,6 +51,7 @@ class Hub:
         """Makes the story from its script, as it was begun last for the open project."""
         self.invite: Callable[[], str] | None = None
         """Returns an address whose key lets one more browser in; None where nothing is served."""
+        self.uploads = Uploads()
         self._does = Calls(self)
 
     def join(self) -> asyncio.Queue[News]:
@@ -101,6 +103,7 @@ class Hub:
         self.stop_drawing()
         self.place.close()
         self._calls.shutdown()
+        self.uploads.forget()
 
     def _said_in_turn(self, number: int, call: Callable[[], Any]) -> Answer:
         try:

@@ -11,7 +11,7 @@ from storyblender.memory.edits import Edit
 from storyblender.trace import Event
 from storyblender.web_studio.deliver import DeliverCall, WriteCall
 from storyblender.web_studio.page_call import PageCall as _Call
-from storyblender.web_studio.taking import PanoramaCall, SurfaceCall, TakeOfferCall
+from storyblender.web_studio.taking import PanoramaCall, SurfaceCall, TakeModelCall, TakeOfferCall
 from storyblender.workplace.values import ShotDetails, Status
 
 _Name = Annotated[str, Field(min_length=1, max_length=128)]
@@ -207,6 +207,7 @@ Call = Annotated[
     | StageCall
     | AssetCall
     | TakeOfferCall
+    | TakeModelCall
     | ReviseCall
     | ProposeCall
     | DeliverCall

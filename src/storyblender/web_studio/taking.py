@@ -7,10 +7,13 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from storyblender.edits.dispatcher import Applied
+from storyblender.edits.targets import person_or_thing
+from storyblender.errors import InputError
 from storyblender.memory.edits import AssetEdit, Edit, LightEdit, SetEdit
 from storyblender.memory.scene_decision import LightDecision, SetDecision
 from storyblender.session import Session
 from storyblender.web_studio.page_call import PageCall
+from storyblender.web_studio.uploads import BATCH, Uploads
 from storyblender.workplace.workplace import Workplace
 
 _Name = Annotated[str, Field(min_length=1, max_length=128)]
@@ -63,12 +66,29 @@ class TakeOfferCall(PageCall):
     """What the person saw when they chose it."""
 
 
-def taken_in(session: Session, place: Workplace, call: TakeOfferCall | SurfaceCall | PanoramaCall) -> Applied:
+class TakeModelCall(PageCall):
+    """Has a thing made from a model that the page has sent, file by file: one undo."""
+
+    call: Literal["take_model"]
+    """Which call this is."""
+    thing: _Name
+    """Its id."""
+    batch: Annotated[str, Field(pattern=f"^{BATCH.pattern}$")]
+    """What the page called its files."""
+    revision: _Name | None = None
+    """What the person saw when they chose it."""
+
+
+TakingCall = TakeOfferCall | TakeModelCall | SurfaceCall | PanoramaCall
+
+
+def taken_in(session: Session, place: Workplace, uploads: Uploads, call: TakingCall) -> Applied:
     """Take something from outside into the project, and make the edit that uses it.
 
     Args:
         session: Open, with nothing under way.
         place: The folder, with the person's own pictures.
+        uploads: The files that pages have sent.
         call: What is taken.
 
     Raises:
@@ -77,6 +97,8 @@ def taken_in(session: Session, place: Workplace, call: TakeOfferCall | SurfaceCa
     match call:
         case TakeOfferCall():
             edit = _made_from_offer(session, call)
+        case TakeModelCall():
+            edit = _made_from_given(session, uploads, call)
         case SurfaceCall():
             edit = _made_of(session, place, call)
         case PanoramaCall():
@@ -88,6 +110,18 @@ def _made_from_offer(session: Session, call: TakeOfferCall) -> Edit:
     """Fetch a model that a service offers, for a thing to be made from it."""
     session.take_offer(call.file)
     return AssetEdit(thing=call.thing, file=call.file)
+
+
+def _made_from_given(session: Session, uploads: Uploads, call: TakeModelCall) -> Edit:
+    """Keep a model that the page has sent in the project, for a thing to be made from it."""
+    files = uploads.files(call.batch)
+    if not files:
+        raise InputError("the model did not arrive", mend="choose it again")
+    thing = person_or_thing(session.graph, call.thing)
+    try:
+        return AssetEdit(thing=thing, file=session.take_in_model(thing, files))
+    finally:
+        uploads.forget()
 
 
 def _lit_by(session: Session, place: Workplace, call: PanoramaCall) -> Edit:

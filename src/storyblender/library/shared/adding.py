@@ -54,7 +54,7 @@ def add_work(library: SharedLibrary, path: Path, top: Path, told: Credit, words:
     credit = _credit(path, top, told)
     with TemporaryDirectory() as name:
         part = Path(name)
-        for each in (path.name, *_named_by(path)):
+        for each in (path.name, *named_by(path)):
             source = path.parent / each
             if not source.is_file() or not source.resolve().is_relative_to(top.resolve()):
                 raise InputError(f"names {each!r}, which is not in its folder", mend="put it there", path=path)
@@ -85,7 +85,7 @@ def _credit(path: Path, top: Path, told: Credit) -> Credit:
     return Credit.model_validate(credit_lines(lines))
 
 
-def _named_by(path: Path) -> list[str]:
+def named_by(path: Path) -> list[str]:
     """Return the files that a model names, relative to its folder, in order."""
     try:
         match path.suffix.lower():
