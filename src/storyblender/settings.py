@@ -89,7 +89,7 @@ class Settings(Frozen):
     jobs: int = Field(default=0, ge=0, le=64)
     """Blender processes; 0 takes one for each processor, two at most for memory's sake."""
     models: Annotated[tuple[Path, ...], BeforeValidator(_as_list), Field(max_length=20)] = ()
-    """Folders of the user's own .glb, .gltf, .obj and .blend files, searched before the built-in library; of equal
+    """Folders of the user's own models (``docs/your-own-models.md``), searched before the built-in library; of equal
     matches that in the earlier folder is taken. In ``storyblender.toml`` they are named from there, one or a list."""
     services: Annotated[str, AfterValidator(_services)] = ""
     """Where assets may come from beside the user's folders and the built-in library (``docs/services.md``)."""

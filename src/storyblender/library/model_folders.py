@@ -16,7 +16,7 @@ from storyblender.memory.asset_sheet import Provenance
 from storyblender.model_content import content_of
 from storyblender.ports import Embedder
 
-MODEL_SUFFIXES = (".glb", ".gltf", ".blend", ".obj", ".fbx", ".stl", ".ply")
+MODEL_SUFFIXES = (".glb", ".gltf", ".blend", ".obj", ".fbx", ".stl", ".ply", ".usd", ".usda", ".usdc", ".usdz")
 
 
 @dataclass(frozen=True)

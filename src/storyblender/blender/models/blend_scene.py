@@ -15,6 +15,7 @@ from storyblender.blender.models.limits import MATERIALS, NODES, PARTS
 from storyblender.blender.models.parts import Part, checked, joined, within_bounds
 from storyblender.blender.models.pictures import clean_channel, clean_normals, clean_picture
 from storyblender.blender.models.plain import PlainMaterial, PlainModel
+from storyblender.blender.models.usd_layers import LAYERS, UsdLayers, open_layers
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Credit
 from storyblender.memory.base import Color
@@ -32,7 +33,7 @@ _PAINT = frozenset(("VERTEX_COLOR", "ATTRIBUTE"))
 
 
 def read_scene(path: Path, folder: Path) -> PlainModel:
-    """Read the meshes of a .blend, glTF, .fbx, .stl or .ply into the open file, and return them as plain data.
+    """Read the meshes of a .blend, glTF, .fbx, .stl, .ply or USD into the open file, and return them as plain data.
 
     Args:
         path: The file.
@@ -41,13 +42,18 @@ def read_scene(path: Path, folder: Path) -> PlainModel:
     Raises:
         InputError: It holds no mesh, is too large, or takes parts from elsewhere.
     """
-    credit = Credit()
+    credit, unit = Credit(), 1.0
+    shelf = _Shelf(path, folder)
     if path.suffix.lower() == ".blend":
         credit = _credit(path)
         _append(path, folder)
+    elif path.suffix.lower() in LAYERS:
+        layers = open_layers(path, folder)
+        _import_usd(path, layers)
+        shelf.notes += layers.notes
+        unit = 1.0 if layers.says_unit else None
     else:
         _import(path)
-    shelf = _Shelf(path, folder)
     parts: list[Part] = []
     vertices = faces = count = 0
     for instance in bpy.context.evaluated_depsgraph_get().object_instances:
@@ -66,7 +72,7 @@ def read_scene(path: Path, folder: Path) -> PlainModel:
         parts += _parts(obj, mesh, np.array(instance.matrix_world), shelf)
         obj.to_mesh_clear()
     model = checked(joined(parts)).with_materials(tuple(shelf.materials), tuple(dict.fromkeys(shelf.notes)))
-    return replace(model, credit=credit, unit=1.0)
+    return replace(model, credit=credit, unit=unit)
 
 
 def _credit(path: Path) -> Credit:
@@ -98,6 +104,32 @@ def _import(path: Path) -> None:
             _show_paint()
         case _:
             bpy.ops.import_scene.gltf(filepath=str(path), disable_bone_shape=True)
+    _tame_all()
+
+
+def _import_usd(path: Path, layers: UsdLayers) -> None:
+    """Import a USD file whose layers were checked into an empty file: Z up, in metres if it says its unit."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.ops.wm.usd_import(
+        filepath=str(path),
+        set_frame_range=False,
+        import_cameras=False,
+        import_curves=False,
+        import_lights=False,
+        import_volumes=False,
+        import_skeletons=False,
+        import_blendshapes=False,
+        import_points=False,
+        read_mesh_attributes=False,
+        import_textures_mode="IMPORT_NONE",
+        create_world_material=False,
+        apply_unit_conversion_scale=layers.says_unit,
+    )
+    _show_paint()
+    _tame_all()
+
+
+def _tame_all() -> None:
     for obj in bpy.data.objects:
         _tame(obj)
     bpy.context.view_layer.update()
@@ -105,14 +137,16 @@ def _import(path: Path) -> None:
 
 def _show_paint() -> None:
     """Give meshes that have vertex colours and no material one that shows them."""
-    for mesh in bpy.data.meshes:
-        if mesh.color_attributes and not mesh.materials:
-            material = bpy.data.materials.new("painted")
-            material.use_nodes = True
-            tree = material.node_tree
-            paint = tree.nodes.new("ShaderNodeVertexColor")
-            tree.links.new(paint.outputs["Color"], tree.nodes["Principled BSDF"].inputs["Base Color"])
-            mesh.materials.append(material)
+    painted = [mesh for mesh in bpy.data.meshes if mesh.color_attributes and not mesh.materials]
+    if not painted:
+        return
+    material = bpy.data.materials.new("painted")
+    material.use_nodes = True
+    tree = material.node_tree
+    paint = tree.nodes.new("ShaderNodeVertexColor")
+    tree.links.new(paint.outputs["Color"], tree.nodes["Principled BSDF"].inputs["Base Color"])
+    for mesh in painted:
+        mesh.materials.append(material)
 
 
 def _append(path: Path, folder: Path) -> None:

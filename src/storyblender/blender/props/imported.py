@@ -19,6 +19,7 @@ from storyblender.blender.models.plain import PlainModel
 from storyblender.blender.models.rebuild import build_mesh
 from storyblender.blender.models.simplify import MOST_FACES, THINNED_FACES, face_budget, simplified
 from storyblender.blender.models.tangents import add_tangents
+from storyblender.blender.models.usd import read_usd
 from storyblender.blender.props.anchors import Anchors, grip
 from storyblender.blender.props.build import PropBuild, settle
 from storyblender.catalog.props import PROPS, PropEntry
@@ -49,6 +50,10 @@ _READERS: dict[str, Callable[[Path, Path], PlainModel]] = {
     ".fbx": read_foreign,
     ".stl": read_foreign,
     ".ply": read_foreign,
+    ".usd": read_usd,
+    ".usda": read_usd,
+    ".usdc": read_usd,
+    ".usdz": read_usd,
 }
 SUFFIXES = tuple(_READERS)
 """The files that can be read."""

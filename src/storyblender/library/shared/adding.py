@@ -18,7 +18,13 @@ from storyblender.library.shared.shared_library import SharedLibrary
 from storyblender.memory.asset_sheet import Credit
 from storyblender.model_content import CREDITS, MOST_BYTES, credit_files, credit_lines
 
-KINDS: Final[dict[str, EntryKind]] = {**dict.fromkeys(MODEL_SUFFIXES, "model"), ".hdr": "panorama", ".exr": "panorama"}
+_IN_PARTS: Final = (".usd", ".usda", ".usdc")
+"""Models that may take parts from any other file; a .usdz has its parts in it."""
+KINDS: Final[dict[str, EntryKind]] = {
+    **{suffix: "model" for suffix in MODEL_SUFFIXES if suffix not in _IN_PARTS},
+    ".hdr": "panorama",
+    ".exr": "panorama",
+}
 _MOST_NAMED: Final = 500
 
 
