@@ -10,12 +10,13 @@ from typing import Final
 
 from storyblender.errors import InputError, ServiceFailure
 from storyblender.folder import Folder
+from storyblender.library.model_folders import MODEL_SUFFIXES
 from storyblender.library.shared.entries import LibraryEntry
 from storyblender.library.shared.shared_library import SharedLibrary, read_entry
 from storyblender.outputs import digest_of
 from storyblender.services.archives import MODEL_FILES, ArchiveLimits, extract
 
-_SUFFIXES: Final = MODEL_FILES | {".blend", ".hdr", ".exr", ".bvh", ".fbx", ".toml", ".txt", ".json"}
+_SUFFIXES: Final = MODEL_FILES | {*MODEL_SUFFIXES, ".hdr", ".exr", ".bvh", ".toml", ".txt", ".json"}
 _LIMITS: Final = ArchiveLimits(files=50_000, bytes=16 << 30, depth=12)
 
 
