@@ -10,7 +10,7 @@ export interface Take {
   settled: (done: boolean) => void;
 }
 
-const MODELS = [".glb", ".gltf", ".blend", ".obj", ".fbx", ".stl", ".ply"];
+const MODELS = [".glb", ".gltf", ".blend", ".obj", ".fbx", ".stl", ".ply", ".usd", ".usda", ".usdc", ".usdz"];
 const PARTS = [".bin", ".mtl", ".png", ".jpg", ".jpeg", ".webp", ".tga", ".bmp", ".tif", ".tiff"];
 const MOST_MIB = 256;
 
@@ -60,7 +60,7 @@ export class OwnModel extends LitElement {
       <input type="file" multiple accept=${[...MODELS, ...PARTS].join(",")} ?disabled=${this.locked || this.doing !== ""}
         @change=${(event: Event) => this.chosen(event.target as HTMLInputElement)} />
       <b>${this.doing || "Drop a model of yours here, or choose it"}</b>
-      <small>.glb, .gltf with its files, .blend, .obj, .fbx, .stl or .ply. It is kept in the storyboard.</small></label>
+      <small>.glb, .gltf with its files, .blend, .obj, .fbx, .stl, .ply or USD. It is kept in the storyboard.</small></label>
       ${this.wrong ? html`<p class="wrong" role="alert">${this.wrong}</p>` : nothing}`;
   }
 

@@ -22,6 +22,7 @@ import numpy as np
 from PIL import Image, UnidentifiedImageError
 
 from storyblender.errors import InputError
+from storyblender.library.model_folders import MODEL_SUFFIXES
 from storyblender.memory.asset_sheet import Provenance
 from storyblender.memory.texture import Texture, TextureMap
 from storyblender.model_content import CREDITS, credit_beside
@@ -35,7 +36,7 @@ USUAL_METRES = 2.0
 _MOST_BYTES, _MOST_PIXELS, _LEAST = 64 << 20, 64_000_000, 16
 _MOST_FILES = 500
 """Names in a folder that are looked at."""
-_MODELS = frozenset((".glb", ".gltf", ".blend", ".obj", ".mtl", ".fbx", ".stl", ".ply"))
+_MODELS = frozenset((*MODEL_SUFFIXES, ".mtl"))
 _NAMING = frozenset((".gltf", ".mtl"))
 """Files whose text names the pictures of a model."""
 _MOST_TEXT = 4 << 20

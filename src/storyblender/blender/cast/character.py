@@ -49,7 +49,7 @@ def character_from_file(
 
     Args:
         asset_id: Name of the armature object and tag of the mesh.
-        path: A .glb, .gltf, .obj or .blend file.
+        path: A model, as of a thing.
         folder: The folder of models; what the file names must be in it.
         dimension: How tall such a person is; without it the unit is guessed.
         told: Whether that height is sure, so that it counts and not the file's size.
