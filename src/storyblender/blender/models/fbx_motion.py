@@ -17,9 +17,8 @@ from mathutils import Matrix
 from storyblender.blender.models.blend_reader import bound_process
 from storyblender.file_reading_process import PROBLEM
 from storyblender.geometry.solids import Floats
+from storyblender.library.mocap.fbx import MOTION
 
-MOTION = "motion.npz"
-"""Name of the written file; ``library.mocap.fbx`` reads it."""
 MOST_BONES, MOST_SECONDS = 600, 121
 """Of a skeleton, and of its motion; what comes after is not played."""
 
