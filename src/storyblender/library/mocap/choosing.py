@@ -143,8 +143,8 @@ def _by_words(action: CharacterAction, said: dict[str, str], manners: set[str], 
     spoken = action.motion in VOICED
     if spoken:
         if not clip.manners or not _SPEECH & told:
-            return None  # how somebody speaks has to be said, or everybody would speak alike
-        return Choice(file, 2.0 + len(shared), f"{file.name} says that somebody speaks, and is {action.mood}")
+            return None  # without a manner in its name, every speaker would get the same clip
+        return Choice(file, 2.0 + len(shared), f"{file.name} is a clip of speech, and is {action.mood}")
     telling = [each for each in shared if each not in _PLAIN and each not in _MANNER_STEMS]
     if not telling:
         return None
