@@ -13,7 +13,6 @@ from storyblender.edits.own_motions import offered_clips
 from storyblender.edits.targets import shots_named
 from storyblender.errors import InputError
 from storyblender.inspection import Inspection, inspect
-from storyblender.library.catalogue_source import CatalogueSource
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import content_hash
 from storyblender.memory.board_layout import BoardLayout
@@ -23,7 +22,7 @@ from storyblender.pipeline.compiling import story_files
 from storyblender.pipeline.drawing import DELIVERED, draw_frames
 from storyblender.pipeline.filming import with_cuts_judged
 from storyblender.pipeline.library_pictures import draw_library_picture, library_pictures
-from storyblender.pipeline.offered_models import OfferedModels, offered_models, picture_of_offer
+from storyblender.pipeline.offered_models import OfferedModels, catalogues_of, offered_models, picture_of_offer
 from storyblender.pipeline.previewing import moment_of, preview_shot
 from storyblender.pipeline.rehearsing import CamerasToMatch, rehearse
 from storyblender.pipeline.reviewing import FrameReview, review_frames
@@ -176,7 +175,7 @@ class ViewedProject(OpenProject):
     @property
     def catalogues(self) -> tuple[str, ...]:
         """Names of the services that offer models, textures and panoramas."""
-        return tuple(source.name for source in self._sources if isinstance(source, CatalogueSource))
+        return tuple(source.name for source in catalogues_of(self._sources))
 
     @property
     def own_motions(self) -> dict[str, str]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,6 +15,7 @@ from storyblender.memory.base import content_hash
 from storyblender.pipeline.asset_pictures import SHOWN, view_for
 from storyblender.pipeline.fetching import fetched
 from storyblender.pipeline.run import Run
+from storyblender.ports import AssetSource
 from storyblender.services.offers import Offer
 
 
@@ -76,7 +77,7 @@ def offered_models(run: Run, asset_id: str, words: str) -> OfferedModels:
     models: list[OfferedModel] = []
     waiting: list[str] = []
     failures: list[str] = []
-    for source in catalogues_of(run):
+    for source in catalogues_of(run.sources):
         try:
             found = source.offered(view)
         except ServiceFailure as failure:
@@ -88,9 +89,9 @@ def offered_models(run: Run, asset_id: str, words: str) -> OfferedModels:
     return OfferedModels(tuple(sorted(models, key=lambda each: -each.score)), tuple(waiting), tuple(failures))
 
 
-def catalogues_of(run: Run) -> Iterator[CatalogueSource]:
-    """Yield the catalogues among the sources of a run."""
-    return (source for source in run.sources if isinstance(source, CatalogueSource))
+def catalogues_of(sources: Iterable[AssetSource]) -> list[CatalogueSource]:
+    """Return the catalogues of services among the sources of assets, in their order."""
+    return [source for source in sources if isinstance(source, CatalogueSource)]
 
 
 def picture_of_offer(run: Run, key: str) -> Path | None:
@@ -130,7 +131,7 @@ def take_offer(run: Run, key: str) -> None:
 
 def _source(run: Run, key: str) -> CatalogueSource:
     """Return the catalogue that offered a model. Raises InputError."""
-    for source in catalogues_of(run):
+    for source in catalogues_of(run.sources):
         if source.offers(key):
             return source
     raise InputError("it is not offered any more", mend="look for it again")
