@@ -137,18 +137,25 @@ _WORDS: Final[dict[str, str]] = {"width": "wide", "depth": "deep", "height": "hi
 
 def _turned(graph: ContinuityMemoryGraph, asset: Asset, pose: ModelPose) -> list[Effect]:
     """Return what another front and top of a model do to the thing."""
-    made = asset.canonical
-    if made is None or made.source != "file":
+    file = _model_file(asset)
+    if not file:
         mend = "only models from your folders are turned; in a scene it is turned with `storyblender place`"
         raise InputError(f"{asset.asset_id} is no model of yours", mend=mend)
     problem = pose_problem(pose) or ("" if pose.top is not None else "it needs a top")
     if problem:
         raise InputError(f"{asset.asset_id} cannot be turned so: {problem}")
     kept = asset.decision.params if asset.decision is not None else {}
-    decision = AssetDecision(file=made.key, params={**kept, **pose.params})
+    decision = AssetDecision(file=file, params={**kept, **pose.params})
     words = f"its {pose.front} is the front, its {pose.top} the top" if pose.front else f"its {pose.top} is the top"
     own = Effect(made_from(asset, decision), asset.asset_id, words, frozenset({"asset"}))
     return [own, *_staged_again(graph, asset.asset_id, words)]
+
+
+def _model_file(asset: Asset) -> str:
+    """Return the model that an asset is made from, or is to be; empty if it is none of the user's."""
+    if asset.canonical is not None:
+        return asset.canonical.key if asset.canonical.source == "file" else ""
+    return asset.decision.file if asset.decision is not None else ""
 
 
 def _refuse_person(asset: Asset) -> None:

@@ -103,6 +103,14 @@ def test_a_character_is_made_from_a_file_of_the_user_until_given_back(with_model
     assert session.graph.asset("tom") == before
 
 
+def test_a_model_is_given_and_turned_at_once(with_models: Session) -> None:
+    pose = {"front": "back", "top": "top"}
+    edits = [thing("replace", "tom", file="radio.obj"), thing("turn", "tom", pose=pose)]
+    with_models.apply(edits_of(edits))
+    decision = with_models.graph.asset("tom").decision
+    assert decision is not None and (decision.file, decision.params) == ("radio.obj", pose)
+
+
 def test_where_a_file_is_gone_something_else_stands_in(with_models: Session) -> None:
     apply(with_models, thing("replace", file="gone.glb"))
     made = letter(with_models).canonical
