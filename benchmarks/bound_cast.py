@@ -212,7 +212,7 @@ def built(name: str, folder: Path) -> PersonBuild:
         return build_person(WHO, CharacterLook(gender="male", age=40.0), 1)
     path = write_humanoid(name, folder)
     height = AssetDimension(height=1.2 if name == "child" else 1.7)
-    return character_from_file(WHO, path, folder, height, told=False, pose=ModelPose()).person
+    return character_from_file(WHO, path, folder, height, certainty="usual", pose=ModelPose()).person
 
 
 def measured(person: PersonBuild, tiles: list[Path] | None = None, folder: Path = Path()) -> Iterator[Row]:

@@ -110,10 +110,10 @@ def taken_for(path: Path) -> str:
 def import_as_decided(path: Path, asset: Asset) -> tuple[PropBuild, str]:
     """Return what the pipeline would make of a file that a crew looked at, and what it takes it for."""
     made, kind = asset.canonical, asset.kind or ""
-    params = made.params if made is not None else {}
-    told, estimated = params.get("told") is True, params.get("estimated") is True
-    pose = ModelPose.of(params)
-    return build_from_file(path, asset.dimension, prop=kind, told=told, estimated=estimated, pose=pose), kind
+    if made is None:
+        return build_from_file(path, asset.dimension, prop=kind), kind
+    pose = ModelPose.of(made.params)
+    return build_from_file(path, asset.dimension, prop=kind, certainty=made.certainty, pose=pose), kind
 
 
 def import_model(path: Path) -> tuple[PropBuild, str]:

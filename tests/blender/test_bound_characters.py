@@ -21,7 +21,7 @@ from storyblender.blender.people.person import build_person  # noqa: E402
 from storyblender.catalog.skeleton import BONE_INDEX  # noqa: E402
 from storyblender.errors import InputError  # noqa: E402
 from storyblender.folder import Folder  # noqa: E402
-from storyblender.memory.asset_sheet import Asset, AssetDimension, CanonicalAsset, CharacterLook, ModelPose  # noqa: E402
+from storyblender.memory.asset_sheet import Asset, AssetDimension, CanonicalAsset, Certainty, CharacterLook, ModelPose  # noqa: E402
 from storyblender.memory.jobs import AssetJob  # noqa: E402
 
 ADULT = AssetDimension(height=1.75)
@@ -32,8 +32,8 @@ def empty_file() -> None:
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
 
 
-def _cast(path: Path, height: AssetDimension = ADULT, *, told: bool = False) -> CharacterBuild:
-    return character_from_file("rick", path, path.parent, height, told=told, pose=ModelPose())
+def _cast(path: Path, height: AssetDimension = ADULT, certainty: Certainty = "usual") -> CharacterBuild:
+    return character_from_file("rick", path, path.parent, height, certainty=certainty, pose=ModelPose())
 
 
 def _joint(body: RiggedBody, bone: str) -> np.ndarray:
@@ -86,7 +86,9 @@ def test_a_file_that_has_a_rig_with_known_names_keeps_its_joints_and_weights(tmp
 
 def test_a_story_tells_how_tall_a_character_is(tmp_path: Path) -> None:
     path = write_humanoid("robot", tmp_path)
-    assert _cast(path, AssetDimension(height=1.2), told=True).person.body.stature == pytest.approx(1.2, abs=0.001)
+    assert _cast(path, AssetDimension(height=1.2), certainty="told").person.body.stature == pytest.approx(
+        1.2, abs=0.001
+    )
 
 
 @pytest.mark.parametrize("key", ["chair", "ladder", "dog"])

@@ -172,8 +172,8 @@ class AssetStore:
             from storyblender.blender.cast.character import character_from_file
 
             path, folder = self._model_path(canonical.key, str(canonical.params.get("content", "")))
-            told, pose = canonical.params.get("told") is True, ModelPose.of(canonical.params)
-            made = character_from_file(asset.asset_id, path, folder, asset.dimension, told=told, pose=pose)
+            certainty, pose = canonical.certainty, ModelPose.of(canonical.params)
+            made = character_from_file(asset.asset_id, path, folder, asset.dimension, certainty=certainty, pose=pose)
             return made.person, made.notes, made.credit
         look = asset.decided_look or CharacterLook()
         if asset.dimension is not None and asset.dimension.height is not None:
@@ -211,15 +211,13 @@ class AssetStore:
                 return build_prop(canonical.key, canonical.params, seed, asset.dimension)
             case "file":
                 path, folder = self._model_path(canonical.key, str(canonical.params.get("content", "")))
-                told, pose = canonical.params.get("told") is True, ModelPose.of(canonical.params)
                 return build_from_file(
                     path,
                     asset.dimension,
                     folder=folder,
                     prop=prop_of(asset),
-                    told=told,
-                    estimated=canonical.params.get("estimated") is True,
-                    pose=pose,
+                    certainty=canonical.certainty,
+                    pose=ModelPose.of(canonical.params),
                 )
             case _:
                 return build_stand_in(canonical.key, asset.dimension)

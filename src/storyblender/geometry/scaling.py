@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.memory.asset_sheet import AssetDimension
+from storyblender.memory.asset_sheet import AssetDimension, Certainty
 from storyblender.memory.base import Vec3
 
 Floats = NDArray[np.float64]
@@ -74,8 +74,7 @@ def find_scale(
     usual: UsualSize | None,
     dimension: AssetDimension | None = None,
     *,
-    told: bool = False,
-    estimated: bool = False,
+    certainty: Certainty = "usual",
     unit: float | None = None,
 ) -> tuple[float, str]:
     """Return the scale from a model's unit to metres, and the reason for it; the reason is empty where the scale is 1.
@@ -84,15 +83,14 @@ def find_scale(
         extent: (3,) width, depth, height in the file's units.
         usual: How large such a thing usually is, if known.
         dimension: One measure of the thing in metres, if known.
-        told: Whether the script states that measure; it then overrides the size of the file.
-        estimated: Whether a language model estimated that measure from pictures; it then chooses the unit, and counts
-            itself only where no unit gives nearly that size.
+        certainty: Of that measure. One that is told overrides the size of the file; one that is estimated chooses the
+            unit, and counts itself only where no unit gives nearly that size.
         unit: Metres of the unit that the file or its format states, if any.
     """
     wanted = _wanted(extent, dimension)
-    if told and wanted is not None:
+    if certainty == "told" and wanted is not None:
         return wanted, "" if abs(wanted - 1) < 0.02 else "the script says how large it is"
-    if estimated and wanted is not None:
+    if certainty == "estimated" and wanted is not None:
         return _near_unit(wanted, unit)
     goal = (wanted if usual is None else float(np.exp(usual.offsets(extent)[0]))) if wanted or usual else None
     if unit is not None and (goal is None or 1 / PLAUSIBLE_RATIO <= goal / unit <= PLAUSIBLE_RATIO):

@@ -168,6 +168,10 @@ class ModelPose(Frozen):
         return {name: side for name, side in self if side is not None}
 
 
+Certainty = Literal["usual", "estimated", "told"]
+"""How sure the dimension of a model is: usual for such a thing; estimated by a language model, so that it chooses the
+file's unit; or told by the script or a person, so that it counts and not the file's size."""
+
 FAR = 5.0
 """Match score below which a library asset is only a loose match for what the script means."""
 
@@ -190,6 +194,11 @@ class CanonicalAsset(Frozen):
     """How well the library entry fits the description, 1 to 10."""
     provenance: Provenance | None = Field(default=None, exclude_if=lambda value: value is None)
     """Of what does not come from the built-in library."""
+
+    @property
+    def certainty(self) -> Certainty:
+        """How sure the asset's dimension is, if it is made from a file."""
+        return "told" if self.params.get("told") else "estimated" if self.params.get("estimated") else "usual"
 
     @property
     def is_stand_in(self) -> bool:

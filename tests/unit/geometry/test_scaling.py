@@ -30,18 +30,18 @@ def test_without_a_name_only_what_cannot_be_metres_is_scaled() -> None:
 
 
 def test_what_the_script_tells_counts() -> None:
-    scale, reason = find_scale(np.array([0.2, 0.2, 0.5]), None, AssetDimension(height=1.0), told=True)
+    scale, reason = find_scale(np.array([0.2, 0.2, 0.5]), None, AssetDimension(height=1.0), certainty="told")
     assert scale == pytest.approx(2.0) and "script" in reason
 
 
 def test_an_estimate_chooses_the_unit_and_counts_itself_where_none_is_near() -> None:
     inches = np.array([1.4, 0.65, 0.75]) * 39.37
-    scale, reason = find_scale(inches, None, AssetDimension(width=1.6), estimated=True)
+    scale, reason = find_scale(inches, None, AssetDimension(width=1.6), certainty="estimated")
     assert scale == 0.0254 and "inches" in reason
-    scale, reason = find_scale(inches * 0.2, DESK, AssetDimension(width=1.6), estimated=True)
+    scale, reason = find_scale(inches * 0.2, DESK, AssetDimension(width=1.6), certainty="estimated")
     assert scale == pytest.approx(1.6 / inches[0] / 0.2) and "picture" in reason
-    assert find_scale(inches, None, AssetDimension(width=1.6), estimated=True, unit=0.1)[0] == 0.0254
-    assert find_scale(inches, None, AssetDimension(width=1.6), estimated=True, unit=0.029)[0] == 0.029
+    assert find_scale(inches, None, AssetDimension(width=1.6), certainty="estimated", unit=0.1)[0] == 0.0254
+    assert find_scale(inches, None, AssetDimension(width=1.6), certainty="estimated", unit=0.029)[0] == 0.029
 
 
 def test_what_is_absurd_in_every_unit_gets_the_usual_size() -> None:

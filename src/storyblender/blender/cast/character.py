@@ -24,7 +24,7 @@ from storyblender.blender.tags import Surface, tag
 from storyblender.errors import InputError
 from storyblender.geometry.canonical import rotation_of
 from storyblender.geometry.scaling import find_scale
-from storyblender.memory.asset_sheet import AssetDimension, Credit, ModelPose
+from storyblender.memory.asset_sheet import AssetDimension, Certainty, Credit, ModelPose
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ class CharacterBuild:
 
 
 def character_from_file(
-    asset_id: str, path: Path, folder: Path, dimension: AssetDimension | None, *, told: bool, pose: ModelPose
+    asset_id: str, path: Path, folder: Path, dimension: AssetDimension | None, *, certainty: Certainty, pose: ModelPose
 ) -> CharacterBuild:
     """Read a humanoid model and bind it to the skeleton of the built-in people, in the open file.
 
@@ -52,7 +52,7 @@ def character_from_file(
         path: A model, as of a thing.
         folder: The folder of models; what the file names must be in it.
         dimension: How tall such a person is; without it the unit is guessed.
-        told: Whether that height is sure, so that it counts and not the file's size.
+        certainty: Of that height.
         pose: Its front and top, if they are decided.
 
     Raises:
@@ -70,7 +70,7 @@ def character_from_file(
     turn = rotation_of(pose) if pose.top is not None else np.eye(3)
     points, normals = points @ turn.T, normals @ turn.T
     extent = np.ptp(points, axis=0)
-    scale, reason = find_scale(extent, None, dimension, told=told, unit=model.unit)
+    scale, reason = find_scale(extent, None, dimension, certainty=certainty, unit=model.unit)
     if reason:
         notes.append(f"{extent[2]:.3g} m become {extent[2] * scale:.3g} m: {reason}")
     try:
@@ -80,7 +80,7 @@ def character_from_file(
     except InputError as error:
         problem = f"{path.name} cannot be a character: {error.problem}"
         raise InputError(problem, mend=error.mend, path=path) from error
-    if told and dimension is not None and dimension.height is not None:
+    if certainty == "told" and dimension is not None and dimension.height is not None:
         bound = _scaled(bound, dimension.height / bound.stature)
     if bound.turned and pose.front is None:
         notes.append("it is turned by 180 degrees to face the front")

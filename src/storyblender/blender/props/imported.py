@@ -39,7 +39,7 @@ from storyblender.geometry.holding import Hold, find_hold
 from storyblender.geometry.resting import Places, Use, find_bed, find_seats
 from storyblender.geometry.scaling import UsualSize, find_scale
 from storyblender.library.file_names import words_of_file
-from storyblender.memory.asset_sheet import AssetDimension, ModelPose
+from storyblender.memory.asset_sheet import AssetDimension, Certainty, ModelPose
 from storyblender.memory.base import Vec3
 
 _READERS: dict[str, Callable[[Path, Path], PlainModel]] = {
@@ -88,8 +88,7 @@ def build_from_file(
     *,
     folder: Path | None = None,
     prop: str | None = None,
-    told: bool = False,
-    estimated: bool = False,
+    certainty: Certainty = "usual",
     pose: ModelPose = AS_ITS_SHAPE_SAYS,
 ) -> PropBuild:
     """Read a model and bring it to the canonical frame.
@@ -101,8 +100,7 @@ def build_from_file(
         dimension: What the thing measures, usually; without it the unit is guessed.
         folder: The folder of models; what the file names must be in it. Its own folder if not given.
         prop: Catalog key of what it is, empty for what the catalog lacks; its file's name tells if not given.
-        told: Whether the dimension is sure, so that it counts and not the file's size.
-        estimated: Whether a language model estimated the dimension from pictures, so that it chooses the file's unit.
+        certainty: Of the dimension.
         pose: Its front and top, if they are decided; else they are found by its shape.
 
     Raises:
@@ -121,7 +119,7 @@ def build_from_file(
     elif path.suffix.lower() in _SAYS_NO_UP:
         _stand(mesh, entry, usual, notes, hangs=_hangs(path, entry))
     extent = np.ptp(_points(mesh), axis=0)
-    scale, reason = find_scale(extent, usual, dimension, told=told, estimated=estimated, unit=model.unit)
+    scale, reason = find_scale(extent, usual, dimension, certainty=certainty, unit=model.unit)
     _transform(mesh, np.eye(3) * scale)
     _ground(mesh)
     mesh = simplified(mesh, face_budget(float((extent * scale).max())))
