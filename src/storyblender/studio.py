@@ -20,6 +20,7 @@ from storyblender.catalog.hair import HAIRSTYLES
 from storyblender.catalog.materials import MATERIALS
 from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.props import PROPS
+from storyblender.catalog.recipe import EXACT, Recipe
 from storyblender.catalog.registry import Entry
 from storyblender.catalog.sets import SETS
 from storyblender.crew import rules_crew
@@ -34,12 +35,12 @@ from storyblender.library.shared.entries import LibraryEntry
 from storyblender.library.shared.shared_library import SharedLibrary
 from storyblender.library.sources import asset_sources, service_run
 from storyblender.look.looks import LOOKS
-from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.base import shot_name
 from storyblender.memory.edits import Edit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit
 from storyblender.memory.jobs import GIVEN, AssetJob
+from storyblender.pipeline.library_pictures import picture_job
 from storyblender.pipeline.reviewing import FrameReview
 from storyblender.project import Project, read_project_graph
 from storyblender.results import Delivery
@@ -304,10 +305,9 @@ class Studio:
         picture = library.thumbnail_of(entry)
         if not picture.is_file():
             folder = library.bundle_of(entry)
-            made = CanonicalAsset(source="file", key=entry.main, dimensions=(1, 1, 1), digest="")
-            thing = Asset(asset_id="it", asset_type="object", description="", name=entry.name, canonical=made)
+            job = picture_job(entry, Recipe(source="file", key=entry.main, score=EXACT))
             with TemporaryDirectory() as name, BlenderEngine(Path(name), [folder], jobs=1) as engine:
-                engine.portrait(AssetJob(asset=thing), "picture.png").result()
+                engine.portrait(job, "picture.png").result()
                 library.files.write(library.files.name_of(picture), (Path(name) / "picture.png").read_bytes())
         return picture
 

@@ -86,9 +86,8 @@ def test_a_file_that_has_a_rig_with_known_names_keeps_its_joints_and_weights(tmp
 
 def test_a_story_tells_how_tall_a_character_is(tmp_path: Path) -> None:
     path = write_humanoid("robot", tmp_path)
-    assert _cast(path, AssetDimension(height=1.2), certainty="told").person.body.stature == pytest.approx(
-        1.2, abs=0.001
-    )
+    child = _cast(path, AssetDimension(height=1.2), certainty="told")
+    assert child.person.body.stature == pytest.approx(1.2, abs=0.001)
 
 
 @pytest.mark.parametrize("key", ["chair", "ladder", "dog"])

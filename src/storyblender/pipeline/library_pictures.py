@@ -52,12 +52,25 @@ def draw_library_picture(run: Run, digest: str) -> None:
     if run.library is None or entry is None or entry.kind != "model":
         raise InputError("the library has no such model", mend="see `storyblender library list`")
     recipe = placed_model(run.library, entry, Recipe(source="file", key=entry.key, score=EXACT), run.project.files)
-    made = Asset(asset_id="it", asset_type="object", description="", name=entry.name, canonical=recipe.canonical())
-    name = view_name(run.graph, made, "png")
-    run.engine.portrait(AssetJob(asset=made), name).result()
+    job = picture_job(entry, recipe)
+    name = view_name(run.graph, job.asset, "png")
+    run.engine.portrait(job, name).result()
     run.outputs.note(name)
     picture = run.library.files.name_of(run.library.thumbnail_of(entry))
     run.library.files.write(picture, run.project.path(name).read_bytes())
+
+
+def picture_job(entry: LibraryEntry, recipe: Recipe) -> AssetJob:
+    """Return the job of drawing a model of the library by itself.
+
+    Args:
+        entry: The model.
+        recipe: Where the engine that draws has its file.
+    """
+    canonical = recipe.canonical()
+    return AssetJob(
+        asset=Asset(asset_id="it", asset_type="object", description="", name=entry.name, canonical=canonical)
+    )
 
 
 def take_texture(run: Run, digest: str, metres: float | None = None) -> Texture:
