@@ -198,3 +198,10 @@ def test_a_broken_file_is_one_sentence(tmp_path: Path, suffix: str) -> None:
         with pytest.raises(InputError) as caught:
             build_from_file(path)
         assert "\n" not in str(caught.value)
+
+
+def test_a_face_that_names_a_missing_corner_is_dropped(tmp_path: Path) -> None:
+    path = tmp_path / "box.usda"
+    path.write_text(BOX.replace("0,3,2,1", "0,3,2,999999"))
+    model = read_model(path, tmp_path)
+    assert len(model.vertices) == 8 and model.corners.max() < 8

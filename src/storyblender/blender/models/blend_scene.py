@@ -121,6 +121,7 @@ def _import_usd(path: Path, layers: UsdLayers) -> None:
         import_blendshapes=False,
         import_points=False,
         read_mesh_attributes=False,
+        validate_meshes=True,
         import_textures_mode="IMPORT_NONE",
         create_world_material=False,
         apply_unit_conversion_scale=layers.says_unit,
