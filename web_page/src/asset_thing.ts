@@ -165,13 +165,13 @@ export class AssetThing extends LitElement {
         <button type="button" title="The crew makes it from something else than this" @click=${() => this.edit({ action: "regenerate" })}>Let the crew choose another</button></form>
       ${this.said ? html`<p role="status">${this.said}</p>` : nothing}
       ${(this.offers?.failures ?? []).map((failure) => html`<p class="told" role="status">${failure}</p>`)}
-      <sb-own-model .thing=${this.details.asset} .locked=${this.details.locked} @taken=${() => this.candidates && this.offer()}></sb-own-model>
       <div class="faces">${(this.candidates ?? []).map((each) => html`<button class="face ${each.chosen ? "chosen" : ""}" ?disabled=${each.chosen}
         data-candidate=${each.file || each.model} title=${`${each.name}, ${each.source}, fits ${each.score.toFixed(1)} of 10`}
         @click=${() => this.edit({ action: "replace", ...(each.file ? { file: each.file } : { model: each.model }) })}>
         <span class="portrait">${each.picture ? html`<img src=${each.picture} alt="" />` : nothing}</span>
         <b>${each.name}</b><small>${each.chosen ? "chosen" : each.source}</small>${each.credit ? html`<small>${each.credit}</small>` : nothing}</button>`)}</div>
       ${this.offers?.cards.length ? this.fromServices(this.offers.cards) : nothing}
+      <sb-own-model .thing=${this.details.asset} .locked=${this.details.locked} @taken=${() => this.candidates && this.offer()}></sb-own-model>
     </fieldset>`;
   }
 

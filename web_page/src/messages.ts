@@ -205,6 +205,7 @@ export interface SceneDetails {
   walls: string | null;
   ground: string | null;
   surfaces: Partial<Record<"walls" | "ground", string>>;
+  repeats: Partial<Record<"walls" | "ground", number>>;
   materials: string[];
   period: string;
   snow: boolean;
@@ -217,6 +218,7 @@ export interface SceneDetails {
   key_side: string;
   lamps: LampValue[];
   panorama: string;
+  panorama_rests: boolean;
   outdoors: boolean;
   panoramas: string[];
   words: Record<"time_of_day" | "weather" | "qualities" | "period", string[]>;

@@ -57,10 +57,10 @@ export class OwnModel extends LitElement {
     return html`<label class="drop ${this.over ? "over" : ""}"
       @dragover=${(event: DragEvent) => (event.preventDefault(), (this.over = true))} @dragleave=${() => (this.over = false)}
       @drop=${(event: DragEvent) => (event.preventDefault(), (this.over = false), this.take(event.dataTransfer?.files))}>
-      <input type="file" multiple accept=${[...MODELS, ...PARTS].join(",")} ?disabled=${this.locked || this.doing !== ""}
+      <input type="file" class="unseen" multiple accept=${[...MODELS, ...PARTS].join(",")} ?disabled=${this.locked || this.doing !== ""}
         @change=${(event: Event) => this.chosen(event.target as HTMLInputElement)} />
-      <b>${this.doing || "Drop a model of yours here, or choose it"}</b>
-      <small>.glb, .gltf with its files, .blend, .obj, .fbx, .stl, .ply or USD. It is kept in the storyboard.</small></label>
+      <b>${this.doing || "Drop a model from your disk here, or choose it"}</b>
+      <small>.glb, .gltf with its files, .blend, .obj, .fbx, .stl, .ply or USD; it is kept in the storyboard</small></label>
       ${this.wrong ? html`<p class="wrong" role="alert">${this.wrong}</p>` : nothing}`;
   }
 

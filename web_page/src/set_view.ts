@@ -110,7 +110,8 @@ export class SetView extends LitElement {
   /** The panorama that lights an exterior by day, or the drawn sky. */
   private panorama(details: SceneDetails) {
     return html`<sb-pictures .wire=${this.wire} kind="panorama" label="Panorama" .now=${details.panorama} without="the drawn sky"
-      @chose=${(event: CustomEvent<object | null>) => this.lightBy(event.detail)}></sb-pictures>`;
+      @chose=${(event: CustomEvent<object | null>) => this.lightBy(event.detail)}></sb-pictures>
+      ${details.panorama_rests ? html`<p class="told">It lights the scene from morning to afternoon; now the hour is ${details.time_of_day}.</p>` : nothing}`;
   }
 
   private lightBy(picture: object | null): void {
@@ -126,7 +127,20 @@ export class SetView extends LitElement {
         ? this.dispatchEvent(new CustomEvent("surface", { detail: { scene: this.scene, part, ...detail } }))
         : this.set({ [part === "walls" ? "wall_texture" : "ground_texture"]: "none" });
     return html`<sb-pictures .wire=${this.wire} kind="texture" data-part=${part} label=${part === "walls" ? "Picture of the walls" : "Picture of the floor or ground"}
-      .now=${details.surfaces[part] ?? ""} without="the finish" @chose=${chosen}></sb-pictures>`;
+      .now=${details.surfaces[part] ?? ""} without="the finish" @chose=${chosen}></sb-pictures>${this.repeat(details, part)}`;
+  }
+
+  /** How wide the picture of a surface is laid, until it repeats. */
+  private repeat(details: SceneDetails, part: "walls" | "ground") {
+    const metres = details.repeats[part];
+    if (metres === undefined) return nothing;
+    const changed = (input: HTMLInputElement) => {
+      const detail = { scene: this.scene, part, metres: Number(input.value) };
+      if (input.checkValidity() && input.value) this.dispatchEvent(new CustomEvent("surface", { detail }));
+      else input.reportValidity();
+    };
+    return html`<label>It repeats every <input type="number" data-field="repeat-${part}" min="0.01" max="25" step="any" .value=${live(String(metres))}
+      @change=${(event: Event) => changed(event.target as HTMLInputElement)} /> m</label>`;
   }
 
   private words(label: string, field: string, words: string[], now: string, chosen: (word: string) => void) {

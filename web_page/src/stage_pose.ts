@@ -2,6 +2,7 @@
 
 import { LitElement, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
+import "./stage_motion";
 import type { Edit } from "./messages";
 import type { Stage } from "./stage_values";
 import type { Wire } from "./wire";
@@ -19,6 +20,7 @@ export class StagePose extends LitElement {
   @property({ attribute: false }) wire!: Wire;
   @state() private when: When = "start";
   @state() private motions: Record<string, string> = {};
+  @state() private ownMotions: Record<string, string> = {};
 
   protected createRenderRoot(): HTMLElement {
     return this;
@@ -27,7 +29,7 @@ export class StagePose extends LitElement {
   async connectedCallback(): Promise<void> {
     super.connectedCallback();
     const { motions, own_motions } = await this.wire.call<Record<"motions" | "own_motions", Record<string, string>>>("vocabulary");
-    this.motions = { ...own_motions, ...motions };
+    [this.motions, this.ownMotions] = [motions, own_motions];
   }
 
   private decide(place: Record<string, unknown>): void {
@@ -40,10 +42,9 @@ export class StagePose extends LitElement {
   }
 
   /** A motion is added from the moment that is shown. */
-  private does(field: HTMLInputElement): void {
+  private does(motion: string): void {
     const at = Math.round((this.frame / this.stage.fps) * 100) / 100;
-    if (field.value in this.motions) this.mark({ motions: { [field.value]: { at } } });
-    field.value = "";
+    this.mark({ motions: { [motion]: { at } } });
   }
 
   /** A labelled list of choices; what is shown first stands for what is as it is. */
@@ -67,9 +68,7 @@ export class StagePose extends LitElement {
       ${carries ? this.choice("On", on, carries, (key) => this.decide({ posture, on: key })) : nothing}
       ${this.choice("Looks", looking_at, { ...others, ...WAYS }, (key) => this.decide({ looking_at: key }))}
       ${this.choice("Holds", holding[0] ?? "nothing", { nothing: "nothing", ...hold }, (key) => this.decide({ holding: key === "nothing" ? [] : [key] }))}
-      <label>Does from here <input list="motions" size="10" placeholder="wave ..." autocomplete="off"
-        @change=${(event: Event) => this.does(event.target as HTMLInputElement)} /></label>
-      <datalist id="motions">${Object.entries(this.motions).map(([key, told]) => html`<option value=${key}>${told}</option>`)}</datalist>
+      <sb-motion .own=${this.ownMotions} .motions=${this.motions} @motion=${(event: CustomEvent<string>) => this.does(event.detail)}></sb-motion>
     </div>`;
   }
 }

@@ -52,7 +52,8 @@ def take_in_model(run: Run, asset_id: str, files: Mapping[str, Path]) -> str:
         _read(run, source, run.graph.asset(asset_id), key)
         readable = True
     except EngineError as error:
-        raise InputError(f"{mains[0]} cannot be used: {error.problem}", mend=error.mend) from error
+        said = str(error).rpartition(f"{run.project.path(GIVEN, key)}: ")[2]
+        raise InputError(f"{mains[0]}: {said}") from error
     finally:
         if written and not readable:
             run.project.files.delete(written)

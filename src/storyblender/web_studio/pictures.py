@@ -88,7 +88,7 @@ def _own_card(name: str) -> PictureCard:
         file=name,
         entry="",
         named=path.name,
-        name=path.stem.replace("_", " ") if path.suffix.lower() in PANORAMAS else surface_name(Path(name)),
+        name=surface_name(Path(name)),
         source="your folder",
         credit="",
         picture=f"/folder/{quote(name)}",

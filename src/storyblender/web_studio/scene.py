@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import get_args
 
+from storyblender.catalog.light_recipes import HOURS
 from storyblender.catalog.materials import MATERIALS
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.catalog.sets.decided import has_ground, has_walls
@@ -12,8 +13,10 @@ from storyblender.catalog.sets.finishes import FINISHES
 from storyblender.edits.targets import scene_named
 from storyblender.memory.base import Described, scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.panorama import Panorama
 from storyblender.memory.scene_context import Environment, Light
 from storyblender.memory.scene_decision import LampDecision, LightDecision
+from storyblender.memory.texture import Texture
 from storyblender.memory.vocabulary import LightQuality, Period, TimeOfDay, Weather
 
 
@@ -60,6 +63,8 @@ class SceneDetails(Described):
     """The same of the floor or the ground."""
     surfaces: dict[str, str]
     """Pictures that ``walls`` and ``ground`` are made of, as the story names them; without those that have none."""
+    repeats: dict[str, float]
+    """Metres after which those pictures repeat."""
     materials: tuple[str, ...]
     """What both can be made of."""
     period: str
@@ -85,7 +90,9 @@ class SceneDetails(Described):
     outdoors: bool
     """Whether it can be lit by a panorama."""
     panorama: str
-    """File name of the panorama that lights the scene; empty where none does."""
+    """File name of the panorama that a person chose for the scene, or that lights it; empty where there is none."""
+    panorama_rests: bool
+    """Whether it does not light the scene at its hour."""
     panoramas: tuple[str, ...]
     """File names of those that it can be lit by: outside, those of the folder."""
     words: dict[str, tuple[str, ...]]
@@ -110,6 +117,8 @@ def scene_details(graph: ContinuityMemoryGraph, name: str, panoramas: Sequence[s
     scene = scene_named(graph, name)
     setup, light = scene.decided_setup, scene.light_decision or LightDecision()
     environment, plan = scene.environment, scene.lighting
+    surfaces = _surfaces(environment)
+    panorama = _panorama(graph, light, plan.panorama.digest if plan is not None and plan.panorama is not None else "")
     kit = SETS.get(environment.kit if environment is not None else setup.kit)
     built = plan_of(environment) if environment is not None and kit is not None else None
     outline = next(each for each in graph.outline if each.scene_id == scene.scene_id)
@@ -125,7 +134,8 @@ def scene_details(graph: ContinuityMemoryGraph, name: str, panoramas: Sequence[s
         options=_options(kit.options, environment.params if environment is not None else {}) if kit is not None else {},
         walls=(environment.walls or "") if environment and built is not None and has_walls(built) else None,
         ground=(environment.ground or "") if environment and built is not None and has_ground(built) else None,
-        surfaces=_surfaces(environment),
+        surfaces={part: texture.provenance.file for part, texture in surfaces.items()},
+        repeats={part: texture.metres for part, texture in surfaces.items()},
         materials=tuple(sorted({**FINISHES, **MATERIALS})),
         period=(place.period if place is not None else None) or "",
         snow=setup.snow,
@@ -138,7 +148,8 @@ def scene_details(graph: ContinuityMemoryGraph, name: str, panoramas: Sequence[s
         key_side=light.key_side or "",
         lamps=tuple(_lamps(plan.lights if plan is not None else (), light)),
         outdoors=not indoor,
-        panorama=_panorama(graph, plan.panorama.digest) if plan is not None and plan.panorama is not None else "",
+        panorama=panorama,
+        panorama_rests=bool(panorama) and bool(HOURS[setup.time_of_day].lamps),
         panoramas=() if indoor else tuple(panoramas),
         words={
             "time_of_day": get_args(TimeOfDay), "weather": get_args(Weather), "qualities": get_args(LightQuality),
@@ -149,12 +160,15 @@ def scene_details(graph: ContinuityMemoryGraph, name: str, panoramas: Sequence[s
     )  # fmt: skip
 
 
-def _surfaces(environment: Environment | None) -> dict[str, str]:
+def _surfaces(environment: Environment | None) -> dict[str, Texture]:
     found = {"walls": environment.wall_texture, "ground": environment.ground_texture} if environment is not None else {}
-    return {part: texture.provenance.file for part, texture in found.items() if texture is not None}
+    return {part: texture for part, texture in found.items() if texture is not None}
 
 
-def _panorama(graph: ContinuityMemoryGraph, digest: str) -> str:
+def _panorama(graph: ContinuityMemoryGraph, light: LightDecision, digest: str) -> str:
+    """Return the file of the panorama that is decided, else of the one with a digest."""
+    if isinstance(light.panorama, Panorama):
+        return light.panorama.provenance.file
     return next((each.provenance.file for each in graph.panoramas if each.provenance.digest == digest), "")
 
 

@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from storyblender.edits.dispatcher import Applied
-from storyblender.edits.targets import person_or_thing
+from storyblender.edits.targets import person_or_thing, scene_named
 from storyblender.errors import InputError
 from storyblender.memory.edits import AssetEdit, Edit, LightEdit, SetEdit
 from storyblender.memory.scene_decision import LightDecision, SetDecision
@@ -20,7 +20,10 @@ _Name = Annotated[str, Field(min_length=1, max_length=128)]
 
 
 class SurfaceCall(PageCall):
-    """Makes the walls or the ground of a set of a picture, of the folder or of the library: one undo."""
+    """Makes the walls or the ground of a set of a picture, of the folder or of the library: one undo.
+
+    Without a picture, that which they are made of gets another width.
+    """
 
     call: Literal["surface"]
     """Which call this is."""
@@ -135,9 +138,14 @@ def _lit_by(session: Session, place: Workplace, call: PanoramaCall) -> Edit:
 
 def _made_of(session: Session, place: Workplace, call: SurfaceCall) -> Edit:
     """Take a surface of the folder or of the library into the project, for a part of a set to be made of it."""
+    name = {"walls": "wall_texture", "ground": "ground_texture"}[call.part]
     if call.entry:
         texture = session.take_library_texture(call.entry, call.metres)
-    else:
+    elif call.file:
         texture = session.take_in_texture(place.surface(call.file), call.metres)
-    part = {"walls": "wall_texture", "ground": "ground_texture"}[call.part]
-    return SetEdit(scene=call.scene, decision=SetDecision.model_validate({part: texture}))
+    else:
+        texture = getattr(scene_named(session.graph, call.scene).environment, name, None)
+        if texture is None or call.metres is None:
+            raise InputError(f"there is no picture on the {call.part}", mend="choose one first")
+        texture = texture.model_copy(update={"metres": call.metres})
+    return SetEdit(scene=call.scene, decision=SetDecision.model_validate({name: texture}))

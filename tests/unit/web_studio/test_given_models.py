@@ -92,7 +92,7 @@ def test_what_cannot_be_read_is_not_kept(
     before = made_from(browser)
     monkeypatch.setattr(StandInEngine, "build_asset", refuse)
     answer = chosen(browser, **{"crate.glb": b"none"})
-    assert not answer["ok"] and answer["error"].startswith("crate.glb cannot be used: it is no glTF")
+    assert not answer["ok"] and answer["error"].startswith("crate.glb: it is no glTF")
     assert made_from(browser) == before and not list((folder / "models").iterdir())
 
 

@@ -70,7 +70,14 @@ def test_the_ground_is_made_of_a_picture_of_the_folder(browser: Browser, folder:
     assert card["name"] == "oak boards"
     assert seen(browser, card["picture"]) == (64, 64)
     browser.value("surface", scene=INSIDE, part="ground", file=card["file"], metres=1.5)
-    assert browser.value("scene", scene=INSIDE)["surfaces"]["ground"] == card["named"]
+    scene = browser.value("scene", scene=INSIDE)
+    assert (scene["surfaces"]["ground"], scene["repeats"]["ground"]) == (card["named"], 1.5)
+    browser.value("surface", scene=INSIDE, part="ground", metres=0.4)
+    scene = browser.value("scene", scene=INSIDE)
+    assert (scene["surfaces"]["ground"], scene["repeats"]["ground"]) == (card["named"], 0.4)
+    browser.value("undo")
+    assert browser.value("scene", scene=INSIDE)["repeats"]["ground"] == 1.5
+    assert "no picture on the walls" in browser.call("surface", scene=INSIDE, part="walls", metres=1)["error"]
     client: TestClient = browser.client  # type: ignore[attr-defined]
     for name in ("home.fountain", "..%2Fsecret.png", "p/graph.json", "woods/oak_boards_rough_1k.jpg"):
         assert client.get(f"/folder/{name}").status_code == 404
@@ -83,7 +90,11 @@ def test_an_exterior_is_lit_by_a_panorama_of_the_library(browser: Browser, kept:
     assert card["entry"] == kept["panorama"].digest and seen(browser, card["picture"]) == (256, 128)
     scene = next(each["scene"] for each in browser.value("board")["scenes"] if is_outside(browser, each["scene"]))
     browser.value("panorama", scene=scene, entry=card["entry"])
-    assert any("panorama" in each for each in browser.value("scene", scene=scene)["decided"])
+    for hour in ("noon", "night"):
+        browser.value("apply", edits=[{"kind": "light", "scene": scene, "decision": {"time_of_day": hour}}])
+        told = browser.value("scene", scene=scene)
+        assert told["panorama"] == card["named"] and any("panorama" in each for each in told["decided"])
+        assert told["panorama_rests"] == (hour == "night")
 
 
 def is_outside(browser: Browser, scene: str) -> bool:  # noqa: F811
