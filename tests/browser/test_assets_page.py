@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ from PIL import Image
 from playwright.sync_api import Page, expect
 
 from tests.browser.test_board_page import DRAWN
+from tests.model_files import box_gltf, glb_of
 
 PEOPLE = ".faces.person .face"
 
@@ -100,6 +102,20 @@ def test_a_thing_is_made_larger_and_from_something_else(cast: Page) -> None:
     offered.click()
     expect(cast.locator(".decided")).to_contain_text("made from vase", timeout=DRAWN)
     cast.get_by_role("button", name="Undo").click()
+    cast.get_by_role("button", name="Undo").click()
+    expect(cast.locator(".decided")).to_have_count(0, timeout=DRAWN)
+
+
+def test_a_model_from_the_disk_is_chosen_and_a_wrong_one_refused(cast: Page, tmp_path: Path) -> None:
+    choose(cast, 0, "thing")
+    disk = cast.locator("sb-own-model input[type=file]")
+    (tmp_path / "notes.txt").write_text("no model")
+    disk.set_input_files(tmp_path / "notes.txt")
+    expect(cast.locator("sb-own-model .wrong")).to_contain_text("notes.txt is no file of a model")
+    (tmp_path / "crate.glb").write_bytes(glb_of(box_gltf((0.4, 0.3, 0.5))))
+    disk.set_input_files(tmp_path / "crate.glb")
+    expect(cast.locator(".decided")).to_contain_text("made from crate.glb", timeout=DRAWN)
+    expect(cast.locator("sb-own-model .wrong")).to_have_count(0)
     cast.get_by_role("button", name="Undo").click()
     expect(cast.locator(".decided")).to_have_count(0, timeout=DRAWN)
 
