@@ -48,6 +48,18 @@ def works_to_keep(graph: ContinuityMemoryGraph) -> dict[Provenance, list[str]]:
     return {work: names for work, names in credited_works(graph).items() if work.license in NOT_PASSED_ON}
 
 
+def says_what_to_keep(graph: ContinuityMemoryGraph, credits_file: Path) -> bool:
+    """Return whether the credits that were written before say already what must not be passed on.
+
+    Args:
+        graph: The story as it is now.
+        credits_file: Which may not be there.
+    """
+    if not credits_file.is_file():
+        return False
+    return _to_keep(graph) in credits_file.read_text(encoding="utf-8", errors="replace").splitlines()
+
+
 def write_credits(graph: ContinuityMemoryGraph, part: Path) -> None:
     """Write the credits as one Markdown table.
 
@@ -70,11 +82,16 @@ def write_credits(graph: ContinuityMemoryGraph, part: Path) -> None:
 
 def _below(graph: ContinuityMemoryGraph, works: Iterable[Provenance]) -> Iterator[str]:
     """Yield the lines below the table: what must not be passed on, and what services ask to be said."""
-    if kept := works_to_keep(graph):
-        told = ", ".join(_cell(name) for names in kept.values() for name in names)
-        yield from ("", f"Not to be passed on as models, nor in story.blend or exports: {told}.")
+    if to_keep := _to_keep(graph):
+        yield from ("", to_keep)
     if any(work.url.startswith(f"{_POLY_HAVEN}/") for work in works):  # asked for by the terms of its API
         yield from ("", f"Powered by [Poly Haven]({_POLY_HAVEN}).")
+
+
+def _to_keep(graph: ContinuityMemoryGraph) -> str:
+    """Return the line that says what must not be passed on; empty if all may be."""
+    told = ", ".join(_cell(name) for names in works_to_keep(graph).values() for name in names)
+    return f"Not to be passed on as models, nor in story.blend or exports: {told}." if told else ""
 
 
 def _clips_in(shot: ShotContext) -> Iterator[tuple[str, MocapClip]]:

@@ -11,7 +11,7 @@ from storyblender.deliver.asset_list import ASSETS_FILE, write_asset_list
 from storyblender.deliver.board import write_board
 from storyblender.deliver.checklist import CHECKLIST_FILE, Check, checklist, write_checklist
 from storyblender.deliver.contact_sheet import sheet_name, sheet_pages, shown_by, write_contact_sheet
-from storyblender.deliver.credits import CREDITS_FILE, credited_works, works_to_keep, write_credits
+from storyblender.deliver.credits import CREDITS_FILE, credited_works, says_what_to_keep, works_to_keep, write_credits
 from storyblender.deliver.page import write_page
 from storyblender.deliver.panel import frame_of, panels
 from storyblender.deliver.segments import encode_segments
@@ -76,6 +76,8 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
     checks = checks_of(run)
     with run.delivering(CHECKLIST_FILE) as part:
         write_checklist(checks, part)
+    if not says_what_to_keep(graph, folder / CREDITS_FILE):
+        warn_of_works_to_keep(run, ["story.blend"])
     if credited_works(graph):
         with run.delivering(CREDITS_FILE) as part:
             write_credits(graph, part)
@@ -110,7 +112,6 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
         write_timeline(timeline_media(run), part)
     run.progress("deliver", 5, steps, "story.blend")
     story.finish()
-    warn_of_works_to_keep(run, ["story.blend"])
     with run.delivering("index.html") as part:
         write_page(graph, frames, part, folder, checks, prints.small)
     run.progress("deliver", steps, steps)

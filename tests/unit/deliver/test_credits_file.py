@@ -8,7 +8,7 @@ from typing import cast
 
 import pytest
 
-from storyblender.deliver.credits import write_credits
+from storyblender.deliver.credits import says_what_to_keep, write_credits
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset, Provenance
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.pipeline.delivery import warn_of_works_to_keep
@@ -16,10 +16,10 @@ from storyblender.pipeline.run import Run
 from storyblender.trace import Event
 
 
-def story_with(license: str, url: str) -> ContinuityMemoryGraph:
+def story_with(license: str, url: str, name: str = "lute") -> ContinuityMemoryGraph:
     provenance = Provenance(source="library", file="a/b.glb", author="Ann", license=license, url=url)
     made = CanonicalAsset(source="file", key="a/b.glb", dimensions=(1, 1, 1), digest="", provenance=provenance)
-    lute = Asset(asset_id="lute", asset_type="object", description="a lute", name="lute", canonical=made)
+    lute = Asset(asset_id=name, asset_type="object", description=f"a {name}", name=name, canonical=made)
     return ContinuityMemoryGraph(title="Story", assets=(lute,))
 
 
@@ -41,7 +41,12 @@ def test_a_work_that_must_not_be_passed_on_is_named_with_every_file_that_has_it(
     warn_of_works_to_keep(run, [])
     assert len(told) == kept
     assert all("export/SC010.glb" in each.message and "lute (Sketchfab Standard, Ann)" in each.message for each in told)
+    assert not says_what_to_keep(graph, tmp_path / "credits.md")
     write_credits(graph, tmp_path / "credits.md")
+    assert says_what_to_keep(graph, tmp_path / "credits.md")
+    assert says_what_to_keep(story_with(license, "", "harp"), tmp_path / "credits.md") is not kept, (
+        "another work is news"
+    )
     assert ("Not to be passed on as models, nor in story.blend or exports: lute." in read(tmp_path)) is kept
 
 
