@@ -36,6 +36,7 @@ class TrueModel:
         sort: Key of ``STRATA``; empty for what is none of them.
         size: Width, depth and height in metres.
         rotation: (3, 3) from the file's frame, Y up, to the true one.
+        other_fronts: Quarters by which it may be turned as well: 1 has its right side as its front.
     """
 
     archive: Path
@@ -44,6 +45,7 @@ class TrueModel:
     sort: str
     size: tuple[float, float, float]
     rotation: np.ndarray
+    other_fronts: tuple[int, ...] = ()
 
     @property
     def stem(self) -> str:

@@ -7,6 +7,7 @@ the third sample has one of the five stairs, the fourth none. A model is known b
 pictures. What it became is compared with its file in the 24 right-angled poses: it is right if no other pose fits
 better than the catalogue's. Its size is right within 1.25 times; within 1.5 is counted too, for a file whose unit is no
 usual one has only the usual size of such things to go by.
+``--sample simulators`` wants clones of the libraries that ``simulator_models.py`` names, and is held out too.
 What the catalogue calls a seat or a bed must have one, and a man must come to rest on each without sinking in.
 ``--sheet FILE`` draws all of them with the person; ``--tipped`` turns and tips every file at random first.
 ``--crew SETTING`` asks an Asset Formatter and a Dimension Estimator, as ``make`` does. With ``ask:FOLDER`` answer and
@@ -29,6 +30,7 @@ import numpy as np
 from benchmarks.crewed_models import looked_at
 from benchmarks.furniture_catalogues import TrueModel, read_catalogues, samples
 from benchmarks.people_on_models import Rested, rest_on, stand_beside, tile_sheet
+from benchmarks.simulator_models import read_simulators
 from mathutils import Vector
 from mathutils.bvhtree import BVHTree
 
@@ -90,7 +92,7 @@ class Outcome:
 
 
 def _rotations() -> list[np.ndarray]:
-    """Return the 24 right-angled rotations: the identity first, then those that keep +Z up."""
+    """Return the 24 right-angled rotations: those that keep +Z up first: 0 to 3 quarters clockwise."""
     found = [
         np.array(
             [[sign if column == axis else 0 for column in range(3)] for axis, sign in zip(order, signs, strict=True)]
@@ -99,7 +101,9 @@ def _rotations() -> list[np.ndarray]:
         for signs in product((1, -1), repeat=3)
     ]
     turns = [turn for turn in found if np.linalg.det(turn) > 0]
-    return sorted(turns, key=lambda turn: (not np.array_equal(turn, np.eye(3)), turn[2, 2] != 1))
+    sides = (0, -1), (1, 0), (0, 1), (-1, 0)
+    upright = [next(turn for turn in turns if turn[2, 2] == 1 and (*-turn[1, :2],) == side) for side in sides]
+    return [*upright, *(turn for turn in turns if turn[2, 2] != 1)]
 
 
 def taken_for(path: Path) -> str:
@@ -131,7 +135,7 @@ def judge(model: TrueModel, path: Path, sheet: list[Path] | None, asset: Asset |
     started = time.process_time()
     build, kind = import_model(path) if asset is None else import_as_decided(path, asset)
     seconds = time.process_time() - started
-    upright, front = _fit(build.mesh, true, triangles)
+    upright, front = _fit(build.mesh, true, triangles, model.other_fronts)
     factor = float(np.prod(build.dimensions) / np.prod(np.maximum(model.size, 1e-3))) ** (1 / 3)
     rests = tuple(rest_on(build))
     words = model.name.lower().split()
@@ -142,8 +146,10 @@ def judge(model: TrueModel, path: Path, sheet: list[Path] | None, asset: Asset |
     return Outcome(model, kind, upright, front, factor, rests, wanted, seconds, faces, build.notes)
 
 
-def _fit(mesh: bpy.types.Mesh, true: np.ndarray, triangles: np.ndarray) -> tuple[bool, bool]:
-    """Return whether no pose with another top, and none with another front, fits the file better than the true one."""
+def _fit(
+    mesh: bpy.types.Mesh, true: np.ndarray, triangles: np.ndarray, other_fronts: Sequence[int]
+) -> tuple[bool, bool]:
+    """Return whether no pose with another top, and none with another front, fits the file better than a true one."""
     sample = np.array([vertex.co[:] for vertex in mesh.vertices])
     low, extent = sample.min(axis=0), np.ptp(sample, axis=0)
     sample = (sample[:: max(1, len(sample) // 700)] - low - extent / 2) / extent.max()
@@ -151,8 +157,9 @@ def _fit(mesh: bpy.types.Mesh, true: np.ndarray, triangles: np.ndarray) -> tuple
     file = (true - middle) / np.ptp(true[triangles].reshape(-1, 3), axis=0).max()
     tree = BVHTree.FromPolygons([Vector(each) for each in file], triangles.tolist())
     costs = [np.mean([tree.find_nearest(Vector(each))[3] for each in sample @ turn]) for turn in _rotations()]
-    best = min(costs)
-    return bool(min(costs[:4]) < best + _CLOSER), bool(costs[0] < min(costs[:4]) + _CLOSER)
+    upright = min(costs[:4])
+    front = min(costs[quarter] for quarter in (0, *other_fronts))
+    return bool(upright < min(costs) + _CLOSER), bool(front < upright + _CLOSER)
 
 
 def _read(path: Path) -> tuple[np.ndarray, np.ndarray]:
@@ -229,18 +236,14 @@ def main() -> None:
     """Print a table for each sample, and its summary."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks outside_models", description=__doc__)
     parser.add_argument("folder", type=Path)
-    parser.add_argument("--sample", choices=(*SEEDS, "all"), default="all")
+    parser.add_argument("--sample", choices=(*SEEDS, "all", "simulators"), default="all")
     parser.add_argument("--tipped", action="store_true")
     parser.add_argument("--sheet", type=Path)
     parser.add_argument("--only", default="", help="part of the file's name")
     parser.add_argument("--crew", default="rules", help="who looks at the models, as for `storyblender make`")
     options = parser.parse_args()
-    models = read_catalogues(options.folder)
-    drawn = dict(zip(SEEDS, samples(models, list(SEEDS.values())), strict=True))
-    for name, sample in drawn.items():
-        if options.sample not in (name, "all"):
-            continue
-        print(f"\n{name}: {len(sample)} of {len(models)} models; upright, front, size, used, factor of the size")
+    for name, sample in _drawn(options.folder, options.sample).items():
+        print(f"\n{name}: {len(sample)} models; upright, front, size, used, factor of the size")
         with tempfile.TemporaryDirectory() as folder:
             sheet = [] if options.sheet else None
             asked = [model for model in sample if options.only in model.stem]
@@ -253,6 +256,14 @@ def main() -> None:
             if sheet:
                 tile_sheet(sheet, [each.model.stem for each in done], options.sheet)
         _summarize(done, len(asked))
+
+
+def _drawn(folder: Path, name: str) -> dict[str, list[TrueModel]]:
+    """Return the sample of a name, or all that are drawn by seed."""
+    if name == "simulators":
+        return {name: read_simulators(folder)}
+    drawn = dict(zip(SEEDS, samples(read_catalogues(folder), list(SEEDS.values())), strict=True))
+    return drawn if name == "all" else {name: drawn[name]}
 
 
 def _looked_at(paths: Sequence[Path], folder: Path, crew: str) -> dict[Path, Asset]:
