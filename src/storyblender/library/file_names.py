@@ -22,7 +22,14 @@ _SAYS_NOTHING: frozenset[str] = frozenset(
      "export", "exported", "copy", "untitled", "rigged", "free", "game", "ready", "cc", "glb", "gltf", "blend")
 )  # fmt: skip
 _COUNTED = re.compile(r"v?\d+[a-z]?|[a-z]")
-_SEAM = re.compile(r"(?<=[a-z])(?=[A-Z])|(?<=[A-Za-z])(?=\d)")
+_SEAM = re.compile(r"(?<=[a-z])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])|(?<=[A-Za-z])(?=\d)")
+_HEADS: frozenset[str] = frozenset(
+    ("blind", "blinds", "blossom", "brewer", "case", "cover", "detector", "dispenser", "dryer", "feeder", "frame",
+     "goal", "grinder", "handle", "hanger", "holder", "hook", "hutch", "leg", "lid", "lift", "maker", "mount",
+     "ottoman", "part", "press", "puzzle", "rack", "reel", "shade", "shutter", "sleeve", "stand", "strap", "switch",
+     "tray", "unit", "warmer", "wheel")
+)  # fmt: skip
+"""Words that name another thing after the name of one: a shoe rack is no shoe, a table leg no table."""
 
 
 CAST_FOLDERS = frozenset(("cast", "characters", "people"))
@@ -72,7 +79,7 @@ def _noun(words: list[str]) -> str:
 
     Words after the things that a name begins with do not count: ``table_lamp_broken`` is a lamp.
     """
-    if len(words) < 2 or words[0] not in _things():
+    if len(words) < 2 or words[0] not in _things() or words[-1] in _HEADS:
         return words[-1] if words else ""
     compound = words if words[-1] in _things() else [*takewhile(_things().__contains__, words)]
     return words[0] if " ".join([*compound[1:], words[0]]) in _names() else compound[-1]

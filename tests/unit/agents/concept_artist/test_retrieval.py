@@ -167,12 +167,26 @@ def test_a_model_is_found_by_its_own_name_in_any_folder_and_by_what_it_means(tmp
         ("sofa", "convertible-sofa-opened.obj"),
         ("old armchair", "furniture/ArmChair01.glb"),
         ("coffee table", "tableCoffee.glb"),
+        ("cabinet", "TVCabinet_01.glb"),
     ],
 )
 def test_a_model_that_has_the_noun_wins_whatever_the_order_of_its_words(tmp_path, phrase, path):
     retriever = retriever_with(tmp_path, (path, "car-key.glb"), no_model)
     assert retriever.propose(request(phrase)).key == path
     assert retriever.propose(request("car")).source == "catalog", "a car key is a key"
+
+
+@pytest.mark.parametrize(
+    ("phrase", "path"),
+    [
+        ("shoe", "ShoeRack_01.glb"),
+        ("towel", "paperTowelHolder.obj"),
+        ("table", "table_leg.glb"),
+        ("sandwich", "sandwich maker.glb"),
+    ],
+)
+def test_a_thing_for_another_thing_or_a_part_of_it_is_not_taken_for_that(tmp_path, phrase, path):
+    assert retriever_with(tmp_path, (path,), no_model).propose(request(phrase)).key != path
 
 
 def test_of_several_models_the_one_that_shares_most_words_is_taken(tmp_path):
