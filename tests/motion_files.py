@@ -59,11 +59,47 @@ CONVENTIONS: Mapping[str, Mapping[str, str]] = {
         "forearm": "Bip01 {} Forearm", "hand": "Bip01 {} Hand", "thigh": "Bip01 {} Thigh", "shin": "Bip01 {} Calf",
         "foot": "Bip01 {} Foot", "toe": "Bip01 {} Toe0",
     },
+    "meshy": {**PLAIN, "spine": "Spine02", "chest": "Spine01", "upper_chest": "Spine", "neck": "neck"},
+    "sketchfab": {bone: f"mixamorig:{name}_0{index:02}" for index, (bone, name) in enumerate(PLAIN.items())},
+    "source": {
+        bone: f"ValveBiped.Bip01_{name}" for bone, name in {
+            "hips": "Pelvis", "spine": "Spine", "chest": "Spine1", "upper_chest": "Spine4", "neck": "Neck1",
+            "head": "Head1", "shoulder": "{}_Clavicle", "upper_arm": "{}_UpperArm", "forearm": "{}_Forearm",
+            "hand": "{}_Hand", "thumb": "{}_Finger0", "index1": "{}_Finger1", "fingers1": "{}_Finger2",
+            "thigh": "{}_Thigh", "shin": "{}_Calf", "foot": "{}_Foot", "toe": "{}_Toe0",
+        }.items()
+    },
+    "character_creator": {
+        bone: f"CC_Base_{name}" for bone, name in {
+            "hips": "Hip", "spine": "Waist", "chest": "Spine01", "upper_chest": "Spine02", "head": "Head",
+            "neck": "Neck", "shoulder": "{}_Clavicle", "upper_arm": "{}_Upperarm", "forearm": "{}_Forearm",
+            "hand": "{}_Hand", "thumb": "{}_Thumb1", "index1": "{}_Index1", "fingers1": "{}_Mid1",
+            "thigh": "{}_Thigh", "shin": "{}_Calf", "foot": "{}_Foot", "toe": "{}_ToeBase",
+        }.items()
+    },
+    "daz": {
+        "hips": "hip", "spine": "abdomenLower", "chest": "chestLower", "upper_chest": "chestUpper",
+        "neck": "neckLower", "head": "head", "shoulder": "{}Collar", "upper_arm": "{}ShldrBend",
+        "forearm": "{}ForearmBend", "hand": "{}Hand", "thumb": "{}Thumb1", "index1": "{}Index1", "fingers1": "{}Mid1",
+        "thigh": "{}ThighBend", "shin": "{}Shin", "foot": "{}Foot", "toe": "{}Toe",
+    },
+    "smpl": {
+        "hips": "Pelvis", "spine": "Spine1", "chest": "Spine2", "upper_chest": "Spine3", "neck": "Neck",
+        "head": "Head", "shoulder": "{}_Collar", "upper_arm": "{}_Shoulder", "forearm": "{}_Elbow",
+        "hand": "{}_Wrist", "thigh": "{}_Hip", "shin": "{}_Knee", "foot": "{}_Ankle", "toe": "{}_Foot",
+    },
+    "makehuman": {
+        "hips": "spine05", "spine": "spine04", "chest": "spine03", "upper_chest": "spine01", "neck": "neck01",
+        "head": "head", "shoulder": "clavicle.{}", "upper_arm": "upperarm01.{}", "forearm": "lowerarm01.{}",
+        "hand": "wrist.{}", "thumb": "finger1-1.{}", "index1": "finger2-1.{}", "fingers1": "finger3-1.{}",
+        "thigh": "upperleg01.{}", "shin": "lowerleg01.{}", "foot": "foot.{}", "toe": "toe1-1.{}",
+    },
     "nameless": {bone: f"node{index}_{{}}" for index, bone in enumerate(PLAIN)},
 }  # fmt: skip
 SIDE_WORDS = {
     "mixamo": ("Left", "Right"), "classic": ("Left", "Right"), "xsens": ("Left", "Right"), "unreal": ("l", "r"),
-    "cmu": ("l", "r"), "nameless": ("a", "b"),
+    "cmu": ("l", "r"), "meshy": ("Left", "Right"), "sketchfab": ("Left", "Right"), "daz": ("l", "r"),
+    "nameless": ("a", "b"),
 }  # fmt: skip
 """Words for the sides by convention; L and R where none are given."""
 _ABOVE = {

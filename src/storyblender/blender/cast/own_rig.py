@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from storyblender.blender.cast.bone_names import SPINE, bones_named
 from storyblender.blender.models.plain import PlainRig
+from storyblender.catalog.joint_names import SPINE, bones_named
 from storyblender.catalog.skeleton import BONE_INDEX, SKELETON
 from storyblender.geometry.solids import Floats
 
@@ -44,7 +44,7 @@ def own_rig(rig: PlainRig, rows: np.ndarray) -> OwnRig | None:
         rig: As it was read.
         rows: (V,) row of the rig for each vertex of the mesh.
     """
-    named = _with_trunk(bones_named(rig.names), rig)
+    named = _with_trunk(bones_named(rig.names, rig.parents), rig)
     heads = {bone: rig.heads[joint].astype(float) for joint, bone in reversed(named.items())}
     if any(bone not in heads for bone in NEEDED):
         return None

@@ -14,7 +14,7 @@ import numpy as np
 from storyblender.geometry.mocap import BONES
 from storyblender.geometry.rotations import axes_along, shortest_arc, unit
 from storyblender.geometry.solids import Floats
-from storyblender.library.mocap.bone_names import Roles
+from storyblender.library.mocap.roles import Roles
 from storyblender.library.mocap.source_motion import SourceMotion
 
 UP, AHEAD, LEFT = np.array([0.0, 0, 1]), np.array([0.0, -1, 0]), np.array([1.0, 0, 0])

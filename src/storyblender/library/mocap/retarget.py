@@ -17,9 +17,9 @@ from storyblender.geometry.rotations import (
     quaternions_of,
 )
 from storyblender.geometry.solids import Floats
-from storyblender.library.mocap.bone_names import Roles, find_roles
 from storyblender.library.mocap.contacts import find_stands
 from storyblender.library.mocap.reference import AHEAD, UP, Reference, reference_of
+from storyblender.library.mocap.roles import Roles, find_roles
 from storyblender.library.mocap.source_motion import SourceMotion
 
 SIDES: Final = ("L", "R")
