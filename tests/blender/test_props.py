@@ -220,3 +220,15 @@ def test_who_calls_is_on_the_screen_and_within_it(key):
     plain, calling = build_prop(key), build_prop(key, {"caller": True})
     assert len(calling.mesh.polygons) == len(plain.mesh.polygons) + 4
     assert calling.dimensions == pytest.approx(plain.dimensions, abs=0.02)
+
+
+@pytest.mark.parametrize("wide", [0.5, 1.5])
+def test_a_poster_is_printed_within_its_edges_unless_it_bears_writing(wide):
+    size = {"width": wide, "height": 0.8}
+    prints = [build_prop("poster", size, seed=seed) for seed in range(6)]
+    for printed in prints:
+        assert len(printed.mesh.materials) == 4
+        assert np.allclose(printed.dimensions, (wide, printed.dimensions[1], 0.8)) and printed.dimensions[1] < 0.02
+    assert len({geometry_hash(printed.mesh) for printed in prints}) > 1
+    written = build_prop("poster", {**size, "text": "WANTED"})
+    assert not {each.name for each in written.mesh.materials} & {each.name for each in prints[0].mesh.materials[1:]}

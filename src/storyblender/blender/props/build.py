@@ -67,7 +67,8 @@ def build_prop(
     size = tuple(
         float(given.get(name, value)) for name, value in zip(("width", "depth", "height"), entry.size, strict=True)
     )
-    spec = PropSpec(entry, (size[0], size[1], size[2]), entry.params | given, np.random.default_rng(seed))
+    rng = np.random.default_rng(seed)
+    spec = PropSpec(entry, (size[0], size[1], size[2]), entry.params | given, rng, lettered=bool(text))
     builder = MeshBuilder(key)
     anchors = builders()[key](builder, spec)
     mesh = builder.mesh()

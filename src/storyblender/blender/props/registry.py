@@ -37,12 +37,14 @@ class PropSpec:
         size: Width, depth, height in metres to build to.
         params: The entry's parameters with the wanted values.
         rng: For everything that varies from one copy to the next.
+        lettered: Whether writing comes onto it.
     """
 
     entry: PropEntry
     size: Vec3
     params: dict[str, ParamValue]
     rng: np.random.Generator
+    lettered: bool = False
 
     def material(self, role: str) -> bpy.types.Material:
         """Return the material of a role; the first role takes ``color`` and ``material`` from the parameters, what is

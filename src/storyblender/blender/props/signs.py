@@ -4,9 +4,20 @@ from __future__ import annotations
 
 import numpy as np
 
+from storyblender.blender.materials import material
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.printed_sheet import DESIGNS, Inks, print_sheet
 from storyblender.blender.props.anchors import Anchors, two_hands
 from storyblender.blender.props.registry import PropSpec, prop
+from storyblender.catalog.materials import hex_color
+
+_INKS = (
+    ("#2f5d73", "#d9b36a", "#a33b2a"),
+    ("#d8893b", "#2c4a52", "#f0dcae"),
+    ("#7f2f2b", "#e4cf9f", "#26282b"),
+    ("#3f5b41", "#1f2a24", "#dcae4e"),
+)
+"""Of a poster's print, by its design: the picture's ground, the large shape, the small one with the type."""
 
 
 @prop("placard")
@@ -35,9 +46,13 @@ def banner(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("poster")
 def poster(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a poster on a wall."""
+    """Build a poster on a wall: printed, unless it bears writing."""
     w, d, h = spec.size
     b.box(spec.material("paper"), (0, 0, h / 2), (w, d, h))
+    if not spec.lettered:
+        design = int(spec.rng.integers(DESIGNS))
+        inks = Inks(*(material("paint", hex_color(code)) for code in _INKS[design]))
+        print_sheet(b, inks, w, h, -d / 2, design)
     return ()
 
 

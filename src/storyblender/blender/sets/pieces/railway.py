@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
+from storyblender.blender.printed_sheet import DESIGNS, Inks, print_sheet
 from storyblender.blender.sets.finish import finish
 from storyblender.blender.sets.pieces.registry import PieceSpec, piece
 
@@ -89,31 +90,16 @@ def station_sign(builder: MeshBuilder, spec: PieceSpec) -> None:
 def poster(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Hang a printed poster on a wall at y = 0, its lower edge at z = 0. Parameters: width, height, variant."""
     width, height = spec.number("width", 1.0), spec.number("height", 1.4)
-    kind = int(spec.number("variant", 0)) % 4
+    kind = int(spec.number("variant", 0)) % DESIGNS
     ground, shape, accent = (
-        ("paint_cream", "paint_blue", "paint_red"),
-        ("paint_blue", "paint_yellow", "paint_white"),
+        ("paint_blue", "paint_cream", "paint_red"),
+        ("paint_yellow", "paint_blue", "paint_red"),
         ("paint_red", "paint_cream", "paint_black"),
-        ("paint_green", "paint_cream", "paint_yellow"),
+        ("paint_green", "paint_black", "paint_yellow"),
     )[kind]
     builder.box(finish("metal_grey"), (0, -0.012, height / 2), (width + 0.08, 0.024, height + 0.08))
-    builder.box(finish(ground), (0, -0.026, height / 2), (width, 0.008, height))
-    middle = height * 0.6
-    if kind % 2:
-        builder.lathe(
-            finish(shape), [(width * 0.3, 0), (width * 0.3, 0.006)], origin=(0, -0.03, middle), axis=(0, -1, 0)
-        )
-        builder.box(finish(accent), (0, -0.042, middle), (width * 0.8, 0.006, height * 0.05))
-    else:
-        peak = np.multiply([(-0.45, -0.031, 0.36), (0.45, -0.031, 0.36), (0.1, -0.031, 0.8)], (width, 1, height))
-        builder.polygon(finish(shape), peak)
-        builder.lathe(
-            finish(accent), [(width * 0.1, 0), (width * 0.1, 0.006)], origin=(-width * 0.25, -0.03, height * 0.78),
-            axis=(0, -1, 0),
-        )  # fmt: skip
-    for row in range(3):
-        wide = width * (0.8, 0.62, 0.7)[row]
-        builder.box(finish(accent), (0, -0.034, height * (0.26 - 0.07 * row)), (wide, 0.006, height * 0.035))
+    builder.box(finish("paint_cream"), (0, -0.026, height / 2), (width, 0.008, height))
+    print_sheet(builder, Inks(finish(ground), finish(shape), finish(accent)), width, height, -0.03, kind)
 
 
 @piece("vending_machine")
