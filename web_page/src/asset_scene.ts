@@ -14,6 +14,8 @@ export type Axis = "x" | "y" | "z";
 export const MEASURE = 1.75;
 /** Metres below which a thing is measured on squares of ten centimetres, and nobody stands beside it. */
 const SMALL = 0.6;
+/** Times as large or as small: from there on what takes the place of something is looked at as a whole. */
+const OTHER_SIZE = 1.6;
 /** Degrees that a key turns the view. */
 const STEP = 10;
 const SIDES: Record<string, Point> = {
@@ -32,6 +34,8 @@ export class AssetScene {
   private drawing = 0;
   /** Who or what is shown. */
   private of = "";
+  /** Metres across its box. */
+  private extent = 0;
   /** Address of what is shown. */
   shown = "";
   /** Metres of a square of the ground. */
@@ -56,7 +60,7 @@ export class AssetScene {
     this.renderer.dispose();
   }
 
-  /** Show a model of a person or a thing; the view stays where they are shown already, in other clothes. */
+  /** Show a model of a person or a thing; the view stays where they are shown already, about as large. */
   async show(address: string, of: string): Promise<void> {
     const asked = ++this.asked;
     const loaded = (await new GLTFLoader().loadAsync(address)).scene;
@@ -70,8 +74,9 @@ export class AssetScene {
     this.model.quaternion.identity();
     this.model.position.set(0, 0, 0);
     this.measure();
-    if (of !== this.of) this.fit();
-    [this.shown, this.of] = [address, of];
+    const extent = this.box.getSize(new Vector3()).length();
+    if (of !== this.of || Math.abs(Math.log(extent / this.extent)) > Math.log(OTHER_SIZE)) this.fit();
+    [this.shown, this.of, this.extent] = [address, of, extent];
     this.draw();
   }
 
