@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,6 +17,11 @@ CLOTH = 0.008
 """Metres of cloth between a sitter and the seat: trousers."""
 JACKET = 0.034
 """Metres of cloth between a back and the chair, times the scale; less lets a jacket sink into the chair."""
+
+TUCKED = (-62.0, 58.0)
+"""Degrees a foot behind a knee on the floor is pitched, and its toes, on which it stands."""
+STEEPEST = 0.8
+"""Sine of the most that a shin rises from a knee on the floor to the ankle."""
 
 
 @dataclass(frozen=True)
@@ -44,6 +50,7 @@ class Measures:
         seat_drop: Hip joint above the seat.
         seat_back: Hip joint in front of the backrest.
         lap: Top of a seated thigh above its axis.
+        tucked: Height of the ankle of a foot that stands on its bent toes, behind a knee on the floor.
     """
 
     scale: float
@@ -67,6 +74,7 @@ class Measures:
     seat_drop: float
     seat_back: float
     lap: float
+    tucked: float
 
     @property
     def leg(self) -> float:
@@ -82,6 +90,16 @@ class Measures:
     def stance(self) -> float:
         """Half the distance of the feet while standing."""
         return 0.088 * self.scale
+
+    @property
+    def knee(self) -> float:
+        """Height of the joint of a knee that is on the floor."""
+        return 0.075 * self.scale
+
+    @property
+    def kneeling_shin(self) -> float:
+        """Distance of a knee on the floor from the ankle behind it, on the floor plan."""
+        return math.sqrt(self.shin**2 - (self.tucked - self.knee) ** 2)
 
     @property
     def front(self) -> float:
@@ -106,10 +124,11 @@ def measure(body: RiggedBody) -> Measures:
     _, buttocks_back = span(hip.z - 0.08 * k, hip.z + 0.12 * k)
     waist = skin[(np.abs(skin[:, 2] - hip.z - 0.05) < 0.10) & (np.abs(skin[:, 0]) < 0.3 * k)]
     drop, back, lap = _sit_down(body, bones)
+    shin = (head["foot.L"] - head["shin.L"]).length
     return Measures(
         scale=k,
         thigh=(head["shin.L"] - hip).length,
-        shin=(head["foot.L"] - head["shin.L"]).length,
+        shin=shin,
         ankle=head["foot.L"].z,
         hip_height=hip.z,
         hip_y=hip.y,
@@ -128,7 +147,22 @@ def measure(body: RiggedBody) -> Measures:
         seat_drop=drop,
         seat_back=back,
         lap=lap,
+        tucked=min(_over_tucked_toes(body, bones), 0.075 * k + STEEPEST * shin),
     )
+
+
+def _over_tucked_toes(body: RiggedBody, bones: Skeleton) -> float:
+    """Return how high an ankle is above the lowest of the skin of a foot that stands on its bent toes."""
+    pitch, toes = TUCKED
+    bones.set_orient("foot.L", bones.pitch("L", pitch))
+    bones.turn["toe.L"] = bones.pitch("L", toes)
+    bones.update("toe.L")
+    columns = [bones.names.index(name) for name in ("foot.L", "toe.L")]
+    rows = np.flatnonzero(body.weights[:, columns].sum(1) > 0.5)
+    lowest = float(np.percentile(skin_of(body, bones, rows)[:, 2], 1)) if len(rows) else bones.joint["toe.L"].z
+    height = bones.joint["foot.L"].z - lowest
+    bones.reset()
+    return height
 
 
 def skin_of(body: RiggedBody, bones: Skeleton, rows: NDArray[np.intp] | slice = slice(None)) -> Floats:

@@ -15,6 +15,7 @@ from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.clips.seat import return_hands
 from storyblender.blender.motion.footsteps import TURN_FIRST, WalkPath
 from storyblender.blender.motion.hands import hand
+from storyblender.blender.motion.measures import TUCKED
 from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import SIDES, sign
@@ -108,7 +109,7 @@ def crawl(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
 def get_on_all_fours(who: Performer, path: CrawlPath, t: float) -> None:
     """Put knees, then hands on the floor from ``t`` seconds on; from then on they follow ``path``."""
     m, k = who.measures, who.scale
-    on_knees = 0.075 * k + 0.97 * m.thigh
+    on_knees = m.knee + 0.97 * m.thigh
 
     def hips(now: float) -> tuple[float, ...]:
         roll = math.sin(2 * math.pi * (now - path.start) / CYCLE) * clamp(now - path.start)
@@ -145,15 +146,13 @@ def _get_up(stage: MotionStage, who: Performer, t: float) -> float:
 def _knee(who: Performer, path: CrawlPath, side: str) -> Callable[[float], Floats]:
     """Return the target of the foot behind a knee on the floor."""
     m, k = who.measures, who.scale
-    ankle = 0.125 * k
-    shin = math.sqrt(m.shin**2 - (ankle - 0.075 * k) ** 2)
 
     def target(t: float) -> Floats:
         spot, yaw, lifted = path.limb(t, 0.0 if side == "L" else 0.5, -KNEES_BACK * k, sign(side) * 0.10 * k)
         forward = Vector((math.sin(yaw), -math.cos(yaw)))
-        foot = spot - forward * shin
+        foot = spot - forward * m.kneeling_shin
         toes = yaw + m.toe_out[side]
-        return np.array([*foot, ankle + 0.03 * k * lifted, toes, -62, 50, *(forward * 0.8), -0.6])
+        return np.array([*foot, m.tucked + 0.03 * k * lifted, toes, *TUCKED, *(forward * 0.8), -0.6])
 
     return target
 

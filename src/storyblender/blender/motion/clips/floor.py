@@ -13,6 +13,7 @@ from storyblender.blender.motion.clips.locomotion import step_to, travel
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.clips.seat import go_to_seat, lower_onto_seat, return_hands, seat_of_cue, stand_up
 from storyblender.blender.motion.hands import beside_body, by_chest, hand, on_knee
+from storyblender.blender.motion.measures import TUCKED
 from storyblender.blender.motion.motion_stage import MotionStage, StagedCue
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import SIDES, facing_yaw, other, sign
@@ -44,16 +45,16 @@ def kneel(stage: MotionStage, who: Performer, cue: StagedCue) -> float:
     t = go_to_mark(stage, who, cue)
     m, k = who.measures, who.scale
     knee, front = cue.side, other(cue.side)
-    whole, radius, ankle = 1.0 * math.sqrt(k), 0.075 * k, 0.125 * k
+    whole = 1.0 * math.sqrt(k)
     forward, left = who.forward, who.left
     spot = who.position + forward * (0.62 * m.shin + 0.06 * k)
     step_to(who, front, t, 0.5 * whole, who.plant(front, spot, who.yaw, width=1.15, splay=6), 0.05 * k)
     down = who.position + left * (sign(knee) * 0.10 * k) + forward * (0.10 * k)
-    foot = down - forward * math.sqrt(m.shin**2 - (ankle - radius) ** 2)
+    foot = down - forward * m.kneeling_shin
     pose = who.plant(knee, foot, who.yaw)
-    pose[:3], pose[4], pose[5] = (foot.x, foot.y, ankle), -62, 58
+    pose[:3], pose[4:6] = (foot.x, foot.y, m.tucked), TUCKED
     who.feet[knee].set(t + 0.40 * whole, 0.6 * whole, pose, bump=(0, 0, 0.03))
-    who.hips.set(t + 0.10 * whole, 0.9 * whole, (0, -0.02 * k, radius + 0.97 * m.thigh, 4, 0, 0))
+    who.hips.set(t + 0.10 * whole, 0.9 * whole, (0, -0.02 * k, m.knee + 0.97 * m.thigh, 4, 0, 0))
     who.pinned.set(t + 0.6 * whole, 0.3 * whole, 1.0)
     who.spine.set(t, 0.6 * whole, (16, 0, 0))
     who.spine.set(t + 0.6 * whole, 0.4, (8, 0, 0))
