@@ -73,7 +73,7 @@ export class StageMotion extends LitElement {
       <div id="motions" class="motions ${this.late ? "late" : ""}" role="listbox" aria-label="Motions" ?hidden=${!this.open}>
         ${own.length ? html`<p role="presentation">Your clips</p>` : nothing}${own.map((motion, at) => this.row(motion, at))}
         ${own.length && others.length ? html`<p role="presentation">Motions</p>` : nothing}${others.map((motion, at) => this.row(motion, own.length + at))}
-        ${shown.length ? nothing : html`<p role="presentation">Nothing of that; try another word.</p>`}
+        ${shown.length ? nothing : html`<div role="option" aria-disabled="true" aria-selected="false">Nothing of that; try another word.</div>`}
       </div>`;
   }
 

@@ -39,7 +39,7 @@ _MOST_FILES = 500
 _MODELS = frozenset((*MODEL_SUFFIXES, ".mtl"))
 _NAMING = frozenset((".gltf", ".mtl"))
 """Files whose text names the pictures of a model."""
-_MOST_TEXT = 4 << 20
+_MOST_TEXT = 1 << 20
 _TEXTURES = re.compile(r"textures?|surfaces?|materials?", re.IGNORECASE)
 """In the name of a folder whose pictures are surfaces."""
 _FORMATS = ("PNG", "JPEG", "WEBP", "TGA", "BMP", "TIFF")
