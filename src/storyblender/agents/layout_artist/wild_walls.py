@@ -16,7 +16,9 @@ from storyblender.geometry.sight import find_hidden as hidden_from
 _ON_WALL = 0.45
 """Metres from a hidden wall within which a thing is hidden with it: its pictures, and the shelf in front of it."""
 _HUNG, _FLUSH = 0.3, 0.1
-"""Metres above the floor from which a thing at a wall hangs on it; metres from a built-in piece to its wall."""
+"""Metres above the floor from which a thing at a wall hangs on it; metres from what is built against a wall to it."""
+_TALL = 1.0
+"""Height in metres from which a thing with its back to a wall is never shown from behind: a bookcase, a fireplace."""
 _LIFTED = 0.06
 """Metres above the floor from which a thing stands on something; most metres above that top."""
 _AT_TARGET = 0.3
@@ -138,14 +140,14 @@ def _crosses_wall(wall: Wall, eye: Floats, sight: Floats) -> bool:
 
 
 def _is_hidden_with_wall(box: Box, wall: Wall, eye: Floats, sights: Sequence[Floats]) -> bool:
-    """Return whether a thing hangs on a hidden wall, or stands at it in the camera's way."""
+    """Return whether a thing hangs on a hidden wall, or stands at it and is tall or in the camera's way."""
     start, along, inward, length = wall_frame(wall)
     centre = np.array([box.x, box.y])
     depth = abs(float((centre - start) @ inward)) - box.reach((float(inward[0]), float(inward[1])))
     x = float((centre - start) @ along)
     if depth > _ON_WALL or not -0.2 < x < length + 0.2:
         return False
-    return box.z > _HUNG or _blocks_sight(box, eye, sights)
+    return box.z > _HUNG or (depth < _FLUSH and box.top > _TALL) or _blocks_sight(box, eye, sights)
 
 
 def _is_built_on(piece: Piece, wall: Wall) -> bool:

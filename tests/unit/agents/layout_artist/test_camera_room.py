@@ -154,6 +154,16 @@ def test_things_too_large_for_the_room_at_the_lens_of_their_size_take_a_wider_on
     assert shot.lens < 85 and 0 < top < low < 1
 
 
+def test_tall_things_with_their_backs_to_a_wall_go_with_it_even_beside_the_sight() -> None:
+    bookcase, sideboard = Box(3.0, -2.85, 0.0, 0.8, 0.3, 1.9), Box(-3.0, -2.85, 0.0, 0.8, 0.3, 0.8)
+    folding_screen = Box(3.0, -1.5, 0.0, 0.8, 0.3, 1.9)
+    props = {"bookcase": bookcase, "sideboard": sideboard, "folding_screen": folding_screen}
+    hidden = find_hidden_nodes(
+        ROOM, props, [camera_looking_at((0, -4.5, 1.5), (0, 0, 1.5), 35.0, **FILM)], [np.array([0, 0, 1.5])]
+    )
+    assert hidden == ["front", "bookcase"], "a low one may be a foreground, and so may what stands in the room"
+
+
 def test_what_stands_on_a_thing_that_goes_with_its_wall_goes_too() -> None:
     shelf, cup = Box(0.0, -2.8, 0.0, 1.6, 0.4, 0.9), Box(0.3, -2.8, 0.9, 0.1, 0.1, 0.1)
     table, lamp = Box(1.5, 1.0, 0.0, 1.2, 0.8, 0.75), Box(1.5, 1.0, 0.75, 0.2, 0.2, 0.4)
