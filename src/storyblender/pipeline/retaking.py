@@ -7,6 +7,7 @@ speaker or actor, or else of the subject. What still fails is on the checklist w
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Final
 
@@ -110,8 +111,18 @@ def _taken_again(
 
 
 def _better(after: FrameReview, before: FrameReview, choice: CameraRetake) -> bool:
-    """Return whether a retake is worth more than the take before it, also where both have the lowest score."""
+    """Return whether a retake is worth more than the take before it, also where both have the lowest score.
+
+    One at another moment never is if an action that was seen before is not seen any more.
+    """
+    if choice.moment is not None and _undone(after) - _undone(before):
+        return False
     return after.lost <= before.lost - (_GAIN_FROM_ABOVE if choice.angle == "high angle" else _GAIN)
+
+
+def _undone(review: FrameReview) -> Counter[str]:
+    """Return how many actions of each person a frame does not show."""
+    return Counter(fault.subject for fault in review.faults if fault.kind == "not_done")
 
 
 def _present(run: Run, shots: Sequence[ShotContext]) -> list[ShotContext]:

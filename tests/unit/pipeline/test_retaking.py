@@ -136,3 +136,14 @@ def test_the_better_of_two_very_poor_takes_is_kept() -> None:
     assert not _better(worst, poor, CameraRetake(size="WS"))
     assert not _better(poor, poor, CameraRetake(size="WS"))
     assert not _better(_of_faults(3), _of_faults(4), CameraRetake(angle="high angle")), "people look worse from above"
+
+
+def test_another_moment_that_no_longer_shows_an_action_is_not_better() -> None:
+    hidden, done = Fault(kind="face_hidden", message="", severity=4), {"kind": "not_done", "message": "", "severity": 1}
+    review = _review("face_hidden")
+    before = review.model_copy(update={"faults": (hidden, Fault(**done, subject="anna"))})
+    end = CameraRetake(moment="end")
+    assert _better(review.model_copy(update={"faults": (Fault(**done, subject="anna"),)}), before, end)
+    unseen = review.model_copy(update={"faults": (Fault(**done, subject="bert"),)})
+    assert not _better(unseen, before, end)
+    assert _better(unseen, before, CameraRetake(size="WS")), "that is for its cameras to say"
