@@ -59,21 +59,18 @@ def show(
     picture: Annotated[Path | None, typer.Option(help="Also write a picture of it, a PNG, here.")] = None,
     json_lines: Json = False,
 ) -> None:
-    """Show all that is known of an entry: licence, origin, file, and which stories it is used in."""
+    """Show all that is known of an entry: licence, author, origin, file, and which stories it is used in."""
     with shown(quiet=False, json_lines=json_lines) as terminal:
         library = _library()
         found = _entry(library, entry)
-        facts = {name: str(value) for name, value in found.model_dump(exclude={"credit"}).items() if value}
-        facts |= {name: text for name, text in found.credit if text}
-        facts |= {"whole": "yes" if library.get(found.digest) is not None else "no: its files are missing or changed"}
-        used = library.uses.of_entry(found.digest)
-        facts |= {f"used in {Path(story).name}": name for story, name in used}
-        terminal.facts("entry", facts | {"file": str(library.path_of(found))})
+        drawn: dict[str, str] = {}
         if picture is not None:
             from storyblender.folder import Folder
 
-            drawn = open_studio(terminal).draw_entry(library, found)
-            Folder(picture.parent).write(picture.name, drawn.read_bytes())
+            png = open_studio(terminal).draw_entry(library, found).read_bytes()
+            Folder(picture.parent).write(picture.name, png)
+            drawn = {"picture": str(picture)}
+        terminal.facts("entry", _facts(library, found) | drawn)
 
 
 @app.command(
@@ -226,6 +223,38 @@ def _found(words: str, kind: str | None, source: str) -> list[LibraryEntry]:
     if kind is not None and known is None:
         raise InputError(f"there is no kind {kind!r}", mend=f"it is one of {', '.join(get_args(EntryKind))}")
     return _library().find(words, known, source)
+
+
+def _facts(library: SharedLibrary, entry: LibraryEntry) -> dict[str, str]:
+    """Return what is known of an entry, for people: whose work it is and where it is used are told in any case."""
+    from storyblender.library.shared.entries import ADDED
+
+    stories: dict[str, list[str]] = {}
+    for story, thing in library.uses.of_entry(entry.digest):
+        stories.setdefault(Path(story).name, []).append(thing)
+    used = "; ".join(f"{story} ({', '.join(things)})" for story, things in stories.items())
+    whole = library.get(entry.digest) is not None
+    facts = {
+        "entry": entry.digest,
+        "name": entry.name,
+        "kind": entry.kind,
+        "also called": ", ".join(entry.words),
+        "category": entry.category,
+        "author": entry.credit.author or "not stated",
+        "licence": entry.credit.license or "not stated",
+        "copyright": entry.credit.copyright,
+        "origin": "added by you" if entry.source == ADDED else entry.source or "not stated",
+        "its name there": entry.source_id,
+        "address": entry.credit.url or "not stated",
+        "used in stories": used or "none",
+        "faces": "" if entry.faces is None else str(entry.faces),
+        "MB": f"{entry.bytes / 1e6:.1f}",
+        "file": str(library.path_of(entry)),
+        "files": "as they were added"
+        if whole
+        else "damaged: missing or changed; `storyblender library clean` forgets it",
+    }
+    return {name: text for name, text in facts.items() if text}
 
 
 def _entry(library: SharedLibrary, told: str) -> LibraryEntry:

@@ -16,6 +16,7 @@ from storyblender.cli import app
 from storyblender.errors import EngineError
 from storyblender.library.shared.place import library_folder
 from storyblender.library.shared.shared_library import INDEX, SharedLibrary
+from storyblender.library.shared.uses import Use
 from storyblender.studio import Studio
 
 
@@ -63,14 +64,22 @@ def test_a_folder_is_added_each_work_with_what_it_names_and_its_credit(models: P
         "credits.toml",
     }
     told = run("show", "throne")["entry"]
-    assert (told["author"], told["license"], told["url"], told["whole"]) == (
-        "Ann",
-        "CC-BY-4.0",
-        "https://ann.example",
-        "yes",
-    )
+    assert (told["author"], told["licence"], told["address"]) == ("Ann", "CC-BY-4.0", "https://ann.example")
     assert [each["name"] for each in run("list", "royal")["entries"]] == ["vase", "throne", "sky"]
     assert [each["name"] for each in run("list", "--kind", "panorama")["entries"]] == ["sky"]
+
+
+def test_what_is_not_known_of_an_entry_is_said_to_be_so(models: Path) -> None:
+    (models / "credits.toml").unlink()
+    run("add", models / "vase.obj", "--no-picture")
+    told = run("show", "vase")["entry"]
+    assert {told[name] for name in ("author", "licence", "address")} == {"not stated"}
+    assert (told["origin"], told["used in stories"]) == ("added by you", "none")
+    library = SharedLibrary.open()
+    uses = [Use(asset=name, model="m", name=name, category="", origin="library", entry=told["entry"]) for name in "ab"]
+    library.uses.note("/films/one.storyboard", uses)
+    library.uses.note("/films/two.storyboard", uses[:1])
+    assert run("show", "vase")["entry"]["used in stories"] == "one.storyboard (a, b); two.storyboard (a)"
 
 
 @pytest.mark.parametrize("uri", ["gone.bin", "../secret.bin", "/etc/hostname"])
@@ -103,7 +112,7 @@ def test_a_pack_carries_all_to_another_library(models: Path, tmp_path: Path, mon
     run("unpack", tmp_path / "mine.zip")
     key = lambda entry: entry["digest"]  # noqa: E731
     assert sorted(run("list")["entries"], key=key) == sorted(before, key=key)
-    assert run("show", "vase")["entry"]["whole"] == "yes"
+    assert run("show", "vase")["entry"]["files"] == "as they were added"
 
 
 @pytest.mark.parametrize("harm", ["traversal", "changed", "no record", "no zip", "other digest"])
@@ -145,7 +154,7 @@ def test_what_is_damaged_is_cleaned_and_only_told_in_a_dry_run(models: Path) -> 
     (lost / "it.bin").write_bytes(b"12345")
     os.utime(lost, (0, 0))
     library.files.make_folder("incoming/of_a_run_at_work")
-    assert run("show", "sky")["entry"]["whole"].startswith("no")
+    assert run("show", "sky")["entry"]["files"].startswith("damaged")
     for words in (("clean", "--dry-run"), ("clean",)):
         told = run(*words)["clean"]
         assert (told["damaged entries"], told["files of nothing"]) == ("1", "1")
