@@ -94,7 +94,8 @@ Reading = Annotated[
 Models = Annotated[
     list[Path] | None,
     typer.Option(
-        help="A folder of your own 3D models (.glb, .blend), searched before the built-in library; may be given again."
+        help="A folder of your own 3D models (.glb, .gltf, .blend, .obj, .fbx, .stl, .ply, .usd, .usdz), searched "
+        "before the built-in library; may be given again."
     ),
 ]
 
@@ -186,7 +187,10 @@ def plan(
     quiet: Quiet = False,
     json_lines: Json = False,
 ) -> None:
-    """Read a script and list its cast, scenes and shots; quick, nothing is drawn."""
+    """Read a script and list its cast, scenes and shots; quick, nothing is drawn.
+
+    What was read is kept in the project folder, where `make` goes on from it.
+    """
     settings: dict[str, Any] = dict(crew=crew, shots_per_scene=shots_per_scene, aspect=aspect, fps=fps, seed=seed)
     with shown(quiet, json_lines) as terminal:
         project = out or _folder_of(script)

@@ -52,7 +52,9 @@ def asset(
     model: Annotated[
         str | None, typer.Option(help='What it is made from, as the library calls it: "red bench".')
     ] = None,
-    file: Annotated[str | None, typer.Option(help="A model in your folders of models, by its path there.")] = None,
+    file: Annotated[
+        str | None, typer.Option(help="A model, by its path inside your folder of models (without that folder's name).")
+    ] = None,
     another: Annotated[bool, typer.Option("--another", help="The crew makes it from something else.")] = False,
     width: Annotated[float | None, typer.Option(help="Metres; one side alone keeps the proportions.")] = None,
     depth: Annotated[float | None, typer.Option(help="Metres.")] = None,

@@ -15,7 +15,6 @@ from storyblender.cli_options import (
     LookOption,
     Quiet,
     Revision,
-    Services,
     edit_and_draw,
     examples,
     open_studio,
@@ -39,7 +38,7 @@ def add_to(app: typer.Typer) -> None:
             'cast my_film.storyboard rick --wear "red coat" --take-off tie',
             "cast my_film.storyboard ilsa --hair bob --hair-color black --age 30",
             "cast my_film.storyboard ilsa --face 2",
-            "cast my_film.storyboard rick --file models/knight.glb",
+            "cast my_film.storyboard rick --file cast/knight.glb",
             "cast my_film.storyboard rick --make --services gemini,hunyuan3d",
         )
     )(cast)
@@ -67,18 +66,28 @@ def cast(
     height: Annotated[float | None, typer.Option(help="Metres.")] = None,
     face: Annotated[int | None, typer.Option(help="Another number, another face.")] = None,
     file: Annotated[
-        str | None, typer.Option(help="A humanoid model in your folders of models, by its path there.")
+        str | None,
+        typer.Option(help="A humanoid model, by its path inside your folder of models (without that folder's name)."),
     ] = None,
     make: Annotated[
         bool,
         typer.Option("--make", help="Have services make a model of them: a picture of how they look, a model of that."),
     ] = False,
-    services: Services = None,
-    dry_run: Annotated[bool, typer.Option("--dry-run", help="Only say what --make would cost.")] = False,
-    front: Annotated[
-        str | None, typer.Option(help="Which side of that model is its front: front, back, left, right.")
+    services: Annotated[
+        str | None,
+        typer.Option(
+            help="With --make: one service that draws (gemini, openai) and one that makes models of pictures "
+            "(hunyuan3d, trellis, meshy), with commas; those that the storyboard was made with if not given."
+        ),
     ] = None,
-    top: Annotated[str | None, typer.Option(help="Which is its top, likewise.")] = None,
+    dry_run: Annotated[bool, typer.Option("--dry-run", help="With --make: only say what it would cost.")] = False,
+    front: Annotated[
+        str | None,
+        typer.Option(
+            help="Which side of the model of --file or --make is its front: front, back, left, right, top, bottom."
+        ),
+    ] = None,
+    top: Annotated[str | None, typer.Option(help="Which side of that model is its top, likewise.")] = None,
     revision: Revision = None,
     draw: Draw = True,
     look: LookOption = None,

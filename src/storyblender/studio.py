@@ -341,7 +341,7 @@ class Studio:
         settings, models, build = self._settings, self._settings.models, self._settings.build
         for models_folder in models if script is not None else ():
             if not models_folder.is_dir():
-                mend = "give --models a folder of .glb or .blend files"
+                mend = "give --models a folder with 3D models, such as .glb, .blend, .obj or .usdz files"
                 raise InputError("is not a folder", mend=mend, path=models_folder)
         for motions_folder in settings.motions if script is not None else ():
             if not motions_folder.is_dir():
