@@ -126,5 +126,11 @@ def test_motions_stretch_a_figure_little_more_than_the_built_in_people(name: str
     rows = {row.act: row for row in measured(built(name, tmp_path))}
     assert all(rows[act].stretch < 1.6 for act in ("walk", "run", "wave", "point", "talk", "hold"))
     assert all(row.stretch < 2.0 and row.torn < 4 and row.inside < 30 for row in rows.values())
-    assert all(abs(rows[act].floor) < 5 for act in ("walk", "run", "wave", "talk"))
+    assert all(abs(rows[act].floor) < 5 for act in ("walk", "run", "wave", "talk", "kneel"))
     assert abs(rows["sit"].seat) < 35 and abs(rows["hold"].grip) < 60
+
+
+def test_a_figure_with_thick_hands_and_long_feet_is_not_in_itself_nor_in_the_floor(tmp_path: Path) -> None:
+    rows = {row.act: row for row in measured(built("robot", tmp_path))}
+    assert all(rows[act].inside < 15 for act in ("walk", "run", "hold", "wave", "point", "talk"))
+    assert all(abs(rows[act].floor) < 10 for act in ("walk", "run", "hold", "wave", "talk", "kneel"))

@@ -81,7 +81,7 @@ def hanging(who: Performer, side: str) -> TargetOf:
         fingers = (turn @ (forearm + Vector((0, -0.08, 0)))).normalized()
         normal = turn @ Vector((-s, 0.15, 0))
         wrist = who.bones.joint[f"upper_arm.{side}"] + turn @ (arm * m.upper_arm + forearm * m.forearm)
-        palm = who.to_world(wrist + who.palm_offset(fingers, normal))
+        palm = who.to_world(wrist + who.palm_offset(side, fingers, normal))
         return hand(palm, who.facing @ fingers, who.facing @ normal, who.facing @ (turn @ pole), curl)
 
     return target

@@ -18,6 +18,9 @@ CLOTH = 0.008
 JACKET = 0.034
 """Metres of cloth between a back and the chair, times the scale; less lets a jacket sink into the chair."""
 
+PALM, THICKEST_PALM = 0.022, 0.06
+"""Metres, times the scale, that the skin of a palm is at least, and at most, from the axis of the hand; what somebody's
+model holds counts as its hand."""
 TUCKED = (-62.0, 58.0)
 """Degrees a foot behind a knee on the floor is pitched, and its toes, on which it stands."""
 STEEPEST = 0.8
@@ -50,6 +53,7 @@ class Measures:
         seat_drop: Hip joint above the seat.
         seat_back: Hip joint in front of the backrest.
         lap: Top of a seated thigh above its axis.
+        palm: By side, how far the skin of the palm is from the axis of the hand.
         tucked: Height of the ankle of a foot that stands on its bent toes, behind a knee on the floor.
     """
 
@@ -74,6 +78,7 @@ class Measures:
     seat_drop: float
     seat_back: float
     lap: float
+    palm: dict[str, float]
     tucked: float
 
     @property
@@ -147,8 +152,19 @@ def measure(body: RiggedBody) -> Measures:
         seat_drop=drop,
         seat_back=back,
         lap=lap,
+        palm={side: _palm_depth(body, bones, side) for side in SIDES},
         tucked=min(_over_tucked_toes(body, bones), 0.075 * k + STEEPEST * shin),
     )
+
+
+def _palm_depth(body: RiggedBody, bones: Skeleton, side: str) -> float:
+    """Return how far the skin of a palm is from the axis of the hand: more for gloves, paws and boxes."""
+    bone = f"hand.{side}"
+    _, palm = bones.hand_axes(side)
+    skin = body.vertices[body.weights[:, bones.names.index(bone)] > 0.7]
+    out = (skin - np.array(bones.head[bone])) @ np.array(palm.normalized())
+    measured = float(np.median(out[out > 0])) if (out > 0).any() else 0.0
+    return min(max(PALM, measured / bones.scale), THICKEST_PALM) * bones.scale
 
 
 def _over_tucked_toes(body: RiggedBody, bones: Skeleton) -> float:

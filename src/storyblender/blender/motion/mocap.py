@@ -94,7 +94,7 @@ class MocapLayer:
             low, high, share = self.at(t)
             curls = self.poses.curls[[low, high], SIDES.index(side)]
             values = hand(
-                who.to_world(end + who.palm_offset(along, palm)),
+                who.to_world(end + who.palm_offset(side, along, palm)),
                 who.facing @ along,
                 who.facing @ palm,
                 who.facing @ pole,

@@ -210,11 +210,11 @@ class Performer:
         """Return the world direction of a rest-pose direction ``vector`` that turns with a bone."""
         return self.facing @ (self.bones.orient[bone] @ vector)
 
-    def palm_offset(self, fingers: Vector, palm: Vector) -> Vector:
+    def palm_offset(self, side: str, fingers: Vector, palm: Vector) -> Vector:
         """Return wrist to palm centre (metres) of a hand with these directions, in the frame they are given in."""
         along = fingers.normalized()
         out = (palm - along * palm.dot(along)).normalized()
-        return along * (0.72 * self.measures.hand) + out * (0.022 * self.scale)
+        return along * (0.72 * self.measures.hand) + out * self.measures.palm[side]
 
     def gait_at(self, t: float) -> tuple[float, float, Gait | None]:
         """Return swing strength, stride phase 0..1 and gait at ``t`` seconds; 0, 0, None while not travelling."""
@@ -327,7 +327,7 @@ class Performer:
         """Solve one arm to a hand target; return how many metres it falls short, and shoulder to wrist."""
         bones, m = self.bones, self.measures
         fingers, palm, pole = (self.facing_inverse @ Vector(hand[i : i + 3]) for i in (3, 6, 9))
-        wrist = self.to_body(Vector(hand[:3])) - self.palm_offset(fingers, palm)
+        wrist = self.to_body(Vector(hand[:3])) - self.palm_offset(side, fingers, palm)
         shoulder = f"shoulder.{side}"
         bones.turn[shoulder] = IDENTITY
         bones.update(shoulder, f"upper_arm.{side}")
@@ -397,4 +397,4 @@ class Performer:
         fingers = self.direction(f"hand.{side}", rest_fingers)
         axes = frame(fingers, self.direction(f"hand.{side}", rest_palm))
         palm = Vector(axes.col[1])
-        return axes, self.point(f"hand.{side}") + self.palm_offset(Vector(axes.col[0]), palm)
+        return axes, self.point(f"hand.{side}") + self.palm_offset(side, Vector(axes.col[0]), palm)
