@@ -88,22 +88,25 @@ def add(
     """Add models and panoramas with the files that they name; a story finds them by the words of their file's name.
 
     Whose work they are is read from the options, then from `chair.credits.toml` or `credits.toml` beside them. Without
-    a licence they count as your own.
+    a licence they count as your own. Each file is read first: if one cannot be, it is named and nothing is added.
     """
     with shown(quiet=False, json_lines=json_lines) as terminal:
         from storyblender.library.embedder import load_embedder
-        from storyblender.library.shared.adding import add_work, works_in
+        from storyblender.library.shared.adding import add_work, checked_work, works_in
         from storyblender.library.shared.search import LibrarySearch
         from storyblender.memory.asset_sheet import Credit
         from storyblender.model_content import credit_lines
 
         library = _library()
         credit = Credit.model_validate(credit_lines({"author": author, "license": license, "url": url}))
-        works = [(work, path if path.is_dir() else path.parent) for path in paths for work in works_in(path)]
-        added = [add_work(library, work, top, credit, tuple(also or ())) for work, top in works]
+        found = [(file, path if path.is_dir() else path.parent) for path in paths for file in works_in(path)]
+        works = [checked_work(file, top, credit) for file, top in found]
+        studio = open_studio(terminal)
+        studio.check_readable(works)
+        added = [add_work(library, work, tuple(also or ())) for work in works]
         LibrarySearch(library, load_embedder).know()
         if picture:
-            open_studio(terminal).draw_entries(library, added)
+            studio.draw_entries(library, added)
         terminal.listed("entries", added, _COLUMNS)
 
 

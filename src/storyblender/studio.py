@@ -40,7 +40,7 @@ from storyblender.memory.edits import Edit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit
 from storyblender.memory.jobs import GIVEN, AssetJob
-from storyblender.pipeline.library_pictures import picture_job
+from storyblender.pipeline.library_pictures import check_readable, picture_job
 from storyblender.pipeline.reviewing import FrameReview
 from storyblender.project import Project, read_project_graph
 from storyblender.results import Delivery
@@ -49,6 +49,7 @@ from storyblender.settings import Settings
 from storyblender.trace import Event, Listener, silent
 
 if TYPE_CHECKING:
+    from storyblender.library.shared.adding import Work
     from storyblender.pipeline.estimating import ExpectedAsset
 
 CATALOGS: dict[str, Mapping[str, Entry]] = {
@@ -288,6 +289,17 @@ class Studio:
             folder = Path(name) / "sample"
             made = self._portrait(kinds[0], key, folder) if story is None else self._sample(story, key, folder)
             Folder(out.parent).write(out.name, made.read_bytes())
+
+    def check_readable(self, works: Sequence[Work]) -> None:
+        """Have each model and panorama read, before it is added to the user's library.
+
+        Raises:
+            InputError: One cannot be read.
+        """
+        for top in dict.fromkeys(work.top for work in works):
+            paths = [work.path for work in works if work.top == top]
+            with TemporaryDirectory() as name, BlenderEngine(Path(name), [top.resolve()], jobs=1) as engine:
+                check_readable(engine, paths, top)
 
     def draw_entry(self, library: SharedLibrary, entry: LibraryEntry) -> Path:
         """Return the picture of a model of the user's library, drawn if it is not there yet.

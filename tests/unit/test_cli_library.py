@@ -6,10 +6,13 @@ import gc
 import json
 import os
 import zipfile
+from concurrent.futures import Future
 from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.panoramas import write_sky
+from tests.stand_in_engine import StandInEngine
 from typer.testing import CliRunner
 
 from storyblender.cli import app
@@ -17,6 +20,8 @@ from storyblender.errors import EngineError
 from storyblender.library.shared.place import library_folder
 from storyblender.library.shared.shared_library import INDEX, SharedLibrary
 from storyblender.library.shared.uses import Use
+from storyblender.memory.jobs import AssetJob
+from storyblender.memory.measure import AssetMeasure
 from storyblender.studio import Studio
 
 
@@ -26,6 +31,11 @@ def run(*words: str | Path, code: int = 0) -> dict[str, Any]:
     assert done.exit_code == code, done.output
     lines = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
     return lines[-1] if lines else {}
+
+
+@pytest.fixture(autouse=True)
+def _no_blender(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("storyblender.studio.BlenderEngine", StandInEngine)
 
 
 @pytest.fixture
@@ -42,7 +52,7 @@ def models(tmp_path: Path) -> Path:
     (folder / "vase.obj").write_text("mtllib vase.mtl\nv 0 0 0\n")
     (folder / "vase.mtl").write_text("newmtl a\nmap_Kd vase.png\nmap_Ks gone.png\n")
     (folder / "vase.png").write_bytes(b"picture")
-    (folder / "sky.hdr").write_bytes(b"sky")
+    write_sky(folder / "sky.hdr")
     (folder / "credits.toml").write_text('author = "Ann"\nlicense = "CC-BY-4.0"\n')
     return folder
 
@@ -80,6 +90,27 @@ def test_what_is_not_known_of_an_entry_is_said_to_be_so(models: Path) -> None:
     library.uses.note("/films/one.storyboard", uses)
     library.uses.note("/films/two.storyboard", uses[:1])
     assert run("show", "vase")["entry"]["used in stories"] == "one.storyboard (a, b); two.storyboard (a)"
+
+
+def test_a_file_that_cannot_be_read_is_refused_and_nothing_is_added(
+    models: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (models / "sky.hdr").write_bytes(b"no sky")
+    run("add", models, "--no-picture", code=2)
+    assert run("list")["entries"] == []
+    (models / "sky.hdr").unlink()
+
+    class Refusing(StandInEngine):
+        def build_asset(self, job: AssetJob) -> Future[AssetMeasure]:
+            assert job.asset.canonical is not None
+            if (key := job.asset.canonical.key) == "vase.obj":
+                raise EngineError(f"build_asset: {models.resolve() / key}: the model cannot be used: no faces")
+            return super().build_asset(job)
+
+    monkeypatch.setattr("storyblender.studio.BlenderEngine", Refusing)
+    told = run("add", models, "--no-picture", code=2)
+    assert told["error"] == f"{models / 'vase.obj'}: the model cannot be used: no faces"
+    assert run("list")["entries"] == []
 
 
 @pytest.mark.parametrize("uri", ["gone.bin", "../secret.bin", "/etc/hostname"])

@@ -1,13 +1,15 @@
-"""Surfaces and panoramas of the user's library that a person chooses for a scene."""
+"""What a person adds to the user's library is read, and its surfaces and panoramas are chosen for a scene."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TypeVar
 
 from storyblender.catalog.recipe import EXACT, Recipe
-from storyblender.errors import InputError
+from storyblender.errors import EngineError, InputError
 from storyblender.library.library_source import may_be_used, placed_model
+from storyblender.library.model_folders import MODEL_SUFFIXES
 from storyblender.library.pictures import PictureKind
 from storyblender.library.shared.entries import LibraryEntry
 from storyblender.memory.asset_sheet import Asset
@@ -18,6 +20,7 @@ from storyblender.pipeline.asset_pictures import view_name
 from storyblender.pipeline.panorama import take_in_panorama
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.textures import take_in_texture
+from storyblender.ports import Engine
 
 _Taken = TypeVar("_Taken", Texture, Panorama)
 
@@ -71,6 +74,32 @@ def picture_job(entry: LibraryEntry, recipe: Recipe) -> AssetJob:
     return AssetJob(
         asset=Asset(asset_id="it", asset_type="object", description="", name=entry.name, canonical=canonical)
     )
+
+
+def check_readable(engine: Engine, paths: Iterable[Path], top: Path) -> None:
+    """Have models and panoramas read as for a story.
+
+    Args:
+        engine: Has the folder among its folders of models.
+        paths: Of the files.
+        top: The folder that they are in.
+
+    Raises:
+        InputError: One cannot be read.
+    """
+    from storyblender.library.panorama_file import read_panorama
+
+    for path in paths:
+        if path.suffix.lower() not in MODEL_SUFFIXES:
+            read_panorama(path)
+            continue
+        key = path.relative_to(top).as_posix()
+        recipe = Recipe(source="file", key=key, score=EXACT)
+        asset = Asset(asset_id="it", asset_type="object", description="", name=path.stem, canonical=recipe.canonical())
+        try:
+            engine.build_asset(AssetJob(asset=asset)).result()
+        except EngineError as error:
+            raise InputError(str(error).rpartition(f"{top.resolve() / key}: ")[2], path=path) from error
 
 
 def take_texture(run: Run, digest: str, metres: float | None = None) -> Texture:

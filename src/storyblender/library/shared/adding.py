@@ -8,7 +8,7 @@ import tomllib
 from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
 from tempfile import TemporaryDirectory
-from typing import Final
+from typing import Final, NamedTuple
 from urllib.parse import unquote
 
 from storyblender.errors import InputError
@@ -42,38 +42,63 @@ def works_in(path: Path) -> list[Path]:
     return works
 
 
-def add_work(library: SharedLibrary, path: Path, top: Path, told: Credit, words: tuple[str, ...] = ()) -> LibraryEntry:
+class Work(NamedTuple):
+    """A file that can be added."""
+
+    path: Path
+    top: Path
+    """The folder that was named: what the file names lies in it, and credits files apply from there on."""
+    credit: Credit
+    names: tuple[str, ...]
+    """The files that it names, relative to its own folder."""
+
+
+def checked_work(path: Path, top: Path, told: Credit) -> Work:
+    """Return a file with what belongs to it; nothing is added yet.
+
+    Args:
+        path: The file.
+        top: The folder that was named.
+        told: Whose work it is, over what files beside it say.
+
+    Raises:
+        InputError: It is too large, names something that is not there, or has credits that cannot be read.
+    """
+    if path.stat().st_size > MOST_BYTES:
+        raise InputError(f"is larger than {MOST_BYTES >> 20} MiB", path=path)
+    names = tuple(named_by(path))
+    for each in names:
+        source = path.parent / each
+        if not source.is_file() or not source.resolve().is_relative_to(top.resolve()):
+            raise InputError(f"names {each!r}, which is not in its folder", mend="put it there", path=path)
+    return Work(path, top, _credit(path, top, told), names)
+
+
+def add_work(library: SharedLibrary, work: Work, words: tuple[str, ...] = ()) -> LibraryEntry:
     """Add a file with what it names; return its entry.
 
     Args:
         library: Where to.
-        path: The file.
-        top: The folder that was named: what the file names lies in it, and credits files apply from there on.
-        told: Whose work it is, over what files beside it say.
+        work: The file, as it was checked.
         words: What else it is called.
 
     Raises:
-        InputError: It is too large, names something that is not there, or cannot be kept.
+        InputError: It cannot be kept.
     """
-    if path.stat().st_size > MOST_BYTES:
-        raise InputError(f"is larger than {MOST_BYTES >> 20} MiB", path=path)
-    credit = _credit(path, top, told)
+    path = work.path
     with TemporaryDirectory() as name:
         part = Path(name)
-        for each in (path.name, *named_by(path)):
-            source = path.parent / each
-            if not source.is_file() or not source.resolve().is_relative_to(top.resolve()):
-                raise InputError(f"names {each!r}, which is not in its folder", mend="put it there", path=path)
+        for each in (path.name, *work.names):
             (part / each).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(source, part / each)
-        if lines := [f"{field} = {json.dumps(text, ensure_ascii=False)}\n" for field, text in credit if text]:
+            shutil.copyfile(path.parent / each, part / each)
+        if lines := [f"{field} = {json.dumps(text, ensure_ascii=False)}\n" for field, text in work.credit if text]:
             (part / CREDITS).write_text("".join(lines), encoding="utf-8")
         facts = EntryFacts(
             kind=KINDS[path.suffix.lower()],
             name=path.stem[:200],
             words=words,
             main=path.name,
-            credit=credit,
+            credit=work.credit,
             source=ADDED,
         )
         return library.add(facts, part)
