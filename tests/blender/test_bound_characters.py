@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,10 +13,11 @@ pytestmark = pytest.mark.blender
 bpy = pytest.importorskip("bpy")
 
 from benchmarks.bound_cast import built, measured  # noqa: E402
-from benchmarks.humanoids import figure, write_glb, write_humanoid, write_prop  # noqa: E402
+from benchmarks.humanoids import box, figure, write_glb, write_humanoid, write_prop  # noqa: E402
 
 from storyblender.blender.asset_store import AssetStore  # noqa: E402
 from storyblender.blender.cast.character import CharacterBuild, character_from_file  # noqa: E402
+from storyblender.blender.motion.measures import measure  # noqa: E402
 from storyblender.blender.people.body import RiggedBody  # noqa: E402
 from storyblender.blender.people.person import build_person  # noqa: E402
 from storyblender.catalog.skeleton import BONE_INDEX  # noqa: E402
@@ -88,6 +90,35 @@ def test_a_story_tells_how_tall_a_character_is(tmp_path: Path) -> None:
     path = write_humanoid("robot", tmp_path)
     child = _cast(path, AssetDimension(height=1.2), certainty="told")
     assert child.person.body.stature == pytest.approx(1.2, abs=0.001)
+
+
+def test_a_figure_of_a_few_long_boxes_bends_at_its_knees_and_elbows(tmp_path: Path) -> None:
+    sides = [
+        box((min(near, far), -depth, low), (max(near, far), depth, high))
+        for sign in (1, -1)
+        for near, far, depth, low, high in (
+            (sign * 0.03, sign * 0.16, 0.07, 0.0, 0.9),
+            (sign * 0.21, sign * 0.82, 0.05, 1.35, 1.45),
+        )
+    ]
+    trunk, head = box((-0.19, -0.12, 0.85), (0.19, 0.12, 1.5)), box((-0.1, -0.12, 1.5), (0.1, 0.12, 1.75))
+    body = _cast(write_glb(tmp_path / "rick.glb", [*sides, trunk, head])).person.body
+    column = {name: index for index, name in enumerate(body.bone_names)}
+    for bone in ("thigh.L", "shin.R", "upper_arm.R", "forearm.L"):
+        assert (body.weights[:, column[bone]] > 0.7).any(), f"part of a box moves with the {bone}"
+    assert 0.03 < measure(body).seat_drop < 0.15
+
+
+def test_a_body_without_skin_at_its_seat_is_measured_like_others() -> None:
+    body = build_person("anna", CharacterLook(gender="female", age=30), 1).body
+    column = {name: index for index, name in enumerate(body.bone_names)}
+    weights = body.weights.copy()
+    for bone in ("hips", "thigh.L", "thigh.R"):
+        weights[:, column["spine"]] += weights[:, column[bone]]
+        weights[:, column[bone]] = 0
+    there, gone = measure(body), measure(replace(body, weights=weights))
+    assert gone.seat_drop == pytest.approx(there.seat_drop, abs=0.06)
+    assert gone.seat_back == pytest.approx(there.seat_back, abs=0.06)
 
 
 @pytest.mark.parametrize("key", ["chair", "ladder", "dog"])

@@ -25,7 +25,7 @@ Look = Literal["board", "fast", "pencil", "render"]
 
 GEOMETRY_VERSION = 9
 """Raised when builders change shape: old caches are then built anew."""
-MODEL_VERSION = 3
+MODEL_VERSION = 4
 """Raised when users' models are read otherwise: only what was built from them is then built anew."""
 DRAWING_VERSION = 5
 """Raised when the same request is drawn otherwise, as when the golden pictures change: old projects draw anew."""

@@ -8,6 +8,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 
+from storyblender.blender.cast.divide import divide_long_edges
 from storyblender.blender.cast.humanoid import BoundMesh, bound_mesh
 from storyblender.blender.cast.own_rig import OwnRig, own_rig
 from storyblender.blender.cast.template import template_of
@@ -66,17 +67,19 @@ def character_from_file(
     notes = list(model.notes)
     credit = with_files(model.credit, path, folder, notes)
     mesh = build_mesh(model, f"{asset_id}_model")
-    points, normals, triangles = _geometry(mesh)
     turn = rotation_of(pose) if pose.top is not None else np.eye(3)
-    points, normals = points @ turn.T, normals @ turn.T
-    extent = np.ptp(points, axis=0)
+    extent = np.ptp(_geometry(mesh)[0] @ turn.T, axis=0)
     scale, reason = find_scale(extent, None, dimension, certainty=certainty, unit=model.unit)
     if reason:
         notes.append(f"{extent[2]:.3g} m become {extent[2] * scale:.3g} m: {reason}")
     try:
         own = _own_rig(file, mesh, scale * turn)
+        if own is None:
+            divide_long_edges(mesh)
+        points, normals, triangles = _geometry(mesh)
+        points, normals = scale * points @ turn.T, normals @ turn.T
         known = pose.front is not None
-        bound = bound_mesh(points * scale, normals, triangles, template_of(pack), front_known=known, own=own)
+        bound = bound_mesh(points, normals, triangles, template_of(pack), front_known=known, own=own)
     except InputError as error:
         problem = f"{path.name} cannot be a character: {error.problem}"
         raise InputError(problem, mend=error.mend, path=path) from error

@@ -21,6 +21,9 @@ JACKET = 0.034
 PALM, THICKEST_PALM = 0.022, 0.06
 """Metres, times the scale, that the skin of a palm is at least, and at most, from the axis of the hand; what somebody's
 model holds counts as its hand."""
+SEATED = 0.1
+"""Metres from the hip joint to the skin below and behind it, times the scale, of a body with no skin there."""
+
 TUCKED = (-62.0, 58.0)
 """Degrees a foot behind a knee on the floor is pitched, and its toes, on which it stands."""
 STEEPEST = 0.8
@@ -222,8 +225,10 @@ def _sit_down(body: RiggedBody, bones: Skeleton) -> tuple[float, float, float]:
     skin, weights = skin_of(body, bones, lower), body.weights[lower]
     weight = weights[:, [column["hips"], column["thigh.L"], column["thigh.R"]]].sum(1)
     on_seat = (weight > 0.7) & (skin[:, 1] < hip.y + 0.12 * k) & (skin[:, 1] > hip.y - 0.7 * thigh)
-    drop = hip.z - float(np.percentile(skin[on_seat][:, 2], 1)) + CLOTH
-    back = float(skin[on_seat | (weight > 0.9)][:, 1].max()) - hip.y + JACKET * k
+    low = float(np.percentile(skin[on_seat][:, 2], 1)) if on_seat.any() else hip.z - SEATED * k
+    behind = on_seat | (weight > 0.9)
+    drop, back = hip.z - low + CLOTH, JACKET * k
+    back += float(skin[behind][:, 1].max()) - hip.y if behind.any() else SEATED * k
     start, along = np.array(bones.joint["thigh.L"]), np.array(bones.joint["shin.L"] - bones.joint["thigh.L"])
     share = (skin - start) @ along / (along @ along)
     leg = weights[:, [column["thigh.L"], column["shin.L"]]].sum(1) > 0.6
