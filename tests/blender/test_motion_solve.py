@@ -324,12 +324,10 @@ def test_a_posture_off_the_floor_is_taken_from_the_first_frame(bodies: dict[str,
 
 
 @every("posture", ["kneel", "crawl"])
-def test_feet_behind_knees_stand_on_their_toes_on_the_floor(posture: Posture, bodies: dict[str, RiggedBody]) -> None:
+def test_who_kneels_or_crawls_is_on_the_floor_and_not_in_it(posture: Posture, bodies: dict[str, RiggedBody]) -> None:
     for who, body in bodies.items():
         play = Playback(body, perform(bodies, (mark_at(who, 0, 0, 0, posture),), (), 1), who)
-        columns = [play.index[f"{bone}.{side}"] for bone in ("shin", "foot", "toe") for side in "LR"]
-        lowest = play.skin(12)[body.weights[:, columns].sum(1) > 0.9, 2].min()
-        assert -0.012 < lowest < 0.01, who
+        assert -0.012 < play.skin(12)[:, 2].min() < 0.01, who
 
 
 def test_who_stands_at_a_height_has_feet_and_head_there(bodies: dict[str, RiggedBody]) -> None:

@@ -32,6 +32,9 @@ KNEES_BACK, HANDS_AHEAD = 0.30, 0.24
 FLAT = 78.0
 """Degrees the pelvis is pitched forward."""
 
+ON_THE_FLOOR = (-4, -6, -12)
+"""Curl of a hand that bears weight, degrees: stretched flat, the thumb out of the floor."""
+
 
 @dataclass(frozen=True)
 class CrawlPath:
@@ -165,6 +168,6 @@ def _palm(who: Performer, path: CrawlPath, side: str) -> Callable[[float], Float
         spot, yaw, lifted = path.limb(t, 0.5 if side == "L" else 0.0, HANDS_AHEAD * k, s * 0.18 * k)
         forward, left = Vector((math.sin(yaw), -math.cos(yaw), 0)), Vector((math.cos(yaw), math.sin(yaw), 0))
         palm = Vector((*spot, (0.022 + 0.07 * lifted) * k))
-        return hand(palm, forward, Vector((0, 0, -1)), left * (0.6 * s) - forward * 0.8, (6, 8, 0))
+        return hand(palm, forward, Vector((0, 0, -1)), left * (0.6 * s) - forward * 0.8, ON_THE_FLOOR)
 
     return target
