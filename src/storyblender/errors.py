@@ -41,7 +41,16 @@ class Rejected(StoryBlenderError):
 
 
 class EngineError(StoryBlenderError):
-    """Blender failed at a job, after restarts."""
+    """Blender failed at a job, after restarts.
+
+    Args:
+        problem: What is wrong, one clause.
+        job: Name of the job, which ``str(error)`` begins with.
+    """
+
+    def __init__(self, problem: str, *, job: str = "") -> None:
+        super().__init__(f"{job}: {problem}" if job else problem)
+        self.problem = problem
 
 
 class NoAnswer(StoryBlenderError):

@@ -208,7 +208,7 @@ def reflect(
     for place, author in enumerate(role.policies):
         by: DecidedBy = "rules" if place >= len(role.policies) - role.rules else "model"
         if place:
-            listener(Event(kind="handover", role=role.name, subject=subject, message="the next policy takes over"))
+            listener(Event(kind="handover", role=role.name, subject=subject, message=_takes_over(role, place, by)))
         try:
             for turn, draft, critique in _turns(role, author, subject, view, listener):
                 kept = Outcome(view, draft, critique, turn, place > 0, by)
@@ -221,6 +221,14 @@ def reflect(
     if best is None:
         raise ValueError(f"{role.name} has no policy")
     return _accepted(role, subject, best, listener)
+
+
+def _takes_over(role: Role[Subject, View, Draft], place: int, by: DecidedBy) -> str:
+    """Return who takes over from a model; empty where one rule follows another, which concerns nobody but the trace."""
+    if place > len(role.policies) - role.rules:
+        return ""
+    successor = "the rules take over" if by == "rules" else "the next model takes over"
+    return f"{successor} as {role.name.replace('_', ' ')}"
 
 
 def _turns(

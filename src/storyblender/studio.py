@@ -335,7 +335,7 @@ class Studio:
                 if entry.kind == "model":
                     self.draw_entry(library, entry)
             except EngineError as error:
-                self._listener(Event(kind="warning", role="library", subject=entry.name, message=str(error)))
+                self._listener(Event(kind="warning", role="library", subject=entry.name, message=error.problem))
 
     def _portrait(self, kind: str, key: str, folder: Path) -> Path:
         with BlenderEngine(folder, jobs=1) as engine:

@@ -73,7 +73,10 @@ class Terminal:
         self._progress.stop()
 
     def show(self, event: Event) -> None:
-        """Show one event; a stage without work is passed over."""
+        """Show one event; a stage without work is passed over.
+
+        Warnings begin with what they are about; the role that gave them is in the trace.
+        """
         if self._json:
             self._write({"event": event.model_dump(mode="json", exclude_defaults=True)})
         role = event.role.replace("_", " ")
@@ -86,8 +89,8 @@ class Terminal:
             self._progress.note(f"{role} {event.subject} {event.kind}s {event.message}")
         elif event.kind == "follow":
             self._console.print(f"[yellow]also changed[/] {plain(f'{event.subject} {event.message}')}", soft_wrap=True)
-        elif event.kind in ("handover", "reject", "warning"):
-            text = " ".join(filter(None, (role, event.subject, event.message)))
+        elif event.kind in ("handover", "reject", "warning") and event.message:
+            text = f"{event.subject}: {event.message}" if event.subject else event.message
             self._console.print(f"[yellow]{event.kind}[/] {plain(text)}", soft_wrap=True)
 
     def files(self, folder: Path, names: Sequence[str], followed: Sequence[str] = ()) -> None:

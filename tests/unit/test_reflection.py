@@ -86,6 +86,15 @@ def test_where_no_answer_comes_the_next_policy_takes_over() -> None:
     outcome = reflect(role, "x", "view", events.append)
     assert (outcome.draft, outcome.handed_over) == (8, True)
     assert [event.message for event in events if event.kind == "warning"] == ["the server is gone"]
+    assert [event.message for event in events if event.kind == "handover"] == ["the rules take over as role"]
+
+
+def test_that_one_rule_follows_another_is_in_the_trace_and_not_said() -> None:
+    events: list[Event] = []
+    reflect(
+        Role("role", str, (Climber(2, 2), Climber(9, 9)), Scale(), Typed(float), rules=2), "x", "view", events.append
+    )
+    assert [event.message for event in events if event.kind == "handover"] == [""]
 
 
 def test_the_best_draft_before_the_silence_is_kept() -> None:

@@ -36,6 +36,14 @@ def test_stages_begin_and_end_on_plain_lines(capsys: pytest.CaptureFixture[str])
     assert capsys.readouterr() == ("", "")
 
 
+def test_a_warning_begins_with_what_it_is_about(capsys: pytest.CaptureFixture[str]) -> None:
+    terminal = Terminal(quiet=False, json_lines=False)
+    terminal.show(Event(kind="warning", role="asset_formatter", subject="letter", message="it cannot be read"))
+    terminal.show(Event(kind="warning", role="asset_generator", message="there is no key"))
+    terminal.show(Event(kind="handover", role="asset_retriever", subject="letter"))
+    assert capsys.readouterr().err == "warning letter: it cannot be read\nwarning there is no key\n"
+
+
 def test_a_log_of_a_feature_says_now_and_then_how_far_it_has_come(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

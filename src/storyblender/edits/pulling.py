@@ -126,7 +126,7 @@ def _with_file(run: Run, name: str, pulled: Pulled, *, apply: bool) -> Pulled:
             *(f"conflict: {each.sentence} ({each.id})" for each in found.conflicts),
             *(f"not taken over: {each}" for each in found.kept),
         ):
-            run.tell(Event(kind="warning", role=name, message=sentence))
+            run.tell(Event(kind="warning", role="project", subject=name, message=sentence))
         older = reading.compiled.version != run.project.version  # it may have been saved over a newer one
         take_over(run, name, whole=bool(changes) or older)
     return Pulled(

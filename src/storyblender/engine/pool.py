@@ -93,12 +93,12 @@ class WorkerPool:
             try:
                 return read(answer)
             except (TypeError, ValueError) as error:
-                raise EngineError(f"{tool}: Blender's answer cannot be read ({error})") from error
+                raise EngineError(f"Blender's answer cannot be read ({error})", job=tool) from error
 
         job = _Job(affinity, work)
         with self._condition:
             if self._closing:
-                raise EngineError(f"{tool}: Blender was stopped")
+                raise EngineError("Blender was stopped", job=tool)
             self._pending.append(job)
             if len(self._pending) > len(self._resting) and len(self._workers) < self.size:
                 self._hire(self._make_worker())

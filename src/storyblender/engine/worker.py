@@ -74,15 +74,15 @@ class Worker:
         trouble: Exception | None = None
         for _ in range(self._attempts):
             if self._closed:
-                raise EngineError(f"{tool}: Blender was stopped")
+                raise EngineError("Blender was stopped", job=tool)
             try:
                 return value_in(self._request("tools/call", {"name": tool, "arguments": arguments}, progress))
             except Refused as error:
-                raise EngineError(f"{tool}: {error}") from error
+                raise EngineError(str(error), job=tool) from error
             except (Lost, OSError) as error:
                 trouble = error
                 self._end()
-        raise EngineError(f"{tool}: Blender died {self._attempts} times ({trouble})")
+        raise EngineError(f"Blender died {self._attempts} times ({trouble})", job=tool)
 
     def close(self) -> None:
         """End the process, from any thread; a call under way fails. Nothing is left half-written: tools rename."""

@@ -74,7 +74,10 @@ class Replay:
         wanted = as_markdown(request, name_of(request)).splitlines()
         if request.role not in self._warned:
             self._warned.add(request.role)
-            message = "was recorded for other words of the question; the answer to the most similar one is taken"
+            message = (
+                f"the answer of the {request.role.replace('_', ' ')} was recorded for other words of the question; "
+                "the one to the most similar question is taken"
+            )
             self._listener(Event(kind="warning", role=request.role, subject=request.subject, message=message))
         return recorded[max(same_turn, key=lambda page: _likeness(wanted, page.splitlines()))]
 

@@ -103,7 +103,7 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
         _place_clips(run, {panel.name: path for panel, path in zip(panels(graph), segments, strict=True)})
     elif film.exists() and (stale := shots_not_in_film(run)):
         told = f"still shows {', '.join(stale)} as before; `storyblender render --animatic` shoots it again"
-        run.tell(Event(kind="warning", role=FILM, message=told))
+        run.tell(Event(kind="warning", role="delivery", subject=FILM, message=told))
         note_old(run.outputs, FILM)
         _place_clips(run, {name: path for name, path in clip_paths(run).items() if name not in stale})
     elif film.exists():

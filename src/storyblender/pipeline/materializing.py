@@ -15,7 +15,7 @@ from storyblender.catalog.parts import PART_PROPS
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.recipe import EXACT, Recipe
-from storyblender.errors import AnswerAwaited, EngineError, InputError, StoryBlenderError
+from storyblender.errors import AnswerAwaited, EngineError, InputError
 from storyblender.library.file_names import character_file
 from storyblender.library.library_source import LibrarySource
 from storyblender.memory.asset_sheet import Asset, AssetDecision, AssetDimension, CanonicalAsset, ModelPose, Provenance
@@ -94,7 +94,7 @@ def _built(run: Run, concept: ConceptArtist, asset: Asset, future: Future[AssetM
     except EngineError as error:
         if canonical.source != "file" or canonical.geometry_hash:
             raise
-        other = concept.give_up(asset, canonical.key, error)
+        other = concept.give_up(asset, canonical.key, error.problem)
     (other,) = concept.all_formatted([other])
     return _built(run, concept, other, run.engine.build_asset(AssetJob(asset=other)))
 
@@ -206,19 +206,19 @@ class ConceptArtist:
         view = role.project(self._run.graph, asset, self._means, self._rejected, self._draw)
         return asset.model_copy(update={"canonical": role.policies[-1].propose(view).canonical()})
 
-    def give_up(self, asset: Asset, key: str, error: StoryBlenderError) -> Asset:
+    def give_up(self, asset: Asset, key: str, why: str) -> Asset:
         """Return the asset with something else to be made from than a model that cannot be used, and say so.
 
         Args:
             asset: With the model, or not decided yet.
             key: Of the model's recipe; this artist does not take it again.
-            error: Why it cannot be used, for the warning.
+            why: Why it cannot be used, for the warning.
 
         Raises:
             AnswerAwaited: An answer has to come from outside first.
         """
         person = asset.asset_type == "character"
-        message = f"{error}; {'they are built from their look' if person else 'something else stands in for it'}"
+        message = f"{why}; {'they are built from their look' if person else 'something else stands in for it'}"
         self._run.tell(Event(kind="warning", role="asset_formatter", subject=asset.asset_id, message=message))
         self._rejected.add(key)
         return self.decided(asset.model_copy(update={"canonical": None}))
@@ -269,7 +269,7 @@ class ConceptArtist:
         try:
             recipe = fetched(self._run, outcome.draft)
         except InputError as error:
-            return self.give_up(asset, outcome.draft.key, error)
+            return self.give_up(asset, outcome.draft.key, str(error))
         if outcome.critique.score < recipe.score:  # a critic looked at it
             recipe = recipe.model_copy(update={"score": outcome.critique.score})
         if recipe.score < RETRIEVAL_THRESHOLD:
@@ -319,10 +319,10 @@ class ConceptArtist:
                 model = fetched(self._run, recipe.model_copy(update={"params": decision.params}))
                 return asset.model_copy(update={"canonical": model.canonical()})
         except InputError as error:
-            return self.give_up(asset, decision.file, error)
+            return self.give_up(asset, decision.file, str(error))
         mend = "name the folder with --models, or see `storyblender library list`"
         error = InputError(f"no folder of models and no library has {decision.file!r}", mend=mend)
-        return self.give_up(asset, decision.file, error)
+        return self.give_up(asset, decision.file, str(error))
 
 
 def workshop_of(run: Run) -> Workshop | None:

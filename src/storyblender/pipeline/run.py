@@ -184,7 +184,7 @@ class Run:
         copy = self.outputs.copy_aside(name, datetime.now())
         if copy is not None:
             message = f"was changed by hand; what it was is kept as {self.project.files.name_of(copy)}"
-            self.tell(Event(kind="warning", role=name, message=message))
+            self.tell(Event(kind="warning", role="project", subject=name, message=message))
 
     def progress(self, stage: str, step: int, total: int, subject: str = "") -> None:
         """Say how far a stage has come.
