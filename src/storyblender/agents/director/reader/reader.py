@@ -39,6 +39,10 @@ _CARRIED = 8
 """Words at the start of a prose scene in which a pronoun brings the people of the last scene along."""
 
 
+_TOWARDS_OTHERS = frozenset({"at", "to", "toward", "towards"})
+"""``gives it to her``: one is not what one's own deed goes to."""
+
+
 def read_script(screenplay: Screenplay) -> Reading:
     """Return the reading of a script by rules, without a language model.
 
@@ -126,8 +130,8 @@ def _enough_votes(person: Person) -> tuple[float, float]:
 
 
 def _is_other_person(words: list[Word], at: int) -> bool:
-    """Whether ``her`` is another person: ``watches her in the mirror``, but not ``her ear`` or ``behind her``."""
-    if not at or words[at - 1].low in lexicon.PREPOSITIONS:
+    """Whether ``her`` is another person: ``watches her``, ``talks to her``, but not ``her ear`` or ``behind her``."""
+    if not at or words[at - 1].low in lexicon.PREPOSITIONS - _TOWARDS_OTHERS:
         return False
     after = words[at + 1] if at + 1 < len(words) else None
     noun = after is not None and after.solid and after.low not in lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS

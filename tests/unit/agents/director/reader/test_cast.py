@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 import pytest
 
+from storyblender.agents.director.casting import age_word
 from storyblender.agents.director.reader import read_script
 from storyblender.agents.director.reading import Reading
 from storyblender.screenplay.source import read
@@ -144,3 +145,11 @@ def test_a_name_of_two_words_with_a_hyphen_is_one(read_scene: Read) -> None:
 @pytest.mark.parametrize("line", ["GRACE sitting down. OTTO leaving.", "CLOSE ON - TOASTER\n\nGRACE sits. OTTO waits."])
 def test_who_is_told_in_shorthand_is_cast(read_scene: Read, line: str) -> None:
     assert {person.id for person in read_scene(line).people} == {"grace", "otto"}
+
+
+def test_old_before_a_new_name_is_an_age_and_no_part_of_the_name() -> None:
+    reading = read_script(
+        read("The Keeper\n\nMartha sits at the table. Old Jonas comes in. They dance in Old Town.", "prose")
+    )
+    assert [person.name for person in reading.people] == ["Martha", "Jonas"]
+    assert age_word(reading.people[1], reading.screenplay.text) == "old"

@@ -13,6 +13,7 @@ Read = Callable[[str], Reading]
     ("action", "gender"),
     [
         ("XQ (30) watches her in the mirror.", "unknown"),
+        ("XQ (30) hands the bag to her.", "unknown"),
         ("XQ (30) holds a phone to her ear.", "female"),
         ("XQ (30) shuts the door behind her.", "female"),
     ],

@@ -22,6 +22,7 @@ def meant(reading: Reading, word: str) -> list[tuple[str, ...]]:
         ("Kate lifts the letter off the table. She opens the stove and throws it in.", ["letter"]),
         ("Joe hauls the boat up the beach until it rests against a boulder.", ["boat"]),
         ("Joe fills a bowl with soup. He gives it to Kate. She lifts it.", ["bowl", "bowl"]),
+        ("Joe pours tea into a cup and gives it to Kate.", ["cup"]),
         ("A radio on his knees, Joe waits. Kate stares at it.", ["radio"]),
         ("Joe reads a letter. He walks to the door and opens it.", ["door"]),
     ],

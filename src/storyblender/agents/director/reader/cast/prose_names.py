@@ -54,6 +54,8 @@ _OPENERS = (
     }
 )
 """``So Hana said``: what may stand before a name at the start of a sentence."""
+_AGED = frozenset(lexicon.AGE_WORDS)
+"""``Old Jonas``, but not ``in Old Town``."""
 
 
 def names_in(text: str, start: int) -> list[tuple[int, str]]:
@@ -66,8 +68,12 @@ def names_in(text: str, start: int) -> list[tuple[int, str]]:
     found: list[tuple[int, str]] = []
     for match in _NAME.finditer(text):
         name = match.group(0)
-        while " " in name and name.split()[0].lower() in _OPENERS:
-            name = name.split(maxsplit=1)[1]
+        while " " in name:
+            opener, rest = name.split(maxsplit=1)
+            aged = opener.lower() in _AGED and (match.group(1) or rest.split()[0].lower() in _KNOWN)
+            if opener.lower() not in _OPENERS and not aged:
+                break
+            name = rest
         at = match.start() + match.group(0).rindex(name)
         first = name.split()[0].lower()
         if {first, singular(first)} & (_SMALL | _NOT_NAMES) or name.lower() in lexicon.PRONOUNS:

@@ -24,6 +24,7 @@ _SUITS, _UNFIT = 0.5, 0.6
 _IN_HAND = 0.4
 _LOSING = frozenset({"put_down", "give", "throw", "drop"})
 _ASIDE = frozenset({"beside", "to", "of", "behind", "by", "near"})
+_POURING = frozenset({"pour", "ladle"})
 _ANIMAL = 0.8
 _AT = 0.3
 """What furniture gains after a preposition of place."""
@@ -54,6 +55,12 @@ def raise_clause_things(
         objects: Ids of the things that something is done to.
         places: Ids of the things in places.
     """
+    if (
+        places
+        and state.sentence.verb in _POURING
+        and all(state.inventory.head(each) in lexicon.LIQUIDS for each in objects)
+    ):
+        objects, places = places, objects  # what tea is poured into is what is then given away
     weights = state.discourse.things
     for thing in weights:
         weights[thing] *= _FADING
