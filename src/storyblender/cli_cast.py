@@ -122,7 +122,7 @@ def cast(
                 raise InputError(f"--make goes without {'a change of look' if looks else '--file'}", mend=mend)
             studio = open_studio(terminal, project=folder, services=services)
             if dry_run:
-                terminal.expected([studio.expect_person(folder, person)])
+                terminal.expected(studio.expect_person(folder, person))
                 return
             file = studio.make_person(folder, person)
         elif dry_run or services:

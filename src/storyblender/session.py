@@ -44,7 +44,7 @@ from storyblender.trace import Event
 from storyblender.viewed_project import ViewedProject
 
 if TYPE_CHECKING:
-    from storyblender.pipeline.estimating import ExpectedAsset
+    from storyblender.pipeline.estimating import Expected
     from storyblender.pipeline.script_changes import ScriptChanges
 
 
@@ -64,7 +64,7 @@ class Session(ViewedProject):
             reasons = explain(run, script) if why else []
             return Delivery(self.folder, ["graph.json"], run.graph, reasons)
 
-    def estimate(self) -> list[ExpectedAsset]:
+    def estimate(self) -> Expected:
         """Return what the things of the planned story would be made from, and what that takes; nothing is fetched."""
         from storyblender.pipeline.estimating import expected_assets
 
@@ -113,7 +113,7 @@ class Session(ViewedProject):
         with self._call() as run:
             return made_person(run, self._person_to_make(name))
 
-    def expect_person(self, name: str) -> ExpectedAsset:
+    def expect_person(self, name: str) -> Expected:
         """Return what ``make_person`` would cost at most; nothing is asked for. Raises as it does."""
         from storyblender.pipeline.made_people import expected_person
 

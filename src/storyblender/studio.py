@@ -50,7 +50,7 @@ from storyblender.trace import Event, Listener, silent
 
 if TYPE_CHECKING:
     from storyblender.library.shared.adding import Work
-    from storyblender.pipeline.estimating import ExpectedAsset
+    from storyblender.pipeline.estimating import Expected
 
 CATALOGS: dict[str, Mapping[str, Entry]] = {
     "props": PROPS,
@@ -108,7 +108,7 @@ class Studio:
         with self.start(script, folder) as session:
             return session.make(script, reading)
 
-    def estimate(self, script: Path, reading: Path | None = None) -> list[ExpectedAsset]:
+    def estimate(self, script: Path, reading: Path | None = None) -> Expected:
         """Return what the things of a script would be made from, and what that takes; nothing is fetched or made.
 
         The script is read by the rules, whoever else the crew has: a language model would have to be asked.
@@ -190,7 +190,7 @@ class Studio:
         with self.open(folder) as session:
             return session.make_person(name)
 
-    def expect_person(self, folder: Path, name: str) -> ExpectedAsset:
+    def expect_person(self, folder: Path, name: str) -> Expected:
         """Open a project for one call of ``Session.expect_person``."""
         with self.open(folder) as session:
             return session.expect_person(name)

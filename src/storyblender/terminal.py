@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from storyblender.memory.base import Frozen
     from storyblender.memory.graph import ContinuityMemoryGraph
     from storyblender.memory.history import Commit
-    from storyblender.pipeline.estimating import ExpectedAsset
+    from storyblender.pipeline.estimating import Expected
     from storyblender.pipeline.reviewing import FrameReview
     from storyblender.pipeline.script_changes import ScriptChanges
     from storyblender.pipeline.shot_reasons import ShotReasons
@@ -225,25 +225,35 @@ class Terminal:
             table.add_row(*(plain(read(value)) for read in columns.values()))
         self._results.print(table)
 
-    def expected(self, assets: Sequence[ExpectedAsset]) -> None:
-        """Print what the things of a story would be made from, and what that takes in all."""
+    def expected(self, found: Expected) -> None:
+        """Print what the things of a story would be made from, what that takes in all, and what could not be asked."""
         self._progress.stop()
+        assets = found.assets
         megabytes, dollars = sum(each.megabytes for each in assets), sum(each.dollars for each in assets)
         if self._json:
-            told = [each.model_dump(mode="json", exclude_defaults=True) for each in assets]
-            self._write({"expected": told, "megabytes": round(megabytes, 3), "dollars": round(dollars, 3)})
+            told: dict[str, Any] = {
+                "expected": [each.model_dump(mode="json", exclude_defaults=True) for each in assets],
+                "megabytes": round(megabytes, 3),
+                "dollars": round(dollars, 3),
+                "most_dollars": found.most_dollars,
+                "not_asked": [each.model_dump(mode="json") for each in found.not_asked],
+            }
+            self._write(told)
         table = Table("thing", "how", "from", "what", "licence", "MB", "$", "", box=None)
         for each in assets:
             size, price = f"{each.megabytes:.1f}" * (each.megabytes > 0), f"{each.dollars:.2f}" * (each.dollars > 0)
             texts = (each.name, each.how, each.source, each.what, each.licence, size, price, each.note)
             table.add_row(*map(plain, texts))
         self._results.print(table)
-        counts = {how: sum(each.how == how for each in assets) for how in ("fetched", "made", "here")}
-        said = f"{counts['fetched']} would be fetched, {megabytes:.1f} MB; {counts['made']} would be made, "
-        said += f"${dollars:.2f} at most; {counts['here']} are here"
-        self._results.print(said, soft_wrap=True)
         if any(each.source == "poly_haven" for each in assets):
             self._results.print("Powered by Poly Haven", soft_wrap=True)
+        counts = {how: sum(each.how == how for each in assets) for how in ("fetched", "made", "here")}
+        limit = f" (a run may spend ${found.most_dollars:.2f})" if found.most_dollars else ""
+        said = f"{counts['fetched']} would be fetched, {megabytes:.1f} MB; {counts['made']} would be made, "
+        said += f"${dollars:.2f} at most{limit}; {counts['here']} are here"
+        if found.not_asked:
+            said += f"; not asked: {', '.join(f'{each.service} ({each.why})' for each in found.not_asked)}"
+        self._results.print(plain(said), soft_wrap=True)
 
     def facts(self, what: str, values: Mapping[str, str]) -> None:
         """Print named facts, one a line."""

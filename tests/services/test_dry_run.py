@@ -4,12 +4,18 @@ from __future__ import annotations
 
 import json
 import os
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 from typer.testing import CliRunner
 
 from storyblender.cli import app
+from storyblender.keys import TENCENT_KEYS
+from storyblender.library.sources import service_run
+from storyblender.services.register import ServiceRun
+from tests.services.site import QUICK
 from tests.services.story_with_services import EXPECTED, SCRIPT, downloads, key_of, open_sites, services_of
 
 
@@ -43,9 +49,48 @@ def test_what_would_be_fetched_and_made_is_said_with_its_price(script: Path, mon
     assert {path.name for path in library.iterdir()} <= {"answers"}, "only what catalogues answered is kept"
 
 
-def test_nothing_is_made_where_a_key_is_missing(script: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture
+def _no_keys(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("keyring.get_password", lambda *_: None)
-    for name in ("OPENAI_API_KEY", "MESHY_API_KEY"):
+    for name in ("GOOGLE_API_KEY", "OPENAI_API_KEY", "MESHY_API_KEY", *TENCENT_KEYS):
         monkeypatch.delenv(name, raising=False)
-    told = CliRunner().invoke(app, ["make", str(script), "--services", "openai,meshy", "--dry-run"])
-    assert told.exit_code == 0 and "$0.00" in told.output and "there is no key for openai" in told.output
+
+
+def dry_run(script: Path, services: str) -> tuple[dict[str, Any], str]:
+    """Return what a dry run tells a machine, and the last line that a person reads."""
+    words = ["make", str(script), "--services", services, "--dry-run"]
+    told, shown = (CliRunner().invoke(app, [*words, *more]) for more in (["--json"], []))
+    assert told.exit_code == shown.exit_code == 0, told.output
+    return json.loads(told.stdout.splitlines()[-1]), shown.stdout.splitlines()[-1]
+
+
+@pytest.mark.usefixtures("_no_keys")
+def test_the_price_is_told_without_keys_and_who_lacks_one(script: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    told, last = dry_run(script, "openai,hunyuan3d,meshy")
+    (samovar,) = (each for each in told["expected"] if each["name"] == "samovar")
+    assert samovar["how"] == "made" and samovar["dollars"] == pytest.approx(0.442)
+    assert [each["service"] for each in told["not_asked"]] == ["openai", "hunyuan3d", "meshy"]
+    assert told["most_dollars"] == 5 and "$5.00" in last
+    for words in ("openai (there is no key", "OPENAI_API_KEY", "hunyuan3d (", "meshy (", "$0.44"):
+        assert words in last
+    monkeypatch.setenv("MESHY_API_KEY", "two")
+    told, last = dry_run(script, "openai,hunyuan3d,meshy")
+    assert told["dollars"] == pytest.approx(0.642), "the service that has its key would be asked"
+    assert "meshy (" not in last
+
+
+@pytest.mark.usefixtures("_no_keys")
+def test_a_server_without_an_address_is_named_and_nothing_is_made(script: Path) -> None:
+    told, last = dry_run(script, "openai,trellis")
+    assert told["dollars"] == 0 and "trellis@http://" in last
+
+
+def test_a_catalogue_that_cannot_be_reached_is_named_last(script: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def quick(*given: Any) -> ServiceRun | None:
+        made = service_run(*given)
+        return None if made is None else replace(made, patience=QUICK)
+
+    monkeypatch.setattr("storyblender.studio.service_run", quick)
+    told, last = dry_run(script, "poly_haven@http://127.0.0.1:9")
+    assert [each["service"] for each in told["not_asked"]] == ["poly_haven"]
+    assert "poly_haven (it cannot be reached; this list is without it)" in last

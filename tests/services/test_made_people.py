@@ -203,5 +203,9 @@ def test_the_price_is_told_without_asking_anybody(project: Path, monkeypatch: py
     monkeypatch.setenv("MESHY_API_KEY", "two")
     told = CliRunner().invoke(app, ["cast", str(project), "ada", "--make", "--dry-run", "--services", "openai,meshy"])
     assert told.exit_code == 0 and "Ada" in told.output and "$0.74 at most" in told.output
+    monkeypatch.setattr("keyring.get_password", lambda *_: None)
+    monkeypatch.delenv("OPENAI_API_KEY")
+    told = CliRunner().invoke(app, ["cast", str(project), "ada", "--make", "--dry-run", "--services", "openai,meshy"])
+    assert told.exit_code == 0 and "$0.74 at most" in told.output and "not asked: openai (" in told.output
     assert ada(project).decision is None
     assert cast(project, None, "--dry-run").exit_code == 2, "it is no dry run of other changes"

@@ -171,7 +171,7 @@ class CatalogueSource:
             found = self._catalogue.find(words, "model")
         except ServiceFailure as failure:
             self._rests_until = time.monotonic() + _REST
-            if self._run.outages.is_news(self.name):
+            if self._run.outages.is_news(self.name, str(failure)):
                 self._warn(f"{failure}; things come from elsewhere")
             return None
         return self._allowed(found)

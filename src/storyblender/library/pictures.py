@@ -232,7 +232,7 @@ class Pictures:
         """Ask a service no more in this run, and say so once."""
         if catalogue.name not in self._failed:
             self._failed.add(catalogue.name)
-            if self._run is None or self._run.outages.is_news(catalogue.name):
+            if self._run is None or self._run.outages.is_news(catalogue.name, str(failure)):
                 self._warn(f"{failure}; surfaces and skies stay as the library draws them")
 
     def _told(self, sentence: str) -> None:

@@ -12,12 +12,10 @@ from storyblender.errors import ServiceFailure
 from storyblender.library.catalogue_source import CatalogueSource
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen
+from storyblender.pipeline.prices import NotAsked, makers_of, not_asked
 from storyblender.pipeline.run import Run
 from storyblender.reflection import reflect
-from storyblender.service_setting import services_in
 from storyblender.services.making import Maker
-from storyblender.services.register import IMAGE_MODELS, MODEL_MAKERS, ServiceRun
-from storyblender.trace import Event
 
 
 class ExpectedAsset(Frozen):
@@ -41,33 +39,47 @@ class ExpectedAsset(Frozen):
     """Why the figures are not known."""
 
 
-def expected_assets(run: Run) -> list[ExpectedAsset]:
+class Expected(Frozen):
+    """What a dry run found."""
+
+    assets: tuple[ExpectedAsset, ...]
+    not_asked: tuple[NotAsked, ...] = ()
+    """Services of the setting that failed, or that lack a key or an address."""
+    most_dollars: float = 0.0
+    """The most that a run may spend; 0 where no service is named."""
+
+
+def expected_assets(run: Run) -> Expected:
     """Return where the things that the script names would come from, in the order of the asset sheet.
 
     Args:
         run: On a planned project.
     """
-    makers = _makers(run, run.services) if run.services is not None else ()
+    makers, lacking = makers_of(run.settings.services, run.services) if run.services is not None else ([], [])
+    if len(makers) < 2 or run.settings.licences == "free":
+        makers = []
     means = WORDS_BY_AGE.get(run.graph.age or "today", {})
     things = [each for each in run.graph.assets if each.asset_type == "object" and not each.fitted_part]
-    return [_expected(run, asset, means, makers) for asset in things if asset.canonical is None]
+    return expected_of(run, [_expected(run, each, means, makers) for each in things if each.canonical is None], lacking)
 
 
-def _makers(run: Run, services: ServiceRun) -> tuple[Maker, ...]:
-    """Return the image model and the maker of models that things would be made by; none if there are not both."""
-    choices = services_in(run.settings.services)
-    found: list[Maker] = []
-    for register in (IMAGE_MODELS, MODEL_MAKERS):
-        for choice in (each for each in choices if each.name in register):
-            try:
-                found.append(register[choice.name](choice, services).maker)
-                break
-            except ServiceFailure as failure:
-                run.tell(Event(kind="warning", role="asset_generator", message=str(failure)))
-    return tuple(found) if len(found) == 2 and run.settings.licences != "free" else ()
+def expected_of(run: Run, assets: Sequence[ExpectedAsset], lacking: Sequence[NotAsked]) -> Expected:
+    """Return what a dry run found, with the services that failed meanwhile.
+
+    Args:
+        run: The run.
+        assets: Where things would come from.
+        lacking: Services that have no key or no address.
+    """
+    if run.services is None:
+        return Expected(assets=tuple(assets))
+    failed = [not_asked(name, f"{why}; this list is without it") for name, why in run.services.outages.met.items()]
+    return Expected(
+        assets=tuple(assets), not_asked=(*failed, *lacking), most_dollars=run.services.budget.left("dollars")
+    )
 
 
-def _expected(run: Run, asset: Asset, means: Mapping[str, str], makers: tuple[Maker, ...]) -> ExpectedAsset:
+def _expected(run: Run, asset: Asset, means: Mapping[str, str], makers: Sequence[Maker]) -> ExpectedAsset:
     """Return where one thing would come from."""
     role = run.crew.asset_retriever
     view = role.project(run.graph, asset, means, frozenset(asset.turned_down), nothing_drawn)

@@ -7,11 +7,12 @@ from storyblender.agents.layout_artist.dimension_estimator import estimate_dimen
 from storyblender.errors import EngineError, InputError
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.jobs import AssetJob
-from storyblender.pipeline.estimating import ExpectedAsset, made_by
+from storyblender.pipeline.estimating import Expected, expected_of, made_by
 from storyblender.pipeline.generating import Workshop
+from storyblender.pipeline.prices import makers_of, rigger_of
 from storyblender.pipeline.run import Run
 from storyblender.service_setting import services_in
-from storyblender.services.register import IMAGE_MODELS, MODEL_MAKERS
+from storyblender.services.register import IMAGE_MODELS, MODEL_MAKERS, ServiceRun
 from storyblender.trace import Event
 
 _USUAL = 1.7
@@ -45,7 +46,7 @@ def made_person(run: Run, person: Asset) -> str:
     return _fitting(run, made)
 
 
-def expected_person(run: Run, person: Asset) -> ExpectedAsset:
+def expected_person(run: Run, person: Asset) -> Expected:
     """Return what it takes to have a model made of a character; nothing is asked for.
 
     Args:
@@ -53,14 +54,25 @@ def expected_person(run: Run, person: Asset) -> ExpectedAsset:
         person: A character.
 
     Raises:
-        InputError: A setting or a key is missing.
+        InputError: A setting or the address of a server is missing.
     """
-    workshop = _workshop(run, person)
-    return made_by([*workshop.asked_first(), *(each.maker for each in workshop.riggers(_height(person))[:1])], person)
+    services = _services(run, person)
+    makers, lacking = makers_of(run.settings.services, services)
+    if len(makers) < 2:
+        raise InputError(f"no model can be made: {'; '.join(each.why for each in lacking)}")
+    rigger = rigger_of(run.settings.services, services, _height(person))
+    return expected_of(run, [made_by([*makers, *rigger], person)], lacking)
 
 
 def _workshop(run: Run, person: Asset) -> Workshop:
     """Return what makes the model. Raises InputError where the settings do not allow it."""
+    workshop = Workshop.of(run, _services(run, person))
+    assert workshop is not None, "the settings name what it takes"
+    return workshop
+
+
+def _services(run: Run, person: Asset) -> ServiceRun:
+    """Return what the run gives the services. Raises InputError where the settings do not allow them."""
     if person.look is not None and person.look.species:
         raise InputError(f"{person.asset_id} is a {person.look.species}", mend="services make human characters only")
     names = {choice.name for choice in services_in(run.settings.services)}
@@ -70,11 +82,11 @@ def _workshop(run: Run, person: Asset) -> Workshop:
             raise InputError(f"there is no service that {does}", mend=mend)
     if not run.settings.library:
         raise InputError("what services make is kept in your library, which is turned off", mend="set library = true")
-    workshop = Workshop.of(run, run.services) if run.services is not None else None
-    if workshop is None:
+    if run.settings.licences == "free":
         mend = 'set licences = "any" or "commercial"'
         raise InputError('what services make is not in the public domain, and licences = "free"', mend=mend)
-    return workshop
+    assert run.services is not None, "the settings name services"
+    return run.services
 
 
 def _height(person: Asset) -> float:

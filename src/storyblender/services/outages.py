@@ -15,16 +15,25 @@ class Outages:
 
     def __init__(self) -> None:
         self._told: dict[str, float] = {}
+        self._why: dict[str, str] = {}
         self._lock = threading.Lock()
 
-    def is_news(self, service: str) -> bool:
+    @property
+    def met(self) -> dict[str, str]:
+        """Why services failed, as they did first, by their names."""
+        with self._lock:
+            return dict(self._why)
+
+    def is_news(self, service: str, why: str) -> bool:
         """Note that a service failed, and return whether that is still to be told.
 
         Args:
             service: Its name.
+            why: The sentence of its failure.
         """
         now = time.monotonic()
         with self._lock:
+            self._why.setdefault(service, why)
             if now - self._told.get(service, -QUIET) < QUIET:
                 return False
             self._told[service] = now

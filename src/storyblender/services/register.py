@@ -28,6 +28,8 @@ class ServiceRun:
         shelf: Where catalogues keep what they answered.
         patience: How long and how often each is asked.
         cancelled: Set when the run is cancelled.
+        outages: The services that failed.
+        only_prices: Whether services that lack their key are made all the same, for their prices: they are not asked.
     """
 
     budget: ServiceBudget = field(default_factory=ServiceBudget)
@@ -36,6 +38,7 @@ class ServiceRun:
     patience: Patience = field(default_factory=Patience)
     cancelled: threading.Event = field(default_factory=threading.Event)
     outages: Outages = field(default_factory=Outages)
+    only_prices: bool = False
 
     def web(self, choice: ServiceChoice, usual: str, key_header: str = "", scheme: str = "") -> Web:
         """Return HTTP with a service.
@@ -102,7 +105,7 @@ def _hunyuan3d(choice: ServiceChoice, run: ServiceRun) -> ModelMaker:
     from storyblender.services.tencent_signature import TencentKey
 
     secret_id, secret_key = map(known_key, TENCENT_KEYS)
-    if not secret_id or not secret_key:
+    if not (secret_id and secret_key) and not run.only_prices:
         raise ServiceFailure("there is no key for hunyuan3d", mend=f"set {' and '.join(TENCENT_KEYS)}")
     return Hunyuan3DCloud(run.web(choice, ADDRESS), TencentKey(secret_id, secret_key), choice.model)
 
@@ -142,7 +145,7 @@ key is missing."""
 def _keyed_web(choice: ServiceChoice, run: ServiceRun, usual: str, key_header: str, scheme: str = "") -> Web:
     """Return HTTP with a service that wants a key, unless the server is the user's own. Raises ServiceFailure."""
     web = run.web(choice, usual, key_header, scheme)
-    if not web.headers and not choice.address:
+    if not web.headers and not choice.address and not run.only_prices:
         name = service_key_name(choice)
         mend = f"set {name} in the environment, or `keyring set storyblender {name}`"
         raise ServiceFailure(f"there is no key for {choice.name}", mend=mend)
