@@ -178,7 +178,7 @@ def _over_tucked_toes(body: RiggedBody, bones: Skeleton) -> float:
     bones.update("toe.L")
     columns = [bones.names.index(name) for name in ("foot.L", "toe.L")]
     rows = np.flatnonzero(body.weights[:, columns].sum(1) > 0.5)
-    lowest = float(np.percentile(skin_of(body, bones, rows)[:, 2], 1)) if len(rows) else bones.joint["toe.L"].z
+    lowest = float(skin_of(body, bones, rows)[:, 2].min()) if len(rows) else bones.joint["toe.L"].z
     height = bones.joint["foot.L"].z - lowest
     bones.reset()
     return height
