@@ -41,6 +41,10 @@ if TYPE_CHECKING:
 PLAIN_WIDTH = 240
 """Columns of a table that goes to a file or a pipe: enough that nothing is cut."""
 
+_WHERE = {"here": "on this machine", "fetched": "to download", "made": "to be made"}
+_SOURCES = {"models": "your folder", "library": "your library", "built_in": "built in"}
+"""Where an asset would come from, as a table says it; services have their names."""
+
 
 class Terminal:
     """Shows events live. Use as a context manager.
@@ -239,10 +243,12 @@ class Terminal:
                 "not_asked": [each.model_dump(mode="json") for each in found.not_asked],
             }
             self._write(told)
-        table = Table("thing", "how", "from", "what", "licence", "MB", "$", "", box=None)
+        table = Table("thing", "where", "from", "made from", "licence", "MB", "$", "", box=None)
         for each in assets:
             size, price = f"{each.megabytes:.1f}" * (each.megabytes > 0), f"{each.dollars:.2f}" * (each.dollars > 0)
-            texts = (each.name, each.how, each.source, each.what, each.licence, size, price, each.note)
+            what = f"{each.what}, standing in" if each.stands_in else each.what
+            source = _SOURCES.get(each.source, each.source)
+            texts = (each.name, _WHERE[each.how], source, what, each.licence, size, price, each.note)
             table.add_row(*map(plain, texts))
         self._results.print(table)
         if any(each.source == "poly_haven" for each in assets):
@@ -250,7 +256,9 @@ class Terminal:
         counts = {how: sum(each.how == how for each in assets) for how in ("fetched", "made", "here")}
         limit = f" (a run may spend ${found.most_dollars:.2f})" if found.most_dollars else ""
         said = f"{counts['fetched']} would be fetched, {megabytes:.1f} MB; {counts['made']} would be made, "
-        said += f"${dollars:.2f} at most{limit}; {counts['here']} are here"
+        said += f"${dollars:.2f} at most{limit}; {counts['here']} are on this machine"
+        if stand_ins := sum(each.stands_in for each in assets):
+            said += f"; {stand_ins} only stand in for what the script means"
         if found.not_asked:
             said += f"; not asked: {', '.join(f'{each.service} ({each.why})' for each in found.not_asked)}"
         self._results.print(plain(said), soft_wrap=True)

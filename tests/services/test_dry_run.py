@@ -49,6 +49,24 @@ def test_what_would_be_fetched_and_made_is_said_with_its_price(script: Path, mon
     assert {path.name for path in library.iterdir()} <= {"answers"}, "only what catalogues answered is kept"
 
 
+def test_what_stands_in_and_what_is_yours_is_told(script: Path, tmp_path: Path) -> None:
+    models = tmp_path / "models"
+    (models / "cast").mkdir(parents=True)
+    for name in ("desk.glb", "cast/ada.glb"):
+        (models / name).write_bytes(b"not opened")
+    words = ["make", str(script), "--models", str(models), "--dry-run"]
+    told, shown = (CliRunner().invoke(app, [*words, *more]).stdout for more in (["--json"], []))
+    by_name = {each["name"]: each for each in json.loads(told.splitlines()[-1])["expected"]}
+    assert by_name["samovar"]["stands_in"] and "stands_in" not in by_name["guitar"]
+    assert {name: each["what"] for name, each in by_name.items() if each["source"] == "models"} == {
+        "Ada": "cast/ada.glb",
+        "desk": "desk.glb",
+    }
+    rows = {words[0]: " ".join(words[1:]) for line in shown.splitlines() if (words := line.split())}
+    assert rows["samovar"].endswith(", standing in") and rows["samovar"].startswith("on this machine built in ")
+    assert rows["desk"] == "on this machine your folder desk.glb"
+
+
 @pytest.fixture
 def _no_keys(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("keyring.get_password", lambda *_: None)

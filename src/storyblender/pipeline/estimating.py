@@ -7,9 +7,11 @@ from typing import Any, Literal
 
 from storyblender.agents.concept_artist.asset_retriever_view import RETRIEVAL_THRESHOLD, nothing_drawn
 from storyblender.catalog.meanings import WORDS_BY_AGE
+from storyblender.catalog.props import PROPS
 from storyblender.catalog.recipe import Recipe
 from storyblender.errors import ServiceFailure
 from storyblender.library.catalogue_source import CatalogueSource
+from storyblender.library.file_names import character_file
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen
 from storyblender.pipeline.prices import NotAsked, makers_of, not_asked
@@ -35,6 +37,8 @@ class ExpectedAsset(Frozen):
     megabytes: float = 0.0
     """Of the download."""
     dollars: float = 0.0
+    stands_in: bool = False
+    """Whether no source has what the script means, so that this stands in for it."""
     note: str = ""
     """Why the figures are not known."""
 
@@ -50,7 +54,7 @@ class Expected(Frozen):
 
 
 def expected_assets(run: Run) -> Expected:
-    """Return where the things that the script names would come from, in the order of the asset sheet.
+    """Return where the things that the script names would come from, and the people that you have models of.
 
     Args:
         run: On a planned project.
@@ -60,7 +64,8 @@ def expected_assets(run: Run) -> Expected:
         makers = []
     means = WORDS_BY_AGE.get(run.graph.age or "today", {})
     things = [each for each in run.graph.assets if each.asset_type == "object" and not each.fitted_part]
-    return expected_of(run, [_expected(run, each, means, makers) for each in things if each.canonical is None], lacking)
+    found = [_expected(run, each, means, makers) for each in things if each.canonical is None]
+    return expected_of(run, [*_people(run), *found], lacking)
 
 
 def expected_of(run: Run, assets: Sequence[ExpectedAsset], lacking: Sequence[NotAsked]) -> Expected:
@@ -79,6 +84,19 @@ def expected_of(run: Run, assets: Sequence[ExpectedAsset], lacking: Sequence[Not
     )
 
 
+def _people(run: Run) -> list[ExpectedAsset]:
+    """Return the characters of whom the sources have a model; casting builds the others."""
+    source_of = {key: source.name for source in run.sources for key in source.inventory()}
+    people = [(each, character_file(each, source_of)) for each in run.graph.assets if each.asset_type == "character"]
+    return [
+        ExpectedAsset(
+            asset_id=each.asset_id, name=each.name or each.asset_id, how="here", source=source_of[file], what=file
+        )
+        for each, file in people
+        if file
+    ]
+
+
 def _expected(run: Run, asset: Asset, means: Mapping[str, str], makers: Sequence[Maker]) -> ExpectedAsset:
     """Return where one thing would come from."""
     role = run.crew.asset_retriever
@@ -86,11 +104,25 @@ def _expected(run: Run, asset: Asset, means: Mapping[str, str], makers: Sequence
     recipe = reflect(role, asset.asset_id, view).draft
     source = recipe.provenance.source if recipe.provenance else "built_in"
     name = asset.name or asset.asset_id
-    here = ExpectedAsset(asset_id=asset.asset_id, name=name, how="here", source=source, what=recipe.key)
-    if recipe.score < RETRIEVAL_THRESHOLD and asset.origin != "dressing" and makers:
+    stands_in = recipe.score < RETRIEVAL_THRESHOLD
+    here = ExpectedAsset(
+        asset_id=asset.asset_id, name=name, how="here", source=source, what=_told(recipe), stands_in=stands_in
+    )
+    if stands_in and asset.origin != "dressing" and makers:
         return made_by(makers, asset)
     catalogue = next((each for each in run.sources if isinstance(each, CatalogueSource) and each.name == source), None)
     return here if catalogue is None else here.model_copy(update=_offered(catalogue, recipe))
+
+
+def _told(recipe: Recipe) -> str:
+    """Return what a thing would be made from, as people say it."""
+    match recipe.source:
+        case "catalog":
+            return PROPS[recipe.key].name
+        case "stand_in":
+            return recipe.key.replace("_", " ")
+        case "file":
+            return recipe.key
 
 
 def made_by(makers: Sequence[Maker], asset: Asset) -> ExpectedAsset:
