@@ -83,29 +83,34 @@ class StageProgress:
             self._bars.update(last, note=plain(text[: max(20, self._console.width - 70)]))
 
     def _move_bar(self, event: Event) -> None:
-        if event.role not in self._tasks:
-            label = LABELS.get(event.role, event.role)
-            self._tasks[event.role] = self._bars.add_task(label, total=event.total, note="")
-        note = event.subject or event.message
-        self._bars.update(self._tasks[event.role], completed=event.step, total=event.total, note=plain(note))
+        label = _label(event)
+        if label not in self._tasks:
+            self._tasks[label] = self._bars.add_task(plain(label), total=event.total, note="")
+        task = self._tasks[label]
+        self._bars.update(task, completed=event.step, total=event.total, note=plain(event.subject))
 
     def _say_stage(self, event: Event) -> None:
         """One line as a stage begins, one as it ends, and one now and then between."""
-        label, step, total = LABELS.get(event.role, event.role), event.step or 0, event.total or 0
+        label, step, total = _label(event), event.step or 0, event.total or 0
         note = f" ({event.subject})" if event.subject else ""
         period = max(LEAST_STEPS, -(-total // LINES))
-        if event.role not in self._begun:
-            self._begun[event.role] = monotonic(), step
+        if label not in self._begun:
+            self._begun[label] = monotonic(), step
             self._console.print(f"{label} ...", soft_wrap=True)
-        then, told = self._begun[event.role]
+        then, told = self._begun[label]
         if step == total:
-            del self._begun[event.role]
+            del self._begun[label]
             self._console.print(f"{label}: {step} of {total}{plain(note)}", soft_wrap=True)
         elif step >= told + period:
             now = monotonic()
-            self._begun[event.role] = now, step
+            self._begun[label] = now, step
             left = roughly((now - then) / (step - told) * (total - step))
             self._console.print(f"{label}: {step} of {total}{plain(note)}, {left} left", soft_wrap=True)
+
+
+def _label(event: Event) -> str:
+    """Return what a stage is called."""
+    return event.message or LABELS.get(event.role, event.role)
 
 
 def roughly(seconds: float) -> str:

@@ -31,6 +31,7 @@ class Event(Frozen):
     turn: int = 0
     score: float | None = None
     message: str = ""
+    """For people; of a stage what it is called where it is gone through a second time."""
     details: tuple[str, ...] = ()
     view: str = ""
     """Digest of what the role saw."""

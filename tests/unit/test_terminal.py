@@ -36,6 +36,14 @@ def test_stages_begin_and_end_on_plain_lines(capsys: pytest.CaptureFixture[str])
     assert capsys.readouterr() == ("", "")
 
 
+def test_a_stage_that_is_gone_through_again_says_why(capsys: pytest.CaptureFixture[str]) -> None:
+    with Terminal(quiet=False, json_lines=False) as terminal:
+        for step in range(2):
+            again = progress("frames", step, 1).model_copy(update={"message": "Taking 1 frame again", "subject": ""})
+            terminal.show(again)
+    assert capsys.readouterr().err == "Taking 1 frame again ...\nTaking 1 frame again: 1 of 1\n"
+
+
 def test_a_warning_begins_with_what_it_is_about(capsys: pytest.CaptureFixture[str]) -> None:
     terminal = Terminal(quiet=False, json_lines=False)
     terminal.show(Event(kind="warning", role="asset_formatter", subject="letter", message="it cannot be read"))

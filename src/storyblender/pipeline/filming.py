@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import cached_property
@@ -138,8 +139,8 @@ def film(run: Run) -> None:
         AnswerAwaited: Answers have to come from outside first; the cameras of every scene are asked for before.
     """
     graph = with_frames(run)
-    scenes = [scene.scene_id for scene in graph.scenes if any(s.camera is None for s in graph.shots_of(scene.scene_id))]
-    total = sum(len(graph.shots_of(scene_id)) for scene_id in scenes)
+    unset = Counter(shot.scene_id for shot in graph.shots if shot.camera is None)
+    scenes, total = [scene.scene_id for scene in graph.scenes if unset[scene.scene_id]], unset.total()
     done = 0
     run.progress("camera", done, total)
     threads = ThreadPoolExecutor(max_workers=run.engine.processes)
@@ -185,7 +186,7 @@ def _commit_scene(
         if shot.camera is None
     ]
     run.commit("camera_operator", f"cameras of {scene_name(scene_id)}", *fresh)
-    return len(states)
+    return len(fresh)
 
 
 def _with_camera(shot: ShotContext, state: CameraState, frame: int | None) -> ShotContext:

@@ -92,10 +92,12 @@ def _taken_again(
     former = [shot for shot, _ in again.values()]
     told = ", ".join(f"{name}: {choice.words}" for name, (_, choice) in again.items())
     run.commit("frame_critic", f"taken again: {told}", *(_with_camera(shot, choice) for shot, choice in again.values()))
-    film(run)
+    with run.doing(f"Setting {_counted(again, 'camera')} anew"):
+        film(run)
     foreseen = foresee_frames(run, _present(run, former))
     hopeful = [shot for name, (shot, choice) in again.items() if _better(foreseen[name], before[name], choice)]
-    shoot_frames(run, _present(run, hopeful))
+    with run.doing(f"Taking {_counted(hopeful, 'frame')} again"):
+        shoot_frames(run, _present(run, hopeful))
     after = review_frames(run, _present(run, hopeful))
     worse = [
         shot.model_copy(update={"camera_retake": shot.camera_retake or CameraRetake()})
@@ -105,9 +107,14 @@ def _taken_again(
     if worse:
         names = [shot_name(shot.scene_id, shot.shot_id) for shot in worse]
         run.commit("frame_critic", f"the take before is better: {', '.join(names)}", *worse)
-        shoot_frames(run, _present(run, worse))
+        with run.doing(f"Keeping the former take of {_counted(worse, 'frame')}"):
+            shoot_frames(run, _present(run, worse))
         after |= {name: before[name] for name in names}
     return after
+
+
+def _counted(things: Collection[object], word: str) -> str:
+    return f"{len(things)} {word}{'s' * (len(things) != 1)}"
 
 
 def _better(after: FrameReview, before: FrameReview, choice: CameraRetake) -> bool:

@@ -68,6 +68,7 @@ class Run:
         self._engine, self._cancelled = engine, cancelled or Signal()
         self.packs: dict[int, PackRef] = {}
         self.followed: list[str] = []
+        self._doing = ""
 
     def in_front(self) -> Run:
         """Return a run of the same call whose engine is for what a person waits for."""
@@ -199,7 +200,20 @@ class Run:
             Cancelled: The run is cancelled.
         """
         self._go_on()
-        self.listener(Event(kind="stage", role=stage, subject=subject, step=step, total=total))
+        self.listener(Event(kind="stage", role=stage, subject=subject, message=self._doing, step=step, total=total))
+
+    @contextmanager
+    def doing(self, words: str) -> Iterator[None]:
+        """Call the stages in the block something else than usual, because they are gone through a second time.
+
+        Args:
+            words: What is done, as people read it beside the progress.
+        """
+        self._doing, before = words, self._doing
+        try:
+            yield
+        finally:
+            self._doing = before
 
     def commit(self, author: str, reason: str, *items: Item) -> None:
         """Put items into the graph through the Gatekeeper.

@@ -250,7 +250,8 @@ def _laid_out(
     known = {asset.asset_id for asset in run.graph.assets}
     fresh = [asset for asset in dressing.assets if asset.asset_id not in known]
     run.commit("set_dresser", f"set and dressing of {name}", scene, *fresh)
-    materialize(run, fresh)
+    with run.doing("Building what dresses the sets"):
+        materialize(run, fresh)
     placements = placements_of(run.graph.assets)
     standing, pending = drop_dressing(dressing.objects, plan, faulty, room.clear_radius), dressing.pending
     if scene.layout_decision is not None and scene.layout_decision.things:
@@ -280,7 +281,8 @@ def _with_crowd(run: Run, view: SpatialPlannerView, layout: Layout) -> Layout:
     fresh = {asset.asset_id: asset for asset in figures if asset.asset_id not in known}
     if fresh:
         run.commit("set_dresser", f"people of the background of {scene_name(view.scene_id)}", *fresh.values())
-        materialize(run, list(fresh.values()))
+        with run.doing("Building the people of the background"):
+            materialize(run, list(fresh.values()))
     objects = bystander_objects(found, figures, measures_of(run.graph.assets))
     return layout.model_copy(update={"objects": (*layout.objects, *objects)})
 
