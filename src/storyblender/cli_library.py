@@ -35,9 +35,9 @@ _JOB_COLUMNS: dict[str, Callable[[Any], str]] = {
     "job": lambda job: str(job.id),
     "service": lambda job: job.service,
     "state": lambda job: "sent, not known" if job.state == "begun" else job.state,
-    "$": lambda job: f"{job.price:.2f}",
-    "of the service": lambda job: job.remote_id,
-    "": lambda job: job.reason,
+    "$ paid": lambda job: {"yes": f"{job.price:.2f}", "no": "nothing", "perhaps": f"{job.price:.2f} perhaps"}[job.paid],
+    "its name there": lambda job: job.remote_id,
+    "why it failed": lambda job: job.reason,
 }
 app = typer.Typer(
     no_args_is_help=True,
@@ -150,15 +150,17 @@ def jobs(
     ] = None,
     json_lines: Json = False,
 ) -> None:
-    """List work that services were paid for, with what is not finished.
+    """List work that services were asked for: how far it is, and what was paid.
 
     A job that was sent when its run was ended, so that nobody knows what became of it, is never sent again unasked.
     """
     with shown(quiet=False, json_lines=json_lines) as terminal:
+        from storyblender.library.shared.jobs import AccountedJob
+
         ledger = _library().jobs
         if ask_again is not None:
             ledger.ask_again(ask_again)
-        terminal.listed("jobs", ledger.all(), _JOB_COLUMNS)
+        terminal.listed("jobs", [AccountedJob.of(job) for job in ledger.all()], _JOB_COLUMNS)
 
 
 @app.command(epilog=examples("library clean --dry-run", "library clean"))

@@ -147,6 +147,7 @@ def test_where_a_service_fails_nothing_changes_and_one_sentence_says_why(site: S
     made = cast(project, site, "--make")
     assert made.exit_code == 2
     assert made.stderr.startswith("storyblender: no model of Ada was made") and len(made.stderr.splitlines()) == 1
+    assert "paid" not in made.stderr, "servers of one's own cost nothing"
     assert ada(project) == before
 
 

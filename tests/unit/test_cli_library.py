@@ -215,6 +215,18 @@ def test_paid_work_of_unknown_outcome_is_listed_and_freed() -> None:
     run("jobs", "--ask-again", str(job.id), code=2)
 
 
+def test_what_a_service_refused_is_not_listed_as_paid() -> None:
+    jobs = SharedLibrary.open().jobs
+    jobs.failed(jobs.begin("aa", "openai", 0.04), "openai: it cannot be reached")
+    jobs.failed(jobs.submitted(jobs.begin("bb", "meshy", 0.6), "task-1"), "it made no model")
+    jobs.submitted(jobs.begin("cc", "meshy", 0.6), "task-2")
+    jobs.ask_again(jobs.begin("dd", "gemini", 0.1).id)
+    jobs.begin("ee", "gemini", 0.1)
+    assert [each["paid"] for each in run("jobs")["jobs"]] == ["no", "perhaps", "yes", "perhaps", "perhaps"]
+    (refused,) = (line for line in CliRunner().invoke(app, ["library", "jobs"]).stdout.splitlines() if "openai" in line)
+    assert "nothing" in refused and "0.04" not in refused
+
+
 def test_an_empty_library_has_figures_and_is_not_made() -> None:
     assert run("figures")["figures"]["reduction"] == "0.00 %" and run("list")["entries"] == []
     assert not library_folder().exists()

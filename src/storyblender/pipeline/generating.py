@@ -171,7 +171,8 @@ class Workshop:
         wanted = replace(_wanted(person, prompt), kind="character")
         made = self._made([person], {person.asset_id: wanted})
         if person.asset_id not in made:
-            mend = "nothing is changed, and what is paid for is kept for the next time"
+            paid = self.services.budget.spent("dollars") > 0
+            mend = "nothing is changed" + ", and what is paid for is kept for the next time" * paid
             raise InputError(f"no model of {wanted.name} was made: {self._failed[person.asset_id]}", mend=mend)
         return made[person.asset_id]
 

@@ -23,6 +23,10 @@ FIELDS = ("id", "request", "service", "price", "state", "remote_id", "entry", "r
 _FIELDS = ", ".join(FIELDS)
 
 
+Paid = Literal["yes", "no", "perhaps"]
+_GIVEN_UP = "given up by a person, to be asked again"
+
+
 class OutcomeUnknown(InputError):
     """The same work was sent before and its outcome is unknown; it is not sent again unasked."""
 
@@ -46,6 +50,22 @@ class Job(Frozen):
     """Why it failed."""
     began: float
     """Seconds since 1970."""
+
+
+class AccountedJob(Job):
+    """A job as lists show it."""
+
+    paid: Paid
+
+    @classmethod
+    def of(cls, job: Job) -> AccountedJob:
+        """Return a job with whether it was paid.
+
+        What a service took on is paid. What it refused is not; what failed there, or was never answered, may be.
+        """
+        refused = job.state == "failed" and not job.remote_id and job.reason != _GIVEN_UP
+        paid: Paid = "yes" if job.state in ("submitted", "finished") else "no" if refused else "perhaps"
+        return cls(**job.model_dump(), paid=paid)
 
 
 class JobLedger:
@@ -143,7 +163,7 @@ class JobLedger:
         job = next((each for each in self.unfinished() if each.id == number), None)
         if job is None:
             raise InputError(f"there is no unfinished job {number}", mend="see `storyblender library jobs`")
-        return self.failed(job, "given up by a person, to be asked again")
+        return self.failed(job, _GIVEN_UP)
 
     def restore(self, jobs: Iterable[Job]) -> int:
         """Put jobs into an index that was made anew, with their numbers; return how many.
