@@ -216,7 +216,7 @@ def check_people() -> Finding:
 
 
 def check_services(key: Callable[[str], str] = known_key) -> Finding:
-    """Which services could be asked for assets: what they need is installed and their keys are known; none is asked.
+    """Which services have their key, and how a server of one's own is named; none is asked.
 
     Args:
         key: Returns a key by its name, empty if there is none.
@@ -224,11 +224,18 @@ def check_services(key: Callable[[str], str] = known_key) -> Finding:
     if find_spec("httpx2") is None or find_spec("tenacity") is None:
         mend = 'pip install "storyblender[services]"'
         return Finding("Services", True, "what services need is not installed", mend)
-    missing = {name: [each for each in key_names(name) if not key(each)] for name in get_args(ServiceName)}
-    ready = [name for name, keys in missing.items() if not keys and name != "trellis"]
+    names = [name for name in get_args(ServiceName) if name != "trellis"]
+    missing = {name: [each for each in key_names(name) if not key(each)] for name in names}
+    free = [name for name in names if not key_names(name)]
+    ready = [name for name, keys in missing.items() if not keys and name not in free]
     lacks = [f"{name} ({', '.join(keys)})" for name, keys in missing.items() if keys]
-    says = f"{', '.join(ready)} can be asked" + f"; there is no key for {', '.join(lacks)}" * bool(lacks)
-    return Finding("Services", True, f"{says}; trellis and servers of your own need their address")
+    said = [
+        f"{', '.join(free)} needs no key",
+        *([f"there is a key for {', '.join(ready)}"] if ready else []),
+        *([f"there is no key for {', '.join(lacks)}"] if lacks else []),
+        "trellis is a server of your own, named with its address: trellis@http://127.0.0.1:6006",
+    ]
+    return Finding("Services", True, "; ".join(said))
 
 
 def check_fonts() -> Finding:

@@ -53,6 +53,7 @@ def test_a_real_probe_imports_and_draws(tmp_path: Path) -> None:
 
 def test_services_without_a_key_are_told_and_are_no_fault() -> None:
     found = doctor.check_services({"SKETCHFAB_API_TOKEN": "secret", "TENCENTCLOUD_SECRET_ID": "half"}.get)
-    can, _, lacks = found.says.partition(" can be asked")
-    assert found.healthy and {*can.split(", ")} == {"poly_haven", "sketchfab"}
+    free, has, lacks, own = found.says.split("; ")
+    assert found.healthy and free == "poly_haven needs no key" and has == "there is a key for sketchfab"
     assert "openai (OPENAI_API_KEY)" in lacks and "(TENCENTCLOUD_SECRET_KEY)" in lacks and "secret" not in found.says
+    assert "trellis@http://" in own
