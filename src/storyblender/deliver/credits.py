@@ -14,7 +14,10 @@ from storyblender.services.licences import NOT_PASSED_ON
 
 CREDITS_FILE = "credits.md"
 _COLUMNS = ("Shown as", "File", "Author", "Licence", "Copyright", "Origin", "SHA-256")
-_SPECIAL = re.compile(r"([\\`*_{}\[\]<>|#&])")
+_SPECIAL = re.compile(r"([\\`*~\[\]<|]|(?<!\w)_|_(?!\w)|&(?=#?\w+;))")
+"""What Markdown would read as more than a letter. One ``_`` inside a word is none, so that names of files stay legible
+where the credits are read as plain text.
+"""
 _ADDRESS = re.compile(r"https?://[^\s<>|]+")
 _NOT_SAID = "not stated"
 _POLY_HAVEN = "https://polyhaven.com"

@@ -50,5 +50,18 @@ def test_a_work_that_must_not_be_passed_on_is_named_with_every_file_that_has_it(
     assert ("Not to be passed on as models, nor in story.blend or exports: lute." in read(tmp_path)) is kept
 
 
+@pytest.mark.parametrize(
+    ("said", "written"),
+    [
+        ("tin_cup (2) #1 & co.", "tin_cup (2) #1 & co."),
+        ("_tin_ *cup* a|b", r"\_tin\_ \*cup\* a\|b"),
+        ("<b>[x](y) &lt;", r"\<b>\[x\](y) \&lt;"),
+    ],
+)
+def test_words_are_legible_as_plain_text_and_are_no_markdown(said: str, written: str, tmp_path: Path) -> None:
+    write_credits(story_with(said, ""), tmp_path / "credits.md")
+    assert f"| {written} |" in read(tmp_path)
+
+
 def read(folder: Path) -> str:
     return (folder / "credits.md").read_text()
