@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from storyblender.edits.approving import approved_by, refuse_undrawn
 from storyblender.edits.asset_edits import asset_effects
-from storyblender.edits.dispatcher import Applied, apply_edits
+from storyblender.edits.dispatcher import Applied, apply_edits, given_models
 from storyblender.edits.own_motions import with_own_motions
 from storyblender.edits.pull_conflicts import waiting
 from storyblender.edits.pulling import UNDECIDED, Choice, Pulled, pull
@@ -24,6 +24,7 @@ from storyblender.memory.history import TRIAL, Commit
 from storyblender.memory.panorama import Panorama
 from storyblender.memory.plain_words import names_of, plain
 from storyblender.memory.texture import Texture
+from storyblender.pipeline.chosen_models import refuse_unusable
 from storyblender.pipeline.compiling import story_files
 from storyblender.pipeline.drawing import draw_frames, draw_shots
 from storyblender.pipeline.filming import cuts_made_wrong, film
@@ -32,9 +33,7 @@ from storyblender.pipeline.library_pictures import take_panorama, take_texture
 from storyblender.pipeline.offered_models import take_offer
 from storyblender.pipeline.packing import pack_scenes
 from storyblender.pipeline.panorama import keep_panoramas, take_in_panorama
-from storyblender.pipeline.shooting import (
-    undrawn_shots,
-)
+from storyblender.pipeline.shooting import undrawn_shots
 from storyblender.pipeline.shown import note_shown
 from storyblender.pipeline.textures import keep_textures, take_in_texture
 from storyblender.pipeline.updating import bring_up_to_date
@@ -143,7 +142,7 @@ class Session(ViewedProject):
             revision: What they were made on, as ``revision`` was then; None for the present one.
 
         Raises:
-            InputError: An edit names what does not exist or cannot be, what is locked, or approves what is not drawn.
+            InputError: An edit names what does not exist or cannot be used, is locked, or approves what is not drawn.
             StaleEdit: What they touch has changed since that revision.
         """
         with self._alone():
@@ -151,6 +150,9 @@ class Session(ViewedProject):
                 with self._call() as run:
                     refuse_undrawn(run, names)
             edits = with_own_motions(self._project, self._settings.motions, edits)
+            if given := given_models(self.graph, edits):
+                with self._call() as run:
+                    refuse_unusable(run, given)
             applied = apply_edits(self._project, edits, revision)
             self._tell(Event(kind="commit", role="user", message=applied.words, turn=self._project.revision))
             return applied

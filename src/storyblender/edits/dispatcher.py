@@ -11,8 +11,9 @@ from storyblender.edits.by_hand_edits import refuse_unknown_motions
 from storyblender.edits.conflicts import refuse_stale
 from storyblender.edits.effect import Effect, name_of, with_effects
 from storyblender.edits.families import effects_of
+from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen
-from storyblender.memory.edits import Edit
+from storyblender.memory.edits import AssetEdit, Edit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.plain_words import names_of, plain
 from storyblender.project import Project
@@ -89,6 +90,25 @@ def apply_edits(project: Project, edits: Sequence[Edit], version: str | None = N
     said = [*_approved_and_changed(before, effects), *(each for effect in effects for each in effect.warnings)]
     warnings = tuple(dict.fromkeys(plain(each, names) for each in said))
     return Applied(version=project.version, words=words, stale=tuple(stale), printed=printed, warnings=warnings)
+
+
+def given_models(graph: ContinuityMemoryGraph, edits: Sequence[Edit]) -> list[Asset]:
+    """Return the things and people that edits have made from a model that they name, as they will be decided.
+
+    Args:
+        graph: The story as it is.
+        edits: In order; none is made.
+
+    Raises:
+        InputError: An edit names what does not exist or cannot be, or what is locked.
+    """
+    if not any(isinstance(edit, AssetEdit) and edit.file is not None for edit in edits):
+        return []
+    former = {asset.asset_id: asset.decision.file for asset in graph.assets if asset.decision is not None}
+    for edit in edits:
+        graph = with_effects(graph, effects_of(graph, edit))
+    named = [asset for asset in graph.assets if asset.decision is not None and asset.decision.file]
+    return [asset for asset in named if asset.decision and asset.decision.file != former.get(asset.asset_id)]
 
 
 def _approved_and_changed(graph: ContinuityMemoryGraph, effects: Sequence[Effect]) -> Iterator[str]:

@@ -74,6 +74,11 @@ class LibrarySource:
         self._found[entry.key] = entry
         return self._recipe(entry, EXACT, "a person chose it")
 
+    @property
+    def models(self) -> list[str]:
+        """Names of the models that ``chosen`` takes, the newest first. Raises InputError: it cannot be read."""
+        return [entry.name for entry in self._library.find() if entry.kind in ("model", "character")]
+
     def _recipe(self, entry: LibraryEntry, score: float, reason: str, *, by_meaning: bool = False) -> Recipe:
         provenance = Provenance(source=self.name, file=entry.key)
         return Recipe(

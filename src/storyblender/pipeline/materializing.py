@@ -14,15 +14,15 @@ from storyblender.catalog.meanings import WORDS_BY_AGE
 from storyblender.catalog.parts import PART_PROPS
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.prop_names import prop_of
-from storyblender.catalog.recipe import EXACT, Recipe
+from storyblender.catalog.recipe import Recipe
 from storyblender.errors import AnswerAwaited, EngineError, InputError
 from storyblender.library.file_names import character_file
-from storyblender.library.library_source import LibrarySource
-from storyblender.memory.asset_sheet import Asset, AssetDecision, AssetDimension, CanonicalAsset, ModelPose, Provenance
+from storyblender.memory.asset_sheet import Asset, AssetDecision, AssetDimension, CanonicalAsset, ModelPose
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure, AssetViews
 from storyblender.pipeline.asset_files import assets_to_build, note_asset
 from storyblender.pipeline.asset_views import asset_views
+from storyblender.pipeline.chosen_models import chosen_model
 from storyblender.pipeline.fetching import fetched
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shared_assets import SharedBuilding
@@ -301,28 +301,12 @@ class ConceptArtist:
 
     def _own_model(self, asset: Asset, decision: AssetDecision) -> Asset:
         """Return an asset that a person had made from a model of theirs; where that is gone, from something else."""
-        for source in self._run.sources:
-            content = source.inventory().get(decision.file)
-            if content is not None:
-                recipe = Recipe(
-                    source="file",
-                    key=decision.file,
-                    params={"content": content, **decision.params},
-                    score=EXACT,
-                    reason="a person chose it" if asset.decision is not None else "it is called like the character",
-                    provenance=Provenance(source=source.name, file=decision.file),
-                )
-                return asset.model_copy(update={"canonical": fetched(self._run, recipe).canonical()})
+        reason = "a person chose it" if asset.decision is not None else "it is called like the character"
         try:
-            chosen = [each.chosen(decision.file) for each in self._run.sources if isinstance(each, LibrarySource)]
-            for recipe in filter(None, chosen):
-                model = fetched(self._run, recipe.model_copy(update={"params": decision.params}))
-                return asset.model_copy(update={"canonical": model.canonical()})
+            recipe = chosen_model(self._run, decision, reason)
         except InputError as error:
             return self.give_up(asset, decision.file, str(error))
-        mend = "name the folder with --models, or see `storyblender library list`"
-        error = InputError(f"no folder of models and no library has {decision.file!r}", mend=mend)
-        return self.give_up(asset, decision.file, str(error))
+        return asset.model_copy(update={"canonical": recipe.canonical()})
 
 
 def workshop_of(run: Run) -> Workshop | None:

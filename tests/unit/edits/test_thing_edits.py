@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from concurrent.futures import Future
 from pathlib import Path
 from typing import Any
 
@@ -10,10 +12,13 @@ import pytest
 from tests.every import every
 from tests.home import SETTINGS
 from tests.model_files import write_cabinet
+from tests.stand_in_engine import StandInEngine
 
 from storyblender.edits.words import edits_of
-from storyblender.errors import InputError
+from storyblender.errors import EngineError, InputError
 from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.jobs import AssetJob
+from storyblender.memory.measure import AssetMeasure
 from storyblender.session import Session
 from storyblender.studio import Studio
 
@@ -111,10 +116,44 @@ def test_a_model_is_given_and_turned_at_once(with_models: Session) -> None:
     assert decision is not None and (decision.file, decision.params) == ("radio.obj", pose)
 
 
-def test_where_a_file_is_gone_something_else_stands_in(with_models: Session) -> None:
-    apply(with_models, thing("replace", file="gone.glb"))
+def test_where_a_file_is_gone_something_else_stands_in(with_models: Session, tmp_path: Path) -> None:
+    applied = with_models.apply(edits_of([thing("replace", file="radio.obj")]))
+    (tmp_path / "models" / "radio.obj").unlink()
+    with_models.draw(applied)
     made = letter(with_models).canonical
     assert made is not None and made.source != "file"
+
+
+@every(
+    "named told",
+    [
+        ("nope.obj", "no folder of models and no library has 'nope.obj'; there are: radio.obj"),
+        ("models/radio.obj", "name it by its path in the folder: radio.obj"),
+    ],
+)
+def test_a_model_that_there_is_not_is_refused_at_once(with_models: Session, named: str, told: str) -> None:
+    before = with_models.revision
+    for name in ("letter", "tom"):
+        with pytest.raises(InputError, match=re.escape(told)):
+            with_models.apply(edits_of([thing("replace", name, file=named)]))
+    assert with_models.revision == before
+
+
+def test_a_model_that_cannot_be_read_is_refused_at_once(
+    with_models: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refused(_: StandInEngine, job: AssetJob) -> Future[AssetMeasure]:
+        future: Future[AssetMeasure] = Future()
+        wrong = f"build_asset: {tmp_path / 'models' / 'radio.obj'}: the model cannot be used: it is empty"
+        future.set_exception(EngineError(wrong))
+        return future
+
+    before = with_models.revision
+    monkeypatch.setattr(StandInEngine, "build_asset", refused)
+    for name in ("letter", "tom"):
+        with pytest.raises(InputError, match=r"^radio\.obj: the model cannot be used: it is empty$"):
+            with_models.apply(edits_of([thing("replace", name, file="radio.obj")]))
+    assert with_models.revision == before
 
 
 def test_what_was_decided_of_a_thing_stays_when_the_script_tells_more_of_it(with_models: Session, folder: Path) -> None:
