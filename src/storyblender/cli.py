@@ -250,7 +250,10 @@ cli_why.add_to(app)
 
 @app.command(epilog=examples("check my_film.storyboard"))
 def check(context: typer.Context, folder: Folder, json_lines: Json = False) -> None:
-    """Check a project: layout, framing, continuity, collisions, people in frame. Exits 1 if something is wrong."""
+    """Check a project: layout, framing, continuity, collisions, people in frame, story.
+
+    Below the table each thing to look at is a sentence. Exits 1 if there is any. Frames are scored as `evaluate` does.
+    """
     with shown(quiet=False, json_lines=json_lines) as terminal:
         studio = open_studio(terminal, project=folder, ahead=context.obj)
         report = studio.check(folder)
@@ -265,7 +268,10 @@ def evaluate(
     ],
     json_lines: Json = False,
 ) -> None:
-    """Say of every frame how well it tells its lines, 1 to 10, and what is wrong with it."""
+    """Say of every frame how well it tells its lines, 1 to 10, and what is wrong with it.
+
+    From 8 on a frame passes, under 5 it is rejected. This only reports and exits 0; `check` exits 1 if a frame fails.
+    """
     with shown(quiet=False, json_lines=json_lines) as terminal:
         for folder in folders:
             terminal.reviews(folder, open_studio(terminal, project=folder).evaluate(folder))

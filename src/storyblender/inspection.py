@@ -107,7 +107,7 @@ def inspect(
     findings: list[str] = []
     rows = [
         _layout_row(graph, findings),
-        CheckRow(name="drift of static things (SDE)", value=f"{drift:g}", ok=drift == 0),
+        _drift_row(drift, findings),
         _presence_row(graph, sights, findings),
         _hidden_row(graph, sights, findings),
         _inside_row(sights, findings),
@@ -136,6 +136,15 @@ def _layout_row(graph: ContinuityMemoryGraph, findings: list[str]) -> CheckRow:
     return CheckRow(name="layout violations", value=f"{kinds.total()}{counted}", ok=not kinds)
 
 
+def _drift_row(drift: float, findings: list[str]) -> CheckRow:
+    """SDE (paper, appendix): how far a thing that nobody touches moves, in metres."""
+    if drift:
+        findings.append(
+            f"a thing that nobody touches moves by {drift:g} m between shots, which is a fault of StoryBlender"
+        )
+    return CheckRow(name="metres that untouched things move (SDE)", value=f"{drift:g}", ok=drift == 0)
+
+
 def _presence_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], findings: list[str]) -> CheckRow:
     """OCCM (paper, appendix): exp(-|D - E| / (eps + E)), D counted in the ID mask, E as planned.
 
@@ -158,7 +167,7 @@ def _presence_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], fi
             shown, planned = (", ".join(sorted(people)) or "nobody" for people in (seen, shot.shown))
             findings.append(f"{name}: shows {shown}; should show {planned}")
     mean = 100 * sum(scores) / max(1, len(scores))
-    return CheckRow(name="on-stage count matching", value=f"{mean:.1f}", ok=mean >= 95)
+    return CheckRow(name="people seen as planned, of 100 (OCCM)", value=f"{mean:.1f}", ok=mean >= 95)
 
 
 def _hidden_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], findings: list[str]) -> CheckRow:

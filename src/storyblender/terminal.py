@@ -290,7 +290,7 @@ class Terminal:
             self._write(report.model_dump(mode="json"))
         table = Table("check", "value", "", box=None)
         for row in report.rows:
-            table.add_row(row.name, row.value, "[green]ok[/]" if row.ok else "[red]look[/]")
+            table.add_row(row.name, row.value, "[green]ok[/]" if row.ok else "[red]see below[/]")
         self._results.print(table)
         for finding in report.findings:
             self._results.print(f"  [yellow]{plain(finding)}[/]", soft_wrap=True)

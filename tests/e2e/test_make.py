@@ -59,7 +59,7 @@ def test_the_project_is_clean(project: Path) -> None:
     done = storyblender("check", project, "--json")
     report = json.loads(done.stdout.splitlines()[-1])
     rows = {row["name"]: row["value"] for row in report["rows"]}
-    assert rows["layout violations"] == "0" and float(rows["drift of static things (SDE)"]) == 0
+    assert rows["layout violations"] == "0" and float(rows["metres that untouched things move (SDE)"]) == 0
     assert rows["cameras inside geometry"] == "0"
 
 
