@@ -112,6 +112,10 @@ def _resized(asset: Asset, made: CanonicalAsset, factor: float) -> Asset:
         canonical = whole.canonical.model_copy(update={**measures, "match_score": made.match_score})
         kept = {"kind": asset.kind, "image_prompt": asset.image_prompt}
         return whole.model_copy(update={"canonical": canonical, "dimension": dimension, **kept})
+    if made.source == "file":  # which need not have the size that such a thing usually has
+        width, depth, height = measures["dimensions"]
+        level = max(width, depth)
+        dimension = AssetDimension(height=height) if height >= level else AssetDimension(width=level)
     canonical = made.model_copy(update={**measures, "params": {**made.params, "told": True}})
     decided = {"decision": _file_in_size(made, dimension)} if made.source == "file" else {}
     return asset.model_copy(update={"canonical": canonical, "dimension": dimension, **decided})

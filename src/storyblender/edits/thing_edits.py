@@ -15,6 +15,8 @@ from storyblender.memory.edits import AssetEdit
 from storyblender.memory.graph import ContinuityMemoryGraph
 
 SIDES: Final[tuple[str, ...]] = ("width", "depth", "height")
+ODD: Final = 4.0
+"""Times as large, or as small, as a thing was, from which on a person is told so: metres may not be what was meant."""
 _SAME = 0.001
 """Relative difference of factors that are the same one."""
 
@@ -121,7 +123,9 @@ def _resized(graph: ContinuityMemoryGraph, asset: Asset, dimension: AssetDimensi
     first = next(iter(factors.values()))
     words = f"is {', '.join(f'{length:g} m {_WORDS[side]}' for side, length in told.items())}"
     if all(abs(each / first - 1) < _SAME for each in factors.values()):
-        return thing_scaled(graph, asset, first, words)
+        whole, *scenes = thing_scaled(graph, asset, first, words)
+        odd = f"{asset.asset_id} is {first:.2g} times as large as it was"
+        return [whole.warned((odd,) if max(first, 1 / first) > ODD else ()), *scenes]
     made = built(asset, tuple(factors.get(side, 1.0) for side in SIDES))  # type: ignore[arg-type]
     if made.source != "catalog":
         mend = "give one side; the others follow"

@@ -89,7 +89,7 @@ def find_scale(
     """
     wanted = _wanted(extent, dimension)
     if certainty == "told" and wanted is not None:
-        return wanted, "" if abs(wanted - 1) < 0.02 else "the script says how large it is"
+        return wanted, "" if abs(wanted - 1) < 0.02 else "its size was given"
     if certainty == "estimated" and wanted is not None:
         return _near_unit(wanted, unit)
     goal = (wanted if usual is None else float(np.exp(usual.offsets(extent)[0]))) if wanted or usual else None

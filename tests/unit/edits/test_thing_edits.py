@@ -95,6 +95,23 @@ def test_a_thing_is_made_from_a_file_of_the_user_and_turned(with_models: Session
     assert session.graph.model_dump_json() == before.model_dump_json()
 
 
+def test_a_model_becomes_as_high_as_is_said_and_an_odd_size_is_told(with_models: Session) -> None:
+    session = with_models
+    apply(session, thing("replace", "table", file="radio.obj"))
+    made = session.graph.asset("table").canonical
+    assert made is not None
+    wanted = made.dimensions[2] * 9
+    applied = session.apply(edits_of([thing("resize", "table", dimension={"height": wanted})]))
+    assert applied.warnings == ("the table is 9 times as large as it was",)
+    table = session.graph.asset("table")
+    assert table.canonical is not None and table.canonical.dimensions[2] == pytest.approx(wanted)
+    sides = dict(zip(("width", "depth", "height"), table.canonical.dimensions, strict=True))
+    (told,) = [(side, length) for side, length in table.dimension or () if length is not None]
+    assert told[1] == pytest.approx(sides[told[0]]), "what it is built in is the size of the model, not the usual one"
+    again = session.apply(edits_of([thing("resize", "table", dimension={"height": wanted * 1.5})]))
+    assert not again.warnings
+
+
 def test_a_character_is_made_from_a_file_of_the_user_until_given_back(with_models: Session) -> None:
     session, before = with_models, with_models.graph.asset("tom")
     applied = session.apply(edits_of([thing("replace", "tom", file="radio.obj")]))

@@ -31,7 +31,7 @@ def test_without_a_name_only_what_cannot_be_metres_is_scaled() -> None:
 
 def test_what_the_script_tells_counts() -> None:
     scale, reason = find_scale(np.array([0.2, 0.2, 0.5]), None, AssetDimension(height=1.0), certainty="told")
-    assert scale == pytest.approx(2.0) and "script" in reason
+    assert scale == pytest.approx(2.0) and reason == "its size was given"
 
 
 def test_an_estimate_chooses_the_unit_and_counts_itself_where_none_is_near() -> None:
