@@ -17,7 +17,10 @@ if TYPE_CHECKING:
     from storyblender.library.shared.shared_library import SharedLibrary
 
 Named = Annotated[
-    str, typer.Argument(metavar="ENTRY", help="Its name, its path as credits.md has it, or eight digits of its digest.")
+    str,
+    typer.Argument(
+        metavar="ENTRY", help="Its name, its path as credits.md has it, or the first column of `library list`."
+    ),
 ]
 Words = Annotated[str, typer.Argument(metavar="[WORDS]", help="All of them are in name, tags, author or licence.")]
 Kind = Annotated[str | None, typer.Option(help="model, texture, panorama, motion, image or character.")]
@@ -48,9 +51,14 @@ app = typer.Typer(
 
 @app.command(name="list", epilog=examples("library list", "library list armchair", "library list --kind panorama"))
 def list_entries(words: Words = "", kind: Kind = None, source: Source = "", json_lines: Json = False) -> None:
-    """List what is in the library, the newest first."""
+    """List what is in the library, the newest first.
+
+    It lies in the folder that `STORYBLENDER_LIBRARY` names, else in `~/.local/share/storyblender/library`.
+    """
     with shown(quiet=False, json_lines=json_lines) as terminal:
-        terminal.listed("entries", _found(words, kind, source), _COLUMNS)
+        found, root = _found(words, kind, source), _library().files.root
+        none = f"nothing in the library in {root} is like that" if words or kind or source else ""
+        terminal.listed("entries", found, _COLUMNS, none or f"the library is empty; it is in {root}")
 
 
 @app.command(epilog=examples("library show 'Arm Chair 01'", "library show 3f9a11c0 --picture chair.png"))
@@ -88,7 +96,8 @@ def add(
     """Add models and panoramas with the files that they name; a story finds them by the words of their file's name.
 
     Whose work they are is read from the options, then from `chair.credits.toml` or `credits.toml` beside them. Without
-    a licence they count as your own. Each file is read first: if one cannot be, it is named and nothing is added.
+    a licence they count as your own. Of USD files only .usdz is taken: others may have parts elsewhere. Each file is
+    read first: if one cannot be, it is named and nothing is added.
     """
     with shown(quiet=False, json_lines=json_lines) as terminal:
         from storyblender.library.embedder import load_embedder
@@ -160,7 +169,12 @@ def jobs(
         ledger = _library().jobs
         if ask_again is not None:
             ledger.ask_again(ask_again)
-        terminal.listed("jobs", [AccountedJob.of(job) for job in ledger.all()], _JOB_COLUMNS)
+        terminal.listed(
+            "jobs",
+            [AccountedJob.of(job) for job in ledger.all()],
+            _JOB_COLUMNS,
+            "no service was asked to make anything",
+        )
 
 
 @app.command(epilog=examples("library clean --dry-run", "library clean"))
@@ -222,12 +236,17 @@ def _library() -> SharedLibrary:
 def _found(words: str, kind: str | None, source: str) -> list[LibraryEntry]:
     from typing import get_args
 
-    from storyblender.library.shared.entries import EntryKind
+    from storyblender.library.shared.entries import ADDED, EntryKind
+    from storyblender.service_setting import ServiceName
 
     known = next((each for each in get_args(EntryKind) if each == kind), None)
     if kind is not None and known is None:
         raise InputError(f"there is no kind {kind!r}", mend=f"it is one of {', '.join(get_args(EntryKind))}")
-    return _library().find(words, known, source)
+    library = _library()
+    sources = {ADDED, *get_args(ServiceName)}
+    if source and source not in sources and not library.find(source=source):
+        raise InputError(f"nothing comes from {source!r}", mend=f"it is one of {', '.join(sorted(sources))}")
+    return library.find(words, known, source)
 
 
 def _facts(library: SharedLibrary, entry: LibraryEntry) -> dict[str, str]:
@@ -264,8 +283,10 @@ def _facts(library: SharedLibrary, entry: LibraryEntry) -> dict[str, str]:
 
 def _entry(library: SharedLibrary, told: str) -> LibraryEntry:
     """Return the entry that a person means. Raises InputError."""
-    entry = library.told(told)
-    if entry is None:
-        mend = "see `storyblender library list`; eight digits tell which of several is meant"
-        raise InputError(f"the library has no one entry {told!r}", mend=mend)
-    return entry
+    found = library.all_told(told)
+    if not found:
+        raise InputError(f"the library has no entry {told!r}", mend="see `storyblender library list`")
+    if len(found) > 1:
+        mend = f"name one of them: {', '.join(entry.digest[:8] for entry in found)}"
+        raise InputError(f"the library has {len(found)} entries {told!r}", mend=mend)
+    return found[0]

@@ -219,11 +219,23 @@ class Terminal:
                 read = f"“{line[word.start : word.end]}” read as {word.kind} {word.what} ({word.rule})"
                 self._results.print(f"  {plain(read)}", soft_wrap=True)
 
-    def listed(self, what: str, values: Sequence[Frozen], columns: Mapping[str, Callable[[Any], str]]) -> None:
-        """Print a list of values as a table with what each column reads of them; as JSON they are told whole."""
+    def listed(
+        self, what: str, values: Sequence[Frozen], columns: Mapping[str, Callable[[Any], str]], none: str = ""
+    ) -> None:
+        """Print a list of values as a table with what each column reads of them; as JSON they are told whole.
+
+        Args:
+            what: Their name in JSON.
+            values: In the order to print.
+            columns: Heading to what it reads of a value.
+            none: What is said where there is no value; empty for a table without rows.
+        """
         self._progress.stop()
         if self._json:
             self._write({what: [value.model_dump(mode="json") for value in values]})
+        if none and not values:
+            self._results.print(plain(none), soft_wrap=True)
+            return
         table = Table(*columns, box=None)
         for value in values:
             table.add_row(*(plain(read(value)) for read in columns.values()))

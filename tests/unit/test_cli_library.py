@@ -113,6 +113,25 @@ def test_a_file_that_cannot_be_read_is_refused_and_nothing_is_added(
     assert run("list")["entries"] == []
 
 
+def test_none_and_several_are_told_apart(models: Path, tmp_path: Path) -> None:
+    assert str(library_folder()) in CliRunner().invoke(app, ["library", "list"]).stdout
+    (tmp_path / "other").mkdir()
+    (tmp_path / "other/vase.obj").write_text("v 1 2 3\n")
+    run("add", models, tmp_path / "other", "--no-picture")
+    digests = [each["digest"] for each in run("list", "vase")["entries"]]
+    several, none = run("show", "vase", code=2)["error"], run("show", "lantern", code=2)["error"]
+    assert len(digests) == 2 and all(digest[:8] in several for digest in digests)
+    assert "no entry 'lantern'" in none and "several" not in none
+    assert run("show", digests[0][:8])["entry"]["entry"] == digests[0]
+    assert run("list", "--source", "meshy")["entries"] == []
+    assert "poly_haven" in run("list", "--source", "foo", code=2)["error"]
+
+
+def test_a_model_in_parts_is_refused_with_what_to_export(tmp_path: Path) -> None:
+    (tmp_path / "lantern.usda").write_text("#usda 1.0")
+    assert "as one .usdz" in run("add", tmp_path / "lantern.usda", code=2)["error"]
+
+
 @pytest.mark.parametrize("uri", ["gone.bin", "../secret.bin", "/etc/hostname"])
 def test_a_model_that_names_what_is_not_in_its_folder_is_refused(uri: str, tmp_path: Path) -> None:
     (tmp_path / "secret.bin").write_bytes(b"secret")

@@ -38,6 +38,8 @@ def works_in(path: Path) -> list[Path]:
     works = [each for each in found if each.suffix.lower() in KINDS]
     if not works:
         mend = f"name a file or a folder of {', '.join(KINDS)}"
+        if path.is_file() and path.suffix.lower() in _IN_PARTS:
+            mend = f"a {path.suffix.lower()} may take parts from other files: export it as one .usdz"
         raise InputError("has nothing that can be added" if path.exists() else "does not exist", mend=mend, path=path)
     return works
 

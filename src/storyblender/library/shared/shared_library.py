@@ -170,7 +170,12 @@ class SharedLibrary:
         return row[0] if row else 0.0
 
     def told(self, text: str) -> LibraryEntry | None:
-        """Return the entry that a person means, whole or not: by digest or its first digits, by key, or by name.
+        """Return the one entry that a person means, as ``all_told``; None if it is none or several."""
+        found = self.all_told(text)
+        return found[0] if len(found) == 1 else None
+
+    def all_told(self, text: str) -> list[LibraryEntry]:
+        """Return the entries that a person may mean, whole or not: by digest or its first digits, by key, or by name.
 
         Args:
             text: At least eight digits of a digest, ``<source>/<id>/<file>`` as in a story's credits, or a name.
@@ -182,7 +187,7 @@ class SharedLibrary:
         else:
             found = self._digests("SELECT digest FROM origins WHERE source = ? AND source_id = ?", first, second)
             found = found or self._digests("SELECT digest FROM entries WHERE name = ? COLLATE NOCASE", text)
-        return next(iter(self.entries(found)), None) if len(found) == 1 else None
+        return list(self.entries(found))
 
     def find(self, words: str = "", kind: EntryKind | None = None, source: str = "") -> list[LibraryEntry]:
         """Return entries for a person to look at, the newest first; their files are not checked.
