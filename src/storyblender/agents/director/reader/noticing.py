@@ -89,7 +89,7 @@ def _is_not_present(state: ReaderState, phrases: list[Phrase], index: int, noun:
         return True
     if noun.determiner == "no" or _is_likened(state.sentence.words, noun.index) or _is_predicate(phrases, index, noun):
         return True
-    if _is_in_an_idiom(state, noun):
+    if _is_in_an_idiom(state, noun) or _is_around_the_room(phrases, index, noun):
         return True
     bare = not noun.determiner and noun.possessor is None and not noun.plural
     if bare and state.sentence.words[noun.index].text.istitle() and lexicon.noun_class(noun.key) == "unknown":
@@ -98,6 +98,15 @@ def _is_not_present(state: ReaderState, phrases: list[Phrase], index: int, noun:
         return True
     lately = {state.inventory.head(thing) for thing in state.discourse.recent_things}
     return noun.head in _SHOWN and noun.determiner == "the" and bool(lately & _SCREENS)
+
+
+@rule("things.around_the_room", without=False)
+def _is_around_the_room(phrases: list[Phrase], index: int, noun: NounPhrase) -> bool:
+    """Whether a noun is the building that a room is in: ``the kitchen of the lighthouse``."""
+    if index < 2 or phrases[index - 1].text != "of" or noun.head not in lexicon.PLACES:
+        return False
+    room = phrases[index - 2].noun
+    return room is not None and room.head in lexicon.INDOOR
 
 
 @rule("things.likened", without=False)

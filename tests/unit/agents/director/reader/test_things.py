@@ -96,3 +96,17 @@ def test_a_direction_shows_the_thing_that_does_something(read_scene: Read) -> No
 )
 def test_a_word_before_a_noun_is_no_thing_of_its_own(read_scene: Read, action: str, names: set[str]) -> None:
     assert {thing.name for thing in read_scene(f"JOE (40, a man) sits. {action}").things} == names
+
+
+@pytest.mark.parametrize(
+    ("action", "building", "there"),
+    [
+        ("In the kitchen of the lighthouse, JOE (40, a man) reads a letter.", "lighthouse", False),
+        ("JOE (40, a man) crosses the hall of the castle.", "castle", False),
+        ("JOE (40, a man) points at the lamp of the lighthouse.", "lighthouse", True),
+    ],
+)
+def test_the_building_around_a_room_is_no_thing_in_it(
+    read_scene: Read, action: str, building: str, there: bool
+) -> None:
+    assert (building in [thing.name for thing in read_scene(action).things]) is there
