@@ -32,6 +32,9 @@ from storyblender.trace import Event
 if TYPE_CHECKING:
     from storyblender.pipeline.generating import Workshop
 
+_LARGE = 16 << 20
+"""Bytes of a model from which reading and simplifying it may take minutes."""
+
 
 def materialize(run: Run, assets: Sequence[Asset] | None = None) -> None:
     """Decide, size, build and measure every asset that is not built yet or whose files are damaged; one commit.
@@ -46,6 +49,7 @@ def materialize(run: Run, assets: Sequence[Asset] | None = None) -> None:
     draw, building = asset_views(run), SharedBuilding(run)
     concept = ConceptArtist(run, draw)
     found, prompts = concept.all_decided(missing), ImagePrompts()
+    _tell_large_models(run, found)
     if concept.workshop is not None:
         found, prompts = concept.all_made(found)
     decided = all_sized(run, concept, concept.all_formatted(found), draw)
@@ -60,6 +64,17 @@ def materialize(run: Run, assets: Sequence[Asset] | None = None) -> None:
     building.give(built)
     told = f"{len(built)} asset{'s' * (len(built) != 1)} built"
     run.commit("asset_formatter", told, *_with_prompts(run, built, prompts))
+
+
+def _tell_large_models(run: Run, assets: Sequence[Asset]) -> None:
+    """Say which of the user's models may take minutes, before they do."""
+    models = {made.key: asset.asset_id for asset in assets if (made := asset.canonical) and made.source == "file"}
+    for key, asset_id in models.items():
+        file = next((path for folder in run.settings.models if (path := folder / key).is_file()), None)
+        size = file.stat().st_size if file is not None else 0
+        if size >= _LARGE:
+            message = f"{key} has {size >> 20} MB: to read and simplify it may take minutes"
+            run.tell(Event(kind="warning", role="asset_formatter", subject=asset_id, message=message))
 
 
 def _with_prompts(run: Run, assets: Sequence[Asset], known: ImagePrompts) -> list[Asset]:

@@ -111,6 +111,13 @@ def test_another_thing_stands_in_for_a_model_that_cannot_be_read(tmp_path: Path)
     assert warnings and "chair.glb cannot be read" in warnings[0].message
 
 
+def test_a_large_model_is_told_before_it_takes_minutes(tmp_path: Path) -> None:
+    with (tmp_path / "chair.glb").open("wb") as large:
+        large.truncate(40 << 20)
+    _, warnings = materialized(tmp_path, ())
+    assert [each.message for each in warnings] == ["chair.glb has 40 MB: to read and simplify it may take minutes"]
+
+
 def test_a_library_that_cannot_be_built_is_an_error(tmp_path: Path) -> None:
     with pytest.raises(EngineError):
         materialized(tmp_path, ("catalog",))
