@@ -108,14 +108,16 @@ def cast(
         from storyblender.edits.look_words import look_edit
         from storyblender.edits.words import edits_of
 
+        looks = bool(wear or take_off or any(value is not None for value in said.values()))
         if person is None:
+            if looks or make or dry_run or services or file or front or top:
+                raise InputError("nobody is named", mend="`storyblender cast FOLDER PERSON` and then the options")
             from storyblender.project import read_project_graph
             from storyblender.workplace.cast import cards_of
 
             people = [card for card in cards_of(read_project_graph(folder)) if card.sort == "person"]
             terminal.listed("cast", people, _COLUMNS)
             return
-        looks = bool(wear or take_off or any(value is not None for value in said.values()))
         if make:
             if file or looks:
                 mend = "change the look first, then have the model made of it" if looks else "leave one of the two out"

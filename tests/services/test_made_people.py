@@ -189,14 +189,22 @@ def test_what_is_missing_in_the_settings_is_said(site: Site, project: Path, monk
     monkeypatch.delenv("OPENAI_API_KEY", raising=False)
     words = ["cast", str(project), "ada", "--make", "--services"]
     for services, told in {
-        f"hunyuan3d@{site.address}": "no service that draws pictures; name one of gemini, openai",
-        f"openai@{site.address}": "no service that makes models of pictures; name one of hunyuan3d",
+        f"hunyuan3d@{site.address}": "none of hunyuan3d draws pictures; name one that draws (gemini, openai) and",
+        f"openai@{site.address}": "none of openai makes models of pictures; name one that draws",
+        "poly_haven": "none of poly_haven draws pictures",
         f"openai,hunyuan3d@{site.address}": "there is no key for openai",
     }.items():
         refused = CliRunner().invoke(app, [*words, services])
         assert refused.exit_code == 2 and told in refused.stderr, refused.stderr
-    assert "no service that draws pictures" in cast(project, None, "--make").stderr
+    assert "no service is named that draws pictures" in cast(project, None, "--make").stderr
     assert not site.hits
+
+
+@pytest.mark.parametrize("words", ["--make --dry-run", "--services openai,meshy", "--age 30", "--file knight.glb"])
+def test_who_is_not_named_is_not_changed(words: str, project: Path) -> None:
+    refused = CliRunner().invoke(app, ["cast", str(project), *words.split()])
+    assert refused.exit_code == 2 and "nobody is named" in refused.stderr
+    assert CliRunner().invoke(app, ["cast", str(project)]).exit_code == 0
 
 
 def test_the_price_is_told_without_asking_anybody(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -75,11 +75,16 @@ def _services(run: Run, person: Asset) -> ServiceRun:
     """Return what the run gives the services. Raises InputError where the settings do not allow them."""
     if person.look is not None and person.look.species:
         raise InputError(f"{person.asset_id} is a {person.look.species}", mend="services make human characters only")
-    names = {choice.name for choice in services_in(run.settings.services)}
+    names = [choice.name for choice in services_in(run.settings.services)]
     for register, does in ((IMAGE_MODELS, "draws pictures"), (MODEL_MAKERS, "makes models of pictures")):
-        if not names & {*register}:
-            mend = f"name one of {', '.join(register)}: --services gemini,hunyuan3d, or the setting `services`"
-            raise InputError(f"there is no service that {does}", mend=mend)
+        if not {*names} & {*register}:
+            problem = f"none of {', '.join(names)} {does}" if names else f"no service is named that {does}"
+            mend = (
+                f"name one that draws ({', '.join(IMAGE_MODELS)}) and one that makes models "
+                f"({', '.join(MODEL_MAKERS)}), as in --services gemini,hunyuan3d; "
+                "most need a key and cost money, which --dry-run tells before"
+            )
+            raise InputError(problem, mend=mend)
     if not run.settings.library:
         raise InputError("what services make is kept in your library, which is turned off", mend="set library = true")
     if run.settings.licences == "free":
