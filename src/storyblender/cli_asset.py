@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Annotated, Any
+from typing import Annotated, Any, get_args
 
 import typer
 
@@ -17,6 +17,7 @@ from storyblender.cli_options import (
     Revision,
     edit_and_draw,
     examples,
+    model_pose,
 )
 from storyblender.errors import InputError
 from storyblender.shell import shown
@@ -77,6 +78,7 @@ def asset(
     """
     with shown(quiet, json_lines) as terminal:
         from storyblender.edits.words import edits_of
+        from storyblender.memory.asset_sheet import ModelSide
 
         if thing is None:
             from storyblender.project import read_project_graph
@@ -86,7 +88,7 @@ def asset(
             terminal.listed("assets", things, _COLUMNS)
             return
         size = {side: given for side, given in (("width", width), ("depth", depth), ("height", height)) if given}
-        pose = {side: given for side, given in (("front", front), ("top", top)) if given}
+        pose = model_pose(get_args(ModelSide), front=front, top=top)
         said: dict[str, dict[str, object]] = {"replace": {"model": model} if model else {"file": file} if file else {}}
         said |= {"regenerate": {"thing": thing} if another else {}, "turn": {"pose": pose} if pose else {}}
         said |= {"resize": {"dimension": size} if size else {}, "rename": {"name": name} if name else {}}

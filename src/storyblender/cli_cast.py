@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Annotated, Any
+from typing import Annotated, Any, get_args
 
 import typer
 
@@ -17,6 +17,7 @@ from storyblender.cli_options import (
     Revision,
     edit_and_draw,
     examples,
+    model_pose,
     open_studio,
 )
 from storyblender.errors import InputError
@@ -106,18 +107,22 @@ def cast(
     }  # fmt: skip
     with shown(quiet, json_lines) as terminal:
         from storyblender.edits.look_words import look_edit
+        from storyblender.edits.targets import person_named
         from storyblender.edits.words import edits_of
+        from storyblender.memory.asset_sheet import ModelSide
+        from storyblender.project import read_project_graph
 
+        graph = read_project_graph(folder)
         looks = bool(wear or take_off or any(value is not None for value in said.values()))
         if person is None:
             if looks or make or dry_run or services or file or front or top:
                 raise InputError("nobody is named", mend="`storyblender cast FOLDER PERSON` and then the options")
-            from storyblender.project import read_project_graph
             from storyblender.workplace.cast import cards_of
 
-            people = [card for card in cards_of(read_project_graph(folder)) if card.sort == "person"]
+            people = [card for card in cards_of(graph) if card.sort == "person"]
             terminal.listed("cast", people, _COLUMNS)
             return
+        person = person_named(graph, person)
         if make:
             if file or looks:
                 mend = "change the look first, then have the model made of it" if looks else "leave one of the two out"
@@ -131,7 +136,7 @@ def cast(
             raise InputError("--dry-run and --services are for --make", mend="add --make, or leave them out")
         about = {"kind": "asset", "thing": person}
         model: list[dict[str, object]] = [{**about, "action": "replace", "file": file}] if file else []
-        pose = {side: given for side, given in (("front", front), ("top", top)) if given}
+        pose = model_pose(get_args(ModelSide), front=front, top=top)
         model += [{**about, "action": "turn", "pose": {"top": "top", **pose}}] if pose else []
         edits = list(edits_of(model))
         if not edits or looks:

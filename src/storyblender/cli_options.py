@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from storyblender.errors import InputError
 from storyblender.terminal import Terminal
 
 if TYPE_CHECKING:
@@ -43,6 +44,24 @@ Services = Annotated[
         "Off by default."
     ),
 ]
+
+
+def model_pose(sides: Sequence[str], **given: str | None) -> dict[str, str]:
+    """Return which sides of a model were said to be its front and top, as an edit has them.
+
+    Args:
+        sides: That it may be.
+        given: What stands behind ``--front`` and ``--top``; None where it was left out.
+
+    Raises:
+        InputError: It is no side.
+    """
+    pose = {option: side for option, side in given.items() if side}
+    for option, side in pose.items():
+        if side not in sides:
+            mend = f"it is {', '.join(sides[:-1])} or {sides[-1]}"
+            raise InputError(f"--{option} cannot be {side!r}", mend=mend)
+    return pose
 
 
 def examples(*lines: str) -> str:

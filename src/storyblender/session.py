@@ -13,7 +13,7 @@ from storyblender.edits.dispatcher import Applied, apply_edits, given_models
 from storyblender.edits.own_motions import with_own_motions
 from storyblender.edits.pull_conflicts import waiting
 from storyblender.edits.pulling import UNDECIDED, Choice, Pulled, pull
-from storyblender.edits.targets import person_or_thing, shots_named
+from storyblender.edits.targets import person_named, shots_named
 from storyblender.edits.undo import next_steps, redo_edit, undo_edit
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Asset
@@ -121,7 +121,7 @@ class Session(ViewedProject):
 
     def _person_to_make(self, name: str) -> Asset:
         """Return a character who may get another model. Raises InputError."""
-        person = self.graph.asset(person_or_thing(self.graph, name))
+        person = self.graph.asset(person_named(self.graph, name))
         if person.asset_type != "character":
             raise InputError(f"{person.asset_id} is a thing", mend="things are made by services in `storyblender make`")
         asset_effects(self.graph, AssetEdit(thing=person.asset_id, action="replace", file="model.glb"))

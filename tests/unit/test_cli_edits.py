@@ -80,6 +80,9 @@ def test_locks_are_set_seen_and_lifted(folder: Path) -> None:
         (["edit", SHOT, "--at", "1,2,3", "--look-at", "1,2,3"], "at least 5 cm away"),
         (["edit", "--batch", "nowhere.json"], "nowhere.json"),
         (["lock", "SC010", "--part", "camera"], "SC010 is a scene and has no camera to lock"),
+        (["cast", "peter", "--age", "30"], "there is no person 'peter'; there are: anna"),
+        (["cast", "anna", "--front", "sideways"], "--front cannot be 'sideways'; it is front, back, left, right, top"),
+        (["asset", "cup", "--top", "up"], "--top cannot be 'up'; it is front, back, left, right, top or bottom"),
         (["lock", "SC010", "--part", "colour"], "should be 'camera', 'blocking'"),
     ],
 )

@@ -58,7 +58,7 @@ def asset_effects(graph: ContinuityMemoryGraph, edit: AssetEdit) -> list[Effect]
         return thing_effects(graph, asset, edit)
     if asset is not None:
         if edit.action == "replace":
-            return made_anew(graph, asset, _decision(edit, prop_of(asset)), edit.model or "")
+            return made_anew(graph, asset, _decision(edit, prop_of(asset)), (edit.model or "").replace("_", " "))
         assert scene is not None, "the edit is whole"
         return [_removed(graph, scene, asset)]
     if scene is None:

@@ -9,7 +9,7 @@ from storyblender.catalog.garments import GARMENTS
 from storyblender.catalog.hair import HAIRSTYLES
 from storyblender.catalog.wardrobe import garment_words, look_words, put_on, take_off, worn_by
 from storyblender.edits.effect import Effect, name_of, refuse_locked_staging, scene_effect, shot_names
-from storyblender.edits.targets import person_or_thing, refuse_other
+from storyblender.edits.targets import person_named, refuse_other
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Asset, LookDecision
 from storyblender.memory.edits import LookEdit
@@ -32,7 +32,7 @@ def look_effects(graph: ContinuityMemoryGraph, edit: LookEdit) -> list[Effect]:
     Raises:
         InputError: There is no such person, garment or hair, or something is locked.
     """
-    asset = graph.asset(person_or_thing(graph, edit.person))
+    asset = graph.asset(person_named(graph, edit.person))
     if asset.asset_type != "character" or asset.look is None:
         raise InputError(f"{asset.asset_id} is a thing", mend="things are changed with `storyblender asset`")
     if asset.locked:

@@ -14,6 +14,8 @@ from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.shot_context import ShotContext
 
 Target = ShotContext | SceneContext | Asset
+_MOST = 12
+"""Names that a refusal lists."""
 _Target = TypeVar("_Target", bound=ShotContext | SceneContext | Asset)
 
 
@@ -73,9 +75,26 @@ def person_or_thing(graph: ContinuityMemoryGraph, name: str) -> str:
     Raises:
         InputError: There is no such asset.
     """
-    ids = {asset.asset_id: asset.asset_id for asset in graph.assets}
-    called = {as_id(asset.name): asset.asset_id for asset in graph.assets if asset.name}
-    return ids.get(name) or called.get(as_id(name)) or _known("person or thing", name, name.lower(), ids)
+    found = _asset_called(graph, name)
+    if found is None:
+        refuse_other(name, "person or thing", [each.asset_id for each in graph.assets if each.origin != "dressing"])
+    return found or name
+
+
+def person_named(graph: ContinuityMemoryGraph, name: str) -> str:
+    """Return the id of a person, who may be given by their name in the script; or of the thing that is called so.
+
+    Args:
+        graph: The story.
+        name: An asset_id, or the name in the script, in any case.
+
+    Raises:
+        InputError: Nobody and nothing is called that.
+    """
+    found = _asset_called(graph, name)
+    if found is None:
+        refuse_other(name, "person", [each.asset_id for each in graph.assets if each.asset_type == "character"])
+    return found or name
 
 
 def refuse_other(key: str, what: str, known: Collection[str]) -> None:
@@ -92,14 +111,22 @@ def refuse_other(key: str, what: str, known: Collection[str]) -> None:
     if key in known:
         return
     near = get_close_matches(key, known, n=3, cutoff=0.6)
-    several = ", ".join(near or sorted(known)[:12])
-    mend = f"did you mean {several}?" if near else f"there are: {several} ..." if several else "it has none"
+    several = ", ".join(near or sorted(known)[:_MOST])
+    more = " ..." if len(known) > _MOST else ""
+    mend = f"did you mean {several}?" if near else f"there are: {several}{more}" if several else "there is none"
     raise InputError(f"there is no {what} {key!r}", mend=mend)
 
 
 def as_id(name: str) -> str:
     """Return a name in the form of an id: ``Young Anna`` is ``young_anna``."""
     return "_".join(name.lower().split())
+
+
+def _asset_called(graph: ContinuityMemoryGraph, name: str) -> str | None:
+    """Return the id of the asset with an id or a name, in any case; None if there is none."""
+    ids = {asset.asset_id: asset.asset_id for asset in graph.assets}
+    called = {as_id(asset.name): asset.asset_id for asset in graph.assets if asset.name}
+    return ids.get(name) or called.get(as_id(name)) or ids.get(name.lower())
 
 
 def _in_itself(target: _Target) -> _Target:

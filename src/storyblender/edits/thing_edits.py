@@ -57,7 +57,7 @@ def _recast(graph: ContinuityMemoryGraph, asset: Asset, edit: AssetEdit) -> list
         return _turned(graph, asset, edit.pose)
     if edit.file is None:
         raise InputError(f"{asset.asset_id} is a person", mend="people are changed with `storyblender cast`")
-    words = f"is made from {edit.file}"
+    words = f"is made from {file_words(edit.file)}"
     warnings = (f"what {asset.asset_id} wears no longer shows",) if asset.look_decision is not None else ()
     own = Effect(made_from(asset, AssetDecision(file=edit.file)), asset.asset_id, words, frozenset({"asset"}))
     return [own.warned(warnings), *_staged_again(graph, asset.asset_id, words)]
@@ -76,7 +76,7 @@ def made_anew(graph: ContinuityMemoryGraph, asset: Asset, decision: AssetDecisio
         InputError: It is a person, or something is locked.
     """
     _refuse_person(asset)
-    words = f"is made from {said.replace('_', ' ')}"
+    words = f"is made from {said}"
     own = Effect(made_from(asset, decision), asset.asset_id, words, frozenset({"asset"}))
     return [own, *_staged_again(graph, asset.asset_id, words)]
 
@@ -100,7 +100,8 @@ def _regenerated(graph: ContinuityMemoryGraph, asset: Asset) -> list[Effect]:
     if made is None:
         raise InputError(f"{asset.asset_id} is not built yet", mend="run `storyblender render` first")
     turned_down = tuple(dict.fromkeys((*asset.turned_down, made.key)))
-    words = f"is made anew, not from {made.key.replace('_', ' ')}"
+    former = file_words(made.key) if made.source == "file" else made.key.replace("_", " ")
+    words = f"is made anew, not from {former}"
     fresh = asset.model_copy(update=_left_to_the_crew(asset, turned_down))
     own = Effect(fresh, asset.asset_id, words, frozenset({"asset"}))
     return [own, *_staged_again(graph, asset.asset_id, words)]

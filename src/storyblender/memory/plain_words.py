@@ -7,8 +7,8 @@ from collections.abc import Mapping
 
 from storyblender.memory.graph import ContinuityMemoryGraph
 
-_KEPT = r"“[^”]*”|`[^`]*`"
-"""Words of the script, and commands."""
+_KEPT = r"“[^”]*”|`[^`]*`|(?<![\w/.\-])[\w/.\-]+\.[a-zA-Z]\w{1,5}\b"
+"""Words of the script, commands, and names of files."""
 _ARTICLES = "[Tt]he|[Aa]n?|no|key|its|his|her|their|your|this|that|another|other|things"
 """What stands before a thing so that no further article does."""
 _WORD = rf"(?:\b(?P<article>{_ARTICLES}) )?(?<![\w/.\-'])(?P<word>[a-z]\w*+)(?!\.\w)"

@@ -17,7 +17,7 @@ from storyblender.catalog.props.prop_names import prop_of
 from storyblender.catalog.recipe import Recipe
 from storyblender.errors import AnswerAwaited, EngineError, InputError
 from storyblender.library.file_names import character_file
-from storyblender.memory.asset_sheet import Asset, AssetDecision, AssetDimension, CanonicalAsset, ModelPose
+from storyblender.memory.asset_sheet import Asset, AssetDecision, AssetDimension, CanonicalAsset, ModelPose, file_words
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure, AssetViews
 from storyblender.pipeline.asset_files import assets_to_build, note_asset
@@ -288,7 +288,7 @@ class ConceptArtist:
         if outcome.critique.score < recipe.score:  # a critic looked at it
             recipe = recipe.model_copy(update={"score": outcome.critique.score})
         if recipe.score < RETRIEVAL_THRESHOLD:
-            name = PROPS[recipe.key].name if recipe.source == "catalog" else recipe.key.replace("_", " ")
+            name = PROPS[recipe.key].name if recipe.source == "catalog" else file_words(recipe.key)
             message = (
                 f"the library has no {asset.name or asset.asset_id}; the {name} stands in for it ({recipe.reason})"
             )

@@ -109,7 +109,7 @@ def test_the_crew_cannot_change_a_look_that_a_person_decided(session: Session) -
 @every(
     "wrong",
     [
-        (look("nobody", hair="bob"), "no person or thing"),
+        (look("nobody", hair="bob"), "no person .nobody"),
         (look(hair="plume"), "no hair"),
         (look(wear=[{"key": "toga_of_gold"}]), "no garment"),
         (look(take_off=["crown"]), "no garment on tom"),

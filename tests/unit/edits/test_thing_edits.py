@@ -95,6 +95,15 @@ def test_a_thing_is_made_from_a_file_of_the_user_and_turned(with_models: Session
     assert session.graph.model_dump_json() == before.model_dump_json()
 
 
+def test_files_are_told_as_they_are_called(with_models: Session, tmp_path: Path) -> None:
+    write_cabinet(tmp_path / "models", "old_radio")
+    for name in ("table", "tom"):
+        applied = with_models.apply(edits_of([thing("replace", name, file="old_radio.obj")]))
+        with_models.draw(applied)
+        assert applied.words.endswith("is made from old_radio.obj")
+    assert with_models.apply(edits_of([thing("regenerate", "table")])).words.endswith("not from old_radio.obj")
+
+
 def test_a_model_becomes_as_high_as_is_said_and_an_odd_size_is_told(with_models: Session) -> None:
     session = with_models
     apply(session, thing("replace", "table", file="radio.obj"))

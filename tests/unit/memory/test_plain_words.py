@@ -23,6 +23,7 @@ NAMES = {"ilsa_lund": "Ilsa Lund", "bar": "the bar", "set_chair_1": "the chair",
         ("azimuth 9.329750213", "azimuth 9.33"),
         ("moved by -0.1000001 m", "moved by -0.1 m"),
         ("“ilsa_lund” at `storyblender place x.storyboard SC010 bar`",) * 2,
+        ("made from tin_cup.obj, bar/tin_cup-2.obj or ilsa_lund-v2_final.glb",) * 2,
         ("SC010_SH020 and board_single.pdf and out/bar",) * 2,
     ],
 )
