@@ -102,13 +102,14 @@ def given_models(graph: ContinuityMemoryGraph, edits: Sequence[Edit]) -> list[As
     Raises:
         InputError: An edit names what does not exist or cannot be, or what is locked.
     """
-    if not any(isinstance(edit, AssetEdit) and edit.file is not None for edit in edits):
+    files = {edit.file for edit in edits if isinstance(edit, AssetEdit) and edit.file is not None}
+    if not files:
         return []
-    former = {asset.asset_id: asset.decision.file for asset in graph.assets if asset.decision is not None}
+    before = {asset.asset_id: asset for asset in graph.assets}
     for edit in edits:
         graph = with_effects(graph, effects_of(graph, edit))
-    named = [asset for asset in graph.assets if asset.decision is not None and asset.decision.file]
-    return [asset for asset in named if asset.decision and asset.decision.file != former.get(asset.asset_id)]
+    changed = [asset for asset in graph.assets if asset != before.get(asset.asset_id)]
+    return [asset for asset in changed if asset.decision is not None and asset.decision.file in files]
 
 
 def _approved_and_changed(graph: ContinuityMemoryGraph, effects: Sequence[Effect]) -> Iterator[str]:

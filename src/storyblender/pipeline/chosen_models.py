@@ -9,7 +9,7 @@ from pathlib import PurePosixPath
 from storyblender.catalog.recipe import EXACT, Recipe
 from storyblender.errors import EngineError, InputError
 from storyblender.library.library_source import LibrarySource
-from storyblender.memory.asset_sheet import Asset, AssetDecision, Provenance
+from storyblender.memory.asset_sheet import Asset, AssetDecision, Provenance, file_words
 from storyblender.memory.jobs import AssetJob
 from storyblender.pipeline.fetching import fetched
 from storyblender.pipeline.run import Run
@@ -51,7 +51,7 @@ def chosen_model(run: Run, decision: AssetDecision, reason: str) -> Recipe:
 
 
 def refuse_unusable(run: Run, assets: Sequence[Asset]) -> None:
-    """Refuse models that there are not or that cannot be used.
+    """Refuse models that there are not, that cannot be used, or that a thing is made from as it is.
 
     Args:
         run: Its engine reads them.
@@ -62,7 +62,9 @@ def refuse_unusable(run: Run, assets: Sequence[Asset]) -> None:
     """
     for asset in assets:
         assert asset.decision is not None, "a person named a model"
-        recipe = chosen_model(run, asset.decision, "a person chose it")
+        recipe, before = chosen_model(run, asset.decision, "a person chose it"), run.graph.asset(asset.asset_id)
+        if before.decision == asset.decision and _is_made_from(before, recipe):
+            raise InputError(f"{asset.name or asset.asset_id} is made from {file_words(asset.decision.file)} already")
         job = AssetJob(asset=asset.model_copy(update={"canonical": recipe.canonical()}))
         try:
             run.engine.build_asset(job).result()
@@ -71,6 +73,14 @@ def refuse_unusable(run: Run, assets: Sequence[Asset]) -> None:
             if not named:
                 raise
             raise InputError(said, path=asset.decision.file) from error
+
+
+def _is_made_from(asset: Asset, recipe: Recipe) -> bool:
+    """Return whether an asset is built from a model as its file is now."""
+    made = asset.canonical
+    if made is None or not made.geometry_hash:
+        return False
+    return (made.key, made.params.get("content")) == (recipe.key, recipe.params.get("content"))
 
 
 def _instead(wanted: str, names: Sequence[str]) -> str:

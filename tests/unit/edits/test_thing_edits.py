@@ -104,6 +104,23 @@ def test_files_are_told_as_they_are_called(with_models: Session, tmp_path: Path)
     assert with_models.apply(edits_of([thing("regenerate", "table")])).words.endswith("not from old_radio.obj")
 
 
+def test_the_same_model_is_not_chosen_twice_unless_its_file_was_changed(with_models: Session, tmp_path: Path) -> None:
+    for name, said in (
+        ("table", "table is made from radio.obj already"),
+        ("tom", "Tom is made from radio.obj already"),
+    ):
+        chosen = thing("replace", name, file="radio.obj")
+        apply(with_models, chosen)
+        before = with_models.revision
+        with pytest.raises(InputError, match=f"^{re.escape(said)}$"):
+            with_models.apply(edits_of([chosen]))
+        assert with_models.revision == before
+        path = tmp_path / "models" / "radio.obj"
+        path.write_text(path.read_text() + f"# changed for {name}\n")
+        apply(with_models, chosen)
+        assert with_models.revision != before
+
+
 def test_a_model_becomes_as_high_as_is_said_and_an_odd_size_is_told(with_models: Session) -> None:
     session = with_models
     apply(session, thing("replace", "table", file="radio.obj"))
