@@ -121,7 +121,8 @@ def test_what_a_person_wrote_into_the_projects_copies_is_kept_aside(desk: Desk) 
     copies = [
         path for path in desk.folder.glob("script *.fountain") if path.read_text(encoding="utf-8") == "my own words"
     ]
-    assert len(copies) == 1 and any("script.fountain" in event.role for event in desk.told if event.kind == "warning")
+    assert len(copies) == 1
+    assert any("script.fountain" in event.subject for event in desk.told if event.kind == "warning")
 
 
 def test_a_file_that_is_there_is_not_overwritten(desk: Desk) -> None:
