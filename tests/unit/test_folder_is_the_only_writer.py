@@ -49,6 +49,8 @@ ELSEWHERE = {
     ("blender/models/plain.py", "savez"): "into that temporary folder",
     ("blender/models/plain.py", "write_text"): "into that temporary folder",
     ("blender/models/plain.py", "write_bytes"): "into that temporary folder",
+    ("blender/models/usd.py", "mkdir"): "in a temporary folder, by a process that reads a user's model",
+    ("blender/models/usd.py", "open"): "in that temporary folder",
     ("blender/models/palette.py", "save"): "into memory",
     ("blender/models/pictures.py", "save"): "into memory",
     ("blender/render/motion_frames.py", "copyfile"): "from picture to picture of a private folder",
