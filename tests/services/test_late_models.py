@@ -8,15 +8,14 @@ from pathlib import Path
 import pytest
 
 from storyblender.library.shared.shared_library import SharedLibrary
-from storyblender.library.sources import service_run
 from storyblender.memory.asset_sheet import Asset
 from storyblender.project import read_project_graph
 from storyblender.settings import Settings
 from storyblender.studio import Studio
 from storyblender.trace import Event
 from tests.services.makers import HunyuanWire, openai_draws
-from tests.services.site import QUICK, Site, serving
-from tests.stand_in_engine import StandInEngine
+from tests.services.quick_runs import hurry
+from tests.services.site import Site, serving
 
 SCRIPT = """INT. WORKSHOP - DAY
 
@@ -29,13 +28,7 @@ It still turns.
 
 @pytest.fixture
 def site(monkeypatch: pytest.MonkeyPatch) -> Iterator[Site]:
-    def run(*given: object) -> object:
-        made = service_run(*given)  # type: ignore[arg-type]
-        object.__setattr__(made, "patience", QUICK)
-        return made
-
-    monkeypatch.setattr("storyblender.studio.BlenderEngine", StandInEngine)
-    monkeypatch.setattr("storyblender.studio.service_run", run)
+    hurry(monkeypatch)
     with serving() as site:
         openai_draws(site, "")
         yield site

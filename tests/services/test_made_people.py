@@ -12,7 +12,6 @@ from typer.testing import CliRunner, Result
 from storyblender.cli import app
 from storyblender.errors import EngineError, InputError
 from storyblender.library.shared.shared_library import SharedLibrary
-from storyblender.library.sources import service_run
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure
@@ -20,7 +19,8 @@ from storyblender.project import read_project_graph
 from storyblender.settings import Settings
 from storyblender.studio import Studio
 from tests.services.makers import SECRET, HunyuanWire, model, openai_draws
-from tests.services.site import QUICK, Reply, Site, said, serving
+from tests.services.quick_runs import hurry
+from tests.services.site import Reply, Site, said, serving
 from tests.stand_in_engine import StandInEngine
 
 SCRIPT = """INT. WORKSHOP - DAY
@@ -34,14 +34,7 @@ It still turns.
 
 @pytest.fixture
 def site(monkeypatch: pytest.MonkeyPatch) -> Iterator[Site]:
-    def run(*given: object) -> object:
-        made = service_run(*given)  # type: ignore[arg-type]
-        if made is not None:
-            object.__setattr__(made, "patience", QUICK)
-        return made
-
-    monkeypatch.setattr("storyblender.studio.BlenderEngine", StandInEngine)
-    monkeypatch.setattr("storyblender.studio.service_run", run)
+    hurry(monkeypatch)
     with serving() as site:
         openai_draws(site, "")
         HunyuanWire(site).open()

@@ -9,13 +9,13 @@ from pathlib import Path
 
 import pytest
 
-from storyblender.library.sources import service_run
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.project import read_project_graph
 from storyblender.settings import Settings
 from storyblender.studio import Studio
 from storyblender.trace import Event
-from tests.services.site import QUICK, Cut, Late, Reply, Site
+from tests.services.quick_runs import hurry
+from tests.services.site import Cut, Late, Reply, Site
 from tests.services.story_with_services import (
     EXPECTED,
     SCRIPT,
@@ -28,7 +28,6 @@ from tests.services.story_with_services import (
     services_of,
     started,
 )
-from tests.stand_in_engine import StandInEngine
 
 Sites = tuple[Site, Site]
 
@@ -52,14 +51,7 @@ def make(script: Path, project: Path, services: str, monkeypatch: pytest.MonkeyP
     """Make the story in this process with quick pauses; return the warnings."""
     told: list[Event] = []
 
-    def run(*given: object) -> object:
-        made = service_run(*given)  # type: ignore[arg-type]
-        if made is not None:
-            object.__setattr__(made, "patience", QUICK)
-        return made
-
-    monkeypatch.setattr("storyblender.studio.BlenderEngine", StandInEngine)
-    monkeypatch.setattr("storyblender.studio.service_run", run)
+    hurry(monkeypatch)
     settings = Settings(width=160, look="fast", animatic=False, jobs=1, services=services)
     Studio(settings, told.append).make(script, project)
     return [event.message for event in told if event.kind == "warning"]

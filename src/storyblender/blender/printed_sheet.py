@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
 
 DESIGNS = 4
+Outline = Sequence[tuple[float, float]] | np.ndarray
 _INK = 0.001
 """Metres that a colour lies above what is printed before it."""
 
@@ -34,7 +36,7 @@ def print_sheet(b: MeshBuilder, inks: Inks, width: float, height: float, y: floa
     """
     layer = iter(y - _INK * step for step in range(1, 12))
 
-    def area(ink: MaterialRef, outline: np.ndarray) -> None:
+    def area(ink: MaterialRef, outline: Outline) -> None:
         at = next(layer)
         b.polygon(ink, [(float(x) * width, at, float(z) * height) for x, z in outline])
 
@@ -43,34 +45,30 @@ def print_sheet(b: MeshBuilder, inks: Inks, width: float, height: float, y: floa
         area(inks.accent, _disc(-0.22, 0.82, 0.09, width / height))
         area(
             inks.shape,
-            np.array(
-                [(-0.45, 0.36), (0.45, 0.36), (0.45, 0.5), (0.12, 0.86), (-0.14, 0.56), (-0.24, 0.64), (-0.45, 0.44)]
-            ),
+            [(-0.45, 0.36), (0.45, 0.36), (0.45, 0.5), (0.12, 0.86), (-0.14, 0.56), (-0.24, 0.64), (-0.45, 0.44)],
         )
     elif design == 1:
         area(inks.accent, _disc(0.0, 0.66, 0.24, width / height))
         for row in range(3):
             area(inks.shape, _box(0.0, 0.36 + 0.1 * row, 0.9, 0.035))
     elif design == 2:
-        area(inks.shape, np.array([(-0.34, 0.33), (0.34, 0.33), (0.3, 0.5), (0.1, 0.58), (-0.1, 0.58), (-0.3, 0.5)]))
+        area(inks.shape, [(-0.34, 0.33), (0.34, 0.33), (0.3, 0.5), (0.1, 0.58), (-0.1, 0.58), (-0.3, 0.5)])
         area(inks.shape, _disc(0.0, 0.7, 0.17, width / height))
         area(inks.accent, _box(0.0, 0.815, 0.5, 0.025))
     else:
         area(inks.accent, _disc(0.0, 0.63, 0.36, width / height))
         area(
             inks.shape,
-            np.array(
-                [
-                    (-0.1, 0.4),
-                    (0.1, 0.4),
-                    (0.1, 0.66),
-                    (0.035, 0.72),
-                    (0.035, 0.86),
-                    (-0.035, 0.86),
-                    (-0.035, 0.72),
-                    (-0.1, 0.66),
-                ]
-            ),
+            [
+                (-0.1, 0.4),
+                (0.1, 0.4),
+                (0.1, 0.66),
+                (0.035, 0.72),
+                (0.035, 0.86),
+                (-0.035, 0.86),
+                (-0.035, 0.72),
+                (-0.1, 0.66),
+            ],
         )
     for row, wide in enumerate((0.8, 0.58, 0.66)):
         area(inks.accent if row == 0 else inks.ground, _box(0.0, 0.25 - 0.075 * row, wide, 0.06 if row == 0 else 0.025))
